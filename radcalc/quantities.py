@@ -1,0 +1,242 @@
+"""Which quantity a unit measures: the product of geometry and kind, read from its dimension.
+
+A light quantity is five small facts: its kind (radiant e, luminous v, photon p) and the powers
+of time, area and solid angle relative to a flux, and the axis of a spectral density.  There
+is no graph of conversions: what stands between two quantities is the difference of these facts.
+"""
+
+from radcalc.units.table import (
+    ANGLE,
+    COUNT,
+    CYCLE,
+    LENGTH,
+    LUMINOSITY,
+    MASS,
+    NUMBER,
+    RETINAL,
+    TIME,
+    Dimension,
+    Unit,
+)
+from radcalc.errors import quote
+
+RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
+NONE, WAVELENGTH, FREQUENCY, WAVENUMBER = "", "lambda", "nu", "sigma"
+DENSITY_NAMES = {
+    WAVELENGTH: "per wavelength",
+    FREQUENCY: "per frequency",
+    WAVENUMBER: "per wavenumber",
+}
+# The units that make a length below a light quantity a wavelength.
+WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
+EXITANCE_UNITS = ("radlux", "radphot")
+
+
+def powers(**exponents: int) -> Dimension:
+    """Write a dimension by the names of its bases."""
+    places = {
+        "length": LENGTH,
+        "mass": MASS,
+        "time": TIME,
+        "temperature": 3,
+        "angle": ANGLE,
+        "cycle": CYCLE,
+        "count": COUNT,
+        "luminosity": LUMINOSITY,
+        "retinal": RETINAL,
+    }
+    dimension = list(NUMBER)
+    for name, exponent in exponents.items():
+        dimension[places[name]] = exponent
+    return tuple(dimension)
+
+
+def times(a: Dimension, b: Dimension, power: int = 1) -> Dimension:
+    """The dimension of a * b**power."""
+    return tuple([x + power * y for x, y in zip(a, b, strict=True)])
+
+
+FLUX = {
+    RADIANT: powers(mass=1, length=2, time=-3),
+    LUMINOUS: powers(luminosity=1, angle=2),
+    PHOTON: powers(count=1, time=-1),
+}
+AXIS = {
+    NONE: NUMBER,
+    WAVELENGTH: powers(length=1),
+    FREQUENCY: powers(cycle=1, time=-1),
+    WAVENUMBER: powers(cycle=1, length=-1),
+}
+SOLID_ANGLE = powers(angle=2)
+AREA = powers(length=2)
+DURATION = powers(time=1)
+TROLAND = powers(retinal=1)
+RATIOS = {
+    (over, under): times(FLUX[over], FLUX[under], -1)
+    for over in FLUX
+    for under in FLUX
+    if over != under
+}
+
+# (time, area, solid angle) relative to flux: names for the kinds e, v, p; symbol.
+GEOMETRIES = {
+    (1, 0, 0): (("radiant energy", "luminous energy", "photon number"), "Q"),
+    (0, 0, 0): (("radiant flux", "luminous flux", "photon flux"), "Φ"),
+    (0, 0, 1): (("radiant intensity", "luminous intensity", "photon intensity"), "I"),
+    (0, 1, 0): (("irradiance", "illuminance", "photon irradiance"), "E"),
+    (0, 1, 1): (("radiance", "luminance", "photon radiance"), "L"),
+    (1, 1, 0): (("radiant exposure", "luminous exposure", "photon exposure"), "H"),
+    (1, 0, 1): (
+        (
+            "time-integrated radiant intensity",
+            "time-integrated luminous intensity",
+            "time-integrated photon intensity",
+        ),
+        "∫I dt",
+    ),
+    (1, 1, 1): (
+        ("time-integrated radiance", "time-integrated luminance", "time-integrated photon radiance"),
+        "∫L dt",
+    ),
+}
+EXITANCES = ("radiant exitance", "luminous exitance", "photon exitance")
+KIND_NAMES = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
+
+OTHERS = {
+    NUMBER: ("number", ""),
+    powers(length=1): ("length", "l"),
+    AREA: ("area", "A"),
+    powers(length=3): ("volume", "V"),
+    powers(mass=1): ("mass", "m"),
+    DURATION: ("time", "t"),
+    powers(temperature=1): ("temperature", "T"),
+    powers(angle=1): ("angle", "α"),
+    SOLID_ANGLE: ("solid angle", "Ω"),
+    powers(cycle=1): ("number of cycles", ""),
+    AXIS[FREQUENCY]: ("frequency", "ν"),
+    AXIS[WAVENUMBER]: ("wavenumber", "σ"),
+    powers(length=2, angle=2): ("etendue", "G"),
+    TROLAND: ("retinal illuminance", "E_T"),
+    powers(mass=1, length=2, time=-2, count=-1): ("photon energy", "Q"),
+    RATIOS[LUMINOUS, RADIANT]: ("luminous efficacy", "K"),
+    RATIOS[PHOTON, RADIANT]: ("photon efficacy", "K_p"),
+    RATIOS[LUMINOUS, PHOTON]: ("luminous efficacy per photon", ""),
+    RATIOS[RADIANT, LUMINOUS]: ("radiant flux per luminous flux", ""),
+    RATIOS[PHOTON, LUMINOUS]: ("photons per luminous energy", ""),
+    powers(length=1, time=-1): ("speed", "v"),
+    powers(length=2, time=-2, temperature=-1): ("specific heat capacity", "c"),
+}
+
+
+class Reading:
+    """What a light quantity is: kind, geometry, axis of density; `retinal` for the troland."""
+
+    __slots__ = ("area", "axis", "kind", "retinal", "solid_angle", "time")
+
+    def __init__(
+        self, kind: str, time: int, area: int, solid_angle: int, axis: str, retinal: bool = False
+    ) -> None:
+        """Hold the facts."""
+        self.kind = kind
+        self.time = time
+        self.area = area
+        self.solid_angle = solid_angle
+        self.axis = axis
+        self.retinal = retinal
+
+    @property
+    def geometry(self) -> tuple[int, int, int]:
+        """The powers of time, 1/area and 1/solid angle relative to flux."""
+        return self.time, self.area, self.solid_angle
+
+    @property
+    def is_radiance(self) -> bool:
+        """Whether the quantity is per projected solid angle: radiance, luminance, troland."""
+        return bool(self.area and self.solid_angle)
+
+    @property
+    def dimension(self) -> Dimension:
+        """The dimension that these facts make."""
+        if self.retinal:
+            return TROLAND
+        return light_dimension(self.kind, self.geometry, self.axis)
+
+    @property
+    def name(self) -> str:
+        """The quantity's name, as the CIE's vocabulary has it."""
+        if self.retinal:
+            return OTHERS[TROLAND][0]
+        name = GEOMETRIES[self.geometry][0]["evp".index(self.kind)]
+        return f"spectral {name} ({DENSITY_NAMES[self.axis]})" if self.axis else name
+
+    @property
+    def symbol(self) -> str:
+        """The quantity's symbol, such as E_v or L_e,λ."""
+        if self.retinal:
+            return OTHERS[TROLAND][1]
+        greek = {NONE: "", WAVELENGTH: ",λ", FREQUENCY: ",ν", WAVENUMBER: ",σ"}[self.axis]
+        return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{greek}"
+
+
+def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
+    """The dimension of a light quantity, from its facts."""
+    time, area, solid_angle = geometry
+    dimension = times(FLUX[kind], DURATION, time)
+    dimension = times(dimension, AREA, -area)
+    dimension = times(dimension, SOLID_ANGLE, -solid_angle)
+    return times(dimension, AXIS[axis], -1)
+
+
+GRID = {
+    light_dimension(kind, geometry, axis): (kind, *geometry, axis)
+    for kind in FLUX
+    for geometry in GEOMETRIES
+    for axis in AXIS
+}
+
+
+def read(unit: Unit) -> Reading | None:
+    """Read the facts of a light quantity back from a unit; None for any other quantity."""
+    if unit.dimension == TROLAND:
+        return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
+    facts = GRID.get(unit.dimension)
+    return Reading(*facts) if facts else None
+
+
+def _per_length(unit: Unit, reading: Reading) -> bool:
+    """Whether a density per wavelength is written with no wavelength unit: the lm/m of a strip."""
+    return reading.axis == WAVELENGTH and not any(
+        name in WAVELENGTH_UNITS and power < 0 for name, power in unit.atoms
+    )
+
+
+def name_of(unit: Unit) -> str:
+    """The name of the quantity that a unit measures, or '' where it has none."""
+    reading = read(unit)
+    if reading is None:
+        return OTHERS.get(unit.dimension, ("", ""))[0]
+    if _per_length(unit, reading):
+        plain = Reading(reading.kind, *reading.geometry, NONE)
+        return f"{plain.name} per length"
+    if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
+        return EXITANCES["evp".index(reading.kind)]
+    return reading.name
+
+
+def symbol_of(unit: Unit) -> str:
+    """The symbol of the quantity that a unit measures, or ''."""
+    reading = read(unit)
+    if reading is None:
+        return OTHERS.get(unit.dimension, ("", ""))[1]
+    if _per_length(unit, reading):
+        return ""
+    if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
+        return f"M_{reading.kind}"
+    return reading.symbol
+
+
+def describe(unit: Unit) -> str:
+    """A unit for a message: 'luminous flux (lm)', or 'kg.m' where the quantity has no name."""
+    name = name_of(unit)
+    text = quote(unit.text)
+    return f"{name} ({text})" if name else f"'{text}'"

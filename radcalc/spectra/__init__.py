@@ -1,0 +1,1 @@
+"""Observers, and later sources: what links watts, lumens and photons."""

@@ -1,0 +1,1 @@
+"""Text to units and back: the definitions, the grammar and the compiled table."""

@@ -1,0 +1,205 @@
+"""Ask Pint what every unit of `light.txt` is worth, and print the table.
+
+`python -m radcalc.units.compile` writes `compiled.py`, which every conversion loads, and
+`catalogue.py`, which only `radcalc units` loads.  It refuses a name that is defined twice and
+a spelling that can be read in two ways.
+"""
+
+import logging
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from pint.util import UnitsContainer
+
+from radcalc.units.registry import DEFINITIONS, exact_registry
+
+HERE = Path(__file__).parent
+BASE_UNITS = {  # dimension in Pint: exponent's place; table.BASES has the same order
+    "[length]": 0,
+    "[mass]": 1,
+    "[time]": 2,
+    "[temperature]": 3,
+    "[angle]": 4,
+    "[cycle]": 5,
+    "[count]": 6,
+    "[luminosity]": 7,
+    "[retinal_illuminance]": 8,
+}
+MASS = 1  # the gram is Pint's base unit, the kilogram the SI's
+
+
+class Definition(NamedTuple):
+    """One unit of `light.txt`, as it is written there."""
+
+    name: str
+    value: str
+    symbols: tuple[str, ...]
+    names: tuple[str, ...]
+    prefixes: tuple[str, ...]
+    note: str
+    source: str
+
+
+class Definitions(NamedTuple):
+    """The whole of `light.txt`."""
+
+    units: list[Definition]
+    prefix_names: dict[str, int]
+    prefix_symbols: dict[str, str]
+    refused: dict[str, str]
+
+
+def is_name(word: str) -> bool:
+    """Whether an alias is a full name (any case, a plural) rather than a symbol."""
+    return re.fullmatch(r"[a-z][a-z_0-9]{3,}", word) is not None
+
+
+def read(text: str) -> Definitions:
+    """Read the definitions and the marks that belong to them."""
+    found = Definitions([], {}, {}, {})
+    marks: dict[str, list[str]] = {}
+    for line in text.splitlines():
+        if line[:2] in ("#:", "#!", "#~"):
+            marks.setdefault(line[1], []).append(line[2:].strip())
+        elif line[:2] == "#?":
+            names, _, reason = line[2:].partition(" : ")
+            found.refused.update(dict.fromkeys(re.split(r"[,\s]+", names.strip()), reason.strip()))
+        elif "=" in line and not line.startswith("#"):
+            name, value, *aliases = (part.strip() for part in line.split("="))
+            if name.endswith("-"):
+                name = name[:-1]
+                found.prefix_names[name] = _power_of_ten(Fraction(value))
+                found.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
+            elif name != "pi":
+                found.units.append(_definition(name, value, aliases, marks, found.prefix_symbols))
+            marks = {}
+    return found
+
+
+def _power_of_ten(value: Fraction) -> int:
+    power = len(str(max(value.numerator, value.denominator))) - 1
+    return power if value > 1 else -power
+
+
+def _definition(
+    name: str,
+    value: str,
+    aliases: list[str],
+    marks: dict[str, list[str]],
+    prefix_symbols: dict[str, str],
+) -> Definition:
+    symbol, rest = (aliases[0], aliases[1:]) if aliases else ("_", [])
+    symbols = [a for a in [symbol, *rest] if a != "_" and not (a in rest and is_name(a))]
+    names = [name, *(a for a in rest if is_name(a))]
+    plurals = [n + "s" for n in names if n[-1].isalpha() and not n.endswith(("s", "x", "ch"))]
+    allowed = " ".join(marks.get("~", [])).split()
+    if allowed == ["all"]:
+        prefixes = dict.fromkeys(prefix_symbols.values())
+    else:
+        prefixes = dict.fromkeys(prefix_symbols[p] for p in allowed)
+    return Definition(
+        name,
+        value,
+        tuple(symbols),
+        tuple(dict.fromkeys(names + plurals)),
+        tuple(prefixes),
+        " ".join(marks.get("!", [])),
+        " ".join(marks.get(":", [])),
+    )
+
+
+def every_spelling(found: Definitions) -> dict[str, list[tuple[str, str]]]:
+    """List every spelling that is accepted, prefixed ones too, with all its readings.
+
+    A full name stands here in small letters, which is how it is matched.
+    """
+    readings: dict[str, list[tuple[str, str]]] = {}
+    for unit in found.units:
+        for symbol in unit.symbols:
+            readings.setdefault(symbol, []).append(("", unit.name))
+            for prefix, name in found.prefix_symbols.items():
+                if name in unit.prefixes and prefix.isascii() == symbol.isascii():
+                    readings.setdefault(prefix + symbol, []).append((name, unit.name))
+        for full in unit.names:
+            for prefix in ("", *unit.prefixes):
+                readings.setdefault(prefix + full, []).append((prefix, unit.name))
+    return readings
+
+
+def refuse_collisions(found: Definitions) -> None:
+    """Raise ValueError for a spelling with two readings, or one that is also refused."""
+    for spelling, readings in every_spelling(found).items():
+        if len(readings) > 1:
+            raise ValueError(f"{spelling!r} has more than one reading: {readings}")
+        if spelling in found.refused:
+            raise ValueError(f"{spelling!r} is both a unit and refused")
+
+
+def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
+    """Ask Pint for a unit's exact factor to coherent SI units and its dimension."""
+    container = UnitsContainer({name: 1})
+    factor, _ = registry.get_root_units(container)
+    powers = [0] * len(BASE_UNITS)
+    for base, power in registry.get_dimensionality(container).items():
+        powers[BASE_UNITS[base]] = int(power)
+    factor = Fraction(factor) / Fraction(1000) ** powers[MASS]
+    return factor.numerator, factor.denominator, tuple(powers)
+
+
+class _Fatal(logging.Handler):
+    """Pint only warns when a name is defined a second time; here that is an error."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        raise ValueError(record.getMessage())
+
+
+def compile_units(text: str) -> tuple[str, str]:
+    """Return the texts of `compiled.py` and `catalogue.py`."""
+    found = read(text)
+    refuse_collisions(found)
+    logger, handler = logging.getLogger("pint"), _Fatal(level=logging.WARNING)
+    logger.addHandler(handler)
+    try:
+        registry = exact_registry()
+    finally:
+        logger.removeHandler(handler)
+    head = '"""Printed by `python -m radcalc.units.compile` from light.txt; do not edit."""\n\n'
+    every = tuple(found.prefix_names)
+    units = "".join(
+        f"    {u.name!r}: ({top}, {bottom}, {powers}, {'ALL' if u.prefixes == every else u.prefixes}),\n"
+        for u in found.units
+        for top, bottom, powers in [worth(registry, u.name)]
+    )
+    table = (
+        f"{head}ALL = {every}\n"
+        f"UNITS = {{\n{units}}}\n"
+        f"SYMBOLS = {_lines({s: u.name for u in found.units for s in u.symbols})}\n"
+        f"NAMES = {_lines({n: u.name for u in found.units for n in u.names})}\n"
+        f"NOTES = {_lines({u.name: u.note for u in found.units if u.note})}\n"
+        f"REFUSED = {_lines(found.refused)}\n"
+        f"PREFIX_NAMES = {_lines(found.prefix_names)}\n"
+        f"PREFIX_SYMBOLS = {_lines(found.prefix_symbols)}\n"
+    )
+    entries = "".join(
+        f"    {u.name!r}: ({u.symbols}, {u.names}, {u.value!r}, {u.source!r}),\n"
+        for u in found.units
+    )
+    catalogue = f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"
+    return table, catalogue
+
+
+def _lines(mapping: dict[str, Any]) -> str:
+    return "{\n" + "".join(f"    {k!r}: {v!r},\n" for k, v in mapping.items()) + "}"
+
+
+def main() -> None:
+    """Write both files beside this one."""
+    table, catalogue = compile_units(DEFINITIONS.read_text(encoding="utf-8"))
+    (HERE / "compiled.py").write_text(table, encoding="utf-8")
+    (HERE / "catalogue.py").write_text(catalogue, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+"""Pint at the gates: the registry built from `light.txt`.
+
+Only this module and `compile.py` import Pint.  Whatever text reaches the registry goes
+through radcalc's own grammar, never through Pint's parser.
+"""
+
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pint
+from pint.util import UnitsContainer
+
+from radcalc.units import grammar, table
+
+DEFINITIONS = Path(__file__).with_name("light.txt")
+
+
+class LightRegistry(pint.UnitRegistry):
+    """A Pint registry of the units of light that reads text as `radcalc convert` does."""
+
+    closed = False
+
+    def parse_units_as_container(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
+        """Read the text of a unit with radcalc's grammar, into Pint's container."""
+        if not self.closed:
+            return super().parse_units_as_container(input_string, *args, **kwargs)
+        return container(table.resolve(input_string))
+
+    def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
+        """Read a number and a unit with radcalc's grammar."""
+        if not self.closed:
+            return super().parse_expression(input_string, *args, **kwargs)
+        value, unit = grammar.split_quantity(input_string)
+        return self.Quantity(value, container(table.resolve(unit or "1")))
+
+
+def container(unit: table.Unit) -> UnitsContainer:
+    """Turn a unit into Pint's dictionary of canonical names and powers."""
+    powers: dict[str, int] = {}
+    for name, exponent in unit.atoms:
+        powers[name] = powers.get(name, 0) + exponent
+    return UnitsContainer({name: power for name, power in powers.items() if power})
+
+
+def from_container(units: Any) -> table.Unit:
+    """Turn Pint's units into a unit of the table."""
+    text = " ".join(f"{name}^{int(power)}" for name, power in units.items())
+    return table.resolve(text or "1")
+
+
+@cache
+def light_registry() -> LightRegistry:
+    """Build the registry that the Python API takes and returns, once."""
+    registry = LightRegistry(str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False)
+    registry.closed = True
+    return registry
+
+
+def exact_registry() -> pint.UnitRegistry[Any]:
+    """Build a registry whose factors are exact fractions, for the compiler and the tests."""
+    return pint.UnitRegistry(str(DEFINITIONS), non_int_type=Fraction, cache_folder=None)

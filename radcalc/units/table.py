@@ -1,0 +1,196 @@
+"""The compiled units at run time: text to a unit, spellings to suggestions.
+
+The numbers come from `compiled.py`, which `compile.py` prints from what Pint says of
+`light.txt`.  Factors are exact ratios of whole numbers, so the factor between any two units
+is rounded once.
+"""
+
+from radcalc.errors import UnitError, quote
+from radcalc.units.compiled import (
+    NAMES,
+    NOTES,
+    PREFIX_NAMES,
+    PREFIX_SYMBOLS,
+    REFUSED,
+    SYMBOLS,
+    UNITS,
+)
+from radcalc.units.grammar import parse_unit
+
+# The order of the exponents in a dimension.
+BASES = (
+    "length",
+    "mass",
+    "time",
+    "temperature",
+    "angle",
+    "cycle",
+    "count",
+    "luminosity",
+    "retinal_illuminance",
+)
+LENGTH, MASS, TIME, TEMPERATURE, ANGLE, CYCLE, COUNT, LUMINOSITY, RETINAL = range(len(BASES))
+Dimension = tuple[int, ...]
+NUMBER: Dimension = (0,) * len(BASES)
+INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
+COMMON_PREFIXES = "GMkcmun"
+LUMINOUS_AND_COUNTED = (MASS, COUNT, LUMINOSITY)
+
+
+class Unit:
+    """A unit as a user wrote it, with what it is worth in coherent SI units.
+
+    `top / bottom` is the exact factor; `dimension` has the exponents of `BASES`; `atoms` are
+    (canonical name, exponent); `notes` say what was assumed in reading it.
+    """
+
+    __slots__ = ("atoms", "bottom", "dimension", "notes", "text", "top")
+
+    def __init__(
+        self,
+        text: str,
+        top: int,
+        bottom: int,
+        dimension: Dimension,
+        atoms: tuple[tuple[str, int], ...],
+        notes: tuple[str, ...] = (),
+    ) -> None:
+        """Hold the reading of `text`."""
+        self.text = text
+        self.top = top
+        self.bottom = bottom
+        self.dimension = dimension
+        self.atoms = atoms
+        self.notes = notes
+
+    def __repr__(self) -> str:
+        """Show the text."""
+        return f"Unit({self.text!r})"
+
+    @property
+    def factor(self) -> float:
+        """The unit in coherent SI units, rounded once."""
+        return self.top / self.bottom
+
+
+def lookup(spelling: str) -> tuple[str, str]:
+    """Find (prefix name, unit name) for one spelling; raise UnitError where there is none.
+
+    Symbols are matched as written; full names in any case, with hyphens as underscores.
+    """
+    if spelling in SYMBOLS:
+        return "", SYMBOLS[spelling]
+    name = spelling.lower().replace("-", "_")
+    if name in NAMES:
+        return "", NAMES[name]
+    for size in (2, 1):
+        head, symbol = spelling[:size], spelling[size:]
+        if head in PREFIX_SYMBOLS and symbol in SYMBOLS and _takes(head, symbol):
+            return PREFIX_SYMBOLS[head], SYMBOLS[symbol]
+    for prefix in PREFIX_NAMES:
+        if name.startswith(prefix):
+            unit = NAMES.get(name[len(prefix) :].lstrip("_"))
+            if unit and prefix in UNITS[unit][3]:
+                return prefix, unit
+    raise _unknown(spelling)
+
+
+def _takes(prefix: str, symbol: str) -> bool:
+    """Whether the prefix goes before this symbol: Cyrillic goes with Cyrillic."""
+    allowed = UNITS[SYMBOLS[symbol]][3]
+    return prefix.isascii() == symbol.isascii() and PREFIX_SYMBOLS[prefix] in allowed
+
+
+def resolve(text: str) -> Unit:
+    """Read the text of a unit, as people write it.
+
+    Raises UnitError for a text that is not a unit, with the nearest names as the hint.
+    """
+    top = bottom = 1
+    dimension = NUMBER
+    inverted = 0
+    atoms = []
+    notes: tuple[str, ...] = ()
+    for spelling, exponent, below in parse_unit(text):
+        if spelling == "1":
+            continue
+        prefix, name = lookup(spelling)
+        unit_top, unit_bottom, powers, _ = UNITS[name]
+        if prefix:
+            shift = PREFIX_NAMES[prefix]
+            unit_top *= 10 ** max(shift, 0)
+            unit_bottom *= 10 ** max(-shift, 0)
+        if exponent < 0:
+            unit_top, unit_bottom = unit_bottom, unit_top
+        top *= unit_top ** abs(exponent)
+        bottom *= unit_bottom ** abs(exponent)
+        dimension = tuple([a + exponent * b for a, b in zip(dimension, powers, strict=True)])
+        atoms.append((prefix + name, exponent))
+        if below and powers == (1, *NUMBER[1:]):
+            inverted += 1
+        if name in NOTES and NOTES[name] not in notes:
+            notes += (NOTES[name],)
+    return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
+
+
+def _as_wavenumber(unit: Unit, inverted: int) -> Unit:
+    """Read an inverse length as a wavenumber where it stands alone or divides a light quantity."""
+    cycles = 0
+    if unit.dimension == INVERSE_LENGTH and len(unit.atoms) == 1:
+        cycles, read = 1, f"{quote(unit.text)} is read as a wavenumber, in cycles per length"
+    elif inverted == 1 and any(unit.dimension[i] for i in LUMINOUS_AND_COUNTED):
+        cycles, read = -1, f"{quote(unit.text)} is read as a density per wavenumber"
+    if cycles:
+        powers = list(unit.dimension)
+        powers[CYCLE] += cycles
+        unit.dimension = tuple(powers)
+        unit.atoms = (*unit.atoms, ("cycle", cycles))
+        unit.notes = (*unit.notes, read)
+    return unit
+
+
+def spellings() -> list[str]:
+    """List every spelling without a prefix, symbols first."""
+    return [*SYMBOLS, *NAMES]
+
+
+def _unknown(spelling: str) -> UnitError:
+    """Say that a spelling is unknown or refused, with the nearest names."""
+    shown = quote(spelling)
+    name = spelling.lower().replace("-", "_")
+    if name in REFUSED:
+        return UnitError(f"'{shown}' is not accepted as a unit", REFUSED[name])
+    for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
+        for prefix in prefixes:
+            rest = text[len(prefix) :]
+            if text.startswith(prefix) and (rest in SYMBOLS or rest.lower() in NAMES):
+                return UnitError(
+                    f"unknown unit '{shown}': the prefix {prefix} does not go before {quote(rest)}",
+                    f"{quote(rest)}, with the power of ten in the number",
+                )
+    near = suggest(spelling)
+    return UnitError(
+        f"unknown unit '{shown}'",
+        ", ".join(near) if near else "radcalc units, which lists them all",
+    )
+
+
+def suggest(spelling: str, count: int = 3) -> list[str]:
+    """The known spellings nearest to one that is not."""
+    import difflib
+
+    spelling = spelling[:60]
+    folded = spelling.lower()
+    same = [s for s in _prefixed() if s.lower() == folded]
+    near = difflib.get_close_matches(folded, NAMES, n=count, cutoff=0.7)
+    if len(spelling) <= 4:
+        near = difflib.get_close_matches(spelling, _prefixed(), n=count, cutoff=0.6) + near
+    return list(dict.fromkeys(same + near))[:count]
+
+
+def _prefixed() -> list[str]:
+    """The symbols, and those with a common prefix."""
+    found = list(SYMBOLS)
+    for symbol in SYMBOLS:
+        found += [prefix + symbol for prefix in COMMON_PREFIXES if _takes(prefix, symbol)]
+    return found
