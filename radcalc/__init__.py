@@ -1,0 +1,25 @@
+"""Radiometry, photometry, photons and their geometry: a calculator and unit converter.
+
+The public API is loaded when it is first used; `import radcalc` costs nothing.
+
+>>> import radcalc
+>>> print(radcalc.convert("100 lx", "fc"))
+9.290304 footcandle
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from radcalc._version import __version__
+
+if TYPE_CHECKING:
+    from radcalc.api import Quantity, convert
+
+__all__ = ["Quantity", "__version__", "convert"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("Quantity", "convert"):
+        from radcalc import api
+
+        return getattr(api, name)
+    raise AttributeError(f"module 'radcalc' has no attribute '{name}'")

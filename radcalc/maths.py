@@ -27,6 +27,11 @@ def cos(x: Number) -> Number:
     return _call("cos", x)
 
 
+def atan(x: Number) -> Number:
+    """The arc tangent of x, in radians."""
+    return _call("atan", x)
+
+
 def log(x: Number) -> Number:
     """The natural logarithm of x."""
     return _call("log", x)

@@ -203,11 +203,14 @@ def read(unit: Unit) -> Reading | None:
     return Reading(*facts) if facts else None
 
 
-def _per_length(unit: Unit, reading: Reading) -> bool:
+def is_per_length(unit: Unit) -> bool:
     """Whether a density per wavelength is written with no wavelength unit: the lm/m of a strip."""
-    return reading.axis == WAVELENGTH and not any(
-        name in WAVELENGTH_UNITS and power < 0 for name, power in unit.atoms
-    )
+    reading = read(unit)
+    if reading is None or reading.axis != WAVELENGTH:
+        return False
+    if any(name.endswith("flick") for name, _ in unit.atoms):
+        return False
+    return not any(name in WAVELENGTH_UNITS and power < 0 for name, power in unit.atoms)
 
 
 def name_of(unit: Unit) -> str:
@@ -215,7 +218,7 @@ def name_of(unit: Unit) -> str:
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[0]
-    if _per_length(unit, reading):
+    if is_per_length(unit):
         plain = Reading(reading.kind, *reading.geometry, NONE)
         return f"{plain.name} per length"
     if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
@@ -228,7 +231,7 @@ def symbol_of(unit: Unit) -> str:
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[1]
-    if _per_length(unit, reading):
+    if is_per_length(unit):
         return ""
     if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
         return f"M_{reading.kind}"

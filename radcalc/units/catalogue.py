@@ -13,7 +13,7 @@ CATALOGUE = {
     'troland': (('td',), ('troland', 'trolands'), '[retinal_illuminance]', 'a base unit here: cd/m2 times a square millimetre of pupil'),
     'percent': ((), ('percent', 'percents'), '0.01', ''),
     'ppm': ((), ('ppm', 'ppms'), '1e-6', 'parts per million'),
-    'angstrom': (('ångström', 'Å'), ('angstrom', 'angstroms'), '1e-10 * metre', '1e-10 m'),
+    'angstrom': (('Å', 'ångström'), ('angstrom', 'angstroms'), '1e-10 * metre', '1e-10 m'),
     'micron': ((), ('micron', 'microns'), '1e-6 * metre', "the micrometre's old name"),
     'inch': (('in',), ('inch', 'inches'), '0.0254 * metre', 'exact since 1959: 0.0254 m (GNU units)'),
     'foot': (('ft',), ('foot', 'feet', 'foots', 'feets'), '12 * inch', '12 in'),

@@ -1,0 +1,110 @@
+"""The command line: one module per command, one boundary for every error."""
+
+import os
+import sys
+import traceback
+
+import click
+
+from radcalc import console
+from radcalc._version import __version__
+from radcalc.errors import NumberError, OutputError, RadcalcError, quote
+from radcalc.units.grammar import read_number
+
+COMMANDS = ("convert", "units")
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+class Commands(click.Group):
+    """The subcommands, each imported when it is called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Name them all, in the order of the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import one."""
+        if cmd_name not in COMMANDS:
+            return None
+        from importlib import import_module
+
+        command: click.Command = import_module(f"radcalc.cli.{cmd_name}").command
+        return command
+
+
+@click.command(cls=Commands, context_settings=SETTINGS, no_args_is_help=False)
+@click.version_option(__version__, message="radcalc %(version)s")
+def commands() -> None:
+    """Calculate with light: units, photometry, radiometry, photons and their geometry.
+
+    \b
+    Examples:
+      radcalc convert 100 lx fc
+      radcalc convert 5 mW lm --wavelength 632.8nm
+      radcalc convert 800 lm cd --isotropic
+      radcalc units luminance
+    """
+
+
+def protect_negatives(words: list[str]) -> list[str]:
+    """Write the minus of words that are numbers as U+2212, so that Click sees no option."""
+    return ["\u2212" + word[1:] if _is_negative(word) else word for word in words]
+
+
+def _is_negative(word: str) -> bool:
+    if word[:1] != "-" or len(word) == 1:
+        return False
+    if word[1] in "0123456789.":
+        return True
+    try:
+        read_number(word[:40])
+    except NumberError:
+        return False
+    return True
+
+
+def run(words: list[str]) -> int:
+    """Run a command; turn whatever happens into an exit status."""
+    try:
+        status = commands.main(protect_negatives(words), "radcalc", standalone_mode=False)
+        console.write("")
+        return status if isinstance(status, int) else console.ANSWERED
+    except RadcalcError as error:
+        return console.complain(error)
+    except click.UsageError as error:
+        return console.complain(_usage(error))
+    except (KeyboardInterrupt, click.Abort):
+        return console.INTERRUPTED
+    except BrokenPipeError:
+        console.discard_output()
+        return console.ANSWERED
+    except OSError as error:
+        console.discard_output()
+        return console.complain(OutputError(f"cannot go on: {error.strerror or error}"))
+    except Exception as error:
+        return _bug(error)
+
+
+def _usage(error: click.UsageError) -> RadcalcError:
+    """Click's own words for a wrong option or command, with where to look."""
+    path = error.ctx.command_path if error.ctx else "radcalc"
+    message = quote_lines(error.format_message())
+    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), f"{path} --help")
+
+
+def quote_lines(text: str) -> str:
+    """One printable line of bounded length."""
+    text = " ".join(text.split())
+    return quote(text) if not text.isprintable() or len(text) > 300 else text
+
+
+def _bug(error: Exception) -> int:
+    if os.environ.get("RADCALC_DEBUG") == "1":
+        traceback.print_exc(file=sys.stderr)
+    console.say(
+        [
+            f"radcalc: this is a bug in radcalc {__version__}: {type(error).__name__}",
+            "try: the same with RADCALC_DEBUG=1, and report what it prints with the command",
+        ]
+    )
+    return console.BUG

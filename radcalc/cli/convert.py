@@ -1,0 +1,155 @@
+"""`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
+
+from typing import Any
+
+import click
+from click.shell_completion import CompletionItem
+
+from radcalc.cli import output
+from radcalc.cli.sections import SectionedCommand
+from radcalc.conditions import OPTIONS, Given, give
+from radcalc.convert import answer, plan
+from radcalc.errors import ConditionError, ConversionError, UsageError
+from radcalc.operands import read_operands
+from radcalc.result import Result, Row
+from radcalc.series import read_series
+from radcalc.units.table import Unit, resolve
+
+SECTIONS = {
+    "Light": ("wavelength", "efficacy", "observer"),
+    "Directions": (
+        "solid_angle",
+        "half_angle",
+        "apex_angle",
+        "isotropic",
+        "hemisphere",
+        "exponent",
+        "beam_angle",
+    ),
+    "Distance and surfaces": (
+        "distance",
+        "incidence",
+        "area",
+        "radius",
+        "diameter",
+        "reflectance",
+        "pupil",
+    ),
+    "Time and bandwidth": ("time", "bandwidth"),
+}
+
+
+def complete_unit(
+    ctx: click.Context, parameter: click.Parameter, incomplete: str
+) -> list[CompletionItem]:
+    """Offer the units that begin with what has been typed."""
+    from radcalc.units.table import spellings
+
+    return [CompletionItem(s) for s in spellings() if s.startswith(incomplete)][:200]
+
+
+def _conditions(command: Any) -> Any:
+    for option in reversed(OPTIONS.values()):
+        if option.choices:
+            kind: dict[str, Any] = {"type": click.Choice(option.choices)}
+        elif option.dimensions:
+            kind = {"metavar": option.example}
+        else:
+            kind = {"is_flag": True}
+        command = click.option(f"--{option.name}", help=option.help, **kind)(command)
+    return command
+
+
+@click.command(
+    "convert", cls=SectionedCommand, sections=SECTIONS, context_settings={"max_content_width": 100}
+)
+@click.argument(
+    "words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit
+)
+@_conditions
+@click.option("--steps", is_flag=True, help="Show the derivation.")
+@output.options
+def command(
+    words: tuple[str, ...],
+    steps: bool,
+    number: bool,
+    format_: str | None,
+    json_: bool,
+    precision: int | None,
+    color: str,
+    quiet: bool,
+    **conditions: Any,
+) -> None:
+    """Convert between units, and between quantities under a condition.
+
+    \b
+    Examples:
+      radcalc convert 100 lx fc
+      radcalc convert 5 W m-2 to mW cm-2
+      radcalc convert 5 mW lm --wavelength 632.8nm
+      radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
+      radcalc convert 500 lx cd/m2 --reflectance 0.8
+      radcalc convert 250 cd/m2                    (every unit of luminance)
+
+    Symbols of units are case-sensitive, full names are not.  Without TARGET every unit of the
+    quantity is shown.  A condition's value carries its unit and is one word (2m, 30deg); one
+    of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
+    """
+    shown = output.decide(format_, json_, number, precision, color, quiet)
+    value, source_text, target_text = read_operands(list(words))
+    source = resolve(source_text)
+    typed = {
+        name.replace("_", "-"): text for name, text in conditions.items() if text not in (None, False)
+    }
+    if not target_text:
+        shown.show([every_unit(value, source, typed, number)])
+        return
+    target = resolve(target_text)
+    shown.show(
+        [
+            answer(plan(source, target, given), value, case, steps)
+            for case, given in cases(typed)
+        ]
+    )
+
+
+def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
+    """The conditions as given; several times where one of them is a list or a range."""
+    given = {
+        name: [give(name, part) for part in read_series(text)] if isinstance(text, str) else [give(name, text)]
+        for name, text in typed.items()
+    }
+    lists = [name for name, values in given.items() if len(values) > 1]
+    if len(lists) > 1:
+        raise ConditionError(
+            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
+        )
+    fixed = {name: values[0] for name, values in given.items()}
+    if not lists:
+        return [("", list(fixed.values()))]
+    name = lists[0]
+    return [
+        (f"{name} {one.text}", list({**fixed, name: one}.values())) for one in given[name]
+    ]
+
+
+def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:
+    """The value in every unit of its quantity."""
+    if typed:
+        raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
+    if number:
+        raise UsageError("-n prints one number, and there is no target unit", "a TARGET unit")
+    from radcalc.listing import units_of
+    from radcalc.quantities import name_of, symbol_of
+
+    targets = [source, *(resolve(text) for text in units_of(source) if text != source.text)]
+    if len(targets) == 1 and not name_of(source):
+        raise UsageError(f"'{source.text}' measures no quantity radcalc knows", "a TARGET unit")
+    rows = []
+    for target in targets:
+        try:
+            converted = plan(source, target).apply(value)
+        except ConversionError:
+            continue  # beyond what a float holds in that unit
+        rows.append(Row(name_of(target), symbol_of(target), converted, target.text))
+    return Result(tuple(rows), notes=source.notes)

@@ -1,0 +1,118 @@
+"""The output options that every command shares, and the choice of a renderer."""
+
+import os
+import shutil
+import sys
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple, TypeVar
+
+import click
+
+from radcalc import console
+from radcalc.errors import UsageError
+from radcalc.result import Result
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
+OUTPUT = "Output"
+
+
+class Output(NamedTuple):
+    """How an answer is to be shown, decided once."""
+
+    format: str
+    number: bool
+    precision: int | None
+    color: bool
+    quiet: bool
+
+    def show(self, results: Sequence[Result]) -> None:
+        """Write the results to standard output, and remarks on them to standard error."""
+        if self.format == TABLE:
+            from radcalc.render import table
+
+            console.write(table.render(results, width(), self.color, self.precision))
+        elif self.format == JSON:
+            from radcalc.render import json
+
+            console.write("".join(json.render(result) for result in results))
+        elif self.format == CSV:
+            from radcalc.render import csv
+
+            console.write(csv.render(results, self.precision))
+        else:
+            self._plain(results)
+
+    def _plain(self, results: Sequence[Result]) -> None:
+        from radcalc.render import plain
+
+        console.write("".join(plain.render(r, self.precision, self.number) for r in results))
+        lines: list[str] = []
+        for result in results:
+            if not self.quiet:
+                lines += console.remarks(result.assumptions, result.notes)
+            lines += plain.derivation(result.steps)
+        console.say(dict.fromkeys(lines))
+
+
+def width() -> int:
+    """The terminal's width; 80 where there is none."""
+    return shutil.get_terminal_size((80, 24)).columns
+
+
+def options(command: Command) -> Command:
+    """Add the output options to a command."""
+    for option in reversed(
+        (
+            click.option("-n", "--number", is_flag=True, help="Bare numbers only."),
+            click.option(
+                "--format",
+                "format_",
+                type=click.Choice([TABLE, PLAIN, JSON, CSV]),
+                help="Default: a table on a terminal, plain text elsewhere.",
+            ),
+            click.option("--json", "json_", is_flag=True, help="Short for --format json."),
+            click.option(
+                "--precision",
+                type=click.IntRange(1, 17),
+                metavar="N",
+                help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
+            ),
+            click.option(
+                "--color",
+                type=click.Choice(["auto", "always", "never"]),
+                default="auto",
+                help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
+            ),
+            click.option("-q", "--quiet", is_flag=True, help="No notes or assumptions."),
+        )
+    ):
+        command = option(command)
+    return command
+
+
+def decide(
+    format_: str | None, json_: bool, number: bool, precision: int | None, color: str, quiet: bool
+) -> Output:
+    """Choose the format from the options and from what standard output is."""
+    if json_ and format_ not in (None, JSON):
+        raise UsageError(f"--json and --format {format_} contradict each other", "one of them")
+    if number and (json_ or format_ not in (None, PLAIN)):
+        raise UsageError("--number is plain text, and contradicts another format", "-n alone")
+    chosen = JSON if json_ else PLAIN if number else format_
+    terminal = console.is_terminal()
+    if chosen is None:
+        chosen = TABLE if terminal else PLAIN
+    return Output(chosen, number, precision, wants_color(color, terminal), quiet)
+
+
+def wants_color(color: str, terminal: bool) -> bool:
+    """--color, then NO_COLOR, then FORCE_COLOR, then whether this is a terminal."""
+    if color != "auto":
+        return color == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return terminal and os.environ.get("TERM", "") not in ("", "dumb") and sys.stdout is not None

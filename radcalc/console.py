@@ -1,0 +1,68 @@
+"""The process around radcalc: standard output and error, and the exit statuses."""
+
+import os
+import sys
+from collections.abc import Iterable  # already loaded by Python itself
+
+from radcalc.errors import OutputError, RadcalcError
+
+ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
+
+
+def is_terminal() -> bool:
+    """Whether standard output is a terminal."""
+    try:
+        return os.isatty(1)
+    except OSError:
+        return False
+
+
+def write(text: str) -> None:
+    """Write a whole answer.  A closed pipe ends quietly; any other failure is an error."""
+    out = sys.stdout
+    if out is None:
+        raise OutputError("cannot write the answer: standard output is closed", "a file or a pipe")
+    try:
+        try:
+            out.write(text)
+        except UnicodeEncodeError:
+            encoding = out.encoding or "ascii"
+            out.write(text.encode(encoding, "backslashreplace").decode(encoding))
+        out.flush()
+    except BrokenPipeError:
+        discard_output()
+    except OSError as error:
+        discard_output()
+        raise OutputError(
+            f"cannot write the answer: {error.strerror or error}", "a place with room for it"
+        ) from None
+
+
+def discard_output() -> None:
+    """Let what is still buffered go nowhere, so that Python's own last flush is silent."""
+    null = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(null, 1)
+    os.close(null)
+
+
+def say(lines: Iterable[str]) -> None:
+    """Write lines to standard error; nobody listening there is no failure."""
+    try:
+        sys.stderr.write("".join([line + "\n" for line in lines]))
+        sys.stderr.flush()
+    except (OSError, ValueError, AttributeError):
+        pass
+
+
+def remarks(assumptions: Iterable[str], notes: Iterable[str]) -> list[str]:
+    """What was assumed and noted, a line each."""
+    return [f"assumed: {text}" for text in assumptions] + [f"note: {text}" for text in notes]
+
+
+def complain(error: RadcalcError) -> int:
+    """Say what is wrong and what to do; return the exit status."""
+    lines = [f"radcalc: {error.message}"]
+    if error.hint:
+        lines.append(f"try: {error.hint}")
+    say(lines)
+    return FAILED

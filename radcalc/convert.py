@@ -1,0 +1,120 @@
+"""Converting: a plan from one unit to another, and applying it to a number or an array.
+
+A plan between two units of one quantity is a ratio of whole numbers, and needs nothing but the
+table; what stands between different quantities is in `link.py`, loaded only when it is needed.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from radcalc.errors import ConversionError, quote
+from radcalc.units.table import Unit
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from radcalc.conditions import Factor, Given
+    from radcalc.result import Result, Step
+
+
+class Plan:
+    """A factor from `source` to `target`, with what was assumed on the way.
+
+    `links` are the (factor, +1 or -1) of the conditions that were used.
+    """
+
+    __slots__ = ("assumptions", "factor", "links", "notes", "source", "target")
+
+    def __init__(
+        self,
+        source: Unit,
+        target: Unit,
+        factor: Any,
+        links: "Sequence[tuple[Factor, int]]" = (),
+    ) -> None:
+        """Hold the plan; the notes are those of the units and of the conditions."""
+        self.source = source
+        self.target = target
+        self.factor = factor
+        self.links = links
+        self.assumptions = tuple([f.assumption for f, _ in links if f.assumption])
+        self.notes = source.notes + tuple([n for n in target.notes if n not in source.notes])
+        for link, _ in links:
+            self.notes += link.notes
+
+    def apply(self, value: Any) -> Any:
+        """Convert a number, or an array element by element."""
+        result = value * self.factor
+        if isinstance(result, float):
+            zero = value == 0 or self.factor == 0
+            if result - result != 0 or (not zero and abs(result) < 2.2250738585072014e-308):
+                raise ConversionError(
+                    f"the result in {quote(self.target.text)} cannot be held by a number",
+                    "a value between 2.3e-308 and 1.7e308",
+                )
+            return result + 0.0  # no -0
+        return result
+
+
+def plan(source: Unit, target: Unit, given: "Sequence[Given]" = ()) -> Plan:
+    """Plan the conversion from one unit to another under the conditions given.
+
+    Raises ConversionError where a condition is missing, ConditionError where one is
+    impossible, contradictory or without use.
+    """
+    if source.dimension == target.dimension and not given:
+        return Plan(source, target, exact_ratio(source, target))
+    from radcalc.link import link
+
+    links = link(source, target, given)
+    factor: Any = exact_ratio(source, target)
+    for supplied, power in links:
+        factor = factor * supplied.value if power > 0 else factor / supplied.value
+    return Plan(source, target, factor, links)
+
+
+def exact_ratio(source: Unit, target: Unit) -> float:
+    """The ratio of two units' factors, rounded once; a division of whole numbers is exact."""
+    try:
+        ratio = (source.top * target.bottom) / (source.bottom * target.top)
+    except OverflowError:
+        ratio = 0.0
+    if not 2.2250738585072014e-308 <= ratio:
+        raise ConversionError(
+            f"the ratio of {quote(source.text)} to {quote(target.text)} cannot be held by a number",
+            "units closer in size",
+        )
+    return ratio
+
+
+def answer(made: Plan, value: float, case: str = "", steps: bool = False) -> "Result":
+    """Convert one value and say everything about it."""
+    from radcalc.quantities import name_of, symbol_of
+    from radcalc.result import Result, Row
+
+    unit = made.target
+    row = Row(name_of(unit), symbol_of(unit), made.apply(value), unit.text, case)
+    derivation = tuple(derive(made, value)) if steps else ()
+    return Result((row,), made.assumptions, made.notes, derivation)
+
+
+def derive(made: Plan, value: float) -> "list[Step]":
+    """The derivation: the steps of every condition, then the conversion itself."""
+    from radcalc.quantities import symbol_of
+    from radcalc.result import Step
+
+    source, target = made.source, made.target
+    steps = [step for factor, _ in made.links for step in factor.steps]
+    over = f"{value:.6g} {source.text}"
+    law, formula = "conversion", symbol_of(source) or "x"
+    for factor, power in made.links:
+        sign = "*" if power > 0 else "/"
+        formula += f" {sign} {factor.symbol}"
+        over += f" {sign} {factor.value:.6g}{f' {factor.unit}' if factor.unit else ''}"
+    if made.links:
+        formula = f"{symbol_of(target) or 'y'} = {formula}"
+    else:
+        law = "change of unit"
+        formula = f"1 {source.text} = {made.factor:.12g} {target.text}"
+        over += f" * {made.factor:.12g} {target.text}/({source.text})"
+    steps.append(Step(law, formula, f"{over} = {made.apply(value):.6g} {target.text}"))
+    return steps

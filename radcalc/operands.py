@@ -1,0 +1,49 @@
+"""The words of a conversion: VALUE UNIT [to] TARGET, in every way people write them."""
+
+from radcalc.errors import UsageError, quote
+from radcalc.units.grammar import split_quantity
+
+SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
+EXAMPLE = "radcalc convert 100 lx fc"
+
+
+def read_operands(words: list[str]) -> tuple[float, str, str]:
+    """Return the value, the text of its unit and the text of the target ('' where none is).
+
+    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around `to` may a
+    unit be several words.
+    """
+    if not words:
+        raise UsageError("a value is missing", EXAMPLE)
+    if words[0] == "-":
+        raise UsageError("standard input is not read by this version", "one value a call")
+    sides = f" {' '.join(words)} ".split(" to ")
+    if len(sides) > 2:
+        raise UsageError("the word to stands there more than once", EXAMPLE)
+    if len(sides) == 2:
+        value, unit = split_quantity(sides[0])
+        target = sides[1].strip()
+        if not target:
+            raise UsageError("a unit is missing after to", EXAMPLE)
+        rest: list[str] = [target]
+    else:
+        value, unit = split_quantity(words[0])
+        rest = words[1:]
+        if not unit and rest:
+            unit, rest = rest[0].strip(), rest[1:]
+    if not unit:
+        raise UsageError(f"{quote(words[0])} has no unit", EXAMPLE)
+    if len(rest) > 1:
+        raise _too_many(unit, rest)
+    return value, unit, rest[0] if rest else ""
+
+
+def _too_many(unit: str, rest: list[str]) -> UsageError:
+    if rest[0].lower() in SEPARATORS:
+        return UsageError(
+            f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
+        )
+    return UsageError(
+        f"too many words: '{quote(' '.join([unit, *rest]))}'",
+        "quotes around a unit of several words, or to between the units",
+    )

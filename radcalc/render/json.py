@@ -1,0 +1,34 @@
+"""Strict JSON at full precision: an answer of one value is one flat object."""
+
+import json
+from typing import Any
+
+from radcalc.result import Result, Row
+
+
+def render(result: Result) -> str:
+    """One object, on one line; several values of one answer are its `results`."""
+    rows = [_row(row) for row in result.rows]
+    answer: dict[str, Any] = rows[0] if len(rows) == 1 else {"results": rows}
+    answer["assumptions"] = list(result.assumptions)
+    answer["notes"] = list(result.notes)
+    answer["steps"] = [
+        {
+            "law": step.law,
+            "formula": step.formula,
+            "numbers": step.numbers,
+            "reference": step.reference,
+        }
+        for step in result.steps
+    ]
+    return json.dumps(answer, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _row(row: Row) -> dict[str, Any]:
+    fields = {
+        "quantity": row.quantity,
+        "symbol": row.symbol,
+        "value": row.value,
+        "unit": row.unit,
+    }
+    return {"case": row.case, **fields} if row.case else fields

@@ -1,0 +1,35 @@
+"""Plain text: one result a line, fields separated by tabs."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from radcalc.result import Result, Step
+
+DIGITS = 12
+
+
+def number(value: float, precision: int | None = None) -> str:
+    """A number with 12 significant digits, or as many as asked for."""
+    return f"{value:.{precision or DIGITS}g}"
+
+
+def line(value: float, unit: str, precision: int | None = None, number: bool = False) -> str:
+    """One converted value: VALUE, a tab and UNIT, or the bare number."""
+    text = f"{value:.{precision or DIGITS}g}"
+    return f"{text}\n" if number else f"{text}\t{unit}\n"
+
+
+def render(result: "Result", precision: int | None = None, number: bool = False) -> str:
+    """All rows of a result, a line each."""
+    return "".join([line(row.value, row.unit, precision, number) for row in result.rows])
+
+
+def derivation(steps: "tuple[Step, ...]") -> list[str]:
+    """The steps, in lines: the law, its formula, the numbers, the reference."""
+    lines = []
+    for step in steps:
+        lines.append(f"{step.law}: {step.formula}")
+        lines.append(f"    {step.numbers}")
+        if step.reference:
+            lines.append(f"    [{step.reference}]")
+    return lines

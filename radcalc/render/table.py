@@ -1,0 +1,77 @@
+"""Tables for people, drawn by Rich; the only module that imports it.
+
+Users' text is never read as markup, and nothing is cut off: what does not fit is folded.
+"""
+
+import io
+from collections.abc import Iterable, Sequence
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from radcalc.render.plain import derivation, number
+from radcalc.result import Result
+
+DIGITS = 6
+
+
+def render(
+    results: Sequence[Result], width: int, color: bool, precision: int | None = None
+) -> str:
+    """The rows of all results in one table, what was assumed below, then the steps."""
+    rows = [row for result in results for row in result.rows]
+    cases = any(row.case for row in rows)
+    header = [*(["for"] if cases else []), "quantity", "symbol", "value", "unit"]
+    lines = [
+        [
+            *([row.case] if cases else []),
+            row.quantity,
+            row.symbol,
+            number(row.value, precision or DIGITS),
+            row.unit,
+        ]
+        for row in rows
+    ]
+    below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
+    below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
+    steps = [line for result in results for line in derivation(result.steps)]
+    return draw(header, lines, below + steps, width, color, right=("value",))
+
+
+def draw(
+    header: Sequence[str],
+    lines: Iterable[Sequence[str]],
+    below: Iterable[str],
+    width: int,
+    color: bool,
+    right: Sequence[str] = (),
+) -> str:
+    """Draw a table and the lines below it, in a given width."""
+    out = io.StringIO()
+    console = Console(
+        file=out,
+        width=width,
+        force_terminal=color,
+        no_color=not color,
+        color_system="standard" if color else None,
+        highlight=False,
+        markup=False,
+        emoji=False,
+        legacy_windows=False,
+    )
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+    for name in header:
+        table.add_column(
+            Text(name),
+            justify="right" if name in right else "left",
+            style="bold" if name in right else "",
+            overflow="fold",
+        )
+    for cells in lines:
+        table.add_row(*(Text(cell) for cell in cells))
+    console.print(table)
+    for line in below:
+        console.print(Text(line, style="dim"), overflow="fold")
+    return "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"

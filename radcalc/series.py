@@ -1,0 +1,50 @@
+"""Several values in one word: a list `1m,2m,5m` or a range `START:STOP:STEP`."""
+
+import math
+
+from radcalc.errors import ConditionError, quote
+from radcalc.units.grammar import split_quantity
+from radcalc.units.table import resolve
+
+MOST = 1_000_000
+
+
+def read_series(text: str) -> list[str]:
+    """Cut a list or a range into its values, as texts; one value is a list of one.
+
+    A range includes its end where a whole number of steps leads there.
+    """
+    if ":" in text:
+        return _range(text)
+    parts = text.split(",")
+    if len(parts) > 1 and not all(_has_unit(part) for part in parts):
+        return [text]  # the number 1,5, which the grammar refuses with its own words
+    return parts
+
+
+def _has_unit(part: str) -> bool:
+    stripped = part.strip()
+    return stripped[-1:].isalpha() or stripped[-1:] in "%°2" and any(c.isalpha() for c in stripped)
+
+
+def _range(text: str) -> list[str]:
+    parts = text.split(":")
+    if len(parts) != 3:
+        raise ConditionError(f"'{quote(text)}' is not a range", "START:STOP:STEP, as in 1m:5m:1m")
+    numbers = [split_quantity(part) for part in parts]
+    units = [resolve(unit or "1") for _, unit in numbers]
+    if len({unit.dimension for unit in units}) > 1:
+        raise ConditionError(
+            f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP"
+        )
+    size = [
+        value * (unit.top * units[0].bottom) / (unit.bottom * units[0].top)
+        for (value, _), unit in zip(numbers, units, strict=True)
+    ]
+    start, stop, step = size
+    if step == 0 or (stop - start) / step < 0:
+        raise ConditionError(f"'{quote(text)}' never reaches its end", "a step from START to STOP")
+    count = math.floor((stop - start) / step * (1 + 1e-12) + 1e-9) + 1
+    if count > MOST:
+        raise ConditionError(f"'{quote(text)}' has {count} values", f"at most {MOST}")
+    return [f"{start + i * step:.15g}{numbers[0][1]}" for i in range(count)]
