@@ -27,7 +27,7 @@ def quick_lane(words: list[str]) -> int | None:
     if words[:1] != ["convert"] or any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
     from radcalc import console
-    from radcalc.convert import plan
+    from radcalc.conversion import plan
     from radcalc.errors import RadcalcError
     from radcalc.operands import read_operands
     from radcalc.render.plain import line

@@ -3,9 +3,9 @@
 from typing import Any
 
 from radcalc.conditions import OPTIONS, Given, give
-from radcalc.convert import plan
+from radcalc.conversion import plan
 from radcalc.errors import ConditionError, UnitError, quote
-from radcalc.units.registry import container, from_container, light_registry
+from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
 Quantity: Any = light_registry().Quantity
@@ -48,7 +48,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
         value = Quantity(value, "1")
     given = [_given(name, condition) for name, condition in conditions.items()]
     made = plan(from_container(value._units), resolve(target), [g for g in given if g])
-    return Quantity(made.apply(value.magnitude), container(made.target))
+    return Quantity(made.apply(value.magnitude), light_registry().container(made.target))
 
 
 def _is_quantity(value: Any) -> bool:

@@ -2,7 +2,7 @@
 
 A condition is an option of `convert` (`--distance 2m`) or a keyword of the Python API
 (`distance="2m"`).  This module reads conditions and turns each into a factor; which factors a
-conversion needs is the business of `convert.py`.
+conversion needs is the business of `link.py`.
 """
 
 import math
@@ -96,7 +96,9 @@ OPTIONS = {
         Option("time", TIME, (DURATION,), "a time", "1h", "Constant over that time."),
         Option("area", AREA_SLOT, (AREA,), "an area", "1m2", "Uniform over that area."),
         Option("radius", AREA_SLOT, (LENGTH,), "a length", "10cm", "Radius of a circular area."),
-        Option("diameter", AREA_SLOT, (LENGTH,), "a length", "20cm", "Diameter of a circular area."),
+        Option(
+            "diameter", AREA_SLOT, (LENGTH,), "a length", "20cm", "Diameter of a circular area."
+        ),
         Option(
             "solid-angle",
             CONE,
@@ -510,7 +512,9 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     """The ratio of two kinds, over / under, at one wavelength."""
     given, energy = of.given, of.photon_energy
     is_length = given.dimension == LENGTH
-    assumption, notes, steps = "", (), ()
+    assumption = ""
+    notes: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
     efficacy: Any = None
     if LUMINOUS in (over, under):
         efficacy = luminous_efficacy(of.table, of.observer)
@@ -557,7 +561,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     if not forward:
         if maths.any_true(value == 0):
             raise ConditionError(
-                f"nothing is seen at {quote(given.text)}, so nothing follows from a luminous quantity",
+                f"nothing is seen at {quote(given.text)}: nothing follows from a luminous quantity",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
             )
         symbol, value, unit = f"(1/{symbol})", 1 / value, f"1/({unit})"
@@ -569,9 +573,10 @@ def given_ratio(given: Given, over: str, under: str) -> Factor | None:
     value = _positive(given)
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
-    for ratio, text in ((value, pair == (LUMINOUS, RADIANT)), (1 / value, pair == (RADIANT, LUMINOUS))):
+    if pair in ((LUMINOUS, RADIANT), (RADIANT, LUMINOUS)):
+        efficacy = value if pair[0] == LUMINOUS else 1 / value
         limit = OBSERVERS["photopic"].maximum
-        if text and maths.any_true(ratio > limit * (1 + 1e-12)):
+        if maths.any_true(efficacy > limit * (1 + 1e-12)):
             raise ConditionError(
                 f"--efficacy {quote(given.text)} is not possible: no light gives more than "
                 f"{limit:g} lm/W",

@@ -12,6 +12,7 @@ from itertools import product
 from radcalc import conditions as c
 from radcalc.conditions import Factor, Given
 from radcalc.errors import ConditionError, ConversionError, RadcalcError
+from radcalc.maths import any_true
 from radcalc.quantities import (
     FREQUENCY,
     KIND_NAMES,
@@ -165,9 +166,11 @@ def _kind(search: _Search, start: Reading, end: Reading) -> Links:
         raise ConditionError(
             f"--efficacy {given.text} does not link {KIND_NAMES[start.kind]} "
             f"and {KIND_NAMES[end.kind]} quantities",
-            {"ev": "--efficacy 93lm/W", "ep": "--efficacy 2.1umol/J", "pv": "--efficacy 54lm.s/umol"}[
-                "".join(sorted((start.kind, end.kind)))
-            ],
+            {
+                "ev": "--efficacy 93lm/W",
+                "ep": "--efficacy 2.1umol/J",
+                "pv": "--efficacy 54lm.s/umol",
+            }["".join(sorted((start.kind, end.kind)))],
         )
     return [(factor, 1)]
 
@@ -324,7 +327,7 @@ def _apply(search: _Search, way: dict[str, int], radiance: bool) -> Links:
 
 def _checked(factor: Factor, power: int) -> tuple[Factor, int]:
     """Refuse to divide by a factor of 0: nothing follows from no light."""
-    if power < 0 and c.maths.any_true(factor.value == 0):
+    if power < 0 and any_true(factor.value == 0):
         raise ConditionError(
             f"{factor.assumption}: no light arrives, so nothing follows from it",
             "a reflectance above 0, and an incidence below 90 deg",

@@ -5,6 +5,7 @@ of time, area and solid angle relative to a flux, and the axis of a spectral den
 is no graph of conversions: what stands between two quantities is the difference of these facts.
 """
 
+from radcalc.errors import quote
 from radcalc.units.table import (
     ANGLE,
     COUNT,
@@ -18,7 +19,6 @@ from radcalc.units.table import (
     Dimension,
     Unit,
 )
-from radcalc.errors import quote
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, WAVELENGTH, FREQUENCY, WAVENUMBER = "", "lambda", "nu", "sigma"
@@ -95,7 +95,11 @@ GEOMETRIES = {
         "∫I dt",
     ),
     (1, 1, 1): (
-        ("time-integrated radiance", "time-integrated luminance", "time-integrated photon radiance"),
+        (
+            "time-integrated radiance",
+            "time-integrated luminance",
+            "time-integrated photon radiance",
+        ),
         "∫L dt",
     ),
 }

@@ -17,14 +17,18 @@ def read_series(text: str) -> list[str]:
     if ":" in text:
         return _range(text)
     parts = text.split(",")
-    if len(parts) > 1 and not all(_has_unit(part) for part in parts):
-        return [text]  # the number 1,5, which the grammar refuses with its own words
-    return parts
+    if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
+        return parts
+    return [text]  # 1,5 and 1,000: the grammar refuses them with its own words
+
+
+def _is_list_of_numbers(parts: list[str]) -> bool:
+    """Whether bare numbers are a list: three or more, and no groups of thousands."""
+    return len(parts) > 2 and any(len(part) != 3 for part in parts[1:])
 
 
 def _has_unit(part: str) -> bool:
-    stripped = part.strip()
-    return stripped[-1:].isalpha() or stripped[-1:] in "%°2" and any(c.isalpha() for c in stripped)
+    return part.strip()[-1:] in ("%", "°") or any(c.isalpha() for c in part)
 
 
 def _range(text: str) -> list[str]:

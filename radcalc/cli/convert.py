@@ -8,7 +8,7 @@ from click.shell_completion import CompletionItem
 from radcalc.cli import output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import OPTIONS, Given, give
-from radcalc.convert import answer, plan
+from radcalc.conversion import answer, plan
 from radcalc.errors import ConditionError, ConversionError, UsageError
 from radcalc.operands import read_operands
 from radcalc.result import Result, Row
@@ -63,9 +63,7 @@ def _conditions(command: Any) -> Any:
 @click.command(
     "convert", cls=SectionedCommand, sections=SECTIONS, context_settings={"max_content_width": 100}
 )
-@click.argument(
-    "words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit
-)
+@click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
 @_conditions
 @click.option("--steps", is_flag=True, help="Show the derivation.")
 @output.options
@@ -96,27 +94,27 @@ def command(
     of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
     """
     shown = output.decide(format_, json_, number, precision, color, quiet)
+    typed = {
+        name.replace("_", "-"): text
+        for name, text in conditions.items()
+        if text not in (None, False)
+    }
+    each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
-    typed = {
-        name.replace("_", "-"): text for name, text in conditions.items() if text not in (None, False)
-    }
     if not target_text:
         shown.show([every_unit(value, source, typed, number)])
         return
     target = resolve(target_text)
-    shown.show(
-        [
-            answer(plan(source, target, given), value, case, steps)
-            for case, given in cases(typed)
-        ]
-    )
+    shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])
 
 
 def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
     """The conditions as given; several times where one of them is a list or a range."""
     given = {
-        name: [give(name, part) for part in read_series(text)] if isinstance(text, str) else [give(name, text)]
+        name: [give(name, part) for part in read_series(text)]
+        if isinstance(text, str)
+        else [give(name, text)]
         for name, text in typed.items()
     }
     lists = [name for name, values in given.items() if len(values) > 1]
@@ -128,9 +126,7 @@ def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
     if not lists:
         return [("", list(fixed.values()))]
     name = lists[0]
-    return [
-        (f"{name} {one.text}", list({**fixed, name: one}.values())) for one in given[name]
-    ]
+    return [(f"{name} {one.text}", list({**fixed, name: one}.values())) for one in given[name]]
 
 
 def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:

@@ -54,7 +54,9 @@ def command(
         from radcalc.render.table import draw
 
         notes = [f"note: {e.note}" for e in found if e.note and not quiet]
-        console.write(draw(header[:5], [row[:5] for row in rows], notes, output.width(), shown.color))
+        console.write(
+            draw(header[:5], [row[:5] for row in rows], notes, output.width(), shown.color)
+        )
     else:
         console.write("".join("\t".join(row) + "\n" for row in rows))
 

@@ -17,9 +17,7 @@ from radcalc.result import Result
 DIGITS = 6
 
 
-def render(
-    results: Sequence[Result], width: int, color: bool, precision: int | None = None
-) -> str:
+def render(results: Sequence[Result], width: int, color: bool, precision: int | None = None) -> str:
     """The rows of all results in one table, what was assumed below, then the steps."""
     rows = [row for result in results for row in result.rows]
     cases = any(row.case for row in rows)

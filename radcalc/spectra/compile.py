@@ -30,7 +30,9 @@ def table(group: str, name: str) -> tuple[int, tuple[float, ...]]:
 
 def compile_observers() -> str:
     """Return the text of `observers_data.py`."""
-    parts = ['"""Printed by `python -m radcalc.spectra.compile` from colour-science; do not edit."""\n']
+    parts = [
+        '"""Printed by `python -m radcalc.spectra.compile` from colour-science; do not edit."""\n'
+    ]
     for constant, (group, name) in TABLES.items():
         start, values = table(group, name)
         lines = "".join(

@@ -168,9 +168,10 @@ def compile_units(text: str) -> tuple[str, str]:
     head = '"""Printed by `python -m radcalc.units.compile` from light.txt; do not edit."""\n\n'
     every = tuple(found.prefix_names)
     units = "".join(
-        f"    {u.name!r}: ({top}, {bottom}, {powers}, {'ALL' if u.prefixes == every else u.prefixes}),\n"
+        f"    {u.name!r}: ({top}, {bottom}, {powers}, {allowed}),\n"
         for u in found.units
         for top, bottom, powers in [worth(registry, u.name)]
+        for allowed in ["ALL" if u.prefixes == every else u.prefixes]
     )
     table = (
         f"{head}ALL = {every}\n"
@@ -186,7 +187,9 @@ def compile_units(text: str) -> tuple[str, str]:
         f"    {u.name!r}: ({u.symbols}, {u.names}, {u.value!r}, {u.source!r}),\n"
         for u in found.units
     )
-    catalogue = f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"
+    catalogue = (
+        f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"
+    )
     return table, catalogue
 
 

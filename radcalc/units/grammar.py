@@ -87,7 +87,7 @@ def split_quantity(text: str) -> tuple[float, str]:
 def _term_starts(text: str, at: int) -> bool:
     if text[at] in DIGITS:
         return True
-    return text[at] == "." and text[at + 1 : at + 2] in tuple(DIGITS) or _pi_ends(text, at) > at
+    return (text[at] == "." and text[at + 1 : at + 2] in tuple(DIGITS)) or _pi_ends(text, at) > at
 
 
 def _pi_ends(text: str, at: int) -> int:
@@ -353,7 +353,7 @@ class _Scanner:
         if not digits and not caret:
             return 1
         sign = -1 if digits[:1] == "-" else 1
-        number = digits.lstrip("+-")
+        number = digits[1:] if digits[:1] in ("+", "-") else digits
         fraction = self.peek() in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
         if not number or (caret and fraction) or not number.isdigit():
             raise self.error("has an exponent that is not a whole number", "a whole number")

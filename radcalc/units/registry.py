@@ -17,31 +17,31 @@ from radcalc.units import grammar, table
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
 
-class LightRegistry(pint.UnitRegistry):
+class LightRegistry(pint.UnitRegistry[Any]):
     """A Pint registry of the units of light that reads text as `radcalc convert` does."""
 
-    closed = False
+    closed = False  # until its own definitions are read
+
+    def container(self, unit: table.Unit) -> UnitsContainer:
+        """Turn a unit into Pint's dictionary of canonical names and powers."""
+        powers: dict[str, int] = {}
+        for name, exponent in unit.atoms:
+            self.get_name(name)  # Pint defines a prefixed unit when it is first named
+            powers[name] = powers.get(name, 0) + exponent
+        return UnitsContainer({name: power for name, power in powers.items() if power})
 
     def parse_units_as_container(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
         """Read the text of a unit with radcalc's grammar, into Pint's container."""
         if not self.closed:
             return super().parse_units_as_container(input_string, *args, **kwargs)
-        return container(table.resolve(input_string))
+        return self.container(table.resolve(input_string))
 
     def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
         """Read a number and a unit with radcalc's grammar."""
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
         value, unit = grammar.split_quantity(input_string)
-        return self.Quantity(value, container(table.resolve(unit or "1")))
-
-
-def container(unit: table.Unit) -> UnitsContainer:
-    """Turn a unit into Pint's dictionary of canonical names and powers."""
-    powers: dict[str, int] = {}
-    for name, exponent in unit.atoms:
-        powers[name] = powers.get(name, 0) + exponent
-    return UnitsContainer({name: power for name, power in powers.items() if power})
+        return self.Quantity(value, self.container(table.resolve(unit or "1")))
 
 
 def from_container(units: Any) -> table.Unit:
@@ -53,7 +53,9 @@ def from_container(units: Any) -> table.Unit:
 @cache
 def light_registry() -> LightRegistry:
     """Build the registry that the Python API takes and returns, once."""
-    registry = LightRegistry(str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False)
+    registry = LightRegistry(
+        str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False
+    )
     registry.closed = True
     return registry
 

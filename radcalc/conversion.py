@@ -78,7 +78,7 @@ def exact_ratio(source: Unit, target: Unit) -> float:
         ratio = (source.top * target.bottom) / (source.bottom * target.top)
     except OverflowError:
         ratio = 0.0
-    if not 2.2250738585072014e-308 <= ratio:
+    if not ratio >= 2.2250738585072014e-308:
         raise ConversionError(
             f"the ratio of {quote(source.text)} to {quote(target.text)} cannot be held by a number",
             "units closer in size",

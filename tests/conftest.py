@@ -1,0 +1,42 @@
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+
+def entry_point() -> str:
+    """The installed `radcalc` of the interpreter that runs the tests."""
+    found = shutil.which("radcalc", path=sysconfig.get_path("scripts"))
+    assert found, "radcalc is not installed for this interpreter: pip install '.[test]'"
+    return found
+
+
+def run(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
+    """Run the installed command with both streams captured."""
+    kwargs = {"capture_output": True, "text": True, "encoding": "utf-8", "timeout": 60} | kwargs
+    return subprocess.run([entry_point(), *words], **kwargs)
+
+
+def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:
+    """Run code in a new interpreter."""
+    return subprocess.run(
+        [sys.executable, "-c", code, *words],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=60,
+    )
+
+
+@pytest.fixture(autouse=True)
+def _plain_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No colour or debug settings of the caller's."""
+    for name in ("NO_COLOR", "FORCE_COLOR", "RADCALC_DEBUG", "COLUMNS"):
+        monkeypatch.delenv(name, raising=False)
+    os.environ.setdefault("TERM", "xterm")

@@ -1,0 +1,166 @@
+import math
+import time
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.errors import NumberError, UnitError
+from radcalc.units.grammar import parse_number, parse_unit, split_quantity
+
+SAME = [("W", 1), ("m", -2), ("sr", -1)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "W/m2/sr",
+        "W/m^2/sr",
+        "W/m**2/sr",
+        "W.m-2.sr-1",
+        "W m-2 sr-1",
+        "W·m⁻²·sr⁻¹",
+        "W*m^-2*sr^(-1)",
+        "W/(m^2 sr)",
+        "W/(m2·sr)",
+        "W m-2/sr",
+        " W  /  m2 / sr ",
+        "W per square m per sr",
+        "W\u00a0m\u22122 sr\u22121",
+        "(W/m2)/sr",
+    ],
+)
+def test_every_spelling_is_one_unit(text):
+    assert [(name, n) for name, n, _ in parse_unit(text)] == SAME
+
+
+@pytest.mark.parametrize(
+    ("text", "readings"),
+    [
+        ("W/m^2 sr", "W/(m^2 sr) or (W/m^2) sr"),
+        ("W/m2.sr", "W/(m2.sr) or (W/m2) sr"),
+        ("W/m2*sr", "W/(m2*sr) or (W/m2) sr"),
+        ("umol/m2 s-1", "umol/(m2 s-1) or (umol/m2) s-1"),
+        ("lm/(W/m2 nm)", "W/(m2 nm) or (W/m2) nm"),
+    ],
+)
+def test_a_product_after_a_solidus_is_refused_with_both_readings(text, readings):
+    with pytest.raises(UnitError, match="two ways") as caught:
+        parse_unit(text)
+    assert caught.value.hint == readings
+
+
+@pytest.mark.parametrize("text", ["W/m2/cm-1", "mW/(m2 sr cm-1)", "W m-2 (cm-1)-1"])
+def test_an_inverse_below_a_solidus_is_marked(text):
+    assert ("cm", 1, True) in parse_unit(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", " ", "()", "((m)", "m)", "m//s", "m*", "*m", "m/", "m^", "m^x", "m^0.5", "m^(1/2)",
+        "m^999999", "m^13", "(m^7)^2", "m2^2", "m^2^2", "m2sr", "10**10**10 m", "2 m", "m 2 s",
+        "a\x00b", "\x1b[31m", "m;s", "m,s", "m⁻", "m⁻⁻²", "lx\udcff", "__import__('os')", "m--2",
+        "(" * 17 + "m" + ")" * 17,
+    ],
+)  # fmt: skip
+def test_what_is_no_unit_is_refused(text):
+    with pytest.raises(UnitError) as caught:
+        parse_unit(text)
+    assert caught.value.message
+    assert caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1.5e3", 1500),
+        (".5", 0.5),
+        ("5.", 5),
+        ("-5", -5),
+        ("\u22125", -5),
+        ("+5", 5),
+        ("1/3", 1 / 3),
+        ("4pi", 4 * math.pi),
+        ("4π", 4 * math.pi),
+        ("pi/6", math.pi / 6),
+        ("2*pi/3", 2 * math.pi / 3),
+        ("-pi", -math.pi),
+        ("1E-3", 1e-3),
+        ("0e-999", 0),
+    ],
+)
+def test_numbers_are_read(text, value):
+    assert parse_number(text) == value
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "-", "nan", "inf", "-inf", "Infinity", "1,5", "1,000", "1,000,000", "1_000", "0x10",
+        "1e999", "-1e999", "1e-999", "1e-310", "1/0", "10**10", "٣", "1٣", "²", "one", "--5",
+        "1 000", "1..2", "pixel", "5²", "1e308*10", "9" * 2000,
+    ],
+)  # fmt: skip
+def test_what_is_no_number_is_refused(text):
+    with pytest.raises(NumberError) as caught:
+        parse_number(text)
+    assert caught.value.message
+    assert caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [("1,5", "1.5"), ("1,000", "1000 or 1.000"), ("1,000,000", "1000000"), ("1_000", "1000")],
+)
+def test_a_number_with_a_comma_or_an_underscore_is_refused_with_what_to_write(text, hint):
+    with pytest.raises(NumberError) as caught:
+        parse_number(text)
+    assert caught.value.hint == hint
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "unit"),
+    [
+        ("100lx", 100, "lx"),
+        ("100 lx", 100, "lx"),
+        ("5eV", 5, "eV"),
+        ("1e3eV", 1000, "eV"),
+        ("1/3 lx", 1 / 3, "lx"),
+        ("5/m2", 5, "/m2"),
+        ("4pi sr", 4 * math.pi, "sr"),
+        ("18000cm-1", 18000, "cm-1"),
+    ],
+)
+def test_a_quantity_is_cut_into_number_and_unit(text, value, unit):
+    assert split_quantity(text) == (value, unit)
+
+
+@given(st.text(max_size=60))
+def test_any_text_is_read_or_refused(text):
+    try:
+        parse_unit(text)
+    except UnitError:
+        pass
+    try:
+        split_quantity(text)
+    except NumberError:
+        pass
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=False))
+def test_every_float_is_read_back_as_it_is_written(value):
+    assert parse_number(repr(value)) == value
+
+
+@pytest.mark.parametrize(
+    "hostile",
+    ["m" * 10_000_000, "(" * 10_000_000, "9" * 10_000_000, "m/" * 5_000_000, "\0" * 10_000_000],
+)
+def test_ten_megabytes_are_refused_without_reading_them(hostile):
+    started = time.process_time()
+    with pytest.raises(UnitError):
+        parse_unit(hostile)
+    with pytest.raises(NumberError):
+        split_quantity(hostile)
+    assert time.process_time() - started < 5  # a hang, not a benchmark
