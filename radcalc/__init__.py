@@ -7,17 +7,18 @@ The public API is loaded when it is first used; `import radcalc` costs nothing.
 9.290304 footcandle
 """
 
-from typing import TYPE_CHECKING, Any
-
 from radcalc._version import __version__
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
+    from typing import Any
+
     from radcalc.api import Quantity, convert
 
 __all__ = ["Quantity", "__version__", "convert"]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> "Any":
     if name in ("Quantity", "convert"):
         from radcalc import api
 

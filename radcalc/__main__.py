@@ -7,11 +7,11 @@ def main() -> int:
     """Run radcalc on the command line's words; return the exit status."""
     try:
         answered = quick_lane(sys.argv[1:])
-        if answered is not None:
-            return answered
-        from radcalc.cli import run
+        if answered is None:
+            from radcalc.cli import run
 
-        return run(sys.argv[1:])
+            answered = run(sys.argv[1:])
+        return answered
     except KeyboardInterrupt:
         return 130
 
@@ -40,10 +40,14 @@ def quick_lane(words: list[str]) -> int | None:
         if not target:
             return None
         made = plan(resolve(source), resolve(target))
-        console.write(line(made.apply(value), target, number=number))
-        console.say(console.remarks(made.assumptions, made.notes))
+        text = line(made.apply(value), target, number=number)
     except RadcalcError:
         return None
+    try:
+        console.write(text)
+    except RadcalcError as error:
+        return console.complain(error)
+    console.say(console.remarks(made.assumptions, made.notes))
     return console.ANSWERED
 
 

@@ -544,8 +544,9 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
                 "SI Brochure: exact h and c",
             ),
         )
-        if is_length:
-            assumption = "; ".join(filter(None, [assumption, VACUUM.format(given.text)]))
+        photons = f"{given.text} is {show(of.vacuum * 1e9)} nm in vacuum"
+        said = VACUUM.format(given.text) if is_length else photons
+        assumption = "; ".join(filter(None, [assumption, said]))
         outside = (of.table < 400e-9 * (1 - 1e-12)) | (of.table > 700e-9 * (1 + 1e-12))
         if maths.any_true(outside):
             notes += (f"{given.text} lies outside 400-700 nm, where PPFD is counted",)

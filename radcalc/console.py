@@ -2,9 +2,12 @@
 
 import os
 import sys
-from collections.abc import Iterable  # already loaded by Python itself
 
 from radcalc.errors import OutputError, RadcalcError
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -45,7 +48,7 @@ def discard_output() -> None:
     os.close(null)
 
 
-def say(lines: Iterable[str]) -> None:
+def say(lines: "Iterable[str]") -> None:
     """Write lines to standard error; nobody listening there is no failure."""
     try:
         sys.stderr.write("".join([line + "\n" for line in lines]))
@@ -54,7 +57,7 @@ def say(lines: Iterable[str]) -> None:
         pass
 
 
-def remarks(assumptions: Iterable[str], notes: Iterable[str]) -> list[str]:
+def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:
     """What was assumed and noted, a line each."""
     return [f"assumed: {text}" for text in assumptions] + [f"note: {text}" for text in notes]
 

@@ -4,13 +4,13 @@ A plan between two units of one quantity is a ratio of whole numbers, and needs 
 table; what stands between different quantities is in `link.py`, loaded only when it is needed.
 """
 
-from typing import TYPE_CHECKING, Any
-
 from radcalc.errors import ConversionError, quote
 from radcalc.units.table import Unit
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
     from radcalc.conditions import Factor, Given
     from radcalc.result import Result, Step
@@ -28,7 +28,7 @@ class Plan:
         self,
         source: Unit,
         target: Unit,
-        factor: Any,
+        factor: "Any",
         links: "Sequence[tuple[Factor, int]]" = (),
     ) -> None:
         """Hold the plan; the notes are those of the units and of the conditions."""
@@ -41,7 +41,7 @@ class Plan:
         for link, _ in links:
             self.notes += link.notes
 
-    def apply(self, value: Any) -> Any:
+    def apply(self, value: "Any") -> "Any":
         """Convert a number, or an array element by element."""
         result = value * self.factor
         if isinstance(result, float):

@@ -4,6 +4,10 @@ Every text that a user can get wrong ends in a `RadcalcError`. The command line 
 message and its hint and exits with status 2; the Python API raises it.
 """
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
 SHOWN = 60
 
 
@@ -13,6 +17,13 @@ def quote(text: str) -> str:
     if len(text) > SHOWN:
         text = text[: SHOWN - 3] + "..."
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
+def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:
+    """Choose the known words most like a word that is not known."""
+    import difflib  # only when something is wrong already
+
+    return difflib.get_close_matches(word[:SHOWN], list(known), n=count, cutoff=cutoff)
 
 
 class RadcalcError(Exception):

@@ -1,3 +1,4 @@
+import contextlib
 import math
 import time
 
@@ -138,14 +139,10 @@ def test_a_quantity_is_cut_into_number_and_unit(text, value, unit):
 
 @given(st.text(max_size=60))
 def test_any_text_is_read_or_refused(text):
-    try:
+    with contextlib.suppress(UnitError):
         parse_unit(text)
-    except UnitError:
-        pass
-    try:
+    with contextlib.suppress(NumberError):
         split_quantity(text)
-    except NumberError:
-        pass
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=False))

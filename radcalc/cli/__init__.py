@@ -8,7 +8,7 @@ import click
 
 from radcalc import console
 from radcalc._version import __version__
-from radcalc.errors import NumberError, OutputError, RadcalcError, quote
+from radcalc.errors import NumberError, OutputError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
 
 COMMANDS = ("convert", "units")
@@ -30,6 +30,16 @@ class Commands(click.Group):
 
         command: click.Command = import_module(f"radcalc.cli.{cmd_name}").command
         return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or say which one is near."""
+        if args[0] not in COMMANDS and not args[0].startswith("-"):
+            near = nearest(args[0], COMMANDS, 1)
+            hint = f"{near[0]} (see radcalc --help)" if near else "radcalc --help"
+            raise UsageError(f"there is no command '{quote(args[0])}'", hint)
+        return super().resolve_command(ctx, args)
 
 
 @click.command(cls=Commands, context_settings=SETTINGS, no_args_is_help=False)
@@ -72,10 +82,10 @@ def run(words: list[str]) -> int:
     except RadcalcError as error:
         return console.complain(error)
     except click.UsageError as error:
-        return console.complain(_usage(error))
+        return console.complain(_usage(error, words))
     except (KeyboardInterrupt, click.Abort):
         return console.INTERRUPTED
-    except BrokenPipeError:
+    except (BrokenPipeError, SystemExit):  # Click's help exits when its reader has gone
         console.discard_output()
         return console.ANSWERED
     except OSError as error:
@@ -85,14 +95,27 @@ def run(words: list[str]) -> int:
         return _bug(error)
 
 
-def _usage(error: click.UsageError) -> RadcalcError:
-    """Click's own words for a wrong option or command, with where to look."""
-    path = error.ctx.command_path if error.ctx else "radcalc"
-    message = quote_lines(error.format_message())
-    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), f"{path} --help")
+def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
+    """Click's complaint of a wrong option or command, with the nearest right ones."""
+    called = next((word for word in words if word in COMMANDS), "")
+    help_ = f"{f'radcalc {called}'.strip()} --help"
+    if isinstance(error, click.NoSuchOption):
+        known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
+        near = [o for o in known if o.startswith(error.option_name)]
+        near = near or nearest(error.option_name, known, cutoff=0.7)
+        hint = f"{', '.join(near)} (see {help_})" if near else help_
+        return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)
+    message = one_line(error.format_message())
+    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
 
 
-def quote_lines(text: str) -> str:
+def _parameters(called: str) -> list[click.Parameter]:
+    context = click.Context(commands)
+    command = commands.get_command(context, called) or commands
+    return command.get_params(context)
+
+
+def one_line(text: str) -> str:
     """One printable line of bounded length."""
     text = " ".join(text.split())
     return quote(text) if not text.isprintable() or len(text) > 300 else text

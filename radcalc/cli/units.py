@@ -5,7 +5,7 @@ import click
 from radcalc import console
 from radcalc.cli import output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.errors import UnitError, UsageError, quote
+from radcalc.errors import UnitError, UsageError, nearest, quote
 from radcalc.listing import Entry, entry, quantity_names, search
 
 
@@ -70,9 +70,7 @@ def _same_quantity(text: str) -> list[Entry]:
     try:
         unit = resolve(text)
     except UnitError as error:
-        import difflib
-
-        near = difflib.get_close_matches(text.lower(), quantity_names(), n=2, cutoff=0.6)
+        near = nearest(text.lower(), quantity_names())
         raise UnitError(
             f"no unit and no quantity is called '{quote(text)}'", ", ".join(near) or error.hint
         ) from None

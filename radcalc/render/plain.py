@@ -1,7 +1,6 @@
 """Plain text: one result a line, fields separated by tabs."""
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from radcalc.result import Result, Step
 

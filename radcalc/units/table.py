@@ -5,7 +5,7 @@ The numbers come from `compiled.py`, which `compile.py` prints from what Pint sa
 is rounded once.
 """
 
-from radcalc.errors import UnitError, quote
+from radcalc.errors import UnitError, nearest, quote
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -177,14 +177,12 @@ def _unknown(spelling: str) -> UnitError:
 
 def suggest(spelling: str, count: int = 3) -> list[str]:
     """The known spellings nearest to one that is not."""
-    import difflib
-
     spelling = spelling[:60]
     folded = spelling.lower()
     same = [s for s in _prefixed() if s.lower() == folded]
-    near = difflib.get_close_matches(folded, NAMES, n=count, cutoff=0.7)
+    near = nearest(folded, NAMES, count, 0.7)
     if len(spelling) <= 4:
-        near = difflib.get_close_matches(spelling, _prefixed(), n=count, cutoff=0.6) + near
+        near = nearest(spelling, _prefixed(), count) + near
     return list(dict.fromkeys(same + near))[:count]
 
 

@@ -1,0 +1,114 @@
+import doctest
+import importlib
+
+import numpy as np
+import pint
+import pytest
+from conftest import ROOT, python
+
+import radcalc
+from radcalc.errors import ConditionError, ConversionError, NumberError, RadcalcError, UnitError
+
+Q = radcalc.Quantity
+
+
+def test_text_and_quantities_go_in_and_quantities_come_out():
+    # 1 fc = 1/0.3048^2 lx
+    assert radcalc.convert("100 lx", "fc").magnitude == pytest.approx(9.290304, rel=1e-15)
+    assert radcalc.convert(Q(100, "lx"), "fc") == Q(9.290304, "fc")
+    assert radcalc.convert(0.5, "%") == Q(50, "percent")
+    assert radcalc.convert("1 klm", "lm").check("[luminosity] * [angle]**2")
+
+
+def test_arrays_keep_their_shape():
+    values = np.arange(6.0).reshape(2, 3)
+    converted = radcalc.convert(Q(values, "klx"), "lx")
+    assert converted.magnitude.shape == (2, 3)
+    np.testing.assert_array_equal(converted.magnitude, values * 1000)
+
+
+def test_conditions_may_be_arrays_too():
+    far = radcalc.convert("100 cd", "lx", distance=Q(np.array([1.0, 2.0, 5.0]), "m"))
+    np.testing.assert_allclose(far.magnitude, [100, 25, 4], rtol=1e-15)
+    turned = radcalc.convert(
+        "100 cd", "lx", distance="2m", incidence=Q(np.array([0.0, 60.0, 90.0, 120.0]), "deg")
+    )
+    np.testing.assert_allclose(turned.magnitude, [25, 12.5, 0, 0], rtol=1e-14)
+    seen = radcalc.convert("1 W", "lm", wavelength=Q(np.array([555.0, 300.0]), "nm"))
+    np.testing.assert_allclose(seen.magnitude, [683.002, 0])
+
+
+@pytest.mark.parametrize(
+    ("conditions", "expected"),
+    [
+        ({"isotropic": True}, 1 / (4 * np.pi)),
+        ({"half_angle": "60deg"}, 1 / np.pi),
+        ({"half_angle": Q(60, "deg")}, 1 / np.pi),
+        ({"exponent": 1}, 1 / np.pi),
+        ({"isotropic": True, "hemisphere": False, "time": None}, 1 / (4 * np.pi)),
+    ],
+)
+def test_conditions_are_texts_quantities_numbers_or_flags(conditions, expected):
+    assert radcalc.convert("1 lm", "cd", **conditions).magnitude == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("call", "error"),
+    [
+        (lambda: radcalc.convert("1 lm", "cd"), ConversionError),
+        (lambda: radcalc.convert("1 zork", "cd"), UnitError),
+        (lambda: radcalc.convert("x lm", "cd"), NumberError),
+        (lambda: radcalc.convert("1 lm", "cd", isotropic="yes"), ConditionError),
+        (lambda: radcalc.convert("1 lm", "cd", distance=2), ConditionError),
+        (lambda: radcalc.convert("1 lm", "cd", colour="red"), ConditionError),
+        (lambda: radcalc.convert("1 lx", "nit", reflectance=Q([0.5, 2], "1")), ConditionError),
+        (lambda: radcalc.convert(5, "lx"), ConversionError),
+        (lambda: radcalc.convert(pint.UnitRegistry().Quantity(1, "m"), "ft"), UnitError),
+        (lambda: Q(1, "10**10**10 m"), UnitError),
+        (lambda: Q("1_000 lx"), NumberError),
+        (lambda: Q(1, "W/m^2 sr"), UnitError),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_raises_a_radcalc_error(call, error):
+    with pytest.raises(error) as caught:
+        call()
+    assert isinstance(caught.value, RadcalcError)
+    assert caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("one", "other"), [("lm", "cd"), ("lx", "nit"), ("W/Hz", "J"), ("td", "cd")]
+)
+def test_pint_itself_refuses_what_differs_by_an_angle_a_cycle_or_the_eye(one, other):
+    with pytest.raises(pint.DimensionalityError):
+        Q(1, one).to(other)
+
+
+def test_pint_arithmetic_works_in_radcalcs_units():
+    assert (Q(1, "klm") + Q(1, "lm")).to("lm").magnitude == pytest.approx(1001)
+    assert (Q(12, "lm") / Q(4, "sr")).to("cd").magnitude == pytest.approx(3)
+    assert Q("5 W m-2").to("mW/cm2").magnitude == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("first", ["radcalc.cli", "radcalc.conversion", "radcalc.api", "radcalc"])
+def test_the_public_names_do_not_depend_on_what_was_imported_first(first):
+    done = python(f"import {first}, radcalc; print(radcalc.convert('1 klx', 'lx'))")
+    assert done.stdout == "1000.0 lux\n", done.stderr
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError):
+        radcalc.nothing  # noqa: B018
+
+
+@pytest.mark.parametrize("name", ["radcalc", "radcalc.api", "radcalc.spectra.observers"])
+def test_the_examples_in_the_docstrings_run(name):
+    result = doctest.testmod(importlib.import_module(name), raise_on_error=False)
+    assert result.attempted > 0
+    assert result.failed == 0
+
+
+def test_the_python_example_of_the_readme_runs():
+    result = doctest.testfile(str(ROOT / "README.md"), module_relative=False)
+    assert result.attempted > 0
+    assert result.failed == 0

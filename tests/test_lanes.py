@@ -1,0 +1,74 @@
+"""The quick lane and Click print the same bytes, or the quick lane stands aside."""
+
+import pytest
+
+from radcalc import __main__, cli
+
+ANSWERED = [
+    ["100", "lx", "fc"],
+    ["100lx", "fc"],
+    ["100", "lx", "to", "fc"],
+    ["100 lx", "fc"],
+    ["100 lx to fc"],
+    ["5", "W", "m-2", "to", "mW", "cm-2"],
+    ["-30", "mW", "uW"],
+    ["-30mW", "uW"],
+    ["1/3", "klx", "lx"],
+    ["4pi", "sr", "deg2"],
+    ["100", "лк", "лм/м²"],
+    ["1", "Btu", "J"],
+    ["1", "cm-1", "m-1"],
+    ["1e-30", "lx", "nlx"],
+    ["0", "lx", "fc"],
+    ["-0", "lx", "fc"],
+    ["1", "W/m2/Hz", "Jy"],
+    ["100", "lx", "fc", "-n"],
+    ["-5", "deg", "rad", "-n"],
+]
+LEFT = [
+    [],
+    ["100", "lx"],
+    ["100", "lx", "cd"],
+    ["100", "zork", "fc"],
+    ["1,5", "lx", "fc"],
+    ["100", "lx", "fc", "--json"],
+    ["100", "lx", "fc", "-q"],
+    ["-n", "100", "lx", "fc"],
+    ["--", "100", "lx", "fc"],
+    ["-", "lx", "fc"],
+    ["-pi", "rad", "deg"],
+    ["-h"],
+    ["1e308", "km", "nm"],
+    ["1", "lx", "fc", "nit"],
+]
+
+
+@pytest.fixture
+def piped(monkeypatch, capsys):
+    monkeypatch.setattr("radcalc.console.is_terminal", lambda: False)
+    return capsys.readouterr
+
+
+@pytest.mark.parametrize("operands", ANSWERED, ids=" ".join)
+def test_both_lanes_print_the_same(operands, piped):
+    assert __main__.quick_lane(["convert", *operands]) == 0
+    quick = piped()
+    assert quick.out
+    assert cli.run(["convert", *operands]) == 0
+    assert piped() == quick
+
+
+@pytest.mark.parametrize("operands", LEFT, ids=" ".join)
+def test_the_quick_lane_leaves_the_rest_to_click(operands, piped):
+    assert __main__.quick_lane(["convert", *operands]) is None
+    assert piped() == ("", "")
+
+
+@pytest.mark.parametrize("words", [[], ["units"], ["--version"], ["konvert", "1", "lx", "fc"]])
+def test_the_quick_lane_knows_convert_only(words, piped):
+    assert __main__.quick_lane(words) is None
+
+
+def test_the_quick_lane_leaves_a_terminal_to_click(piped, monkeypatch):
+    monkeypatch.setattr("radcalc.console.is_terminal", lambda: True)
+    assert __main__.quick_lane(["convert", "100", "lx", "fc"]) is None

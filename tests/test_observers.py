@@ -1,0 +1,67 @@
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.spectra import observers_data
+from radcalc.spectra.compile import DATA, TABLES, compile_observers, table
+from radcalc.spectra.observers import (
+    OBSERVERS,
+    luminous_efficacy,
+    luminous_efficiency,
+    standard_air_wavelength,
+)
+
+PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+
+
+def test_the_committed_tables_are_colour_sciences():
+    assert DATA.read_text(encoding="utf-8") == compile_observers()
+    for constant, (group, name) in TABLES.items():
+        assert getattr(observers_data, constant) == table(group, name)
+
+
+@pytest.mark.parametrize(
+    ("wavelength", "value"),
+    [  # CIE 1924, as colour-science 0.4.7 has it
+        (555e-9, 1.0),
+        (632e-9, 0.2448896),
+        (633e-9, 0.2353344),
+        (632.8e-9, 0.2448896 * 0.2 + 0.2353344 * 0.8),
+        (360e-9, 3.917e-6),
+        (359.999e-9, 0),
+        (830.001e-9, 0),
+        (10e-6, 0),
+    ],
+)
+def test_v_of_lambda_on_between_and_outside_the_table(wavelength, value):
+    assert luminous_efficiency(wavelength, PHOTOPIC) == pytest.approx(value, rel=1e-9, abs=0)
+
+
+def test_scotopic_vision_peaks_at_507_nm():
+    assert luminous_efficacy(507e-9, SCOTOPIC) == 1700.06
+    assert luminous_efficiency(379.9e-9, SCOTOPIC) == 0
+
+
+@given(st.lists(st.floats(min_value=300e-9, max_value=900e-9), min_size=1, max_size=9))
+def test_an_array_gives_what_its_elements_give(wavelengths):
+    for observer in OBSERVERS.values():
+        together = luminous_efficiency(np.array(wavelengths), observer)
+        alone = [luminous_efficiency(w, observer) for w in wavelengths]
+        inside = [observer.start + 1e-6 < w * 1e9 < observer.end - 1e-6 for w in wavelengths]
+        for a, b, ok in zip(together, alone, inside, strict=True):
+            if ok:
+                assert math.isclose(a, b, rel_tol=1e-6)
+
+
+def test_540_thz_is_555_017_nm_in_standard_air():
+    # the candela of 2019: 683 lm/W at 540 THz, 555.171 nm in vacuum, n about 1.00028
+    vacuum = 299792458 / 540e12
+    assert vacuum * 1e9 == pytest.approx(555.171, abs=5e-4)
+    air = standard_air_wavelength(vacuum)
+    assert vacuum / air == pytest.approx(1.00028, abs=5e-6)
+    assert luminous_efficacy(air, PHOTOPIC) == pytest.approx(683.000, abs=5e-4)
+    assert luminous_efficacy(vacuum, PHOTOPIC) == pytest.approx(682.985, abs=5e-4)
+    assert standard_air_wavelength(np.array([vacuum]))[0] == air

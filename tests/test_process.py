@@ -1,0 +1,212 @@
+"""radcalc as a process: terminals, pipes, full disks, bytes that are no text, signals."""
+
+import os
+import pty
+import select
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from conftest import entry_point, run
+
+
+def on_terminal(*words: str, columns: int = 80, **environment: str) -> str:
+    """Run on a pseudo-terminal of a given width and return the screen."""
+    leader, follower = pty.openpty()
+    env = os.environ | {"COLUMNS": str(columns), "TERM": "xterm"} | environment
+    process = subprocess.Popen(
+        [entry_point(), *words], stdin=follower, stdout=follower, stderr=follower, env=env
+    )
+    os.close(follower)
+    screen = b""
+    while True:
+        ready, _, _ = select.select([leader], [], [], 60)
+        try:
+            part = os.read(leader, 65536) if ready else b""
+        except OSError:
+            part = b""
+        if not part:
+            break
+        screen += part
+    process.wait(60)
+    os.close(leader)
+    return screen.decode().replace("\r\n", "\n")
+
+
+def test_a_terminal_gets_a_table_with_what_was_assumed_below():
+    screen = on_terminal("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
+    assert "\x1b" not in screen
+    assert "quantity" in screen
+    assert "luminous intensity" in screen
+    assert "63.662" in screen
+    assert "assumed: uniform over 4 pi sr (isotropic)" in screen
+
+
+def test_a_pipe_gets_plain_text():
+    done = run("convert", "800", "lm", "cd", "--isotropic")
+    assert done.stdout == "63.6619772368\tcd\n"
+    assert done.stderr == "assumed: uniform over 4 pi sr (isotropic)\n"
+
+
+@pytest.mark.parametrize("columns", [20, 40, 60])
+def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
+    words = ("convert", "800", "lm", "cd", "--isotropic", "--steps")
+    screen = on_terminal(*words, columns=columns, NO_COLOR="1")
+    assert "…" not in screen
+    letters = "".join(screen.split())
+    assert "63.662" in letters
+    assert "isotropic" in letters
+
+
+@pytest.mark.parametrize(
+    ("words", "environment", "coloured"),
+    [
+        ((), {}, True),
+        ((), {"NO_COLOR": "1"}, False),
+        ((), {"TERM": "dumb"}, False),
+        (("--color", "always"), {"NO_COLOR": "1"}, True),
+        (("--color", "never"), {"FORCE_COLOR": "1"}, False),
+        ((), {"NO_COLOR": "1", "FORCE_COLOR": "1"}, False),
+        ((), {"TERM": "dumb", "FORCE_COLOR": "1"}, True),
+    ],
+)
+def test_colour_is_decided_by_option_then_environment_then_terminal(words, environment, coloured):
+    screen = on_terminal("convert", "100", "lx", "fc", *words, **environment)
+    assert ("\x1b[" in screen) == coloured
+
+
+def test_markup_in_what_a_user_typed_is_no_markup():
+    screen = on_terminal("convert", "1", "lx", "[bold]", NO_COLOR="1")
+    assert "[bold]" in screen
+
+
+def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
+    assert "illuminance" in run("convert", "1", "lx", "fc", "--format", "table").stdout
+    assert on_terminal("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
+    assert on_terminal("convert", "100", "lx", "fc", "-n") == "9.290304\n"
+
+
+@pytest.mark.parametrize(
+    "words", [("100", "lx", "fc"), ("250", "cd/m2"), ("1", "lx", "fc", "--json")]
+)
+def test_a_full_disk_is_an_error(words):
+    with open("/dev/full", "w") as full:
+        done = run("convert", *words, capture_output=False, stdout=full, stderr=subprocess.PIPE)
+    assert done.returncode == 2
+    assert done.stderr.startswith("radcalc: cannot write the answer: No space left on device\n")
+    assert "Traceback" not in done.stderr
+    assert len(done.stderr.splitlines()) == 2
+
+
+@pytest.mark.parametrize("words", [("100", "lx", "fc"), ("250", "cd/m2"), ("--help",)])
+def test_a_closed_pipe_ends_quietly(words):
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = run("convert", *words, capture_output=False, stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("words", ["100 lx fc", "100 lx fc --json"])
+def test_no_standard_output_at_all_is_an_error(words):
+    done = subprocess.run(
+        ["sh", "-c", f"exec {entry_point()} convert {words} >&-"], capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert "standard output is closed" in done.stderr
+
+
+def test_no_standard_error_is_no_failure():
+    done = subprocess.run(
+        ["sh", "-c", f"exec {entry_point()} convert 800 lm cd --isotropic 2>&-"],
+        capture_output=True,
+        text=True,
+    )
+    assert (done.returncode, done.stdout) == (0, "63.6619772368\tcd\n")
+
+
+def test_an_output_without_greek_still_gets_the_answer():
+    done = run(
+        "convert", "100", "лк", "lx", "--format", "table",
+        env=os.environ | {"PYTHONIOENCODING": "ascii"},
+    )  # fmt: skip
+    assert done.returncode == 0
+    assert "100" in done.stdout
+    done = run("convert", "1", "lx", "лк", env=os.environ | {"PYTHONIOENCODING": "ascii"})
+    assert (done.returncode, done.stdout) == (0, "1\t\\u043b\\u043a\n")
+
+
+HOSTILE = {
+    "bytes that are no UTF-8": b"lx\xff\xfe",
+    "control characters": b"lx\x1b[31m\x07",
+    "a newline": b"lx\nfc",
+    "100 kB of letters": b"x" * 100_000,
+    "100 kB of brackets": b"(" * 100_000,
+    "100 kB of digits": b"9" * 100_000,
+    "100 kB of powers": b"m^9 " * 25_000,
+    "markup": b"[/bold]",
+    "a format string": b"{0.__class__}%s%n",
+    "nothing": b"",
+    "a blank": b" ",
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE.keys())
+@pytest.mark.parametrize("place", ["value", "source", "target", "condition", "option", "search"])
+def test_whatever_is_typed_gets_one_clear_message(text, place):
+    words = {
+        "value": [b"convert", text, b"lx", b"fc"],
+        "source": [b"convert", b"1", text, b"fc"],
+        "target": [b"convert", b"1", b"lx", text],
+        "condition": [b"convert", b"1", b"cd", b"lx", b"--distance", text],
+        "option": [b"convert", b"1", b"cd", b"lx", b"--x" + text],
+        "search": [b"units", b"zz" + text],
+    }[place]
+    if (place, text) == ("target", b""):
+        pytest.skip("an empty target is no target: every unit is shown")
+    done = subprocess.run([entry_point(), *words], capture_output=True, timeout=60)
+    message = done.stderr.decode("utf-8")
+    assert done.returncode == 2
+    assert done.stdout == b""
+    assert message.startswith("radcalc: ")
+    assert len(message.splitlines()) <= 2
+    assert len(message) < 600
+    assert all(c.isprintable() or c == "\n" for c in message)
+
+
+def test_a_bug_is_reported_as_one(monkeypatch, capsys):
+    from radcalc import cli
+
+    def broken(*args, **kwargs):
+        raise ZeroDivisionError("oh")
+
+    monkeypatch.setattr(cli.commands, "main", broken)
+    assert cli.run(["convert"]) == 3
+    message = capsys.readouterr().err
+    assert "bug in radcalc" in message
+    assert "Traceback" not in message
+    monkeypatch.setenv("RADCALC_DEBUG", "1")
+    assert cli.run(["convert"]) == 3
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_an_interrupt_exits_130_without_a_traceback():
+    code = (
+        "import sys, time, radcalc.console as c\n"
+        "def wait(*a):\n    print('ready', flush=True)\n    time.sleep(30)\n"
+        "c.write = wait\n"
+        "sys.argv = ['radcalc', 'convert', '250', 'cd/m2']\n"
+        "from radcalc.__main__ import main\n"
+        "sys.exit(main())"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=30)
+    assert (process.returncode, err.strip()) == (130, "")

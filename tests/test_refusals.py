@@ -1,0 +1,130 @@
+"""What has no answer without more is refused, in both directions, and says what would do."""
+
+import pytest
+
+from radcalc.conditions import give
+from radcalc.conversion import plan
+from radcalc.errors import ConditionError, ConversionError, RadcalcError
+from radcalc.units.table import resolve
+
+HEADS = {"e": ("W", "J"), "v": ("lm", "lm.s"), "p": ("photon/s", "photon")}
+SHAPES = ("", "/sr", "/m2", "/m2/sr")
+AXES = ("", "/nm", "/THz", "/cm-1")
+# One unit for each quantity of the grid: kind x time x area x solid angle x axis of density.
+GRID = [
+    head + shape + axis
+    for heads in HEADS.values()
+    for head in heads
+    for shape in SHAPES
+    for axis in AXES
+]
+OTHERS = ["td", "lm/W", "umol/J", "lm.s/umol", "1", "sr", "deg", "m2.sr", "nm", "m2", "THz", "cm-1",
+          "s", "eV/photon", "K", "kg"]  # fmt: skip
+
+
+def _only_c_between(one: str, other: str) -> bool:
+    for a, b in (("/THz", "/cm-1"), ("/cm-1", "/THz")):
+        if one.endswith(a) and one.removesuffix(a) == other.removesuffix(b) and other.endswith(b):
+            return True
+    return False
+
+
+@pytest.mark.parametrize("source", [*GRID, *OTHERS])
+def test_no_two_different_quantities_convert_without_a_condition(source):
+    for target in [*GRID, *OTHERS]:
+        if source == target or _only_c_between(source, target):
+            continue
+        with pytest.raises(ConversionError) as caught:
+            plan(resolve(source), resolve(target))
+        error = caught.value
+        assert error.message.startswith("cannot convert "), target
+        assert "missing" in error.message or "no condition links them" in error.message, target
+        assert error.hint, target
+
+
+def test_a_density_per_hertz_and_one_per_kayser_differ_by_c_alone():
+    # c = 299 792 458 m/s exactly; a kayser is 1/cm
+    for shape in SHAPES:
+        made = plan(resolve(f"W{shape}/Hz"), resolve(f"W{shape}/cm-1"))
+        assert made.factor == pytest.approx(29979245800, rel=1e-15)
+        back = plan(resolve(f"W{shape}/cm-1"), resolve(f"W{shape}/Hz"))
+        assert back.factor == pytest.approx(1 / 29979245800, rel=1e-15)
+
+
+# source, target, conditions, part of the message, part of the hint
+CORPUS = [
+    ("lm", "cd", {}, "luminous flux (lm) to luminous intensity (cd): a solid angle is missing",
+     "--isotropic, --half-angle ANGLE or --solid-angle OMEGA"),
+    ("lx", "nit", {}, "a reflectance or a projected solid angle is missing", "--hemisphere"),
+    ("W", "lm", {}, "a wavelength or an efficacy is missing", "--wavelength"),
+    ("umol/m2/s", "lx", {}, "a wavelength or an efficacy is missing", "--efficacy"),
+    ("lm", "lx", {}, "an area, or a solid angle and a distance, is missing", "--distance"),
+    ("cd", "lx", {}, "a distance is missing", "--distance"),
+    ("J", "W", {}, "a time is missing", "--time"),
+    ("lx.s", "lx", {}, "a time is missing", "--time"),
+    ("W/Hz", "J", {}, "a bandwidth and a time are missing", "--bandwidth"),
+    ("Jy", "J/m2", {}, "a bandwidth and a time are missing", "--time"),
+    ("W/m2/nm", "W/m2", {}, "a bandwidth is missing", "--bandwidth"),
+    ("W/m2/nm", "W/m2/THz", {}, "a wavelength is missing", "--wavelength"),
+    ("W/m2/nm", "lx/THz", {}, ": a wavelength is missing", "--wavelength"),
+    ("lm/m", "lm", {}, "luminous flux per length (lm/m)", "the number times that length"),
+    ("td", "cd", {}, "the pupil's diameter", "--pupil"),
+    ("td", "cd/m2", {}, "the pupil's diameter is missing", "--pupil"),
+    ("nm", "eV", {}, "no condition links them", "radcalc"),
+    ("sr", "deg", {}, "no condition links them", "radcalc"),
+    ("lm/W", "1", {}, "no condition links them", "radcalc"),
+    ("lm", "lx", {"distance": "2m"}, "a solid angle is missing", "--isotropic"),
+    ("lm", "cd", {"time": "1h"}, "--time has no use", "--isotropic"),
+    ("lm", "cd", {"reflectance": "0.5"}, "--reflectance has no use", "--isotropic"),
+    ("lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance has no use", "without"),
+    ("m", "ft", {"time": "1h"}, "--time has no use", "without --time"),
+    ("cd", "lx", {"incidence": "45deg"}, "a distance is missing", "--distance"),
+    ("W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer has no use", ""),
+    ("W", "lm", {"efficacy": "93lm/W", "observer": "scotopic"}, "--observer has no use", ""),
+    ("lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradict each other", "one of"),
+    ("lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "contradict", "one of"),
+    ("W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "contradict", "one of"),
+    ("lm", "lx", {"radius": "1m", "area": "3m2"}, "contradict", "one of"),
+    ("lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "over-specified", "fewer"),
+    ("lm", "lx", {"area": "1m2", "isotropic": True, "distance": "1m"}, "over-specified", "fewer"),
+    ("nit", "lx", {"solid-angle": "1sr"}, "projected solid angle", "--half-angle"),
+    ("nit", "lx", {"isotropic": True}, "projected solid angle", "--hemisphere"),
+    ("nit", "lx", {"exponent": "1"}, "projected solid angle", "--hemisphere"),
+    ("nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is not possible", "90 deg"),
+    ("nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
+    ("nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "60deg"}, "horizon", "smaller"),
+    ("lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
+    ("lm", "W", {"wavelength": "10um"}, "nothing is seen", "830nm"),
+    ("lx", "cd", {"distance": "2m", "incidence": "90deg"}, "no light arrives", "below 90"),
+    ("cd/m2", "lx", {"reflectance": "0"}, "no light arrives", "above 0"),
+    ("lx", "cd/m2", {"reflectance": "1.01"}, "not possible", "from 0 to 1"),
+    ("lx", "cd/m2", {"reflectance": "101%"}, "not possible", "from 0 to 1"),
+    ("W", "lm", {"efficacy": "684lm/W"}, "not possible", "683lm/W"),
+    ("W", "lm", {"efficacy": "2.1umol/J"}, "does not link radiant and luminous", "93lm/W"),
+    ("cd", "lx", {"distance": "-2m"}, "not possible", "more than 0"),
+    ("cd", "lx", {"distance": "0m"}, "not possible", "more than 0"),
+    ("lm", "lx", {"area": "-1m2"}, "not possible", "more than 0"),
+    ("lm", "cd", {"half-angle": "181deg"}, "not possible", "whole sphere"),
+    ("lm", "cd", {"solid-angle": "13sr"}, "not possible", "4pi sr"),
+    ("lm", "cd", {"beam-angle": "180deg"}, "not possible", "180 deg"),
+    ("lm", "cd", {"exponent": "-1"}, "not possible", "0 or more"),
+    ("cd", "lx", {"distance": "2"}, "--distance 2 has no unit", "2m"),
+    ("W", "lm", {"wavelength": "555"}, "has no unit", "555nm"),
+    ("cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
+    ("lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "30deg"),
+    ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
+    ("W", "lm", {"wavelength": "-555nm"}, "not possible", "more than 0"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("source", "target", "conditions", "message", "hint"), CORPUS)
+def test_a_refusal_says_what_and_what_to_do(source, target, conditions, message, hint):
+    with pytest.raises(RadcalcError) as caught:
+        plan(resolve(source), resolve(target), [give(k, v) for k, v in conditions.items()])
+    assert message in caught.value.message
+    assert hint in caught.value.hint
+
+
+def test_a_refusal_of_a_condition_is_a_condition_error():
+    with pytest.raises(ConditionError):
+        plan(resolve("lm"), resolve("cd"), [give("isotropic", True), give("time", "1s")])

@@ -1,0 +1,127 @@
+"""Who may import whom, and what a command leaves out of the process."""
+
+import ast
+import json
+
+import pytest
+from conftest import ROOT, python
+
+PACKAGE = ROOT / "radcalc"
+MODULES = {
+    ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path
+    for path in PACKAGE.rglob("*.py")
+}
+# Only these may import the package on the left.
+KEEPERS = {
+    "click": ("radcalc.cli",),
+    "rich": ("radcalc.render.table",),
+    "pint": ("radcalc.units.registry", "radcalc.units.compile"),
+    "colour": ("radcalc.spectra.compile",),
+    "numpy": ("radcalc.maths", "radcalc.spectra.observers"),
+}
+# Imports point downwards: a layer may import those below it.
+LAYERS = [
+    ["radcalc.__main__"],
+    ["radcalc.cli"],
+    ["radcalc.api", "radcalc.listing", "radcalc.render", "radcalc.operands", "radcalc.console"],
+    ["radcalc.conversion"],
+    ["radcalc.link"],
+    ["radcalc.conditions", "radcalc.series"],
+    ["radcalc.spectra", "radcalc.result"],
+    ["radcalc.quantities"],
+    ["radcalc.units", "radcalc.maths"],
+    ["radcalc.errors", "radcalc._version"],
+]
+
+
+def imports(name: str) -> set[str]:
+    """Everything a module imports, wherever in it, type checking apart."""
+    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING":
+            node.body = []
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.add(node.module)
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+def layer(name: str) -> int | None:
+    for depth, members in enumerate(LAYERS):
+        if any(name == m or name.startswith(m + ".") for m in members):
+            return depth
+    return None
+
+
+@pytest.mark.parametrize("package", KEEPERS)
+def test_a_heavy_package_is_imported_in_its_own_room_only(package):
+    for name in MODULES:
+        if any(i == package or i.startswith(package + ".") for i in imports(name)):
+            assert name.startswith(KEEPERS[package]), name
+
+
+@pytest.mark.parametrize("name", sorted(set(MODULES) - {"radcalc"}))
+def test_imports_point_downwards(name):
+    depth = layer(name)
+    assert depth is not None, f"{name} belongs to no layer"
+    for imported in imports(name):
+        below = layer(imported)
+        assert below is None or below >= depth, imported
+
+
+HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy"}
+SLOW = {"re", "dataclasses", "typing", "json", "enum", "collections", "functools", "inspect"}
+PROBE = """
+import os, sys
+before = set(sys.modules)
+sys.argv = ["radcalc", *sys.argv[1:]]
+from radcalc.__main__ import main
+main()
+loaded = set(sys.modules) - before
+import json
+os.write(2, ("\\n" + json.dumps(sorted(loaded))).encode())
+"""
+
+
+def loaded_by(*words: str) -> set[str]:
+    """What a run of radcalc adds to the modules of a bare interpreter."""
+    done = python(PROBE, *words)
+    return set(json.loads(done.stderr.splitlines()[-1]))
+
+
+def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
+    loaded = loaded_by("convert", "100", "lx", "fc")
+    assert not loaded & (HEAVY | SLOW)
+    ours = {m for m in loaded if m.startswith("radcalc")}
+    assert len(ours) < 14
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("convert", "5", "mW", "lm", "--wavelength", "632.8nm"),
+        ("convert", "800", "lm", "cd", "--isotropic"),
+        ("convert", "800", "lm", "cd", "--half-angle", "30deg", "--steps"),
+        ("convert", "100", "lx", "fc", "--json"),
+        ("convert", "800", "lm", "cd"),
+        ("convert", "250", "cd/m2"),
+        ("units", "lambert"),
+    ],
+    ids=" ".join,
+)
+def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich(words):
+    loaded = loaded_by(*words)
+    assert "click" in loaded
+    assert not loaded & (HEAVY - {"click"})
+
+
+def test_import_radcalc_costs_nothing():
+    done = python(
+        "import sys; before = set(sys.modules); import radcalc; "
+        "print(sorted(set(sys.modules) - before))"
+    )
+    assert ast.literal_eval(done.stdout) == ["radcalc", "radcalc._version"]
