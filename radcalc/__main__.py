@@ -1,16 +1,26 @@
 """The entry point: the quick lane of a plain conversion, and Click for everything else."""
 
+import os
 import sys
 
 
-def main() -> int:
-    """Run radcalc on the command line's words; return the exit status."""
-    try:
-        answered = quick_lane(sys.argv[1:])
-        if answered is None:
-            from radcalc.cli import run
+def main() -> None:
+    """Run radcalc on the command line's words and leave.
 
-            answered = run(sys.argv[1:])
+    Everything is written and flushed by then, and taking an interpreter apart costs as much as
+    a conversion: the process ends without it.
+    """
+    os._exit(run(sys.argv[1:]))
+
+
+def run(words: list[str]) -> int:
+    """Answer the words of a command line; return the exit status."""
+    try:
+        answered = quick_lane(words)
+        if answered is None:
+            from radcalc import cli
+
+            answered = cli.run(words)
         return answered
     except KeyboardInterrupt:
         return 130
@@ -52,4 +62,4 @@ def quick_lane(words: list[str]) -> int | None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -33,6 +33,8 @@ def read_operands(words: list[str]) -> tuple[float, str, str]:
             unit, rest = rest[0].strip(), rest[1:]
     if not unit:
         raise UsageError(f"{quote(words[0])} has no unit", EXAMPLE)
+    if rest and not rest[0].strip():
+        raise UsageError("the unit to convert to is empty", EXAMPLE)
     if len(rest) > 1:
         raise _too_many(unit, rest)
     return value, unit, rest[0] if rest else ""

@@ -78,9 +78,8 @@ SLOW = {"re", "dataclasses", "typing", "json", "enum", "collections", "functools
 PROBE = """
 import os, sys
 before = set(sys.modules)
-sys.argv = ["radcalc", *sys.argv[1:]]
-from radcalc.__main__ import main
-main()
+from radcalc.__main__ import run
+run(sys.argv[1:])
 loaded = set(sys.modules) - before
 import json
 os.write(2, ("\\n" + json.dumps(sorted(loaded))).encode())

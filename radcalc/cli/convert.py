@@ -1,9 +1,8 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
-from click.shell_completion import CompletionItem
 
 from radcalc.cli import output
 from radcalc.cli.sections import SectionedCommand
@@ -14,6 +13,9 @@ from radcalc.operands import read_operands
 from radcalc.result import Result, Row
 from radcalc.series import read_series
 from radcalc.units.table import Unit, resolve
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 SECTIONS = {
     "Light": ("wavelength", "efficacy", "observer"),
@@ -41,8 +43,10 @@ SECTIONS = {
 
 def complete_unit(
     ctx: click.Context, parameter: click.Parameter, incomplete: str
-) -> list[CompletionItem]:
+) -> "list[CompletionItem]":
     """Offer the units that begin with what has been typed."""
+    from click.shell_completion import CompletionItem
+
     from radcalc.units.table import spellings
 
     return [CompletionItem(s) for s in spellings() if s.startswith(incomplete)][:200]

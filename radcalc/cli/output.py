@@ -1,7 +1,6 @@
 """The output options that every command shares, and the choice of a renderer."""
 
 import os
-import shutil
 import sys
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, TypeVar
@@ -58,6 +57,8 @@ class Output(NamedTuple):
 
 def width() -> int:
     """The terminal's width; 80 where there is none."""
+    import shutil  # costs as much as a conversion, and only tables need it
+
     return shutil.get_terminal_size((80, 24)).columns
 
 
