@@ -56,6 +56,15 @@ def test_an_array_gives_what_its_elements_give(wavelengths):
                 assert math.isclose(a, b, rel_tol=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("name", "maximum"),
+    [("cie1964", 683.60), ("cie2008-2", 683.36), ("cie2008-10", 683.15)],
+)
+def test_other_observers_follow_from_the_candela(name, maximum):
+    # 683 lm/W over V at 540 THz; the values of CIE 018:2019's rule, to two decimals
+    assert OBSERVERS[name].maximum == pytest.approx(maximum, abs=5e-3)
+
+
 def test_540_thz_is_555_017_nm_in_standard_air():
     # the candela of 2019: 683 lm/W at 540 THz, 555.171 nm in vacuum, n about 1.00028
     vacuum = 299792458 / 540e12

@@ -12,6 +12,10 @@ DATA = Path(__file__).with_name("observers_data.py")
 TABLES = {
     "PHOTOPIC": ("SDS_LEFS_PHOTOPIC", "CIE 1924 Photopic Standard Observer"),
     "SCOTOPIC": ("SDS_LEFS_SCOTOPIC", "CIE 1951 Scotopic Standard Observer"),
+    "CIE_1964": ("SDS_LEFS_PHOTOPIC", "CIE 1964 Photopic 10 Degree Standard Observer"),
+    "JUDD_VOS": ("SDS_LEFS_PHOTOPIC", "Judd-Vos Modified CIE 1978 Photopic Standard Observer"),
+    "CIE_2008_2": ("SDS_LEFS_PHOTOPIC", "CIE 2008 2 Degree Physiologically Relevant LEF"),
+    "CIE_2008_10": ("SDS_LEFS_PHOTOPIC", "CIE 2008 10 Degree Physiologically Relevant LEF"),
 }
 
 

@@ -6,7 +6,14 @@ Tables at 1 nm, linear interpolation between, 0 outside.  The tables are in stan
 from typing import NamedTuple
 
 from radcalc.maths import Number
-from radcalc.spectra.observers_data import PHOTOPIC, SCOTOPIC
+from radcalc.spectra.observers_data import (
+    CIE_1964,
+    CIE_2008_2,
+    CIE_2008_10,
+    JUDD_VOS,
+    PHOTOPIC,
+    SCOTOPIC,
+)
 
 
 class Observer(NamedTuple):
@@ -30,13 +37,6 @@ class Observer(NamedTuple):
             f"{self.label}, {self.constant} {self.maximum:g} lm/W, "
             "linear interpolation in the 1 nm table"
         )
-
-
-# Km and K'm: CIE 018:2019, table of the efficacies at the maximum.
-OBSERVERS = {
-    "photopic": Observer("V(lambda) CIE 1924", "Km", 683.002, *PHOTOPIC),
-    "scotopic": Observer("V'(lambda) CIE 1951", "K'm", 1700.06, *SCOTOPIC),
-}
 
 
 def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
@@ -125,3 +125,21 @@ def standard_air_wavelength(vacuum: Number) -> Number:
         fitted = numpy.clip(vacuum, 0.23e-6, 1.69e-6)
     square = (1e-6 / fitted) ** 2
     return vacuum / (1 + 5792105e-8 / (238.0185 - square) + 167917e-8 / (57.362 - square))
+
+
+def _by_the_candela(label: str, table: tuple[int, tuple[float, ...]]) -> Observer:
+    """An observer whose K follows from the candela: 683 lm/W at 540 THz, in standard air."""
+    relative = Observer(label, "K", 1.0, *table)
+    at_540_thz = luminous_efficiency(standard_air_wavelength(299792458.0 / 540e12), relative)
+    return relative._replace(maximum=683 / at_540_thz)
+
+
+# Km and K'm: CIE 018:2019, table of the efficacies at the maximum.
+OBSERVERS = {
+    "photopic": Observer("V(lambda) CIE 1924", "Km", 683.002, *PHOTOPIC),
+    "scotopic": Observer("V'(lambda) CIE 1951", "K'm", 1700.06, *SCOTOPIC),
+    "cie1964": _by_the_candela("V10(lambda) CIE 1964", CIE_1964),
+    "judd-vos": _by_the_candela("VM(lambda) Judd-Vos 1978", JUDD_VOS),
+    "cie2008-2": _by_the_candela("VF(lambda) CIE 2008 2 degree", CIE_2008_2),
+    "cie2008-10": _by_the_candela("VF,10(lambda) CIE 2008 10 degree", CIE_2008_10),
+}
