@@ -11,7 +11,7 @@ from itertools import product
 
 from radcalc import conditions as c
 from radcalc.conditions import Factor, Given
-from radcalc.errors import ConditionError, ConversionError, RadcalcError
+from radcalc.errors import ConditionError, ConversionError, RadcalcError, quote
 from radcalc.maths import any_true
 from radcalc.quantities import (
     FREQUENCY,
@@ -142,6 +142,12 @@ def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
 
 def _unlike(search: _Search) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
+    spectral = c.OPTIONS["wavelength"].dimensions
+    if search.source.dimension in spectral and search.target.dimension in spectral:
+        return ConversionError(
+            f"{search.heading()}: no condition links them, but a photon has both",
+            f"radcalc photon 1{quote(search.source.text)}, with your number",
+        )
     return ConversionError(
         f"{search.heading()}: they are different quantities, and no condition links them",
         "radcalc units UNIT, which shows what a unit measures",

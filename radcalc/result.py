@@ -17,12 +17,18 @@ class Step:
 
 
 class Row:
-    """One value of an answer; `case` says which of several answers it belongs to."""
+    """One value of an answer; `case` says which of several answers it belongs to.
 
-    __slots__ = ("case", "quantity", "symbol", "unit", "value")
+    `name` is what `--get` calls a calculator's result; a conversion has none.
+    """
 
-    def __init__(self, quantity: str, symbol: str, value: Any, unit: str, case: str = "") -> None:
+    __slots__ = ("case", "name", "quantity", "symbol", "unit", "value")
+
+    def __init__(
+        self, quantity: str, symbol: str, value: Any, unit: str, case: str = "", name: str = ""
+    ) -> None:
         """Hold one value in its unit."""
+        self.name = name
         self.quantity = quantity
         self.symbol = symbol
         self.value = value
@@ -47,3 +53,33 @@ class Result:
         self.assumptions = assumptions
         self.notes = notes
         self.steps = steps
+
+
+class Value:
+    """One result of a calculator, in coherent SI units, with the units it is shown in.
+
+    `dimensions` are those of the units in which it may be asked for; the first is its own.
+    """
+
+    __slots__ = ("dimensions", "label", "name", "si", "symbol", "units")
+
+    def __init__(
+        self,
+        name: str,
+        label: str,
+        symbol: str,
+        si: Any,
+        dimensions: tuple[tuple[int, ...], ...],
+        units: tuple[str, ...],
+    ) -> None:
+        """Hold a result: `name` is what --get takes, `label` what a table shows."""
+        self.name = name
+        self.label = label
+        self.symbol = symbol
+        self.si = si
+        self.dimensions = dimensions
+        self.units = units
+
+
+# What a calculator gives: values, assumptions, notes, steps.
+Answer = tuple[list[Value], list[str], list[str], list[Step]]

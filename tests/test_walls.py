@@ -24,6 +24,7 @@ LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
     ["radcalc.api", "radcalc.listing", "radcalc.render", "radcalc.operands", "radcalc.console"],
+    ["radcalc.laws"],
     ["radcalc.conversion"],
     ["radcalc.link"],
     ["radcalc.conditions", "radcalc.series"],
@@ -109,6 +110,8 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("convert", "800", "lm", "cd"),
         ("convert", "250", "cd/m2"),
         ("units", "lambert"),
+        ("photon", "555nm"),
+        ("photon", "400nm:700nm:10nm", "-g", "photon-energy:eV"),
     ],
     ids=" ".join,
 )

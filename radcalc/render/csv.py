@@ -12,10 +12,13 @@ def render(results: Sequence[Result], precision: int | None = None) -> str:
     """All rows of all results under one header."""
     rows = [row for result in results for row in result.rows]
     cases = any(row.case for row in rows)
+    names = any(row.name for row in rows)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*(["case"] if cases else []), "quantity", "symbol", "value", "unit"])
+    extra = [*(["case"] if cases else []), *(["name"] if names else [])]
+    writer.writerow([*extra, "quantity", "symbol", "value", "unit"])
     for row in rows:
         value = number(row.value, precision) if precision else repr(row.value)
-        writer.writerow([*([row.case] if cases else []), row.quantity, row.symbol, value, row.unit])
+        extra = [*([row.case] if cases else []), *([row.name] if names else [])]
+        writer.writerow([*extra, row.quantity, row.symbol, value, row.unit])
     return text.getvalue()

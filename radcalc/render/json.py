@@ -1,4 +1,4 @@
-"""Strict JSON at full precision: an answer of one value is one flat object."""
+"""Strict JSON at full precision: a conversion is one flat object, a calculator has results."""
 
 import json
 from typing import Any
@@ -9,7 +9,8 @@ from radcalc.result import Result, Row
 def render(result: Result) -> str:
     """One object, on one line; several values of one answer are its `results`."""
     rows = [_row(row) for row in result.rows]
-    answer: dict[str, Any] = rows[0] if len(rows) == 1 else {"results": rows}
+    flat = len(rows) == 1 and not result.rows[0].name
+    answer: dict[str, Any] = rows[0] if flat else {"results": rows}
     answer["assumptions"] = list(result.assumptions)
     answer["notes"] = list(result.notes)
     answer["steps"] = [
@@ -31,4 +32,6 @@ def _row(row: Row) -> dict[str, Any]:
         "value": row.value,
         "unit": row.unit,
     }
+    if row.name:
+        fields = {"name": row.name, **fields}
     return {"case": row.case, **fields} if row.case else fields

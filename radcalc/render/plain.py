@@ -19,8 +19,14 @@ def line(value: float, unit: str, precision: int | None = None, number: bool = F
 
 
 def render(result: "Result", precision: int | None = None, number: bool = False) -> str:
-    """All rows of a result, a line each."""
-    return "".join([line(row.value, row.unit, precision, number) for row in result.rows])
+    """All rows of a result, a line each; a calculator's begin with their names."""
+    return "".join(
+        [
+            (f"{row.name}\t" if row.name and not number else "")
+            + line(row.value, row.unit, precision, number)
+            for row in result.rows
+        ]
+    )
 
 
 def derivation(steps: "tuple[Step, ...]") -> list[str]:

@@ -1,0 +1,85 @@
+"""What every calculator shares: --get, and turning its values into rows."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+import click
+
+from radcalc import console
+from radcalc.cli.output import Output
+from radcalc.conversion import exact_ratio
+from radcalc.errors import UsageError, nearest, quote
+from radcalc.quantities import describe
+from radcalc.render.plain import number
+from radcalc.result import Answer, Result, Row, Step, Value
+from radcalc.units.table import Unit, resolve
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+get_option = click.option(
+    "-g",
+    "--get",
+    "wanted",
+    multiple=True,
+    metavar="NAME[:UNIT]",
+    help="The bare number of that result (repeatable; coherent SI without a unit).",
+)
+
+
+def in_unit(value: Value, unit: Unit) -> float:
+    """A value in one of the units it may be asked for."""
+    if unit.dimension not in value.dimensions:
+        raise UsageError(
+            f"{value.name} is not measured in {describe(unit)}",
+            ", ".join(f"{value.name}:{text}" for text in value.units),
+        )
+    si = Unit("SI", 1, 1, unit.dimension, ())
+    return float(value.si * exact_ratio(si, unit)) + 0.0
+
+
+def pick(values: Sequence[Value], wanted: str) -> float:
+    """The number that NAME[:UNIT] asks for."""
+    name, _, unit = wanted.partition(":")
+    for value in values:
+        if value.name == name.strip():
+            return in_unit(value, resolve(unit)) if unit else value.si + 0.0
+    names = [value.name for value in values]
+    near = nearest(name, names) or names
+    raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
+
+
+def show(answers: Sequence[tuple[str, Answer]], wanted: Sequence[str], output: Output) -> None:
+    """Write the answers, or the numbers that were asked for; each answer with its case."""
+    if wanted:
+        if output.format not in ("plain", "table"):
+            raise UsageError(
+                f"--get prints bare numbers, and contradicts --format {output.format}",
+                "one of them",
+            )
+        lines = [
+            "\t".join(number(pick(values, name), output.precision) for name in wanted)
+            for _, (values, _, _, _) in answers
+        ]
+        console.write("".join(line + "\n" for line in lines))
+        if not output.quiet:
+            remarks = [r for _, (_, a, n, _) in answers for r in console.remarks(a, n)]
+            console.say(dict.fromkeys(remarks))
+        return
+    if output.number:
+        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+    output.show([_result(case, *answer) for case, answer in answers])
+
+
+def _result(
+    case: str,
+    values: Sequence[Value],
+    assumptions: Sequence[str],
+    notes: Sequence[str],
+    steps: Sequence[Step],
+) -> Result:
+    rows = [
+        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name)
+        for v in values
+        for text in v.units
+    ]
+    return Result(tuple(rows), tuple(assumptions), tuple(notes), tuple(steps))

@@ -1,0 +1,68 @@
+"""`radcalc photon WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY`."""
+
+import click
+
+from radcalc.cli import calculator, output
+from radcalc.cli.sections import SectionedCommand
+from radcalc.conditions import OPTIONS, give
+from radcalc.errors import ConditionError, RadcalcError, UsageError
+from radcalc.laws.photon import photon
+from radcalc.series import read_series
+
+
+@click.command(
+    "photon",
+    cls=SectionedCommand,
+    sections={"Light": ("observer",), "Results": ("wanted",)},
+    context_settings={"max_content_width": 100},
+)
+@click.argument("words", nargs=-1, metavar="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY")
+@click.option(
+    "--observer",
+    type=click.Choice(OPTIONS["observer"].choices),
+    help="Whose eyes the luminous efficiency is for.",
+)
+@calculator.get_option
+@click.option("--steps", is_flag=True, help="Show the derivation.")
+@output.options
+def command(
+    words: tuple[str, ...],
+    observer: str | None,
+    wanted: tuple[str, ...],
+    steps: bool,
+    number: bool,
+    format_: str | None,
+    json_: bool,
+    precision: int | None,
+    color: str,
+    quiet: bool,
+) -> None:
+    """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
+
+    \b
+    Examples:
+      radcalc photon 555nm
+      radcalc photon 2.33eV
+      radcalc photon 540THz
+      radcalc photon 18000cm-1
+      radcalc photon 400nm:700nm:50nm -g wavelength:nm -g luminous-efficacy:lm/W
+
+    The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is looked up
+    in the eye's tables as it is; the others are first turned into a wavelength in standard air.
+    """
+    shown = output.decide(format_, json_, number, precision, color, quiet)
+    if not words:
+        raise UsageError("a wavelength is missing", "radcalc photon 555nm")
+    seen_by = give("observer", observer) if observer else None
+    answers = []
+    texts = read_series(" ".join(words))
+    for text in texts:
+        try:
+            values, assumptions, notes, derivation = photon(give("wavelength", text), seen_by)
+        except RadcalcError as error:
+            message = error.message.replace("--wavelength", "photon")
+            hint = error.hint.replace("--wavelength", "radcalc photon")
+            raise ConditionError(message, hint) from None
+        case = text if len(texts) > 1 else ""
+        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
+    calculator.show(answers, wanted, shown)

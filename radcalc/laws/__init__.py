@@ -1,0 +1,1 @@
+"""The calculators' laws, one module per calculator."""
