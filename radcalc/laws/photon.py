@@ -5,7 +5,7 @@ from typing import Any
 from radcalc import conditions as c
 from radcalc.conditions import ENERGY, LENGTH, PHOTON_ENERGY, Given, show
 from radcalc.quantities import AXIS, FREQUENCY, LUMINOUS, RADIANT, RATIOS, WAVENUMBER
-from radcalc.result import Step, Value
+from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.table import NUMBER
 
