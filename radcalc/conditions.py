@@ -35,12 +35,10 @@ from radcalc.spectra.observers import (
     luminous_efficacy,
     standard_air_wavelength,
 )
+from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
+from radcalc.spectra.spectrum import WHOLE, Spectrum, range_text
 from radcalc.units.grammar import split_quantity
 from radcalc.units.table import NUMBER, Dimension, Unit, resolve
-
-# Exact in the SI of 2019.
-PLANCK = 6.62607015e-34  # J s
-LIGHT = 299792458.0  # m/s
 
 # What a condition is about; two conditions in one slot contradict each other.
 LINK, TIME, AREA_SLOT, CONE, DISTANCE = "link", "time", "area", "solid angle", "distance"
@@ -54,7 +52,7 @@ PHOTON_ENERGY = powers(mass=1, length=2, time=-2, count=-1)
 
 
 class Option(NamedTuple):
-    """A condition as a user can give it; without dimensions it is a flag."""
+    """A condition as a user can give it: a quantity, a choice, a text, else a flag."""
 
     name: str
     slot: str
@@ -63,6 +61,7 @@ class Option(NamedTuple):
     example: str
     help: str
     choices: tuple[str, ...] = ()
+    is_text: bool = False
 
 
 OPTIONS = {
@@ -75,6 +74,15 @@ OPTIONS = {
             "a wavelength, frequency, wavenumber or photon energy",
             "555nm",
             "Light of one wavelength (or frequency, wavenumber, photon energy).",
+        ),
+        Option(
+            "spectrum",
+            LINK,
+            (),
+            "a spectrum",
+            "D65",
+            "Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ...",
+            is_text=True,
         ),
         Option(
             "efficacy",
@@ -90,8 +98,26 @@ OPTIONS = {
             (),
             "an observer",
             "photopic",
-            "Whose eyes --wavelength is for.",
+            "Whose eyes see --wavelength or --spectrum.",
             tuple(OBSERVERS),
+        ),
+        Option(
+            "range",
+            REFINES,
+            (),
+            "two wavelengths",
+            "380nm:780nm",
+            "Where the watts of --spectrum are counted.",
+            is_text=True,
+        ),
+        Option(
+            "photon-range",
+            REFINES,
+            (),
+            "two wavelengths",
+            "400nm:700nm",
+            "Where the photons of --spectrum are counted (default 400nm:700nm).",
+            is_text=True,
         ),
         Option("time", TIME, (DURATION,), "a time", "1h", "Constant over that time."),
         Option("area", AREA_SLOT, (AREA,), "an area", "1m2", "Uniform over that area."),
@@ -221,12 +247,15 @@ def give(name: str, value: Any) -> Given:
                 f"--{name} does not know '{quote(str(value))}'", ", ".join(option.choices)
             )
         return Given(option, str(value), value, NUMBER)
+    if option.is_text:
+        text = str(value).strip()
+        return Given(option, text, _read_text(option, text), NUMBER)
     if not option.dimensions:
         if value is not True:
             raise ConditionError(f"--{name} takes no value", f"--{name} alone")
         return Given(option, "", True, NUMBER)
     if isinstance(value, str):
-        text = value.strip()
+        text = value.strip().replace("\u2212", "-")
         number, unit_text = _split(option, text)
         unit = resolve(unit_text) if unit_text else None
     elif isinstance(value, tuple):
@@ -245,6 +274,26 @@ def give(name: str, value: Any) -> Given:
             f"--{name} takes {option.takes}, not {describe(unit)}", f"--{name} {option.example}"
         )
     return Given(option, text, _in_si(number, unit), dimension)
+
+
+def _read_text(option: Option, text: str) -> Any:
+    """A spectrum, or a range of wavelengths [nm]."""
+    if option.name == "spectrum":
+        from radcalc.spectra.sources import spectrum
+
+        return spectrum(text)
+    ends = [give("wavelength", end) for end in text.split(":")]
+    if len(ends) != 2 or any(end.dimension != LENGTH for end in ends):
+        raise ConditionError(
+            f"--{option.name} {quote(text)} is not a range of wavelengths",
+            f"--{option.name} {option.example}",
+        )
+    low, high = (round(_positive(end) * 1e9, 9) for end in ends)
+    if low >= high:
+        raise ConditionError(
+            f"--{option.name} {quote(text)} ends before it starts", f"{ends[1].text}:{ends[0].text}"
+        )
+    return low, high
 
 
 def _split(option: Option, text: str) -> tuple[float, str]:
@@ -567,6 +616,66 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             )
         symbol, value, unit = f"(1/{symbol})", 1 / value, f"1/({unit})"
     return Factor(symbol, value, unit, assumption, steps, notes)
+
+
+PAR = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
+
+
+def spectral_factor(
+    given: Given,
+    over: str,
+    under: str,
+    limits: Given | None,
+    photon_limits: Given | None,
+    observer: Given | None,
+) -> Factor:
+    """The ratio of two kinds, over / under, of a whole spectrum."""
+    source: Spectrum = given.value
+    seen_by = OBSERVERS[observer.value if observer else "photopic"]
+    everywhere = WHOLE if source.counts_all_photons else PAR
+    watts_in = limits.value if limits else source.limits
+    photons_in = photon_limits.value if photon_limits else everywhere
+    amounts: dict[str, float] = {}
+    said = [f"spectrum {source.label}"]
+    for kind in (over, under):
+        if kind == RADIANT:
+            amounts[kind] = source.power(watts_in)
+            said.append(f"watts counted over {range_text(watts_in)}")
+        elif kind == PHOTON:
+            amounts[kind] = source.photons(photons_in)
+            said.append(f"photons counted over {range_text(photons_in)}")
+        else:
+            amounts[kind] = seen_by.maximum * source.seen(seen_by)
+            said.append(seen_by.assumption)
+    if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
+        raise ConditionError(
+            f"--spectrum {quote(given.text)} has nothing that counts there: {'; '.join(said[1:])}",
+            "another spectrum or range",
+        )
+    value = amounts[over] / amounts[under]
+    watts, lumens, photons = (amounts.get(kind, 1.0) for kind in (RADIANT, LUMINOUS, PHOTON))
+    if PHOTON not in amounts:
+        shown = f"{show(lumens / watts)} lm/W"
+    elif LUMINOUS not in amounts:
+        shown = f"{show(photons / AVOGADRO * 1e6 / watts)} umol/J"
+    else:
+        shown = f"{show(lumens / photons * AVOGADRO * 1e-6)} lm s/umol"
+    names = {
+        RADIANT: "int(S)",
+        LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
+        PHOTON: "int(S lambda/(h c))",
+    }
+    step = Step(
+        "ratio of kinds in a spectrum",
+        f"K = {names[over]} / {names[under]}",
+        f"K = {show(amounts[over])} / {show(amounts[under])} = {show(value)}; that is {shown}",
+        "trapezoid on the union of the data's and the observer's grids",
+    )
+    said.insert(1, shown)
+    notes = source.notes
+    if lumens == 0:
+        notes += ("nothing of this spectrum is seen",)
+    return Factor("K", value, "", "; ".join(said), (step,), notes)
 
 
 def given_ratio(given: Given, over: str, under: str) -> Factor | None:

@@ -18,6 +18,8 @@ from radcalc.quantities import (
     KIND_NAMES,
     LUMINOUS,
     NONE,
+    PHOTON,
+    RADIANT,
     WAVENUMBER,
     Reading,
     describe,
@@ -48,7 +50,10 @@ PROJECTED = "projected solid angle"
 KIND, AXIS, PER_LENGTH = "kind", "axis", "per length"
 # What is missing, and the options that supply it.
 WANTED = {
-    KIND: ("a wavelength or an efficacy", "--wavelength LAMBDA or --efficacy RATIO"),
+    KIND: (
+        "a wavelength, a spectrum or an efficacy",
+        "--wavelength LAMBDA, --spectrum SOURCE or --efficacy RATIO",
+    ),
     AXIS: ("a wavelength", "--wavelength LAMBDA"),
     PER_LENGTH: (
         "a length",
@@ -126,7 +131,8 @@ def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
     if search.missing:
         phrases, hints = zip(*search.missing.values(), strict=True)
         several = len(phrases) > 1
-        comma = "," if any(", or " in phrase for phrase in phrases) else ""
+        listed = several and any(" or " in phrase for phrase in phrases)
+        comma = "," if listed or any(", or " in phrase for phrase in phrases) else ""
         raise ConversionError(
             f"{search.heading()}: {f'{comma} and '.join(phrases)}{comma} "
             f"{'are' if several else 'is'} missing" + (f"; {useless}" if unused else ""),
@@ -167,6 +173,8 @@ def _kind(search: _Search, start: Reading, end: Reading) -> Links:
     if given is None:
         search.want(KIND)
         return []
+    if given.option.name == "spectrum":
+        return [(_spectral(search, given, start, end), 1)]
     factor = c.given_ratio(given, end.kind, start.kind)
     if factor is None:
         raise ConditionError(
@@ -179,6 +187,24 @@ def _kind(search: _Search, start: Reading, end: Reading) -> Links:
             }["".join(sorted((start.kind, end.kind)))],
         )
     return [(factor, 1)]
+
+
+def _spectral(search: _Search, given: Given, start: Reading, end: Reading) -> Factor:
+    """By a whole spectrum, with what refines it."""
+    if start.axis or end.axis:
+        raise ConditionError(
+            f"{search.heading()}: --spectrum links whole bands, not spectral densities",
+            "--wavelength LAMBDA for a density",
+        )
+    kinds = {start.kind, end.kind}
+    return c.spectral_factor(
+        given,
+        end.kind,
+        start.kind,
+        search.use("range") if RADIANT in kinds else None,
+        search.use("photon-range") if PHOTON in kinds else None,
+        search.use("observer") if LUMINOUS in kinds else None,
+    )
 
 
 def _axis(search: _Search, start: Reading, end: Reading) -> Links:
@@ -283,8 +309,11 @@ def _want_space(
 ) -> None:
     """Note which spatial conditions are missing beside those given: the two shortest ways."""
     possible = sorted((set(way) for way in open_ways), key=len)
-    extending = [way for way in possible if given and given < way]
     pair = {c.AREA_SLOT, c.CONE} if radiance else {c.CONE, c.DISTANCE}
+    far = {c.AREA_SLOT, c.DISTANCE} if radiance else pair
+    extending = [
+        way for way in possible if given and given < way and way in (*SUGGESTED, pair, far)
+    ]
     sensible = [way for way in possible if way in SUGGESTED or way == pair]
     alternatives: dict[str, str] = {}
     for slots in (extending or sensible)[:2]:

@@ -119,12 +119,14 @@ def search(words: str) -> list[Entry]:
     by_quantity = [e for e in entries if e.quantity == words.strip().lower()]
     if by_quantity:
         return by_quantity
-    return [e for e in entries if _matches(e.name, words.strip(), wanted)]
+    exact = [e for e in entries if words.strip() in CATALOGUE[e.name][0]]
+    if exact and len(wanted) < 3:
+        return exact
+    return exact + [e for e in entries if e not in exact and _is_part(wanted, e.name)]
 
 
-def _matches(name: str, symbol: str, wanted: str) -> bool:
-    symbols, names, _, _ = CATALOGUE[name]
-    return symbol in symbols or any(wanted in known for known in names)
+def _is_part(wanted: str, name: str) -> bool:
+    return any(wanted in known for known in CATALOGUE[name][1])
 
 
 def quantity_names() -> list[str]:

@@ -23,8 +23,19 @@ def read_series(text: str) -> list[str]:
 
 
 def _is_list_of_numbers(parts: list[str]) -> bool:
-    """Whether bare numbers are a list: three or more, and no groups of thousands."""
-    return len(parts) > 2 and any(len(part) != 3 for part in parts[1:])
+    """Whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
+    wholes = [part.partition(".")[0] for part in parts]
+    if parts[0].isdigit() and all(len(whole) == 3 for whole in wholes[1:]):
+        return False
+    return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
+
+
+def read_spectra(text: str) -> list[str]:
+    """Cut `blackbody:2000K:6000K:1000K` into its temperatures; any other source is one."""
+    kind, colon, parameters = text.partition(":")
+    if kind.strip().lower() in ("blackbody", "daylight") and colon:
+        return [f"{kind.strip()}:{part}" for part in read_series(parameters)]
+    return [text]
 
 
 def _has_unit(part: str) -> bool:

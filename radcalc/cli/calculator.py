@@ -1,14 +1,15 @@
 """What every calculator shares: --get, and turning its values into rows."""
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 import click
 
 from radcalc import console
-from radcalc.cli.output import Output
+from radcalc.cli.output import PLAIN, TABLE, Output
 from radcalc.conversion import exact_ratio
-from radcalc.errors import UsageError, nearest, quote
+from radcalc.errors import NumberError, UsageError, nearest, quote
 from radcalc.quantities import describe
 from radcalc.render.plain import number
 from radcalc.result import Answer, Result, Row, Step, Value
@@ -34,7 +35,14 @@ def in_unit(value: Value, unit: Unit) -> float:
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
     si = Unit("SI", 1, 1, unit.dimension, ())
-    return float(value.si * exact_ratio(si, unit)) + 0.0
+    return _held(value, float(value.si * exact_ratio(si, unit)))
+
+
+def _held(value: Value, number: float) -> float:
+    """A result, unless it has left what a number can hold."""
+    if not math.isfinite(number):
+        raise NumberError(f"{value.name} cannot be held by a number", "less extreme values")
+    return number + 0.0
 
 
 def pick(values: Sequence[Value], wanted: str) -> float:
@@ -42,7 +50,7 @@ def pick(values: Sequence[Value], wanted: str) -> float:
     name, _, unit = wanted.partition(":")
     for value in values:
         if value.name == name.strip():
-            return in_unit(value, resolve(unit)) if unit else value.si + 0.0
+            return in_unit(value, resolve(unit)) if unit else _held(value, value.si)
     names = [value.name for value in values]
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
@@ -51,19 +59,17 @@ def pick(values: Sequence[Value], wanted: str) -> float:
 def show(answers: Sequence[tuple[str, Answer]], wanted: Sequence[str], output: Output) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
     if wanted:
-        if output.format not in ("plain", "table"):
+        if output.format not in (PLAIN, TABLE):
             raise UsageError(
                 f"--get prints bare numbers, and contradicts --format {output.format}",
                 "one of them",
             )
         lines = [
-            "\t".join(number(pick(values, name), output.precision) for name in wanted)
+            "\t".join(number(pick(values, name), output.precision) for name in wanted) + "\n"
             for _, (values, _, _, _) in answers
         ]
-        console.write("".join(line + "\n" for line in lines))
-        if not output.quiet:
-            remarks = [r for _, (_, a, n, _) in answers for r in console.remarks(a, n)]
-            console.say(dict.fromkeys(remarks))
+        console.write("".join(lines))
+        output.remark([_result("", [], *answer[1:]) for _, answer in answers])
         return
     if output.number:
         raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")

@@ -11,14 +11,14 @@ from radcalc.conversion import answer, plan
 from radcalc.errors import ConditionError, ConversionError, UsageError
 from radcalc.operands import read_operands
 from radcalc.result import Result, Row
-from radcalc.series import read_series
+from radcalc.series import read_series, read_spectra
 from radcalc.units.table import Unit, resolve
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 SECTIONS = {
-    "Light": ("wavelength", "efficacy", "observer"),
+    "Light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
     "Directions": (
         "solid_angle",
         "half_angle",
@@ -56,7 +56,7 @@ def _conditions(command: Any) -> Any:
     for option in reversed(OPTIONS.values()):
         if option.choices:
             kind: dict[str, Any] = {"type": click.Choice(option.choices)}
-        elif option.dimensions:
+        elif option.dimensions or option.is_text:
             kind = {"metavar": option.example}
         else:
             kind = {"is_flag": True}
@@ -116,10 +116,7 @@ def command(
 def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
     """The conditions as given; several times where one of them is a list or a range."""
     given = {
-        name: [give(name, part) for part in read_series(text)]
-        if isinstance(text, str)
-        else [give(name, text)]
-        for name, text in typed.items()
+        name: [give(name, part) for part in _parts(name, text)] for name, text in typed.items()
     }
     lists = [name for name, values in given.items() if len(values) > 1]
     if len(lists) > 1:
@@ -131,6 +128,15 @@ def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
         return [("", list(fixed.values()))]
     name = lists[0]
     return [(f"{name} {one.text}", list({**fixed, name: one}.values())) for one in given[name]]
+
+
+def _parts(name: str, text: Any) -> list[Any]:
+    """The values of one option: a list or a range cut up, anything else by itself."""
+    if name == "spectrum":
+        return list(read_spectra(text))
+    if OPTIONS[name].dimensions:
+        return list(read_series(text))
+    return [text]
 
 
 def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:

@@ -31,28 +31,33 @@ class Output(NamedTuple):
         if self.format == TABLE:
             from radcalc.render import table
 
-            console.write(table.render(results, width(), self.color, self.precision))
+            said = not self.quiet
+            console.write(table.render(results, width(), self.color, self.precision, said))
         elif self.format == JSON:
             from radcalc.render import json
 
             console.write("".join(json.render(result) for result in results))
-        elif self.format == CSV:
-            from radcalc.render import csv
-
-            console.write(csv.render(results, self.precision))
         else:
-            self._plain(results)
+            if self.format == CSV:
+                from radcalc.render import csv
 
-    def _plain(self, results: Sequence[Result]) -> None:
-        from radcalc.render import plain
+                console.write(csv.render(results, self.precision))
+            else:
+                from radcalc.render import plain
 
-        console.write("".join(plain.render(r, self.precision, self.number) for r in results))
+                number, precision = self.number, self.precision
+                console.write("".join(plain.render(r, precision, number) for r in results))
+            self.remark(results)
+
+    def remark(self, results: Sequence[Result]) -> None:
+        """Write to standard error what was assumed and noted, once each, and the derivations."""
+        from radcalc.render.plain import derivation
+
         lines: list[str] = []
-        for result in results:
-            if not self.quiet:
-                lines += console.remarks(result.assumptions, result.notes)
-            lines += plain.derivation(result.steps)
-        console.say(dict.fromkeys(lines))
+        if not self.quiet:
+            said = [line for r in results for line in console.remarks(r.assumptions, r.notes)]
+            lines = list(dict.fromkeys(said))
+        console.say(lines + [line for r in results for line in derivation(r.steps)])
 
 
 def width() -> int:

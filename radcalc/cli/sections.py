@@ -28,7 +28,10 @@ class SectionedCommand(click.Command):
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write one list of options a section."""
-        records = {p.name: p.get_help_record(ctx) for p in self.get_params(ctx)}
+        records = {
+            "help" if "--help" in p.opts else p.name: p.get_help_record(ctx)
+            for p in self.get_params(ctx)
+        }
         for title, names in {**self.sections, "Output": SECTION_OF_OUTPUT}.items():
             listed = [record for name in names if (record := records.get(name))]
             if listed:

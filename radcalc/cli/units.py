@@ -31,8 +31,9 @@ def command(
       radcalc units cd/m2              what a unit measures, and its fellows
     """
     shown = output.decide(format_, json_, number, precision, color, quiet)
-    if number:
-        raise UsageError("-n has no use with units", "radcalc units alone")
+    if number or precision:
+        useless = "-n" if number else "--precision"
+        raise UsageError(f"{useless} has no use with units", "radcalc units alone")
     found = search(" ".join(words)) or _same_quantity(" ".join(words))
     header = ("unit", "symbols", "quantity", "definition", "source", "note")
     rows = [tuple(e) for e in found]

@@ -7,6 +7,7 @@ from radcalc.conditions import ENERGY, LENGTH, PHOTON_ENERGY, Given, show
 from radcalc.quantities import AXIS, FREQUENCY, LUMINOUS, RADIANT, RATIOS, WAVENUMBER
 from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
+from radcalc.spectra.planck import LIGHT
 from radcalc.units.table import NUMBER
 
 PER_LUMEN = RATIOS[LUMINOUS, RADIANT]
@@ -15,8 +16,8 @@ PER_LUMEN = RATIOS[LUMINOUS, RADIANT]
 def photon(given: Given, observer: Given | None = None) -> Answer:
     """Everything that follows from one wavelength, frequency, wavenumber or photon energy.
 
-    Returns the values, what was assumed, the notes and the steps.  The wavelength, frequency, wavenumber
-    and energy are those in vacuum; the eye's tables are in standard air.
+    Returns the values, what was assumed, the notes and the steps.  The wavelength, frequency,
+    wavenumber and energy are those in vacuum; the eye's tables are in standard air.
     """
     light = c.light(given, observer)
     vacuum, energy = light.vacuum, light.photon_energy
@@ -24,7 +25,7 @@ def photon(given: Given, observer: Given | None = None) -> Answer:
     scotopic = OBSERVERS["scotopic"]
     values = [
         Value("wavelength", "wavelength", "λ", vacuum, (LENGTH,), ("nm",)),
-        Value("frequency", "frequency", "ν", c.LIGHT / vacuum, (AXIS[FREQUENCY],), ("THz",)),
+        Value("frequency", "frequency", "ν", LIGHT / vacuum, (AXIS[FREQUENCY],), ("THz",)),
         Value("wavenumber", "wavenumber", "σ", 1 / vacuum, (AXIS[WAVENUMBER],), ("cm-1",)),
         Value(
             "photon-energy",
@@ -68,13 +69,14 @@ def _seen(name: str, wavelength: Any, observer: Observer) -> list[Value]:
 
 
 def _assumptions(light: c.Light) -> list[str]:
+    eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
     text = light.given.text
     air = f"{text} is {show(light.table * 1e9)} nm in standard air"
     both = "the wavelength is that in vacuum"
     if light.given.dimension == LENGTH:
         both = f"{c.VACUUM.format(text)}, and looked up in the eye's tables as it is"
-        return [both, light.observer.assumption]
-    return [f"{both}; {air}, where the eye's tables are", light.observer.assumption]
+        return [both, *eyes]
+    return [f"{both}; {air}, where the eye's tables are", *eyes]
 
 
 def _steps(light: c.Light) -> list[Step]:
@@ -84,7 +86,7 @@ def _steps(light: c.Light) -> list[Step]:
         Step(
             "frequency",
             "nu = c / lambda",
-            f"nu = 299792458 m/s / {nanometres} = {show(c.LIGHT / light.vacuum * 1e-12)} THz",
+            f"nu = 299792458 m/s / {nanometres} = {show(LIGHT / light.vacuum * 1e-12)} THz",
             source,
         ),
         Step(

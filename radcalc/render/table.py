@@ -17,7 +17,13 @@ from radcalc.result import Result
 DIGITS = 6
 
 
-def render(results: Sequence[Result], width: int, color: bool, precision: int | None = None) -> str:
+def render(
+    results: Sequence[Result],
+    width: int,
+    color: bool,
+    precision: int | None = None,
+    remarks: bool = True,
+) -> str:
     """The rows of all results in one table, what was assumed below, then the steps."""
     rows = [row for result in results for row in result.rows]
     cases = any(row.case for row in rows)
@@ -34,6 +40,8 @@ def render(results: Sequence[Result], width: int, color: bool, precision: int | 
     ]
     below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
     below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
+    if not remarks:
+        below = []
     steps = [line for result in results for line in derivation(result.steps)]
     return draw(header, lines, below + steps, width, color, right=("value",))
 

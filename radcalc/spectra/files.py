@@ -1,0 +1,257 @@
+"""Measured spectra from files: two or more columns, whatever separates them.
+
+What can be read in one way only is read, and said; everything else is an error with its line.
+"""
+
+import sys
+from collections.abc import Iterator
+from itertools import pairwise
+from operator import lt
+
+from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.quantities import RADIANT, WAVELENGTH, read
+from radcalc.spectra.spectrum import Table
+from radcalc.units.table import resolve
+
+UNITS = {"nm": 1.0, "um": 1e3, "micron": 1e3, "microns": 1e3, "angstrom": 0.1, "angstroms": 0.1,
+         "å": 0.1, "a": 0.1, "m": 1e9}  # fmt: skip
+DELIMITERS = ("\t", ";", ",")
+COMMENTS = ("#", "%", "//", ";;")
+
+
+def read_file(path: str, column: str = "") -> Table:
+    """Read a spectrum from a file, or from standard input where the path is '-'."""
+    name = "stdin" if path == "-" else quote(path)
+    try:
+        if path == "-":
+            raw = sys.stdin.buffer.read()
+        else:
+            with open(path, "rb") as file:
+                raw = file.read()
+    except OSError as error:
+        raise ConditionError(
+            f"cannot read {name}: {error.strerror}", "a file with a spectrum"
+        ) from None
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = raw[: error.start].count(b"\n") + 1
+        raise ConditionError(
+            f"{name}, line {line}: not UTF-8 text", "a text file in UTF-8"
+        ) from None
+    return _Reader(name, text.splitlines(), column).table()
+
+
+class _Reader:
+    """One file: its delimiter, its header, its columns."""
+
+    def __init__(self, name: str, lines: list[str], column: str) -> None:
+        self.name = name
+        self.lines = lines
+        self.column = column
+        self.notes: list[str] = []
+        self.comments: list[str] = []
+
+    def error(self, number: int, problem: str, hint: str) -> ConditionError:
+        where = f", line {number}" if number else ""
+        return ConditionError(f"{self.name}{where}: {problem}", hint)
+
+    def rows(self) -> Iterator[tuple[int, str]]:
+        """The lines with data, with their numbers; comments are kept apart."""
+        for number, line in enumerate(self.lines, 1):
+            if not line or line.isspace():
+                continue
+            if line.lstrip().startswith(COMMENTS):
+                self.comments.append(line.lstrip("#%/; \t"))
+            else:
+                yield number, line
+
+    def table(self) -> Table:
+        rows = list(self.rows())
+        if not rows:
+            raise self.error(0, "there is no data", "two columns: wavelength and value")
+        delimiter, comma = self.dialect(rows[-1][1])
+        header = self.cells(rows[0][1], delimiter)
+        headed = not _is_number(header[0], comma)
+        if headed:
+            rows = rows[1:]
+        else:
+            header = []
+        first = self.cells(rows[0][1], delimiter) if rows else []
+        if len(rows) < 2:
+            raise self.error(0, f"{len(rows)} row of data is no spectrum", "two rows or more")
+        place, title = self.value_column(header, len(first), rows[0][0])
+        grid, values = self.numbers(rows, delimiter, comma, place)
+        scale = self.wavelength_unit(header, min(grid), max(grid))
+        grid = grid if scale == 1 else [x * scale for x in grid]
+        grid, values = self.sorted(grid, values, rows)
+        low = min(values)
+        if low < 0:
+            count = sum(value < 0 for value in values)
+            self.notes.append(f"{count} negative values (down to {low:g}) are kept as noise")
+        if not any(values):
+            raise self.error(0, "every value is 0", "a spectrum with light in it")
+        if grid[0] > 400 or grid[-1] < 700:
+            self.notes.append(
+                f"the data covers {grid[0]:g}-{grid[-1]:g} nm, not all of the visible 400-700 nm"
+            )
+        absolute, factor = self.absolute(title)
+        values = values if factor == 1 else [value * factor for value in values]
+        return Table(self.name, grid, values, notes=tuple(self.notes), absolute=absolute)
+
+    def dialect(self, line: str) -> tuple[str | None, bool]:
+        """The delimiter (None: blanks) and whether numbers have a decimal comma."""
+        for delimiter in DELIMITERS[:2]:
+            if delimiter in line:
+                return delimiter, "," in line
+        if "," in line:
+            if len(line.split()) > 1 and all(_is_number(cell, True) for cell in line.split()):
+                return None, True
+            return ",", False
+        return None, False
+
+    def cells(self, line: str, delimiter: str | None) -> list[str]:
+        return [cell.strip().strip('"').strip() for cell in line.split(delimiter)]
+
+    def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
+        """Which column has the values, and its title."""
+        if width < 2:
+            raise self.error(number, "one column only", "a wavelength and a value in every row")
+        titles = header if len(header) == width else [""] * width
+        named = ", ".join(t or str(i) for i, t in enumerate(titles, 1) if i > 1)
+        if not self.column:
+            if width > 2:
+                raise self.error(
+                    number,
+                    f"there are {width - 1} columns of values",
+                    f"--column with one of: {named}",
+                )
+            return 1, titles[1]
+        if self.column in titles[1:]:
+            place = titles.index(self.column)
+        elif self.column.isdecimal() and 2 <= int(self.column) <= width:
+            place = int(self.column) - 1
+        else:
+            raise self.error(0, f"there is no column of values '{quote(self.column)}'", named)
+        self.notes.append(f"values from column {place + 1} {titles[place]}".strip())
+        return place, titles[place]
+
+    def numbers(
+        self, rows: list[tuple[int, str]], delimiter: str | None, comma: bool, place: int
+    ) -> tuple[list[float], list[float]]:
+        """Both columns as numbers; the slow way only to say what is wrong, and where."""
+        try:
+            if comma:
+                raise ValueError
+            split = [line.split(delimiter) for _, line in rows]
+            width = len(split[0])
+            grid = [float(cells[0]) for cells in split]
+            values = [float(cells[place]) for cells in split]
+            regular = all(len(cells) == width for cells in split)
+            total = sum(grid) + sum(values)
+            if regular and total - total == 0:
+                return grid, values
+        except (ValueError, IndexError):
+            pass
+        grid, values = [], []
+        width = len(self.cells(rows[0][1], delimiter))
+        for number, line in rows:
+            cells = self.cells(line, delimiter)
+            if len(cells) != width:
+                raise self.error(
+                    number, f"{len(cells)} columns instead of {width}", "a value in every column"
+                )
+            for target, cell in ((grid, cells[0]), (values, cells[place])):
+                target.append(self.number(cell, comma, number))
+        return grid, values
+
+    def number(self, cell: str, comma: bool, line: int) -> float:
+        if not cell:
+            raise self.error(line, "a value is missing", "a number, or the line left out")
+        if not _is_number(cell, comma):
+            raise self.error(
+                line, f"'{quote(cell)}' is not a number", "a number, or # before a comment"
+            )
+        value = float(cell.replace(",", ".") if comma else cell)
+        if value - value != 0:
+            raise self.error(
+                line, f"'{quote(cell)}' is not a number", "a number, or the line left out"
+            )
+        return value
+
+    def wavelength_unit(self, header: list[str], low: float, high: float) -> float:
+        """Nanometres per unit of the first column: declared, or plain from the numbers."""
+        if low <= 0:
+            raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
+        declared = header[:1] + [c for c in self.comments if "wavelength" in c.lower()]
+        for text in declared:
+            words = text.lower().replace("µ", "u").replace("μ", "u")
+            for sign in "()[]/,:;_=":
+                words = words.replace(sign, " ")
+            for word in words.split():
+                if word in UNITS:
+                    return UNITS[word]
+        if 100 <= low < 2000 and high <= 20000:
+            self.notes.append("the wavelengths are taken as nanometres, from their size")
+            return 1.0
+        if 0.1 <= low < 2.5 and high <= 100:
+            self.notes.append("the wavelengths are taken as micrometres, from their size")
+            return 1e3
+        if high < 1e-4:
+            self.notes.append("the wavelengths are taken as metres, from their size")
+            return 1e9
+        raise self.error(
+            0,
+            f"wavelengths from {low:g} to {high:g} in a unit that is not declared",
+            "a header such as: wavelength (nm), value",
+        )
+
+    def sorted(
+        self, grid: list[float], values: list[float], rows: list[tuple[int, str]]
+    ) -> tuple[list[float], list[float]]:
+        """Rising wavelengths: a falling table is turned round, any other is sorted; both said."""
+        if all(map(lt, grid, grid[1:])):
+            return grid, values
+        if all(map(lt, grid[1:], grid)):
+            self.notes.append("the wavelengths fall; the rows are taken in reverse")
+            return grid[::-1], values[::-1]
+        order = sorted(range(len(grid)), key=grid.__getitem__)
+        for before, after in pairwise(order):
+            if grid[before] == grid[after]:
+                first, second = sorted((rows[before][0], rows[after][0]))
+                raise self.error(
+                    second,
+                    f"the wavelength {grid[after]:g} nm stands in line {first} already",
+                    "each once",
+                )
+        self.notes.append("the wavelengths are not in order; the rows are sorted")
+        return [grid[i] for i in order], [values[i] for i in order]
+
+    def absolute(self, title: str) -> tuple[str, float]:
+        """The radiant quantity and the scale to W/../nm, where the title has a unit."""
+        for opening, closing in ("()", "[]"):
+            if opening in title and closing in title:
+                text = title[title.index(opening) + 1 : title.rindex(closing)]
+                try:
+                    unit = resolve(text)
+                except RadcalcError:  # a title is free text: no unit, no absolute values
+                    continue
+                facts = read(unit)
+                if facts and facts.kind == RADIANT and facts.axis == WAVELENGTH and not facts.time:
+                    scale = unit.factor * 1e-9
+                    kinds = {
+                        (0, 0): "flux",
+                        (1, 0): "irradiance",
+                        (1, 1): "radiance",
+                        (0, 1): "intensity",
+                    }
+                    return kinds[facts.area, facts.solid_angle], scale
+        return "", 1.0
+
+
+def _is_number(cell: str, comma: bool) -> bool:
+    try:
+        float(cell.replace(",", ".") if comma else cell)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,162 @@
+"""The grammar of --spectrum: named sources, black bodies, daylight, lines, bands, files."""
+
+import math
+import os
+
+from radcalc.errors import ConditionError, RadcalcError, nearest, quote
+from radcalc.quantities import powers
+from radcalc.spectra.observers import standard_air_wavelength
+from radcalc.spectra.planck import LIGHT
+from radcalc.spectra.spectrum import BlackBody, Lines, Range, Spectrum, Table
+from radcalc.units.grammar import split_quantity
+from radcalc.units.table import resolve
+
+VISIBLE: Range = (380.0, 780.0)
+KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
+SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
+ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
+LENGTH = powers(length=1)
+FREQUENCY = powers(cycle=1, time=-1)
+TEMPERATURE = powers(temperature=1)
+HINT = "D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file (radcalc convert --help)"
+
+
+def spectrum(text: str) -> Spectrum:
+    """Read the text of a source: a kind with its parameters, a name, or a file's path."""
+    text = text.strip()
+    kind, colon, parameters = text.partition(":")
+    if colon and kind.lower() in KINDS:
+        return _of_kind(kind.lower(), parameters, text)
+    named = find_named(text)
+    if named:
+        return named
+    if text == "-" or os.path.exists(text):
+        from radcalc.spectra.files import read_file
+
+        return read_file(text)
+    raise _unknown(text)
+
+
+def _unknown(text: str) -> RadcalcError:
+    known = {fold(name): name for name in names()}
+    near = [known[f] for f in nearest(fold(text), known, 3)]
+    problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
+    return ConditionError(problem, ", ".join(near) if near else HINT)
+
+
+def fold(name: str) -> str:
+    """A name without case, blanks and punctuation, as names are compared."""
+    return "".join(c for c in name.upper() if c.isalnum() or c == ".")
+
+
+def names() -> list[str]:
+    """The names of all named sources."""
+    from radcalc.spectra.sources_data import SOURCES
+
+    return [*SOURCES, *SUNS]
+
+
+def find_named(text: str) -> Table | None:
+    """A named source, or None; F1 is FL1, and `sun` is AM1.5G and says so."""
+    folded = fold(text)
+    sun = ALIASES.get(folded, folded)
+    if sun in SUNS:
+        from radcalc.spectra import suns_data
+
+        label = f"{sun} (ASTM G173-03)"
+        notes = (f"'{quote(text)}' is taken as AM1.5G, the sun on a tilted plane",)
+        values = getattr(suns_data, SUNS[sun])
+        return Table(
+            label,
+            suns_data.WAVELENGTHS,
+            values,
+            notes=notes if folded == "SUN" else (),
+            absolute="irradiance",
+        )
+    from radcalc.spectra.sources_data import SOURCES
+
+    spellings = {fold(name): name for name in SOURCES}
+    spellings |= {fold("F" + name[2:]): name for name in SOURCES if name.startswith("FL")}
+    name = spellings.get(folded)
+    if name is None:
+        return None
+    start, step, values = SOURCES[name]
+    about: tuple[str, ...] = ()
+    if name == "A":
+        about = ("illuminant A over 380-780 nm carries a tenth of what a 2856 K body radiates",)
+    return Table(name, [start + step * i for i in range(len(values))], values, VISIBLE, about)
+
+
+def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
+    if kind == "blackbody":
+        return BlackBody(_temperature(parameters, text))
+    if kind == "daylight":
+        from radcalc.spectra import daylight
+        from radcalc.spectra.sources_data import S0, S1, S2
+
+        temperature = _temperature(parameters, text)
+        values = daylight.combine(temperature, S0, S1, S2)
+        grid = [daylight.START + daylight.STEP * i for i in range(len(values))]
+        return Table(f"CIE daylight of {temperature:.6g} K", grid, values, VISIBLE)
+    if kind == "line":
+        return Lines(text, [_line(part, text) for part in parameters.split(",")])
+    if kind == "gaussian":
+        parts = parameters.split(",")
+        if len(parts) != 2:
+            raise _malformed(text, "gaussian:CENTRE,FWHM as in gaussian:530nm,30nm")
+        return _gaussian(text, wavelength(parts[0], text), _width(parts[1], text))
+    ends = [wavelength(part, text) for part in parameters.split(":")]
+    if len(ends) != 2 or ends[0] >= ends[1]:
+        raise _malformed(text, "band:LOW:HIGH as in band:580nm:630nm")
+    return Table(text, ends, [1.0, 1.0])
+
+
+def _malformed(text: str, form: str) -> ConditionError:
+    return ConditionError(f"'{quote(text)}' is not a spectrum", form)
+
+
+def _temperature(parameter: str, text: str) -> float:
+    return _quantity(parameter, text, TEMPERATURE, "a temperature, as in blackbody:2856K")
+
+
+def _width(parameter: str, text: str) -> float:
+    width = _quantity(parameter, text, LENGTH, "a width, as in gaussian:530nm,30nm") * 1e9
+    if width <= 0:
+        raise _malformed(text, "a width of more than 0")
+    return width
+
+
+def _quantity(parameter: str, text: str, dimension: tuple[int, ...], form: str) -> float:
+    value, unit_text = split_quantity(parameter)
+    unit = resolve(unit_text or "1")
+    if unit.dimension != dimension:
+        raise _malformed(text, form)
+    return value * unit.factor
+
+
+def wavelength(parameter: str, text: str) -> float:
+    """A wavelength [nm] from a length or a frequency."""
+    value, unit_text = split_quantity(parameter)
+    unit = resolve(unit_text or "1")
+    if value <= 0 or unit.dimension not in (LENGTH, FREQUENCY):
+        raise _malformed(text, "wavelengths such as 632.8nm")
+    if unit.dimension == FREQUENCY:
+        return float(standard_air_wavelength(LIGHT / (value * unit.factor))) * 1e9
+    return round(value * unit.factor * 1e9, 9)
+
+
+def _line(part: str, text: str) -> tuple[float, float]:
+    place, equals, weight = part.partition("=")
+    watts = split_quantity(weight) if equals else (1.0, "")
+    if watts[1] or watts[0] <= 0:
+        raise _malformed(text, "line:555nm=40,600nm=30, with weights above 0 and no unit")
+    return wavelength(place, text), watts[0]
+
+
+def _gaussian(text: str, centre: float, fwhm: float) -> Table:
+    """Points at a fiftieth of the width, out to where nothing is left."""
+    sigma = fwhm / (2 * math.sqrt(2 * math.log(2)))
+    points = range(-150, 151)
+    pairs = [(centre + i * sigma / 21, math.exp(-((i / 21) ** 2) / 2)) for i in points]
+    pairs = [(x, y) for x, y in pairs if x > 0]
+    return Table(text, [x for x, _ in pairs], [y for _, y in pairs])
