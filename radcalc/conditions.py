@@ -47,6 +47,7 @@ REFINES = "refines"  # --observer and --incidence, which only refine another con
 
 LENGTH = powers(length=1)
 ANGLE = powers(angle=1)
+TEMPERATURE = powers(temperature=1)
 ENERGY = times(FLUX[RADIANT], DURATION)
 PHOTON_ENERGY = powers(mass=1, length=2, time=-2, count=-1)
 

@@ -58,10 +58,11 @@ class Result:
 class Value:
     """One result of a calculator, in coherent SI units, with the units it is shown in.
 
-    `dimensions` are those of the units in which it may be asked for; the first is its own.
+    `dimensions` are those of the units in which it may be asked for; the first is its own.  The
+    value may be a function, which is called when it is first looked at.
     """
 
-    __slots__ = ("dimensions", "label", "name", "si", "symbol", "units")
+    __slots__ = ("_si", "dimensions", "label", "name", "symbol", "units")
 
     def __init__(
         self,
@@ -76,9 +77,16 @@ class Value:
         self.name = name
         self.label = label
         self.symbol = symbol
-        self.si = si
+        self._si = si
         self.dimensions = dimensions
         self.units = units
+
+    @property
+    def si(self) -> Any:
+        """The value in coherent SI units."""
+        if callable(self._si):
+            self._si = self._si()
+        return self._si
 
 
 # What a calculator gives: values, assumptions, notes, steps.

@@ -11,7 +11,7 @@ from radcalc._version import __version__
 from radcalc.errors import NumberError, OutputError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
 
-COMMANDS = ("convert", "photon", "units")
+COMMANDS = ("convert", "photon", "spectrum", "mesopic", "units")
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 

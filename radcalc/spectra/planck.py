@@ -10,6 +10,8 @@ LIGHT = 299792458.0  # m/s
 BOLTZMANN = 1.380649e-23  # J/K
 AVOGADRO = 6.02214076e23  # 1/mol
 C2 = PLANCK * LIGHT / BOLTZMANN  # m K
+WIEN_X = 4.9651142317442763  # the root of x = 5 (1 - e^-x): the peak per wavelength
+HALF_X = (2.7325893071213999, 8.096610458229823)  # where x^5/(e^x - 1) is half of that
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 

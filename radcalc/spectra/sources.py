@@ -18,12 +18,17 @@ ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.
 LENGTH = powers(length=1)
 FREQUENCY = powers(cycle=1, time=-1)
 TEMPERATURE = powers(temperature=1)
-HINT = "D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file (radcalc convert --help)"
+HINT = "D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file (radcalc spectrum --list)"
 
 
-def spectrum(text: str) -> Spectrum:
-    """Read the text of a source: a kind with its parameters, a name, or a file's path."""
+def spectrum(text: str, column: str = "") -> Spectrum:
+    """Read the text of a source: a kind with its parameters, a name, or a file's path.
+
+    `column` chooses the values of a file with several.
+    """
     text = text.strip()
+    if column and find_named(text):
+        raise ConditionError(f"--column has no use with {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in KINDS:
         return _of_kind(kind.lower(), parameters, text)
@@ -33,7 +38,7 @@ def spectrum(text: str) -> Spectrum:
     if text == "-" or os.path.exists(text):
         from radcalc.spectra.files import read_file
 
-        return read_file(text)
+        return read_file(text, column)
     raise _unknown(text)
 
 

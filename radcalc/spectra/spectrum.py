@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from radcalc.errors import ConditionError
 from radcalc.spectra import planck
-from radcalc.spectra.integrals import clip, integral, trapezoid, weighted
+from radcalc.spectra.integrals import at, clip, integral, weighted
 from radcalc.spectra.observers import Observer, luminous_efficiency
 from radcalc.spectra.planck import LIGHT, PLANCK
 
@@ -41,17 +41,29 @@ class Spectrum:
         """Watts between two wavelengths."""
         raise NotImplementedError
 
+    def weigh(self, start: int, weights: Sequence[float]) -> float:
+        """Watts weighted by a table at every nanometre from `start`."""
+        raise NotImplementedError
+
     def seen(self, observer: Observer) -> float:
         """Watts weighted by an observer's relative luminous efficiency."""
-        raise NotImplementedError
+        return self.weigh(observer.start, observer.values)
 
     def photons(self, limits: Range) -> float:
         """Photons per second between two wavelengths."""
         raise NotImplementedError
 
-    def mean_range(self) -> Range:
-        """Where there is anything at all."""
-        return self.limits
+    def total(self) -> float:
+        """Watts over all there is."""
+        return self.power(WHOLE)
+
+    def peak(self) -> tuple[float, float | None]:
+        """The wavelength [nm] of the most watts per nanometre, and the full width at half of it."""
+        raise NotImplementedError
+
+    def sample(self, places: Sequence[float]) -> list[float] | None:
+        """Watts per nanometre at some wavelengths [nm], or None for lines."""
+        raise NotImplementedError
 
     @property
     def counts_all_photons(self) -> bool:
@@ -82,9 +94,9 @@ class Table(Spectrum):
         """See `Spectrum`."""
         return integral(self.grid, self.values, *limits)
 
-    def seen(self, observer: Observer) -> float:
+    def weigh(self, start: int, weights: Sequence[float]) -> float:
         """See `Spectrum`."""
-        return weighted(self.grid, self.values, observer.start, observer.values)
+        return weighted(self.grid, self.values, start, weights)
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`; the product with the wavelength is integrated exactly."""
@@ -95,13 +107,26 @@ class Table(Spectrum):
         ]
         return sum(moments) / 6 * 1e-9 / (PLANCK * LIGHT)
 
-    def mean_range(self) -> Range:
-        """See `Spectrum`."""
-        return self.grid[0], self.grid[-1]
+    def peak(self) -> tuple[float, float | None]:
+        """See `Spectrum`; the width is between the half-height crossings next to the peak."""
+        grid, values = self.grid, self.values
+        top = max(range(len(values)), key=values.__getitem__)
+        half = values[top] / 2
+        ends = []
+        for step in (-1, 1):
+            here = top
+            while 0 <= here + step < len(values) and values[here + step] > half:
+                here += step
+            if not 0 <= here + step < len(values):
+                return grid[top], None  # the data ends above half height
+            a, b = values[here], values[here + step]
+            ends.append(grid[here] + (grid[here + step] - grid[here]) * (a - half) / (a - b))
+        return grid[top], ends[1] - ends[0]
 
-    def total(self) -> float:
-        """Watts in all the data."""
-        return trapezoid(self.grid, self.values)
+    def sample(self, places: Sequence[float]) -> list[float] | None:
+        """See `Spectrum`."""
+        low, high = self.grid[0], self.grid[-1]
+        return [at(self.grid, self.values, x) if low <= x <= high else 0.0 for x in places]
 
 
 class Lines(Spectrum):
@@ -119,11 +144,18 @@ class Lines(Spectrum):
         """See `Spectrum`."""
         return sum(watts for place, watts in self.lines if limits[0] <= place <= limits[1])
 
-    def seen(self, observer: Observer) -> float:
+    def weigh(self, start: int, weights: Sequence[float]) -> float:
         """See `Spectrum`."""
-        return float(
-            sum(w * luminous_efficiency(place * 1e-9, observer) for place, w in self.lines)
-        )
+        table = Observer("", "", 1.0, start, tuple(weights))
+        return float(sum(w * luminous_efficiency(place * 1e-9, table) for place, w in self.lines))
+
+    def peak(self) -> tuple[float, float | None]:
+        """See `Spectrum`; a line has no width."""
+        return max(self.lines, key=lambda line: line[1])[0], None
+
+    def sample(self, places: Sequence[float]) -> list[float] | None:
+        """See `Spectrum`."""
+        return None
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""
@@ -154,11 +186,19 @@ class BlackBody(Spectrum):
         """See `Spectrum`."""
         return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
 
-    def seen(self, observer: Observer) -> float:
-        """See `Spectrum`; Planck's law at every nanometre of the observer's table."""
-        grid = [float(observer.start + i) for i in range(len(observer.values))]
-        values = [planck.spectral_exitance(x * 1e-9, self.temperature) * 1e-9 for x in grid]
-        return weighted(grid, values, observer.start, observer.values)
+    def weigh(self, start: int, weights: Sequence[float]) -> float:
+        """See `Spectrum`; Planck's law at every nanometre of the weights."""
+        grid = [float(start + i) for i in range(len(weights))]
+        return weighted(grid, self.sample(grid), start, weights)
+
+    def sample(self, places: Sequence[float]) -> list[float]:
+        """See `Spectrum`."""
+        return [planck.spectral_exitance(x * 1e-9, self.temperature) * 1e-9 for x in places]
+
+    def peak(self) -> tuple[float, float | None]:
+        """See `Spectrum`; Wien's law, and the roots of half the peak in x = c2/(lambda T)."""
+        scale = planck.C2 / self.temperature * 1e9
+        return scale / planck.WIEN_X, scale / planck.HALF_X[0] - scale / planck.HALF_X[1]
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""

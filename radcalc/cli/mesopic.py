@@ -1,0 +1,85 @@
+"""`radcalc mesopic --luminance L --sp-ratio S/P`."""
+
+import click
+
+from radcalc.cli import calculator, output
+from radcalc.cli.sections import SectionedCommand
+from radcalc.errors import ConditionError, UsageError, quote
+from radcalc.laws.mesopic import LUMINANCE, mesopic
+from radcalc.quantities import describe
+from radcalc.series import read_series
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.sources import spectrum
+from radcalc.units.grammar import parse_number, split_quantity
+from radcalc.units.table import resolve
+
+
+@click.command(
+    "mesopic",
+    cls=SectionedCommand,
+    sections={"Light": ("luminance", "sp_ratio", "spectrum_"), "Results": ("wanted",)},
+    context_settings={"max_content_width": 100},
+)
+@click.option("--luminance", metavar="0.1cd/m2", help="The photopic luminance.")
+@click.option("--sp-ratio", metavar="2", help="The light's ratio of scotopic to photopic.")
+@click.option("--spectrum", "spectrum_", metavar="SOURCE", help="A spectrum, for its S/P ratio.")
+@calculator.get_option
+@click.option("--steps", is_flag=True, help="Show the derivation.")
+@output.options
+def command(
+    luminance: str | None,
+    sp_ratio: str | None,
+    spectrum_: str | None,
+    wanted: tuple[str, ...],
+    steps: bool,
+    number: bool,
+    format_: str | None,
+    json_: bool,
+    precision: int | None,
+    color: str,
+    quiet: bool,
+) -> None:
+    """Give the mesopic luminance of CIE 191:2010, between night and day.
+
+    \b
+    Examples:
+      radcalc mesopic --luminance 0.1cd/m2 --sp-ratio 2
+      radcalc mesopic --luminance 0.5cd/m2 --spectrum LED-B3
+    """
+    shown = output.decide(format_, json_, number, precision, color, quiet)
+    if luminance is None:
+        raise UsageError("a luminance is missing", "--luminance 0.1cd/m2")
+    if (sp_ratio is None) == (spectrum_ is None):
+        problem = "is missing" if sp_ratio is None else "is given twice"
+        raise UsageError(f"the S/P ratio {problem}", "--sp-ratio 2 or --spectrum LED-B3")
+    ratio = parse_number(sp_ratio) if sp_ratio else _ratio_of(spectrum_ or "")
+    texts = read_series(luminance)
+    answers = []
+    for text in texts:
+        values, assumptions, notes, derivation = mesopic(_luminance(text), ratio)
+        case = text if len(texts) > 1 else ""
+        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
+    calculator.show(answers, wanted, shown)
+
+
+def _luminance(text: str) -> float:
+    value, unit_text = split_quantity(text)
+    if not unit_text:
+        raise ConditionError(
+            f"--luminance {quote(text)} has no unit", f"--luminance {quote(text)}cd/m2"
+        )
+    unit = resolve(unit_text)
+    if unit.dimension != LUMINANCE:
+        raise ConditionError(
+            f"--luminance takes a luminance, not {describe(unit)}", "--luminance 0.1cd/m2"
+        )
+    return value * unit.factor
+
+
+def _ratio_of(text: str) -> float:
+    source = spectrum(text)
+    day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+    seen = day.maximum * source.seen(day)
+    if not seen > 0:
+        raise ConditionError(f"nothing of {quote(text)} is seen", "another spectrum")
+    return night.maximum * source.seen(night) / seen

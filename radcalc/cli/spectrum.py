@@ -1,0 +1,94 @@
+"""`radcalc spectrum SOURCE`."""
+
+import click
+
+from radcalc import console
+from radcalc.cli import calculator, output
+from radcalc.cli.sections import SectionedCommand
+from radcalc.conditions import OPTIONS, give
+from radcalc.errors import UsageError
+from radcalc.laws.spectrum import spectrum as describe
+from radcalc.series import read_spectra
+from radcalc.spectra.sources import names, spectrum
+
+FORMS = (
+    "blackbody:T",
+    "daylight:T",
+    "line:WAVELENGTH[=WATTS],...",
+    "gaussian:CENTRE,FWHM",
+    "band:LOW:HIGH",
+    "FILE",
+    "-",
+)
+
+
+@click.command(
+    "spectrum",
+    cls=SectionedCommand,
+    sections={
+        "Source": ("column", "list_"),
+        "Light": ("observer", "range", "photon_range"),
+        "Results": ("wanted",),
+    },
+    context_settings={"max_content_width": 100},
+)
+@click.argument("words", nargs=-1, metavar="SOURCE")
+@click.option("--column", metavar="NAME", help="The column of a file's values, by name or number.")
+@click.option("--list", "list_", is_flag=True, help="List the named sources.")
+@click.option(
+    "--observer",
+    type=click.Choice(OPTIONS["observer"].choices),
+    default="photopic",
+    help="Whose eyes the luminous efficacy is for.",
+)
+@click.option("--range", metavar="LOW:HIGH", help="Where watts are counted.")
+@click.option("--photon-range", metavar="LOW:HIGH", help="Where photons are counted.")
+@calculator.get_option
+@click.option("--steps", is_flag=True, help="Show the derivation.")
+@output.options
+def command(
+    words: tuple[str, ...],
+    column: str | None,
+    list_: bool,
+    observer: str,
+    range: str | None,
+    photon_range: str | None,
+    wanted: tuple[str, ...],
+    steps: bool,
+    number: bool,
+    format_: str | None,
+    json_: bool,
+    precision: int | None,
+    color: str,
+    quiet: bool,
+) -> None:
+    """Describe a spectrum: peak, width, efficacies, photons, colour.
+
+    \b
+    Examples:
+      radcalc spectrum LED-B3
+      radcalc spectrum blackbody:5772K -g luminance:cd/m2
+      radcalc spectrum measured.csv --range 380nm:780nm
+      radcalc spectrum blackbody:3000K:6000K:1000K -g temperature:K -g luminous-efficacy:lm/W
+      radcalc spectrum --list
+
+    SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
+    band:LOW:HIGH, a file, or - for standard input.
+    """
+    shown = output.decide(format_, json_, number, precision, color, quiet)
+    if list_:
+        console.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
+        return
+    if len(words) != 1:
+        problem = "a source is missing" if not words else "one source a call"
+        raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")
+    limits = give("range", range).value if range else None
+    photon_limits = give("photon-range", photon_range).value if photon_range else None
+    answers = []
+    texts = read_spectra(words[0])
+    for text in texts:
+        source = spectrum(text, column or "")
+        values, assumptions, notes, derivation = describe(source, limits, photon_limits, observer)
+        case = text if len(texts) > 1 else ""
+        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
+    calculator.show(answers, wanted, shown)
