@@ -38,13 +38,14 @@ from radcalc.spectra.observers import (
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.spectra.spectrum import WHOLE, Spectrum, range_text
 from radcalc.units.grammar import split_quantity
-from radcalc.units.table import NUMBER, Dimension, Unit, resolve
+from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
 # What a condition is about; two conditions in one slot contradict each other.
 LINK, TIME, AREA_SLOT, CONE, DISTANCE = "link", "time", "area", "solid angle", "distance"
 BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
 REFINES = "refines"  # --observer and --incidence, which only refine another condition
 
+EXTREME = 1e100  # squares and ratios of what is within stay within a float
 LENGTH = powers(length=1)
 ANGLE = powers(angle=1)
 TEMPERATURE = powers(temperature=1)
@@ -274,7 +275,7 @@ def give(name: str, value: Any) -> Given:
         raise ConditionError(
             f"--{name} takes {option.takes}, not {describe(unit)}", f"--{name} {option.example}"
         )
-    return Given(option, text, _in_si(number, unit), dimension)
+    return Given(option, text, _in_si(option, text, number, unit), dimension)
 
 
 def _read_text(option: Option, text: str) -> Any:
@@ -305,11 +306,22 @@ def _split(option: Option, text: str) -> tuple[float, str]:
 
 
 def _with_unit(option: Option, number: str) -> str:
+    if ANGLE in option.dimensions and ("pi" in number or "π" in number):
+        return f"{number}rad"
     return number + option.example.lstrip("0123456789.")
 
 
-def _in_si(number: Any, unit: Unit | None) -> Any:
-    return number * (unit.top / unit.bottom) if unit else number
+def _in_si(option: Option, text: str, number: Any, unit: Unit | None) -> Any:
+    """The value in SI units; extremes that no light reaches would only overflow later."""
+    value = number * (divide(unit.top, unit.bottom) if unit else 1)
+    size = abs(value)
+    extreme = (size > EXTREME) | ((size < 1 / EXTREME) & (size != 0)) | (size != size)
+    if maths.any_true(extreme):
+        raise ConditionError(
+            f"--{option.name} {quote(text)} is beyond what radcalc reckons with",
+            f"values from {1 / EXTREME:g} to {EXTREME:g} in SI units",
+        )
+    return value
 
 
 def _require(given: Given, good: bool, limit: str) -> None:
@@ -353,7 +365,8 @@ def solid_angle(given: Given) -> Factor:
     if name in ("exponent", "beam-angle"):
         return _lobe(given)
     half = half_angle(given)
-    _require(given, not maths.any_true(half > math.pi), "at most the whole sphere")
+    within = not maths.any_true(half > math.pi * (1 + 1e-12))
+    _require(given, within, "at most the whole sphere")
     omega = 4 * math.pi * maths.sin(half / 2) ** 2
     step = Step(
         "solid angle of a cone",
@@ -384,7 +397,8 @@ def _lobe(given: Given) -> Factor:
     else:
         angle = _positive(given)
         _require(given, not maths.any_true(angle >= math.pi), "less than 180 deg")
-        exponent = math.log(0.5) / maths.log(maths.cos(angle / 2))
+        # cos x as 1 - 2 sin^2(x/2), whose logarithm keeps its digits for narrow beams
+        exponent = math.log(0.5) / maths.log1p(-2 * maths.sin(angle / 4) ** 2)
         steps = (
             Step(
                 "exponent of a lobe",
@@ -414,7 +428,7 @@ def projected_solid_angle(given: Given) -> Factor:
         )
     half = half_angle(given)
     limit = f"at most {'90' if name == 'half-angle' else '180'} deg, where a radiance is concerned"
-    _require(given, not maths.any_true(half > math.pi / 2), limit)
+    _require(given, not maths.any_true(half > math.pi / 2 * (1 + 1e-12)), limit)
     omega = math.pi * maths.sin(half) ** 2
     step = Step(
         "projected solid angle of a cone",
@@ -465,16 +479,25 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     """The projected solid angle of a uniform disc seen from its axis [sr]."""
     size, away = _positive(source), _positive(distance)
     radius = size if source.option.name == "radius" else size / 2
-    cosine, tilt, notes = _cosine(incidence)
-    if incidence is not None and not notes:
-        # Past this the receiver's plane cuts the disc, and the light vector is not all of it.
-        cut = abs(incidence.value) + maths.atan(radius / away) > math.pi / 2 * (1 + 1e-15)
-        if maths.any_true(cut):
+    cosine, tilt, _ = _cosine(incidence)
+    notes: tuple[str, ...] = ()
+    if incidence is not None:
+        # Where the receiver's plane cuts the disc, the light vector is not all of it.
+        angle, rim = abs(incidence.value), maths.atan(radius / away)
+        right = math.pi / 2 * (1 + 1e-15)
+        below = angle - rim >= math.pi / 2
+        if maths.any_true(
+            (angle + rim > right) & ~below
+            if not isinstance(below, bool)
+            else angle + rim > right and not below
+        ):
             raise ConditionError(
                 f"--incidence {quote(incidence.text)}: part of the disc is below the receiver's "
                 "horizon, where the formula on the axis does not hold",
                 "a smaller --incidence, --radius or a larger --distance",
             )
+        if maths.any_true(below):
+            notes = (f"--incidence {incidence.text}: the disc is below the receiver's horizon",)
     omega = math.pi * radius**2 / (radius**2 + away**2) * cosine
     step = Step(
         "disc on its axis",
@@ -600,14 +623,15 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         outside = (of.table < 400e-9 * (1 - 1e-12)) | (of.table > 700e-9 * (1 + 1e-12))
         if maths.any_true(outside):
             notes += (f"{given.text} lies outside 400-700 nm, where PPFD is counted",)
+    unit = KIND_UNITS[over, under]
     if LUMINOUS not in (over, under):
-        symbol, value, unit = "Q", energy, "J/photon"
+        symbol, value = "Q", energy
         forward = over == RADIANT
     elif PHOTON not in (over, under):
-        symbol, value, unit = "K", efficacy, "lm/W"
+        symbol, value = "K", efficacy
         forward = over == LUMINOUS
     else:
-        symbol, value, unit = "(K Q)", efficacy * energy, "lm s/photon"
+        symbol, value = "(K Q)", efficacy * energy
         forward = over == LUMINOUS
     if not forward:
         if maths.any_true(value == 0):
@@ -615,7 +639,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
                 f"nothing is seen at {quote(given.text)}: nothing follows from a luminous quantity",
                 f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
             )
-        symbol, value, unit = f"(1/{symbol})", 1 / value, f"1/({unit})"
+        symbol, value = f"(1/{symbol})", 1 / value
     return Factor(symbol, value, unit, assumption, steps, notes)
 
 
@@ -676,7 +700,25 @@ def spectral_factor(
     notes = source.notes
     if lumens == 0:
         notes += ("nothing of this spectrum is seen",)
-    return Factor("K", value, "", "; ".join(said), (step,), notes)
+    return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
+
+
+KIND_UNITS = {
+    (LUMINOUS, RADIANT): "lm/W",
+    (RADIANT, LUMINOUS): "W/lm",
+    (PHOTON, RADIANT): "photon/J",
+    (RADIANT, PHOTON): "J/photon",
+    (LUMINOUS, PHOTON): "lm s/photon",
+    (PHOTON, LUMINOUS): "photon/(lm s)",
+}
+
+
+def _most_lumens_per_photon() -> float:
+    """The most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
+    eye = OBSERVERS["photopic"]
+    places = range(eye.start, eye.end + 1)
+    shares = (v / nm for v, nm in zip(eye.values, places, strict=True))
+    return eye.maximum * max(shares) * 1e9 * PLANCK * LIGHT
 
 
 def given_ratio(given: Given, over: str, under: str) -> Factor | None:
@@ -693,12 +735,24 @@ def given_ratio(given: Given, over: str, under: str) -> Factor | None:
                 f"{limit:g} lm/W",
                 "an efficacy of up to 683lm/W",
             )
+    if LUMINOUS in pair and PHOTON in pair:
+        per_photon = value if pair[0] == LUMINOUS else 1 / value
+        most = _most_lumens_per_photon()
+        if maths.any_true(per_photon > most * (1 + 1e-9)):
+            raise ConditionError(
+                f"--efficacy {quote(given.text)} is not possible: no light gives more than "
+                f"{most * AVOGADRO * 1e-6:.4g} lm s/umol",
+                "an efficacy of up to 147lm.s/umol",
+            )
     text = f"an efficacy of {given.text}, as given"
     if pair == (over, under):
-        return Factor("K", value, "", text)
+        return Factor("K", value, KIND_UNITS[over, under], text)
     if pair == (under, over):
-        return Factor("(1/K)", 1 / value, "", text)
+        return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text)
     return None
+
+
+AXIS_UNITS = {WAVELENGTH: "m", FREQUENCY: "Hz", WAVENUMBER: "cycle/m"}
 
 
 def jacobian(of: Light | None, start: str, end: str) -> Factor:
@@ -710,7 +764,8 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
         value = LIGHT if end == WAVENUMBER else 1 / LIGHT
         formula = "J = d nu / d sigma = c" if end == WAVENUMBER else "J = d sigma / d nu = 1/c"
         step = Step("density", formula, f"J = {show(value)}", "SI Brochure: exact c")
-        return Factor("J", value, "", "wavenumber in vacuum, 1 cycle per wavelength", (step,))
+        said = "wavenumber in vacuum, 1 cycle per wavelength"
+        return Factor("J", value, _per_axis(start, end), said, (step,))
     per_frequency = {WAVELENGTH: of.vacuum**2 / LIGHT, FREQUENCY: 1.0, WAVENUMBER: 1 / LIGHT}
     value = per_frequency[start] / per_frequency[end]
     greek = {WAVELENGTH: "lambda", FREQUENCY: "nu", WAVENUMBER: "sigma"}
@@ -719,8 +774,6 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
         (FREQUENCY, WAVELENGTH): "c / lambda^2",
         (WAVELENGTH, WAVENUMBER): "lambda^2",
         (WAVENUMBER, WAVELENGTH): "1 / lambda^2",
-        (FREQUENCY, WAVENUMBER): "c",
-        (WAVENUMBER, FREQUENCY): "1 / c",
     }
     step = Step(
         "density",
@@ -731,12 +784,23 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
     assumption = f"spectral density at {of.given.text}"
     if of.given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(of.given.text)
-    return Factor("J", value, "", assumption, (step,))
+    return Factor("J", value, _per_axis(start, end), assumption, (step,))
 
 
-def bandwidth(given: Given) -> Factor:
-    """The width of a band [m, Hz or cycle/m]."""
-    return Factor("B", _positive(given), "", f"constant over a band of {given.text}")
+def _per_axis(start: str, end: str) -> str:
+    return f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})"
+
+
+def bandwidth(given: Given, of_kind: Given | None) -> Factor:
+    """The width of a band [m, Hz or cycle/m], in which a kind may be taken at one wavelength."""
+    axis = band_axis(given)
+    width = _positive(given)
+    if axis == WAVELENGTH:
+        _require(given, not maths.any_true(width > 1e-3), "at most 1 mm: a band of wavelengths")
+    said = f"constant over a band of {given.text}"
+    if of_kind is not None and of_kind.option.name == "wavelength":
+        said += f", in which everything is taken as at {of_kind.text}"
+    return Factor("B", width, AXIS_UNITS[axis], said)
 
 
 def band_axis(given: Given) -> str:

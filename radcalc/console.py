@@ -35,10 +35,14 @@ def write(text: str) -> None:
     except BrokenPipeError:
         discard_output()
     except OSError as error:
-        discard_output()
-        raise OutputError(
-            f"cannot write the answer: {error.strerror or error}", "a place with room for it"
-        ) from None
+        raise not_written(error) from None
+
+
+def not_written(error: OSError) -> OutputError:
+    """What to raise where standard output fails; nothing more is written there."""
+    discard_output()
+    problem = f"cannot write the answer: {error.strerror or error}"
+    return OutputError(problem, "a place with room for it")
 
 
 def discard_output() -> None:

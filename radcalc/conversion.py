@@ -5,7 +5,8 @@ table; what stands between different quantities is in `link.py`, loaded only whe
 """
 
 from radcalc.errors import ConversionError, quote
-from radcalc.units.table import Unit
+from radcalc.units.grammar import SMALLEST
+from radcalc.units.table import Unit, divide
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
 
     from radcalc.conditions import Factor, Given
     from radcalc.result import Result, Step
+
+
+LARGEST = 1.7976931348623157e308
 
 
 class Plan:
@@ -43,10 +47,17 @@ class Plan:
 
     def apply(self, value: "Any") -> "Any":
         """Convert a number, or an array element by element."""
-        result = value * self.factor
+        if isinstance(value, float) and not self.links:
+            # one rounding of an exact fraction: 100 lx are 1e-05 klm/cm2, no 9.99e-06
+            over, under = value.as_integer_ratio()
+            over *= self.source.top * self.target.bottom
+            under *= self.source.bottom * self.target.top
+            result = divide(over, under)
+        else:
+            result = value * self.factor
         if isinstance(result, float):
             zero = value == 0 or self.factor == 0
-            if result - result != 0 or (not zero and abs(result) < 2.2250738585072014e-308):
+            if result - result != 0 or (not zero and abs(result) < SMALLEST):
                 raise ConversionError(
                     f"the result in {quote(self.target.text)} cannot be held by a number",
                     "a value between 2.3e-308 and 1.7e308",
@@ -62,28 +73,36 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = ()) -> Plan:
     impossible, contradictory or without use.
     """
     if source.dimension == target.dimension and not given:
-        return Plan(source, target, exact_ratio(source, target))
+        plain = Plan(source, target, exact_ratio(source, target))
+        if source.is_light and source.has_wavelength != target.has_wavelength:
+            plain.notes += (
+                f"{quote(target.text)} and {quote(source.text)} are both read as per wavelength",
+            )
+        return plain
     from radcalc.link import link
 
     links = link(source, target, given)
     factor: Any = exact_ratio(source, target)
     for supplied, power in links:
         factor = factor * supplied.value if power > 0 else factor / supplied.value
+    if isinstance(factor, float) and factor - factor != 0:
+        raise _beyond(source, target)
     return Plan(source, target, factor, links)
 
 
 def exact_ratio(source: Unit, target: Unit) -> float:
     """The ratio of two units' factors, rounded once; a division of whole numbers is exact."""
-    try:
-        ratio = (source.top * target.bottom) / (source.bottom * target.top)
-    except OverflowError:
-        ratio = 0.0
-    if not ratio >= 2.2250738585072014e-308:
-        raise ConversionError(
-            f"the ratio of {quote(source.text)} to {quote(target.text)} cannot be held by a number",
-            "units closer in size",
-        )
+    ratio = divide(source.top * target.bottom, source.bottom * target.top)
+    if not SMALLEST <= ratio <= LARGEST:
+        raise _beyond(source, target)
     return ratio
+
+
+def _beyond(source: Unit, target: Unit) -> ConversionError:
+    return ConversionError(
+        f"the ratio of {quote(source.text)} to {quote(target.text)} cannot be held by a number",
+        "units closer in size",
+    )
 
 
 def answer(made: Plan, value: float, case: str = "", steps: bool = False) -> "Result":
@@ -98,23 +117,27 @@ def answer(made: Plan, value: float, case: str = "", steps: bool = False) -> "Re
 
 
 def derive(made: Plan, value: float) -> "list[Step]":
-    """The derivation: the steps of every condition, then the conversion itself."""
-    from radcalc.quantities import symbol_of
+    """The derivation: the steps of every condition, then the conversion, in SI units."""
+    from radcalc.quantities import coherent_unit, symbol_of
     from radcalc.result import Step
 
     source, target = made.source, made.target
+    result = f"{made.apply(value):.6g} {target.text}"
+    if not made.links:
+        ratio = f"{made.factor:.12g} {target.text}"
+        numbers = f"{value:.6g} {source.text} * {ratio}/({source.text}) = {result}"
+        return [Step("change of unit", f"1 {source.text} = {ratio}", numbers)]
     steps = [step for factor, _ in made.links for step in factor.steps]
-    over = f"{value:.6g} {source.text}"
-    law, formula = "conversion", symbol_of(source) or "x"
+    given, wanted = coherent_unit(source), coherent_unit(target)
+    formula = f"{symbol_of(target) or 'y'} = {symbol_of(source) or 'x'}"
+    over = f"{value * source.factor:.6g} {given}"
+    if (source.top, source.text) != (source.bottom, given):
+        steps.append(Step("SI units", "", f"{value:.6g} {source.text} = {over}"))
     for factor, power in made.links:
         sign = "*" if power > 0 else "/"
         formula += f" {sign} {factor.symbol}"
-        over += f" {sign} {factor.value:.6g}{f' {factor.unit}' if factor.unit else ''}"
-    if made.links:
-        formula = f"{symbol_of(target) or 'y'} = {formula}"
-    else:
-        law = "change of unit"
-        formula = f"1 {source.text} = {made.factor:.12g} {target.text}"
-        over += f" * {made.factor:.12g} {target.text}/({source.text})"
-    steps.append(Step(law, formula, f"{over} = {made.apply(value):.6g} {target.text}"))
-    return steps
+        over += f" {sign} {factor.value:.6g} {factor.unit}"
+    numbers = f"{over} = {made.apply(value) * target.factor:.6g} {wanted}"
+    if (target.top, target.text) != (target.bottom, wanted):
+        numbers += f" = {result}"
+    return [*steps, Step("conversion", formula, numbers)]

@@ -23,7 +23,9 @@ from radcalc.quantities import (
     WAVENUMBER,
     Reading,
     describe,
+    is_exitance,
     is_per_length,
+    powers,
     read,
 )
 from radcalc.units.table import Unit
@@ -148,6 +150,11 @@ def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
 
 def _unlike(search: _Search) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
+    per_second = powers(time=-1)
+    if per_second in (search.source.dimension, search.target.dimension):
+        return ConversionError(
+            f"{search.heading()}: a frequency counts cycles", "Hz, or cycle/s, for a frequency"
+        )
     spectral = c.OPTIONS["wavelength"].dimensions
     if search.source.dimension in spectral and search.target.dimension in spectral:
         return ConversionError(
@@ -218,7 +225,8 @@ def _axis(search: _Search, start: Reading, end: Reading) -> Links:
         strip = any(is_per_length(unit) for unit in (search.source, search.target))
         search.want(PER_LENGTH if strip else c.BAND)
         return []
-    width = c.bandwidth(band)
+    of_kind = search.given.get(c.LINK) if start.kind != end.kind else None
+    width = c.bandwidth(band, of_kind)
     if end.axis == NONE:
         return [*_jacobian(search, start.axis, c.band_axis(band)), (width, 1)]
     return [(width, -1), *_jacobian(search, c.band_axis(band), end.axis)]
@@ -227,8 +235,10 @@ def _axis(search: _Search, start: Reading, end: Reading) -> Links:
 def _jacobian(search: _Search, start: str, end: str) -> Links:
     if start == end:
         return []
+    if {start, end} == {FREQUENCY, WAVENUMBER}:
+        return [(c.jacobian(None, start, end), 1)]
     light = search.wavelength()
-    if light is None and {start, end} != {FREQUENCY, WAVENUMBER}:
+    if light is None:
         search.want(AXIS)
         return []
     return [(c.jacobian(light, start, end), 1)]
@@ -260,17 +270,31 @@ def ways(start: Reading, end: Reading) -> list[dict[str, int]]:
     """Every set of exponents of the spatial conditions that bridges area and solid angle."""
     wanted = (end.area - start.area, end.solid_angle - start.solid_angle)
     found = []
-    for powers in product((0, 1, -1), repeat=len(SPATIAL)):
+    for exponents in product((0, 1, -1), repeat=len(SPATIAL)):
         moved = tuple(
-            sum(p * step[i] for p, step in zip(powers, SPATIAL.values(), strict=True))
+            sum(p * step[i] for p, step in zip(exponents, SPATIAL.values(), strict=True))
             for i in (0, 1)
         )
-        way = {slot: power for slot, power in zip(SPATIAL, powers, strict=True) if power}
+        way = {slot: power for slot, power in zip(SPATIAL, exponents, strict=True) if power}
         # A reflector turns irradiance into radiance, whatever else has that dimension.
         reflects = end.is_radiance - start.is_radiance
-        if moved == wanted and way.get(c.REFLECTANCE, reflects) == reflects:
+        fits = moved == wanted and way.get(c.REFLECTANCE, reflects) == reflects
+        if fits and _is_physical(set(way), start.is_radiance or end.is_radiance):
             found.append(way)
     return found
+
+
+def _is_physical(slots: set[str], radiance: bool) -> bool:
+    """Whether the conditions mean together what their dimensions say.
+
+    An area and a distance are the far field of a source, between radiance and irradiance
+    alone: an area at a distance from a small source catches a cone of its light, no more than
+    a sphere's worth.  A cone and a distance are a lamp's: between radiance and intensity the
+    one would be exact and the other a far field.
+    """
+    if {c.AREA_SLOT, c.DISTANCE} <= slots:
+        return radiance and len(slots) == 2
+    return not (radiance and {c.CONE, c.DISTANCE} <= slots and c.REFLECTANCE not in slots)
 
 
 def _space(search: _Search, start: Reading, end: Reading) -> Links:
@@ -283,6 +307,8 @@ def _space(search: _Search, start: Reading, end: Reading) -> Links:
             return seen
     given = set(SPATIAL) & set(search.given)
     open_ways = ways(start, end)
+    if is_exitance(search.source) or is_exitance(search.target):  # leaves the source's surface
+        open_ways = [way for way in open_ways if not {c.DISTANCE, c.REFLECTANCE} & set(way)]
     inside = [way for way in open_ways if set(way) <= given]
     if len(inside) > 1:
         flags = [search.given[slot].flag for slot in SPATIAL if slot in given]
@@ -290,6 +316,12 @@ def _space(search: _Search, start: Reading, end: Reading) -> Links:
             f"{search.heading()}: over-specified by {' and '.join(flags)}",
             "fewer of them",
         )
+    if inside and c.DISTANCE in given - set(inside[0]):
+        # a distance that finds no use beside an area: the lamp's cone is what is missing
+        cones = [way for way in open_ways if set(way) == {c.CONE, c.DISTANCE}]
+        if cones and c.CONE not in given:
+            _want_space(search, cones, {c.DISTANCE}, radiance)
+            return []
     if not inside:
         _want_space(search, open_ways, given, radiance)
         return []
@@ -315,7 +347,12 @@ def _want_space(
         way for way in possible if given and given < way and way in (*SUGGESTED, pair, far)
     ]
     sensible = [way for way in possible if way in SUGGESTED or way == pair]
+    sensible = sensible or possible
     alternatives: dict[str, str] = {}
+    if radiance and given == {c.DISTANCE} and {c.AREA_SLOT, c.DISTANCE} in possible:
+        search.used.add(c.DISTANCE)
+        search.missing[c.AREA_SLOT] = ("the size of the source", "--radius R or --area A")
+        return
     for slots in (extending or sensible)[:2]:
         search.used |= slots & given
         cone = PROJECTED if _is_projected(slots, radiance) else c.CONE

@@ -6,7 +6,6 @@ from radcalc.quantities import (
     FREQUENCY,
     LUMINOUS,
     NONE,
-    OTHERS,
     PHOTON,
     RADIANT,
     WAVELENGTH,
@@ -15,7 +14,7 @@ from radcalc.quantities import (
     read,
 )
 from radcalc.units.catalogue import CATALOGUE
-from radcalc.units.compiled import NOTES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.compiled import NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.table import Dimension, Unit, resolve
 
 # Derived units that have no name of their own are products: a head for kind and time, then
@@ -104,7 +103,10 @@ def entry(name: str) -> Entry:
     """Everything that the definitions say of one unit."""
     symbols, _, definition, source = CATALOGUE[name]
     prefixes = UNITS[name][3]
-    shown = ", ".join(symbols) + (" (takes SI prefixes)" if prefixes else "")
+    allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
+    every = len(allowed) == len(PREFIX_NAMES)
+    takes = f" (prefixes: {'all' if every else ' '.join(allowed)})" if allowed else ""
+    shown = ", ".join(symbols) + takes
     return Entry(
         name, shown.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
     )
@@ -117,6 +119,7 @@ def search(words: str) -> list[Entry]:
     if not wanted:
         return entries
     by_quantity = [e for e in entries if e.quantity == words.strip().lower()]
+    by_quantity = by_quantity or [e for e in entries if wanted in e.quantity.split()]
     if by_quantity:
         return by_quantity
     exact = [e for e in entries if words.strip() in CATALOGUE[e.name][0]]
@@ -131,4 +134,4 @@ def _is_part(wanted: str, name: str) -> bool:
 
 def quantity_names() -> list[str]:
     """The names of the quantities that named units measure."""
-    return sorted({e.quantity for e in map(entry, UNITS)} | {name for name, _ in OTHERS.values()})
+    return sorted({e.quantity for e in map(entry, UNITS)})

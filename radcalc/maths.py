@@ -32,9 +32,9 @@ def atan(x: Number) -> Number:
     return _call("atan", x)
 
 
-def log(x: Number) -> Number:
-    """The natural logarithm of x."""
-    return _call("log", x)
+def log1p(x: Number) -> Number:
+    """The natural logarithm of 1 + x."""
+    return _call("log1p", x)
 
 
 def any_true(condition: Any) -> bool:

@@ -1,9 +1,10 @@
 """The words of a conversion: VALUE UNIT [to] TARGET, in every way people write them."""
 
-from radcalc.errors import UsageError, quote
+from radcalc.errors import NumberError, UsageError, quote
 from radcalc.units.grammar import split_quantity
 
 SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
+NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
 EXAMPLE = "radcalc convert 100 lx fc"
 
 
@@ -21,13 +22,13 @@ def read_operands(words: list[str]) -> tuple[float, str, str]:
     if len(sides) > 2:
         raise UsageError("the word to stands there more than once", EXAMPLE)
     if len(sides) == 2:
-        value, unit = split_quantity(sides[0])
+        value, unit = _split(sides[0])
         target = sides[1].strip()
         if not target:
             raise UsageError("a unit is missing after to", EXAMPLE)
         rest: list[str] = [target]
     else:
-        value, unit = split_quantity(words[0])
+        value, unit = _split(words[0])
         rest = words[1:]
         if not unit and rest:
             unit, rest = rest[0].strip(), rest[1:]
@@ -38,6 +39,16 @@ def read_operands(words: list[str]) -> tuple[float, str, str]:
     if len(rest) > 1:
         raise _too_many(unit, rest)
     return value, unit, rest[0] if rest else ""
+
+
+def _split(text: str) -> tuple[float, str]:
+    """Cut a value from its unit; refuse what goes on as only a number would."""
+    value, unit = split_quantity(text)
+    if unit and (unit[0] in NOT_UNITS or unit.lower().startswith("x10")):
+        raise NumberError(
+            f"'{quote(text.strip())}' is not a number and a unit", "a number such as 1000 or 1.5e3"
+        )
+    return value, unit
 
 
 def _too_many(unit: str, rest: list[str]) -> UsageError:

@@ -27,8 +27,6 @@ DENSITY_NAMES = {
     FREQUENCY: "per frequency",
     WAVENUMBER: "per wavenumber",
 }
-# The units that make a length below a light quantity a wavelength.
-WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")
 
 
@@ -214,7 +212,12 @@ def is_per_length(unit: Unit) -> bool:
         return False
     if any(name.endswith("flick") for name, _ in unit.atoms):
         return False
-    return not any(name in WAVELENGTH_UNITS and power < 0 for name, power in unit.atoms)
+    return not unit.has_wavelength
+
+
+def is_exitance(unit: Unit) -> bool:
+    """Whether the unit counts what leaves a surface: the radlux and the radphot."""
+    return any(name in EXITANCE_UNITS for name, _ in unit.atoms)
 
 
 def name_of(unit: Unit) -> str:
@@ -225,7 +228,7 @@ def name_of(unit: Unit) -> str:
     if is_per_length(unit):
         plain = Reading(reading.kind, *reading.geometry, NONE)
         return f"{plain.name} per length"
-    if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
+    if is_exitance(unit):
         return EXITANCES["evp".index(reading.kind)]
     return reading.name
 
@@ -237,9 +240,37 @@ def symbol_of(unit: Unit) -> str:
         return OTHERS.get(unit.dimension, ("", ""))[1]
     if is_per_length(unit):
         return ""
-    if any(name in EXITANCE_UNITS for name, _ in unit.atoms):
+    if is_exitance(unit):
         return f"M_{reading.kind}"
     return reading.symbol
+
+
+COHERENT_HEADS = {
+    (RADIANT, 0): "W",
+    (RADIANT, 1): "J",
+    (LUMINOUS, 0): "lm",
+    (LUMINOUS, 1): "lm s",
+    (PHOTON, 0): "photon/s",
+    (PHOTON, 1): "photon",
+}
+COHERENT_AXES = {NONE: "", WAVELENGTH: "/m", FREQUENCY: "/Hz", WAVENUMBER: "/(cycle/m)"}
+
+
+def coherent_unit(unit: Unit) -> str:
+    """The coherent SI unit of a light quantity, as a derivation shows it."""
+    reading = read(unit)
+    if reading is None:
+        return unit.text
+    if reading.retinal:
+        return "td"
+    area = "/m2" if reading.area else ""
+    if reading.kind == LUMINOUS and reading.solid_angle and not reading.time:
+        return f"cd{area}{COHERENT_AXES[reading.axis]}"
+    head = COHERENT_HEADS[reading.kind, reading.time]
+    if head + area == "lm/m2":
+        head, area = "lx", ""
+    per_angle = "/sr" if reading.solid_angle else ""
+    return f"{head}{area}{per_angle}{COHERENT_AXES[reading.axis]}"
 
 
 def describe(unit: Unit) -> str:

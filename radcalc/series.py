@@ -4,9 +4,9 @@ import math
 
 from radcalc.errors import ConditionError, quote
 from radcalc.units.grammar import split_quantity
-from radcalc.units.table import resolve
+from radcalc.units.table import divide, resolve
 
-MOST = 1_000_000
+MOST = 10_000
 
 
 def read_series(text: str) -> list[str]:
@@ -26,6 +26,8 @@ def _is_list_of_numbers(parts: list[str]) -> bool:
     """Whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
     wholes = [part.partition(".")[0] for part in parts]
     if parts[0].isdigit() and all(len(whole) == 3 for whole in wholes[1:]):
+        return False
+    if any(len(whole) > 1 and whole[0] == "0" for whole in wholes):
         return False
     return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
 
@@ -53,13 +55,16 @@ def _range(text: str) -> list[str]:
             f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP"
         )
     size = [
-        value * (unit.top * units[0].bottom) / (unit.bottom * units[0].top)
+        value * divide(unit.top * units[0].bottom, unit.bottom * units[0].top)
         for (value, _), unit in zip(numbers, units, strict=True)
     ]
     start, stop, step = size
-    if step == 0 or (stop - start) / step < 0:
+    count = (stop - start) / step if step else 0.0
+    if not all(map(math.isfinite, (*size, count))):
+        raise ConditionError(f"'{quote(text)}' has too many values", f"at most {MOST}")
+    if step == 0 or count < 0:
         raise ConditionError(f"'{quote(text)}' never reaches its end", "a step from START to STOP")
-    count = math.floor((stop - start) / step * (1 + 1e-12) + 1e-9) + 1
-    if count > MOST:
-        raise ConditionError(f"'{quote(text)}' has {count} values", f"at most {MOST}")
-    return [f"{start + i * step:.15g}{numbers[0][1]}" for i in range(count)]
+    values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
+    if values > MOST:
+        raise ConditionError(f"'{quote(text)}' has {values} values", f"at most {MOST}")
+    return [f"{start + i * step:.15g}{numbers[0][1]}" for i in range(values)]

@@ -203,20 +203,50 @@ def test_steps_end_in_the_result():
 
 
 def test_the_dimension_of_every_factor_is_what_pint_says():
-    """Omega0, 1 cycle and 1 photon written out: what the plan bridges, Pint multiplies out."""
+    """Omega0, 1 cycle and 1 photon written out: what a plan multiplies by, Pint multiplies out."""
+    from radcalc.quantities import coherent_unit
     from radcalc.units.registry import light_registry
 
     q = light_registry().Quantity
-    laws = [
-        (q(1, "cd") / q(1, "m") ** 2 * q(1, "sr"), "lx"),
-        (q(1, "lx") / q(1, "sr"), "cd/m2"),
-        (q(1, "cd/m2") * q(1, "sr"), "lm/m2"),
-        (q(1, "lm") / q(1, "sr"), "cd"),
-        (q(1, "W") * q(1, "lm/W"), "lm"),
-        (q(1, "photon/s") * q(1, "J/photon"), "W"),
-        (q(1, "W/m2/nm") * q(1, "nm") ** 2 / (q(1, "m/s") * q(1, "cycle")), "W/m2/Hz"),
-        (q(1, "W/m2/Hz") * q(1, "m/s"), "W/m2/cm-1"),
-        (q(1, "cd/m2") * q(1, "td") / q(1, "cd/m2"), "td"),
-    ]
-    for quantity, unit in laws:
-        assert quantity.check(q(1, unit).dimensionality), unit
+    for _, source, target, conditions, *_ in WORKED:
+        given_ = [give(name, text) for name, text in conditions.items()]
+        made = plan(resolve(source), resolve(target), given_)
+        total = q(1.0, coherent_unit(made.source))
+        for factor, power in made.links:
+            total = (
+                total
+                * q(1.0, factor.unit.replace("lm s/", "lm.s/").replace("td m2", "td.m2")) ** power
+            )
+        assert total.check(q(1.0, coherent_unit(made.target)).dimensionality), (source, target)
+
+
+@pytest.mark.parametrize("degrees", [1e-9, 1e-6, 1e-3, 0.1, 1, 10, 90, 170, 179])
+def test_the_lobe_of_a_narrow_beam_keeps_its_digits(degrees):
+    import mpmath
+
+    with mpmath.workdps(50):
+        half = mpmath.mpf(degrees) * mpmath.pi / 360
+        exponent = mpmath.log(mpmath.mpf(1) / 2) / mpmath.log(mpmath.cos(half))
+        expected = (exponent + 1) / (2 * mpmath.pi)
+    got = plan(resolve("lm"), resolve("cd"), [give("beam-angle", f"{degrees}deg")]).factor
+    assert got == pytest.approx(float(expected), rel=1e-12)
+
+
+def test_a_disc_below_the_horizon_gives_nothing_and_says_so():
+    conditions = {"radius": "1m", "distance": "1m", "incidence": "136deg"}
+    made = plan(resolve("nit"), resolve("lx"), [give(k, v) for k, v in conditions.items()])
+    assert made.apply(1.0) == 0
+    assert "below the receiver's horizon" in made.notes[0]
+
+
+def test_lengths_and_wavelengths_are_not_mixed_without_a_note():
+    assert plan(resolve("lm/m"), resolve("lm/nm")).notes
+    assert plan(resolve("W/m3"), resolve("W/m2/nm")).notes
+    assert not plan(resolve("lm/m"), resolve("lm/ft")).notes
+    assert not plan(resolve("W/m2/nm"), resolve("W/m2/um")).notes
+
+
+def test_a_plain_conversion_is_rounded_once():
+    # 100 lx are 1e-5 klm/cm2 exactly
+    assert plan(resolve("lx"), resolve("klm/cm2")).apply(100.0) == 1e-5
+    assert plan(resolve("in"), resolve("m")).apply(3.0) == 0.0762

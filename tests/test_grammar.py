@@ -56,6 +56,11 @@ def test_an_inverse_below_a_solidus_is_marked(text):
     assert ("cm", 1, True) in parse_unit(text)
 
 
+@pytest.mark.parametrize("text", ["lm/(W/m)", "W/m2/(cycle/m)", "cm-1", "W m-2 nm-1"])
+def test_a_solidus_inside_brackets_is_no_inverse(text):
+    assert not any(inverse for _, _, inverse in parse_unit(text))
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -16,7 +16,7 @@ KEEPERS = {
     "click": ("radcalc.cli",),
     "rich": ("radcalc.render.table",),
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
-    "colour": ("radcalc.spectra.compile",),
+    "colour": ("radcalc.spectra.compile", "radcalc.spectra.colorimetry"),
     "numpy": ("radcalc.maths", "radcalc.spectra.observers"),
 }
 # Imports point downwards: a layer may import those below it.
@@ -111,6 +111,11 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("convert", "250", "cd/m2"),
         ("units", "lambert"),
         ("photon", "555nm"),
+        ("convert", "1000", "lx", "W/m2", "--spectrum", "D65"),
+        ("convert", "1000", "lx", "umol/m2/s", "--spectrum", "AM1.5G"),
+        ("spectrum", "blackbody:2856K", "-g", "luminous-efficacy:lm/W"),
+        ("spectrum", "--list"),
+        ("mesopic", "--luminance", "0.1cd/m2", "--spectrum", "LED-B3"),
         ("photon", "400nm:700nm:10nm", "-g", "photon-energy:eV"),
     ],
     ids=" ".join,

@@ -8,7 +8,7 @@ import click
 
 from radcalc import console
 from radcalc._version import __version__
-from radcalc.errors import NumberError, OutputError, RadcalcError, UsageError, nearest, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
 
 COMMANDS = ("convert", "photon", "spectrum", "mesopic", "units")
@@ -64,7 +64,7 @@ def protect_negatives(words: list[str]) -> list[str]:
 def _is_negative(word: str) -> bool:
     if word[:1] != "-" or len(word) == 1:
         return False
-    if word[1] in "0123456789.":
+    if word[1] in "0123456789." or word[1:].lower() in ("inf", "infinity", "nan"):
         return True
     try:
         read_number(word[:40])
@@ -89,8 +89,7 @@ def run(words: list[str]) -> int:
         console.discard_output()
         return console.ANSWERED
     except OSError as error:
-        console.discard_output()
-        return console.complain(OutputError(f"cannot go on: {error.strerror or error}"))
+        return console.complain(console.not_written(error))
     except Exception as error:
         return _bug(error)
 

@@ -55,7 +55,7 @@ def complete_unit(
 def _conditions(command: Any) -> Any:
     for option in reversed(OPTIONS.values()):
         if option.choices:
-            kind: dict[str, Any] = {"type": click.Choice(option.choices)}
+            kind: dict[str, Any] = {"type": click.Choice(option.choices, case_sensitive=False)}
         elif option.dimensions or option.is_text:
             kind = {"metavar": option.example}
         else:
@@ -107,6 +107,8 @@ def command(
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
     if not target_text:
+        if steps:
+            raise UsageError("--steps needs a unit to convert to", "a TARGET unit")
         shown.show([every_unit(value, source, typed, number)])
         return
     target = resolve(target_text)

@@ -36,7 +36,7 @@ class Output(NamedTuple):
         elif self.format == JSON:
             from radcalc.render import json
 
-            console.write("".join(json.render(result) for result in results))
+            console.write("".join(json.render(result, self.precision) for result in results))
         else:
             if self.format == CSV:
                 from radcalc.render import csv

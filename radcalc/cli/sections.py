@@ -4,6 +4,8 @@ from typing import Any
 
 import click
 
+from radcalc.errors import UsageError, quote
+
 SECTION_OF_OUTPUT = (
     "number",
     "format_",
@@ -25,6 +27,17 @@ class SectionedCommand(click.Command):
         """Take the sections: title, then the names of its parameters."""
         super().__init__(*args, **kwargs)
         self.sections = sections or {}
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Refuse an option that is given twice: the first would be ignored silently."""
+        several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
+        seen: set[str] = set()
+        for word in args[: args.index("--")] if "--" in args else args:
+            name = word.partition("=")[0]
+            if word.startswith("--") and name in seen - several:
+                raise UsageError(f"{quote(name)} is given twice", "it once, or a list of values")
+            seen.add(name)
+        return super().parse_args(ctx, args)
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write one list of options a section."""

@@ -3,12 +3,13 @@
 import json
 from typing import Any
 
+from radcalc.render.plain import number
 from radcalc.result import Result, Row
 
 
-def render(result: Result) -> str:
+def render(result: Result, precision: int | None = None) -> str:
     """One object, on one line; several values of one answer are its `results`."""
-    rows = [_row(row) for row in result.rows]
+    rows = [_row(row, precision) for row in result.rows]
     flat = len(rows) == 1 and not result.rows[0].name
     answer: dict[str, Any] = rows[0] if flat else {"results": rows}
     answer["assumptions"] = list(result.assumptions)
@@ -25,11 +26,11 @@ def render(result: Result) -> str:
     return json.dumps(answer, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _row(row: Row) -> dict[str, Any]:
+def _row(row: Row, precision: int | None) -> dict[str, Any]:
     fields = {
         "quantity": row.quantity,
         "symbol": row.symbol,
-        "value": row.value,
+        "value": float(number(row.value, precision)) if precision else row.value,
         "unit": row.unit,
     }
     if row.name:

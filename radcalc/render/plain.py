@@ -33,7 +33,7 @@ def derivation(steps: "tuple[Step, ...]") -> list[str]:
     """The steps, in lines: the law, its formula, the numbers, the reference."""
     lines = []
     for step in steps:
-        lines.append(f"{step.law}: {step.formula}")
+        lines.append(f"{step.law}: {step.formula}".rstrip(": "))
         lines.append(f"    {step.numbers}")
         if step.reference:
             lines.append(f"    [{step.reference}]")

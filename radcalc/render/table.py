@@ -74,6 +74,7 @@ def draw(
             justify="right" if name in right else "left",
             style="bold" if name in right else "",
             overflow="fold",
+            no_wrap=name in right,  # a number broken over two lines is another number
         )
     for cells in lines:
         table.add_row(*(Text(cell) for cell in cells))

@@ -33,7 +33,7 @@ SAME = {
     "\u202f": " ",
     "\t": " ",
 }
-NAMED = {"%": "percent", "°": "degree", "′": "arcminute", "″": "arcsecond"}
+NAMED = {"%": "percent", "‰": "permille", "°": "degree", "′": "arcminute", "″": "arcsecond"}
 POWERS = {"square": 2, "sq": 2, "cubic": 3, "cu": 3}
 
 Atom = tuple[str, int, bool]
@@ -93,6 +93,8 @@ def _term_starts(text: str, at: int) -> bool:
 def _pi_ends(text: str, at: int) -> int:
     """Where a pi that starts at `at` ends, or `at` where none does."""
     end = at + 2 if text.startswith("pi", at) else at + 1 if text.startswith("π", at) else at
+    if text[end:] in ("sr", "rad"):  # 4pisr, as people write it
+        return end
     return at if end < len(text) and (text[end].isalnum() or text[end] == "_") else end
 
 
@@ -177,7 +179,7 @@ def parse_unit(text: str) -> list[Atom]:
     atoms = scanner.group(0)
     if scanner.at < len(plain):
         raise scanner.error("has a closing bracket too many")
-    return atoms
+    return [(name, n, inverse and n == 1) for name, n, inverse in atoms]
 
 
 class _Scanner:
@@ -229,10 +231,7 @@ class _Scanner:
             elif atoms and not pending and not self.separated():
                 raise self.error("runs two units together", "a space or a dot between them")
             sign = -1 if pending == "/" else 1
-            atoms += [
-                (name, sign * n, inverted or (sign < 0 and n == -1))
-                for name, n, inverted in self.factor(depth)
-            ]
+            atoms += [(name, sign * n, inverse) for name, n, inverse in self.factor(depth)]
             pending = ""
         if pending:
             raise self.error(f"ends with '{pending}'")
@@ -295,11 +294,14 @@ class _Scanner:
                 name = self.name()
             atoms = [(name, power, False)]
         exponent = self.exponent()
+        if power != 1 and exponent != 1:
+            raise self.error("squares or cubes a unit with an exponent", "one of the two")
         if exponent == 1:
             return atoms
+        simple = c != "("
         return [
-            (name, self.bounded(n * exponent), inverted or (n == -1 and exponent < 0))
-            for name, n, inverted in atoms
+            (name, self.bounded(n * exponent), inverse or (simple and exponent == -1))
+            for name, n, inverse in atoms
         ]
 
     def name(self) -> str:
@@ -335,6 +337,8 @@ class _Scanner:
             self.at = before
         if caret:
             self.skip_blanks()
+            if self.peek() == "{":
+                raise self.error("has braces in it", "an exponent such as m^-2")
         bracket = caret and self.peek() == "("
         if bracket:
             self.at += 1
@@ -361,6 +365,8 @@ class _Scanner:
             if self.peek() != ")":
                 raise self.error("has an exponent that is not a whole number", "a whole number")
             self.at += 1
+        if not caret and (self.peek().isalpha() or self.peek() == "("):
+            raise self.error("runs two units together", "one number and one unit, such as 1.5h")
         if len(number) > 3:
             raise self.error("has an exponent too large", f"at most {MAX_EXPONENT}")
         if self.peek() in ("^", "⁻") or self.text.startswith("**", self.at):

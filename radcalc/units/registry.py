@@ -12,6 +12,7 @@ from typing import Any
 import pint
 from pint.util import UnitsContainer
 
+from radcalc.errors import UnitError
 from radcalc.units import grammar, table
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
@@ -46,7 +47,9 @@ class LightRegistry(pint.UnitRegistry[Any]):
 
 def from_container(units: Any) -> table.Unit:
     """Turn Pint's units into a unit of the table."""
-    text = " ".join(f"{name}^{int(power)}" for name, power in units.items())
+    if any(power != int(power) for _, power in units.items()):
+        raise UnitError(f"'{units}' has an exponent that is not a whole number", "whole powers")
+    text = " ".join(name if power == 1 else f"{name}^{int(power)}" for name, power in units.items())
     return table.resolve(text or "1")
 
 

@@ -32,7 +32,10 @@ BASES = (
 LENGTH, MASS, TIME, TEMPERATURE, ANGLE, CYCLE, COUNT, LUMINOSITY, RETINAL = range(len(BASES))
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
+LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
+# The units that make a length below a light quantity a wavelength.
+WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 COMMON_PREFIXES = "GMkcmun"
 LUMINOUS_AND_COUNTED = (MASS, COUNT, LUMINOSITY)
 
@@ -68,9 +71,27 @@ class Unit:
         return f"Unit({self.text!r})"
 
     @property
+    def has_wavelength(self) -> bool:
+        """Whether a length that is usual for wavelengths stands below."""
+        return any(name in WAVELENGTH_UNITS and power == -1 for name, power in self.atoms)
+
+    @property
+    def is_light(self) -> bool:
+        """Whether it counts watts, lumens or photons, or what has a mass."""
+        return any(self.dimension[i] for i in LUMINOUS_AND_COUNTED)
+
+    @property
     def factor(self) -> float:
         """The unit in coherent SI units, rounded once."""
-        return self.top / self.bottom
+        return divide(self.top, self.bottom)
+
+
+def divide(over: int, under: int) -> float:
+    """The quotient of two whole numbers, rounded once; infinite where a float cannot hold it."""
+    try:
+        return over / under
+    except OverflowError:
+        return float("inf")
 
 
 def lookup(spelling: str) -> tuple[str, str]:
@@ -83,6 +104,8 @@ def lookup(spelling: str) -> tuple[str, str]:
     name = spelling.lower().replace("-", "_")
     if name in NAMES:
         return "", NAMES[name]
+    if "-" in spelling and spelling.replace("-", "") in SYMBOLS:  # ft-L
+        return "", SYMBOLS[spelling.replace("-", "")]
     for size in (2, 1):
         head, symbol = spelling[:size], spelling[size:]
         if head in PREFIX_SYMBOLS and symbol in SYMBOLS and _takes(head, symbol):
@@ -106,7 +129,14 @@ def resolve(text: str) -> Unit:
 
     Raises UnitError for a text that is not a unit, with the nearest names as the hint.
     """
+    whole = text.strip().lower().replace(" ", "_")
+    if " " in text.strip() and whole in NAMES:  # a name of two words: foot lambert
+        unit = resolve(whole)
+        unit.text = text
+        return unit
     top = bottom = 1
+    loose = ""
+    light = False
     dimension = NUMBER
     inverted = 0
     atoms = []
@@ -126,10 +156,17 @@ def resolve(text: str) -> Unit:
         bottom *= unit_bottom ** abs(exponent)
         dimension = tuple([a + exponent * b for a, b in zip(dimension, powers, strict=True)])
         atoms.append((prefix + name, exponent))
-        if below and powers == (1, *NUMBER[1:]):
-            inverted += 1
+        if powers == LENGTH_ALONE and exponent == 1:
+            inverted += below
+            loose = "" if below else spelling
+        light |= bool(powers[COUNT] or powers[LUMINOSITY] or (powers[MASS] and powers[TIME]))
         if name in NOTES and NOTES[name] not in notes:
             notes += (NOTES[name],)
+    if loose and light and "(" not in text:
+        raise UnitError(
+            f"the unit '{quote(text)}' has a length that multiplies light",
+            f"({loose}-1)-1 for a density per wavenumber, {loose}-1 for one per length",
+        )
     return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
 
 
@@ -160,6 +197,10 @@ def _unknown(spelling: str) -> UnitError:
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
         return UnitError(f"'{shown}' is not accepted as a unit", REFUSED[name])
+    folded = spelling.lower()
+    same = [s for s in _prefixed() if s.lower() == folded]
+    if same:
+        return UnitError(f"unknown unit '{shown}'", ", ".join(same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
         for prefix in prefixes:
             rest = text[len(prefix) :]
@@ -179,11 +220,10 @@ def suggest(spelling: str, count: int = 3) -> list[str]:
     """The known spellings nearest to one that is not."""
     spelling = spelling[:60]
     folded = spelling.lower()
-    same = [s for s in _prefixed() if s.lower() == folded]
     near = nearest(folded, NAMES, count, 0.7)
     if len(spelling) <= 4:
         near = nearest(spelling, _prefixed(), count) + near
-    return list(dict.fromkeys(same + near))[:count]
+    return list(dict.fromkeys(near))[:count]
 
 
 def _prefixed() -> list[str]:
