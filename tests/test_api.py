@@ -101,7 +101,9 @@ def test_an_unknown_name_is_an_attribute_error():
         radcalc.nothing  # noqa: B018
 
 
-@pytest.mark.parametrize("name", ["radcalc", "radcalc.api", "radcalc.spectra.observers"])
+@pytest.mark.parametrize(
+    "name", ["radcalc", "radcalc.api", "radcalc.spectra.observers", "radcalc.spectra.arrays"]
+)
 def test_the_examples_in_the_docstrings_run(name):
     result = doctest.testmod(importlib.import_module(name), raise_on_error=False)
     assert result.attempted > 0

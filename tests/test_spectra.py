@@ -4,17 +4,22 @@ import math
 from itertools import pairwise
 
 import mpmath
+import numpy as np
 import pytest
+from conftest import run
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radcalc import spectra
 from radcalc.errors import RadcalcError
+from radcalc.laws.mesopic import solve
+from radcalc.laws.spectrum import spectrum as describe
 from radcalc.spectra import planck
 from radcalc.spectra.files import read_file
 from radcalc.spectra.integrals import clip, integral, weighted
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.sources import names, spectrum
-from radcalc.spectra.spectrum import WHOLE
+from radcalc.spectra.spectrum import WHOLE, Table
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
 MICROMOLE = 6.02214076e17
@@ -255,3 +260,144 @@ def test_repairs_are_said(tmp_path):
     notes = " ".join(read_file(str(path)).notes)
     for said in ("sorted", "negative", "nanometres", "not all of the visible"):
         assert said in notes
+
+
+def test_arrays_of_spectra_give_what_each_spectrum_gives():
+    grid = np.linspace(390, 720, 34)
+    cube = np.random.default_rng(1).random((3, 4, 34))
+    lumens = spectra.luminous(grid, cube)
+    efficacies = spectra.luminous_efficacy(grid, cube, limits=(400, 700))
+    assert lumens.shape == efficacies.shape == (3, 4)
+    for index in np.ndindex(3, 4):
+        table = Table("", list(grid), list(cube[index]))
+        seen = PHOTOPIC.maximum * table.seen(PHOTOPIC)
+        assert lumens[index] == pytest.approx(seen, rel=1e-12)
+        assert efficacies[index] == pytest.approx(seen / table.power((400, 700)), rel=1e-12)
+
+
+def test_dask_arrays_stay_lazy_and_give_the_same():
+    import dask.array
+
+    grid = np.linspace(380, 780, 41)
+    cube = np.random.default_rng(2).random((20, 30, 41))
+    lazy = dask.array.from_array(cube, chunks=(5, 10, 41))
+    for function in (spectra.luminous, spectra.luminous_efficacy):
+        result = function(grid, lazy)
+        assert isinstance(result, dask.array.Array)
+        np.testing.assert_allclose(result.compute(), function(grid, cube), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("grid", "shape", "observer"),
+    [
+        ([500.0, 400.0], (2,), "photopic"),
+        ([400.0, 500.0], (3,), "photopic"),
+        ([400.0], (1,), "photopic"),
+        ([-1.0, 500.0], (2,), "photopic"),
+        ([400.0, 500.0], (2,), "owl"),
+    ],
+)
+def test_arrays_that_do_not_fit_are_refused(grid, shape, observer):
+    with pytest.raises(RadcalcError):
+        spectra.luminous(grid, np.ones(shape), observer)
+
+
+def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
+    grid = np.linspace(300, 1100, 20001)
+    values = np.exp(-(((grid - 550) / 80) ** 2))
+    path = tmp_path / "large.csv"
+    header = "wavelength (nm),E (W/m2/nm)"
+    np.savetxt(path, np.c_[grid, values], fmt="%.10g", delimiter=",", header=header, comments="")
+    assert path.stat().st_size > 2**18
+    large = read_file(str(path))
+    small = Table("", grid.tolist(), values.tolist())
+    assert large.absolute == "irradiance"
+    for limits in (WHOLE, (400, 700), (555.5, 555.6), (2000, 3000)):
+        assert large.power(limits) == pytest.approx(small.power(limits), rel=1e-8)
+        assert large.photons(limits) == pytest.approx(small.photons(limits), rel=1e-8)
+    assert large.seen(PHOTOPIC) == pytest.approx(small.seen(PHOTOPIC), rel=1e-8)
+    assert large.peak() == pytest.approx(small.peak(), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [("nan,1", "'nan' is not a number"), ("300,1", "stands in line"), ("700", "1 columns"),
+     ("700,x", "'x' is not a number")],
+)  # fmt: skip
+def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tmp_path):
+    path = tmp_path / "large.csv"
+    rows = [f"{300 + i / 50},1.000000001" for i in range(20000)]
+    path.write_text("\n".join([*rows, line]) + "\n", encoding="utf-8")
+    with pytest.raises(RadcalcError) as caught:
+        read_file(str(path))
+    assert "line 20001" in caught.value.message
+    assert message in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("luminance", "ratio", "mesopic", "m"),
+    [
+        (0.1, 2.0, 0.13096, 0.4727),  # CIE 191, MES2
+        (10.0, 2.0, 10.0, 1.0),
+        (0.001, 1.0, 0.001, 0.0),
+    ],
+)
+def test_mesopic_luminance_is_the_fixed_point(luminance, ratio, mesopic, m):
+    got, adapted = solve(luminance, ratio)
+    assert got == pytest.approx(mesopic, abs=5e-6)
+    assert adapted == pytest.approx(m, abs=5e-5)
+
+
+@given(st.floats(1e-5, 100), st.floats(0.2, 5))
+def test_the_mesopic_solution_is_consistent(luminance, ratio):
+    # CIE 191:2010: m = 0.7670 + 0.3334 log10 L_mes, between 0.005 and 5 cd/m2
+    mesopic, m = solve(luminance, ratio)
+    assert 0 <= m <= 1
+    if 0.0051 < mesopic < 4.99:
+        assert m == pytest.approx(0.7670 + 0.3334 * math.log10(mesopic), abs=1e-9)
+
+
+def results(text: str, **ranges) -> dict[str, float]:
+    return {v.name: v.si for v in describe(spectrum(text), **ranges)[0]}
+
+
+def test_a_spectrum_is_described():
+    # the nominal sun of 5772 K: Wien 502.04 nm, Stefan-Boltzmann 6.2939e7 W/m2
+    sun = results("blackbody:5772K")
+    assert sun["peak-wavelength"] == pytest.approx(2.897771955e-3 / 5772, rel=1e-9)
+    assert sun["exitance"] == pytest.approx(5.670374419e-8 * 5772**4, rel=1e-9)
+    assert sun["radiance"] == pytest.approx(sun["exitance"] / math.pi, rel=1e-14)
+    assert sun["cct"] == pytest.approx(5772, abs=1)
+    # CIE 15: A is x 0.4476, y 0.4074, 2856 K and, as its own reference, Ra 100
+    a = results("A")
+    assert (a["x"], a["y"]) == pytest.approx((0.4476, 0.4074), abs=5e-5)
+    assert a["cct"] == pytest.approx(2856, abs=1)
+    assert a["cri"] == pytest.approx(100, abs=0.05)
+    assert a["sp-ratio"] == pytest.approx(1.41, abs=0.005)
+    d65 = results("D65")
+    assert (d65["x"], d65["y"]) == pytest.approx((0.3127, 0.3290), abs=5e-5)
+    # CIE 15, table of fluorescent lamps: F2 4230 K, Ra 64; F11 4000 K, Ra 83
+    for name, temperature, rendering in (("F2", 4230, 64), ("F11", 4000, 83)):
+        lamp = results(name)
+        assert lamp["cct"] == pytest.approx(temperature, abs=10)
+        assert lamp["cri"] == pytest.approx(rendering, abs=1)
+
+
+def test_a_range_has_its_share_and_its_efficacy():
+    half = results("band:500nm:600nm", limits=(500, 550))
+    assert half["range-fraction"] == pytest.approx(0.5)
+    assert half["range-start"] == pytest.approx(500e-9)
+    whole = results("gaussian:530nm,30nm")
+    assert whole["fwhm"] == pytest.approx(30e-9, rel=1e-3)
+    assert whole["centroid-wavelength"] == pytest.approx(530e-9, rel=1e-9)
+    assert "cct" not in whole  # green is no white
+
+
+def test_no_power_in_the_range_is_refused():
+    with pytest.raises(RadcalcError, match="no power"):
+        describe(spectrum("band:500nm:600nm"), limits=(700, 800))
+
+
+def test_colour_science_says_nothing_on_standard_error():
+    done = run("spectrum", "LED-B3", "-g", "cri", "-q")
+    assert (done.returncode, done.stderr) == (0, "")

@@ -17,7 +17,13 @@ KEEPERS = {
     "rich": ("radcalc.render.table",),
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.compile", "radcalc.spectra.colorimetry"),
-    "numpy": ("radcalc.maths", "radcalc.spectra.observers"),
+    "numpy": (
+        "radcalc.maths",
+        "radcalc.api",
+        "radcalc.spectra.observers",
+        "radcalc.spectra.arrays",
+        "radcalc.spectra.files",
+    ),
 }
 # Imports point downwards: a layer may import those below it.
 LAYERS = [

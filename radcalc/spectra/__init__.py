@@ -1,1 +1,21 @@
-"""Observers, and later sources: what links watts, lumens and photons."""
+"""Observers and sources: what links watts, lumens and photons.
+
+For whole arrays of spectra: `radcalc.spectra.luminous` and `radcalc.spectra.luminous_efficacy`,
+which load NumPy when they are first used.
+"""
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from radcalc.spectra.arrays import luminous, luminous_efficacy
+
+__all__ = ["luminous", "luminous_efficacy"]
+
+
+def __getattr__(name: str) -> "Any":
+    if name in __all__:
+        from radcalc.spectra import arrays
+
+        return getattr(arrays, name)
+    raise AttributeError(f"module 'radcalc.spectra' has no attribute '{name}'")

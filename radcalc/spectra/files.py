@@ -3,10 +3,12 @@
 What can be read in one way only is read, and said; everything else is an error with its line.
 """
 
+import os
 import sys
 from collections.abc import Iterator
 from itertools import pairwise
 from operator import lt
+from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.quantities import RADIANT, WAVELENGTH, read
@@ -16,6 +18,7 @@ from radcalc.units.table import resolve
 UNITS = {"nm": 1.0, "um": 1e3, "micron": 1e3, "microns": 1e3, "angstrom": 0.1, "angstroms": 0.1,
          "å": 0.1, "a": 0.1, "m": 1e9}  # fmt: skip
 DELIMITERS = ("\t", ";", ",")
+LARGE = 1 << 18  # bytes from which a regular file is worth loading NumPy for
 COMMENTS = ("#", "%", "//", ";;")
 
 
@@ -26,6 +29,10 @@ def read_file(path: str, column: str = "") -> Table:
         if path == "-":
             raw = sys.stdin.buffer.read()
         else:
+            if os.path.getsize(path) > LARGE:
+                table = _large(name, path, column)
+                if table is not None:
+                    return table
             with open(path, "rb") as file:
                 raw = file.read()
     except OSError as error:
@@ -42,6 +49,46 @@ def read_file(path: str, column: str = "") -> Table:
     return _Reader(name, text.splitlines(), column).table()
 
 
+def _large(name: str, path: str, column: str) -> Table | None:
+    """Read a large, regular file with NumPy; None leaves it to the reader that explains."""
+    import numpy
+
+    from radcalc.spectra.arrays import ArrayTable
+
+    with open(path, "rb") as file:
+        head = file.read(LARGE).decode("utf-8-sig", "replace").splitlines()[:-1]
+    reader = _Reader(name, head, column)
+    try:
+        layout = reader.layout()
+        if layout.comma:
+            return None
+        data = numpy.loadtxt(
+            path,
+            delimiter=layout.delimiter,
+            skiprows=layout.first - 1,
+            ndmin=2,
+            encoding="utf-8-sig",
+        )
+    except (ValueError, RadcalcError):
+        return None
+    grid, values = data[:, 0].copy(), data[:, layout.place].copy()
+    regular = numpy.isfinite(grid).all() and numpy.isfinite(values).all()
+    if not regular or not (numpy.diff(grid) > 0).all():
+        return None
+    return reader.finish(grid, values, layout, ArrayTable)
+
+
+class _Layout(NamedTuple):
+    """Where the numbers of a file stand."""
+
+    delimiter: str | None
+    comma: bool
+    header: list[str]
+    first: int  # the line of the first row of data
+    place: int  # the column of the values
+    title: str
+
+
 class _Reader:
     """One file: its delimiter, its header, its columns."""
 
@@ -51,6 +98,7 @@ class _Reader:
         self.column = column
         self.notes: list[str] = []
         self.comments: list[str] = []
+        self.data: list[tuple[int, str]] = []
 
     def error(self, number: int, problem: str, hint: str) -> ConditionError:
         where = f", line {number}" if number else ""
@@ -67,37 +115,54 @@ class _Reader:
                 yield number, line
 
     def table(self) -> Table:
-        rows = list(self.rows())
-        if not rows:
-            raise self.error(0, "there is no data", "two columns: wavelength and value")
-        delimiter, comma = self.dialect(rows[-1][1])
-        header = self.cells(rows[0][1], delimiter)
-        headed = not _is_number(header[0], comma)
-        if headed:
-            rows = rows[1:]
-        else:
-            header = []
-        first = self.cells(rows[0][1], delimiter) if rows else []
+        """The whole file, one line at a time."""
+        layout = self.layout()
+        rows = [(number, line) for number, line in self.data if number >= layout.first]
         if len(rows) < 2:
             raise self.error(0, f"{len(rows)} row of data is no spectrum", "two rows or more")
-        place, title = self.value_column(header, len(first), rows[0][0])
-        grid, values = self.numbers(rows, delimiter, comma, place)
-        scale = self.wavelength_unit(header, min(grid), max(grid))
-        grid = grid if scale == 1 else [x * scale for x in grid]
+        grid, values = self.numbers(rows, layout.delimiter, layout.comma, layout.place)
         grid, values = self.sorted(grid, values, rows)
-        low = min(values)
+        return self.finish(grid, values, layout, Table)
+
+    def layout(self) -> _Layout:
+        """The delimiter, the header and the columns, from the lines there are."""
+        self.data = list(self.rows())
+        if not self.data:
+            raise self.error(0, "there is no data", "two columns: wavelength and value")
+        typical = self.data[min(1, len(self.data) - 1)][1]  # no header, unless it is alone
+        delimiter, comma = self.dialect(typical)
+        header = self.cells(self.data[0][1], delimiter)
+        rows = self.data
+        if _is_number(header[0], comma):
+            header = []
+        else:
+            rows = rows[1:]
+        if not rows:
+            raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
+        width = len(self.cells(rows[0][1], delimiter))
+        place, title = self.value_column(header, width, rows[0][0])
+        return _Layout(delimiter, comma, header, rows[0][0], place, title)
+
+    def finish(self, grid: Any, values: Any, layout: _Layout, kind: type[Table]) -> Table:
+        """Give the numbers their units, and say what was repaired or is odd."""
+        scale = self.wavelength_unit(layout.header, grid[0], grid[-1])
+        low = values.min() if kind is not Table else min(values)
         if low < 0:
-            count = sum(value < 0 for value in values)
+            count = int(sum(value < 0 for value in values))
             self.notes.append(f"{count} negative values (down to {low:g}) are kept as noise")
         if not any(values):
             raise self.error(0, "every value is 0", "a spectrum with light in it")
+        absolute, factor = self.absolute(layout.title)
+        if kind is Table:
+            grid = grid if scale == 1 else [x * scale for x in grid]
+            values = values if factor == 1 else [value * factor for value in values]
+        else:
+            grid, values = grid * scale, values * factor
         if grid[0] > 400 or grid[-1] < 700:
             self.notes.append(
                 f"the data covers {grid[0]:g}-{grid[-1]:g} nm, not all of the visible 400-700 nm"
             )
-        absolute, factor = self.absolute(title)
-        values = values if factor == 1 else [value * factor for value in values]
-        return Table(self.name, grid, values, notes=tuple(self.notes), absolute=absolute)
+        return kind(self.name, grid, values, notes=tuple(self.notes), absolute=absolute)
 
     def dialect(self, line: str) -> tuple[str | None, bool]:
         """The delimiter (None: blanks) and whether numbers have a decimal comma."""

@@ -1,0 +1,183 @@
+"""Spectra as arrays: a large file, or a whole image of spectra on one grid.
+
+The same integrals as `integrals.py`, as weights: since a spectrum is linear between its points,
+each of its counts in watts, lumens or photons is a weighted sum of its values.  Whatever
+speaks NumPy's protocols is served, Dask arrays included.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from radcalc.errors import ConditionError, quote
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.spectrum import WHOLE, Range, Table
+
+
+def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
+    """Weights w with w @ S the integral of S times a table, both linear between their points.
+
+    Parameters
+    ----------
+    grid : array of shape (n,)
+        Rising wavelengths of the spectrum.
+    nodes, heights : arrays of shape (m,)
+        The table; nothing is counted outside it.
+
+    Returns
+    -------
+    array of shape (n,)
+        By the trapezoid on the union of both grids.
+    """
+    low, high = max(grid[0], nodes[0]), min(grid[-1], nodes[-1])
+    if low >= high:
+        return np.zeros(len(grid))
+    inner = np.asarray(nodes)[(nodes > low) & (nodes < high)]
+    first, last = np.searchsorted(grid, (low, high))
+    part = grid[first : last + 1]
+    part = part[(part >= low) & (part <= high)]
+    union = np.insert(part, np.searchsorted(part, inner), inner)
+    union = np.concatenate(([low], union, [high]))  # a step of no width changes nothing
+    steps = np.diff(union)
+    share = np.zeros(len(union))
+    share[:-1] += steps / 2
+    share[1:] += steps / 2
+    share *= np.interp(union, nodes, heights)
+    cell = np.clip(np.searchsorted(grid, union, side="right") - 1, 0, len(grid) - 2)
+    upper = (union - grid[cell]) / (grid[cell + 1] - grid[cell])
+    size = len(grid)
+    below = np.bincount(cell, share * (1 - upper), minlength=size)
+    return below + np.bincount(cell + 1, share * upper, minlength=size)
+
+
+def power_weights(grid: Any, limits: Range = WHOLE) -> Any:
+    """Weights of the integral of a spectrum between two wavelengths; see `product_weights`."""
+    low, high = max(grid[0], limits[0]), min(grid[-1], limits[1])
+    return product_weights(grid, np.array([low, high]), np.ones(2))
+
+
+class ArrayTable(Table):
+    """A spectrum of very many points."""
+
+    def power(self, limits: Range) -> float:
+        """See `Spectrum`."""
+        grid, values = self._part(limits)
+        return float(np.trapezoid(values, grid))
+
+    def weigh(self, start: int, weights: Sequence[float]) -> float:
+        """See `Spectrum`."""
+        nodes = np.arange(start, start + len(weights), dtype=float)
+        return float(product_weights(self.grid, nodes, np.asarray(weights)) @ self.values)
+
+    def photons(self, limits: Range) -> float:
+        """See `Spectrum`."""
+        grid, values = self._part(limits)
+        a, b, p, q = grid[:-1], grid[1:], values[:-1], values[1:]
+        moments = (b - a) * (2 * (a * p + b * q) + a * q + b * p)
+        return float(moments.sum()) / 6 * 1e-9 / (PLANCK * LIGHT)
+
+    def _part(self, limits: Range) -> tuple[Any, Any]:
+        grid, values = np.asarray(self.grid), np.asarray(self.values)
+        low, high = max(grid[0], limits[0]), min(grid[-1], limits[1])
+        if low >= high:
+            return np.zeros(0), np.zeros(0)
+        inner = (grid > low) & (grid < high)
+        ends = np.interp([low, high], grid, values)
+        return (
+            np.concatenate(([low], grid[inner], [high])),
+            np.concatenate((ends[:1], values[inner], ends[1:])),
+        )
+
+
+def _grid(wavelengths: Any, spectra: Any) -> Any:
+    grid = np.asarray(wavelengths, dtype=float)
+    if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0) or not grid[0] > 0:
+        raise ConditionError("the wavelengths do not rise", "a rising array of two or more [nm]")
+    if spectra.shape[-1:] != grid.shape:
+        raise ConditionError(
+            f"spectra of shape {spectra.shape} do not go with {len(grid)} wavelengths",
+            "spectra of shape (..., n) for n wavelengths",
+        )
+    return grid
+
+
+def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
+    """Lumens of spectra on a common grid.
+
+    Parameters
+    ----------
+    wavelengths : array of shape (n,)
+        Rising wavelengths in standard air [nm].
+    spectra : array of shape (..., n)
+        Spectral radiant quantity [W/nm, W/m2/nm, W/m2/sr/nm ...].
+    observer : str
+        One of `radcalc.spectra.observers.OBSERVERS`.
+
+    Returns
+    -------
+    array of shape (...)
+        The luminous quantity [lm, lx, cd/m2 ...].
+
+    Raises
+    ------
+    radcalc.errors.ConditionError
+        Shapes that do not fit, or wavelengths that do not rise.
+
+    Notes
+    -----
+    .. math:: K_m \\int S(\\lambda) V(\\lambda) d\\lambda
+
+    by the trapezoid on the union of both grids, both being linear between their points.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> round(float(luminous([554.0, 555.0, 556.0], np.array([0.0, 1.0, 0.0]))), 1)
+    683.0
+    """
+    grid = _grid(wavelengths, spectra)
+    return spectra @ _luminous_weights(grid, observer)
+
+
+def _luminous_weights(grid: Any, observer: str) -> Any:
+    if observer not in OBSERVERS:
+        raise ConditionError(f"there is no observer '{quote(observer)}'", ", ".join(OBSERVERS))
+    eye = OBSERVERS[observer]
+    nodes = np.arange(eye.start, eye.end + 1, dtype=float)
+    return eye.maximum * product_weights(grid, nodes, np.array(eye.values))
+
+
+def luminous_efficacy(
+    wavelengths: Any, spectra: Any, observer: str = "photopic", limits: Range = WHOLE
+) -> Any:
+    """Luminous efficacy of radiation of spectra on a common grid.
+
+    Parameters
+    ----------
+    wavelengths, spectra, observer
+        As in `luminous`.
+    limits : (float, float)
+        Where watts are counted [nm]; the whole grid by default.
+
+    Returns
+    -------
+    array of shape (...)
+        Lumens per watt.
+
+    Raises
+    ------
+    radcalc.errors.ConditionError
+        As in `luminous`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> float(luminous_efficacy([380.0, 780.0], np.ones((2, 2)))[0]) < 683
+    True
+    """
+    grid = _grid(wavelengths, spectra)
+    both = np.stack([_luminous_weights(grid, observer), power_weights(grid, limits)], axis=1)
+    counted = spectra @ both  # in one pass over the spectra
+    return counted[..., 0] / counted[..., 1]

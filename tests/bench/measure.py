@@ -1,0 +1,33 @@
+"""Commands and functions that take turns; the median of each is compared."""
+
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+RADCALC = str(Path(sys.executable).with_name("radcalc"))
+
+
+def command(*words: str) -> Callable[[], object]:
+    """A command run into a pipe."""
+    return lambda: subprocess.run(words, capture_output=True, check=False)
+
+
+def seconds(action: Callable[[], object]) -> float:
+    """One run."""
+    start = time.perf_counter()
+    action()
+    return time.perf_counter() - start
+
+
+def report(
+    name: str, ours: Callable[[], object], theirs: Callable[[], object], aim: float, runs: int
+) -> bool:
+    """Print the ratio of the medians after a warm-up; say whether it meets the aim."""
+    seconds(ours), seconds(theirs)
+    pairs = [(seconds(ours), seconds(theirs)) for _ in range(runs)]
+    mine, other = (statistics.median(side) for side in zip(*pairs, strict=True))
+    print(f"{name}: {mine * 1e3:.1f} ms / {other * 1e3:.1f} ms = {mine / other:.2f} (aim {aim})")
+    return mine / other <= aim
