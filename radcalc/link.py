@@ -12,6 +12,7 @@ from itertools import product
 from radcalc import conditions as c
 from radcalc.conditions import Factor, Given
 from radcalc.errors import ConditionError, ConversionError, RadcalcError, quote
+from radcalc.factors import kinds, space
 from radcalc.maths import any_true
 from radcalc.quantities import (
     FREQUENCY,
@@ -101,13 +102,13 @@ class _Search:
         """Note that a condition is missing."""
         self.missing[slot] = WANTED[slot]
 
-    def wavelength(self) -> c.Light | None:
+    def wavelength(self) -> kinds.Light | None:
         """The wavelength given, or None; used, with its observer where it is one of light seen."""
         given = self.given.get(c.LINK)
         if given is None or given.option.name != "wavelength":
             return None
         self.used.add(c.LINK)
-        return c.light(given, self.given.get("observer"))
+        return kinds.light(given, self.given.get("observer"))
 
     def heading(self) -> str:
         return f"cannot convert {describe(self.source)} to {describe(self.target)}"
@@ -161,9 +162,14 @@ def _unlike(search: _Search) -> RadcalcError:
             f"{search.heading()}: no condition links them, but a photon has both",
             f"radcalc photon 1{quote(search.source.text)}, with your number",
         )
+    hint = "radcalc units UNIT, which shows what a unit measures"
+    if notes := search.source.notes + search.target.notes:
+        hint = "; ".join(notes)
+    elif search.target.atoms and all(power < 0 for _, power in search.target.atoms):
+        both = f"{search.source.text} {search.target.text}"
+        hint = f"quotes around '{quote(both)}', if that is one unit"
     return ConversionError(
-        f"{search.heading()}: they are different quantities, and no condition links them",
-        "radcalc units UNIT, which shows what a unit measures",
+        f"{search.heading()}: they are different quantities, and no condition links them", hint
     )
 
 
@@ -175,14 +181,14 @@ def _kind(search: _Search, start: Reading, end: Reading) -> Links:
     if light is not None:
         if LUMINOUS in (start.kind, end.kind):
             search.use("observer")
-        return [(c.kind_factor(light, end.kind, start.kind), 1)]
+        return [(kinds.kind_factor(light, end.kind, start.kind), 1)]
     given = search.use(c.LINK)
     if given is None:
         search.want(KIND)
         return []
     if given.option.name == "spectrum":
         return [(_spectral(search, given, start, end), 1)]
-    factor = c.given_ratio(given, end.kind, start.kind)
+    factor = kinds.given_ratio(given, end.kind, start.kind)
     if factor is None:
         raise ConditionError(
             f"--efficacy {given.text} does not link {KIND_NAMES[start.kind]} "
@@ -203,14 +209,14 @@ def _spectral(search: _Search, given: Given, start: Reading, end: Reading) -> Fa
             f"{search.heading()}: --spectrum links whole bands, not spectral densities",
             "--wavelength LAMBDA for a density",
         )
-    kinds = {start.kind, end.kind}
-    return c.spectral_factor(
+    both = {start.kind, end.kind}
+    return kinds.spectral_factor(
         given,
         end.kind,
         start.kind,
-        search.use("range") if RADIANT in kinds else None,
-        search.use("photon-range") if PHOTON in kinds else None,
-        search.use("observer") if LUMINOUS in kinds else None,
+        search.use("range") if RADIANT in both else None,
+        search.use("photon-range") if PHOTON in both else None,
+        search.use("observer") if LUMINOUS in both else None,
     )
 
 
@@ -226,22 +232,22 @@ def _axis(search: _Search, start: Reading, end: Reading) -> Links:
         search.want(PER_LENGTH if strip else c.BAND)
         return []
     of_kind = search.given.get(c.LINK) if start.kind != end.kind else None
-    width = c.bandwidth(band, of_kind)
+    width = kinds.bandwidth(band, of_kind)
     if end.axis == NONE:
-        return [*_jacobian(search, start.axis, c.band_axis(band)), (width, 1)]
-    return [(width, -1), *_jacobian(search, c.band_axis(band), end.axis)]
+        return [*_jacobian(search, start.axis, kinds.band_axis(band)), (width, 1)]
+    return [(width, -1), *_jacobian(search, kinds.band_axis(band), end.axis)]
 
 
 def _jacobian(search: _Search, start: str, end: str) -> Links:
     if start == end:
         return []
     if {start, end} == {FREQUENCY, WAVENUMBER}:
-        return [(c.jacobian(None, start, end), 1)]
+        return [(kinds.jacobian(None, start, end), 1)]
     light = search.wavelength()
     if light is None:
         search.want(AXIS)
         return []
-    return [(c.jacobian(light, start, end), 1)]
+    return [(kinds.jacobian(light, start, end), 1)]
 
 
 def _time(search: _Search, start: Reading, end: Reading) -> Links:
@@ -252,7 +258,7 @@ def _time(search: _Search, start: Reading, end: Reading) -> Links:
     if given is None:
         search.want(c.TIME)
         return []
-    return [(c.duration(given), end.time - start.time)]
+    return [(space.duration(given), end.time - start.time)]
 
 
 def _pupil(search: _Search, start: Reading, end: Reading) -> Links:
@@ -263,7 +269,7 @@ def _pupil(search: _Search, start: Reading, end: Reading) -> Links:
     if given is None:
         search.want(c.PUPIL)
         return []
-    return [(c.pupil(given), 1 if end.retinal else -1)]
+    return [(space.pupil(given), 1 if end.retinal else -1)]
 
 
 def ways(start: Reading, end: Reading) -> list[dict[str, int]]:
@@ -373,7 +379,7 @@ def _disc(search: _Search, forward: bool) -> Links:
     if {c.CONE, c.REFLECTANCE} & set(search.given):
         return []
     search.used |= {c.AREA_SLOT, c.DISTANCE}
-    factor = c.disc(source, distance, search.use("incidence"))
+    factor = space.disc(source, distance, search.use("incidence"))
     return [_checked(factor, 1 if forward else -1)]
 
 
@@ -383,16 +389,16 @@ def _apply(search: _Search, way: dict[str, int], radiance: bool) -> Links:
         given = search.use(slot)
         assert given is not None
         if slot == c.AREA_SLOT:
-            factor = c.area(given)
+            factor = space.area(given)
             if radiance and c.DISTANCE in way:
-                c.far_field(factor, search.given[c.DISTANCE])
+                space.far_field(factor, search.given[c.DISTANCE])
         elif slot == c.CONE:
             projected = _is_projected(way, radiance)
-            factor = c.projected_solid_angle(given) if projected else c.solid_angle(given)
+            factor = space.projected_solid_angle(given) if projected else space.solid_angle(given)
         elif slot == c.DISTANCE:
-            factor = c.inverse_square(given, search.use("incidence"))
+            factor = space.inverse_square(given, search.use("incidence"))
         else:
-            factor = c.reflector(given)
+            factor = space.reflector(given)
         links.append(_checked(factor, power))
     return links
 

@@ -33,6 +33,7 @@ LAYERS = [
     ["radcalc.laws"],
     ["radcalc.conversion"],
     ["radcalc.link"],
+    ["radcalc.factors"],
     ["radcalc.conditions", "radcalc.series"],
     ["radcalc.spectra", "radcalc.result"],
     ["radcalc.quantities"],

@@ -74,12 +74,7 @@ def _conditions(command: Any) -> Any:
 def command(
     words: tuple[str, ...],
     steps: bool,
-    number: bool,
-    format_: str | None,
-    json_: bool,
-    precision: int | None,
-    color: str,
-    quiet: bool,
+    shown: output.Output,
     **conditions: Any,
 ) -> None:
     """Convert between units, and between quantities under a condition.
@@ -97,7 +92,6 @@ def command(
     quantity is shown.  A condition's value carries its unit and is one word (2m, 30deg); one
     of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
     """
-    shown = output.decide(format_, json_, number, precision, color, quiet)
     typed = {
         name.replace("_", "-"): text
         for name, text in conditions.items()
@@ -109,7 +103,7 @@ def command(
     if not target_text:
         if steps:
             raise UsageError("--steps needs a unit to convert to", "a TARGET unit")
-        shown.show([every_unit(value, source, typed, number)])
+        shown.show([every_unit(value, source, typed, shown.number)])
         return
     target = resolve(target_text)
     shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])

@@ -32,12 +32,7 @@ def command(
     spectrum_: str | None,
     wanted: tuple[str, ...],
     steps: bool,
-    number: bool,
-    format_: str | None,
-    json_: bool,
-    precision: int | None,
-    color: str,
-    quiet: bool,
+    shown: output.Output,
 ) -> None:
     """Give the mesopic luminance of CIE 191:2010, between night and day.
 
@@ -46,7 +41,6 @@ def command(
       radcalc mesopic --luminance 0.1cd/m2 --sp-ratio 2
       radcalc mesopic --luminance 0.5cd/m2 --spectrum LED-B3
     """
-    shown = output.decide(format_, json_, number, precision, color, quiet)
     if luminance is None:
         raise UsageError("a luminance is missing", "--luminance 0.1cd/m2")
     if (sp_ratio is None) == (spectrum_ is None):

@@ -3,7 +3,8 @@
 import os
 import sys
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple, TypeVar
+from functools import wraps
+from typing import Any, NamedTuple
 
 import click
 
@@ -11,10 +12,7 @@ from radcalc import console
 from radcalc.errors import UsageError
 from radcalc.result import Result
 
-Command = TypeVar("Command", bound=Callable[..., Any])
-
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
-OUTPUT = "Output"
 
 
 class Output(NamedTuple):
@@ -67,35 +65,51 @@ def width() -> int:
     return shutil.get_terminal_size((80, 24)).columns
 
 
-def options(command: Command) -> Command:
-    """Add the output options to a command."""
-    for option in reversed(
-        (
-            click.option("-n", "--number", is_flag=True, help="Bare numbers only."),
-            click.option(
-                "--format",
-                "format_",
-                type=click.Choice([TABLE, PLAIN, JSON, CSV]),
-                help="Default: a table on a terminal, plain text elsewhere.",
-            ),
-            click.option("--json", "json_", is_flag=True, help="Short for --format json."),
-            click.option(
-                "--precision",
-                type=click.IntRange(1, 17),
-                metavar="N",
-                help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
-            ),
-            click.option(
-                "--color",
-                type=click.Choice(["auto", "always", "never"]),
-                default="auto",
-                help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
-            ),
-            click.option("-q", "--quiet", is_flag=True, help="No notes or assumptions."),
-        )
-    ):
-        command = option(command)
-    return command
+def options(function: Callable[..., None]) -> Callable[..., None]:
+    """Add the output options to a command, which is called with what they decide: `shown`."""
+
+    @wraps(function)
+    def decided(
+        *args: Any,
+        number: bool,
+        format_: str | None,
+        json_: bool,
+        precision: int | None,
+        color: str,
+        quiet: bool,
+        **others: Any,
+    ) -> None:
+        shown = decide(format_, json_, number, precision, color, quiet)
+        function(*args, shown=shown, **others)
+
+    for option in reversed(OPTIONS):
+        decided = option(decided)
+    return decided
+
+
+OPTIONS = (
+    click.option("-n", "--number", is_flag=True, help="Bare numbers only."),
+    click.option(
+        "--format",
+        "format_",
+        type=click.Choice([TABLE, PLAIN, JSON, CSV]),
+        help="Default: a table on a terminal, plain text elsewhere.",
+    ),
+    click.option("--json", "json_", is_flag=True, help="Short for --format json."),
+    click.option(
+        "--precision",
+        type=click.IntRange(1, 17),
+        metavar="N",
+        help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
+    ),
+    click.option(
+        "--color",
+        type=click.Choice(["auto", "always", "never"]),
+        default="auto",
+        help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
+    ),
+    click.option("-q", "--quiet", is_flag=True, help="No notes or assumptions."),
+)
 
 
 def decide(

@@ -30,12 +30,7 @@ def command(
     observer: str | None,
     wanted: tuple[str, ...],
     steps: bool,
-    number: bool,
-    format_: str | None,
-    json_: bool,
-    precision: int | None,
-    color: str,
-    quiet: bool,
+    shown: output.Output,
 ) -> None:
     """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
 
@@ -50,7 +45,6 @@ def command(
     The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is looked up
     in the eye's tables as it is; the others are first turned into a wavelength in standard air.
     """
-    shown = output.decide(format_, json_, number, precision, color, quiet)
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
     seen_by = give("observer", observer) if observer else None

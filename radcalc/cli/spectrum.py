@@ -55,12 +55,7 @@ def command(
     photon_range: str | None,
     wanted: tuple[str, ...],
     steps: bool,
-    number: bool,
-    format_: str | None,
-    json_: bool,
-    precision: int | None,
-    color: str,
-    quiet: bool,
+    shown: output.Output,
 ) -> None:
     """Describe a spectrum: peak, width, efficacies, photons, colour.
 
@@ -75,7 +70,6 @@ def command(
     SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
     band:LOW:HIGH, a file, or - for standard input.
     """
-    shown = output.decide(format_, json_, number, precision, color, quiet)
     if list_:
         console.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
         return

@@ -14,12 +14,7 @@ from radcalc.listing import Entry, entry, quantity_names, search
 @output.options
 def command(
     words: tuple[str, ...],
-    number: bool,
-    format_: str | None,
-    json_: bool,
-    precision: int | None,
-    color: str,
-    quiet: bool,
+    shown: output.Output,
 ) -> None:
     """List the units, with their definitions and sources.
 
@@ -30,9 +25,8 @@ def command(
       radcalc units lambert            the units with that in their name
       radcalc units cd/m2              what a unit measures, and its fellows
     """
-    shown = output.decide(format_, json_, number, precision, color, quiet)
-    if number or precision:
-        useless = "-n" if number else "--precision"
+    if shown.number or shown.precision:
+        useless = "-n" if shown.number else "--precision"
         raise UsageError(f"{useless} has no use with units", "radcalc units alone")
     found = search(" ".join(words)) or _same_quantity(" ".join(words))
     header = ("unit", "symbols", "quantity", "definition", "source", "note")
@@ -54,7 +48,7 @@ def command(
     elif shown.format == output.TABLE:
         from radcalc.render.table import draw
 
-        notes = [f"note: {e.note}" for e in found if e.note and not quiet]
+        notes = [f"note: {e.note}" for e in found if e.note and not shown.quiet]
         console.write(
             draw(header[:5], [row[:5] for row in rows], notes, output.width(), shown.color)
         )

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from radcalc import conditions as c
 from radcalc.conditions import ENERGY, LENGTH, PHOTON_ENERGY, Given, show
+from radcalc.factors import kinds
 from radcalc.quantities import AXIS, FREQUENCY, LUMINOUS, RADIANT, RATIOS, WAVENUMBER
 from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
@@ -19,7 +19,7 @@ def photon(given: Given, observer: Given | None = None) -> Answer:
     Returns the values, what was assumed, the notes and the steps.  The wavelength, frequency,
     wavenumber and energy are those in vacuum; the eye's tables are in standard air.
     """
-    light = c.light(given, observer)
+    light = kinds.light(given, observer)
     vacuum, energy = light.vacuum, light.photon_energy
     seen = light.observer
     scotopic = OBSERVERS["scotopic"]
@@ -68,18 +68,18 @@ def _seen(name: str, wavelength: Any, observer: Observer) -> list[Value]:
     ]
 
 
-def _assumptions(light: c.Light) -> list[str]:
+def _assumptions(light: kinds.Light) -> list[str]:
     eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
     text = light.given.text
     air = f"{text} is {show(light.table * 1e9)} nm in standard air"
     both = "the wavelength is that in vacuum"
     if light.given.dimension == LENGTH:
-        both = f"{c.VACUUM.format(text)}, and looked up in the eye's tables as it is"
+        both = f"{kinds.VACUUM.format(text)}, and looked up in the eye's tables as it is"
         return [both, *eyes]
     return [f"{both}; {air}, where the eye's tables are", *eyes]
 
 
-def _steps(light: c.Light) -> list[Step]:
+def _steps(light: kinds.Light) -> list[Step]:
     nanometres = f"{show(light.vacuum * 1e9)} nm"
     source = "SI Brochure: exact h and c"
     return [

@@ -4,7 +4,9 @@ import math
 from functools import cache
 from typing import Any
 
-from radcalc.conditions import PAR, PHOTON_ENERGY, TEMPERATURE
+from radcalc.conditions import PHOTON_ENERGY, TEMPERATURE
+from radcalc.errors import ConditionError
+from radcalc.factors.kinds import PAR
 from radcalc.quantities import AXIS, LUMINOUS, PHOTON, RADIANT, RATIOS, WAVELENGTH, light_dimension
 from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer
@@ -40,8 +42,6 @@ def spectrum(
     eye, night = OBSERVERS[observer], OBSERVERS["scotopic"]
     watts = source.power(watts_in)
     if not watts > 0:
-        from radcalc.errors import ConditionError
-
         raise ConditionError(f"there is no power in {range_text(watts_in)}", "another --range")
     lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
     values = [

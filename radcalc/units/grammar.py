@@ -366,7 +366,9 @@ class _Scanner:
                 raise self.error("has an exponent that is not a whole number", "a whole number")
             self.at += 1
         if not caret and (self.peek().isalpha() or self.peek() == "("):
-            raise self.error("runs two units together", "one number and one unit, such as 1.5h")
+            raise self.error(
+                "runs two units together", "a space or a dot between them, and one number"
+            )
         if len(number) > 3:
             raise self.error("has an exponent too large", f"at most {MAX_EXPONENT}")
         if self.peek() in ("^", "⁻") or self.text.startswith("**", self.at):

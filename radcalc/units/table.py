@@ -207,13 +207,21 @@ def _unknown(spelling: str) -> UnitError:
             if text.startswith(prefix) and (rest in SYMBOLS or rest.lower() in NAMES):
                 return UnitError(
                     f"unknown unit '{shown}': the prefix {prefix} does not go before {quote(rest)}",
-                    f"{quote(rest)}, with the power of ten in the number",
+                    _respelt(PREFIX_SYMBOLS.get(prefix, prefix), rest),
                 )
     near = suggest(spelling)
     return UnitError(
         f"unknown unit '{shown}'",
         ", ".join(near) if near else "radcalc units, which lists them all",
     )
+
+
+def _respelt(prefix: str, rest: str) -> str:
+    """The unit with its prefix in full, where it takes it, else without."""
+    name = NAMES.get(rest.lower(), "")
+    if name and prefix in UNITS[name][3]:
+        return prefix + rest.lower()
+    return f"{rest}, with the power of ten in the number"
 
 
 def suggest(spelling: str, count: int = 3) -> list[str]:
