@@ -13,13 +13,13 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from typing import Any
 
-    from radcalc.api import Quantity, convert
+    from radcalc.api import Quantity, convert, explain
 
-__all__ = ["Quantity", "__version__", "convert"]
+__all__ = ["Quantity", "__version__", "convert", "explain"]
 
 
 def __getattr__(name: str) -> "Any":
-    if name in ("Quantity", "convert"):
+    if name in ("Quantity", "convert", "explain"):
         from radcalc import api
 
         return getattr(api, name)

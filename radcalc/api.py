@@ -3,8 +3,9 @@
 from typing import Any
 
 from radcalc.conditions import OPTIONS, Given, give
-from radcalc.conversion import plan
+from radcalc.conversion import Plan, answer, plan
 from radcalc.errors import ConditionError, UnitError, quote
+from radcalc.result import Result
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
@@ -42,13 +43,50 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     >>> print(convert("800 lm", "cd", half_angle="60deg").round(3))
     254.648 candela
     """
+    made, magnitude = _plan(value, target, conditions)
+    return Quantity(made.apply(magnitude), light_registry().container(made.target))
+
+
+def explain(value: Any, target: str, **conditions: Any) -> Result:
+    """Convert as `convert` does, and give what was assumed, noted and derived with the value.
+
+    Parameters
+    ----------
+    value, target, **conditions
+        As in `convert`; a single value, no array.
+
+    Returns
+    -------
+    radcalc.result.Result
+        With `rows`, `assumptions`, `notes` and `steps`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As in `convert`.
+
+    Examples
+    --------
+    >>> explain("800 lm", "cd", isotropic=True).assumptions
+    ('uniform over 4 pi sr (isotropic)',)
+    """
+    made, magnitude = _plan(value, target, conditions)
+    return answer(made, float(magnitude), steps=True)
+
+
+def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any]:
+    """The plan that both need, and the magnitude to apply it to."""
+    if not isinstance(target, str):
+        raise UnitError(
+            f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
+        )
     if isinstance(value, str):
         value = light_registry().parse_expression(value)
     elif not _is_quantity(value):
         value = Quantity(value, "1")
     given = [_given(name, condition) for name, condition in conditions.items()]
     made = plan(from_container(value._units), resolve(target), [g for g in given if g])
-    return Quantity(made.apply(value.magnitude), light_registry().container(made.target))
+    return made, value.magnitude
 
 
 def _is_quantity(value: Any) -> bool:

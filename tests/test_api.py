@@ -84,6 +84,20 @@ def test_pint_itself_refuses_what_differs_by_an_angle_a_cycle_or_the_eye(one, ot
         Q(1, one).to(other)
 
 
+def test_what_was_assumed_can_be_had_from_python():
+    result = radcalc.explain("1 W", "lm", wavelength="300nm")
+    assert result.rows[0].value == 0
+    assert "CIE 1924" in result.assumptions[0]
+    assert "nothing is seen" in result.notes[0]
+    assert result.steps[-1].law == "conversion"
+    assert "1055.05585262 J" in radcalc.explain("1 Btu", "J").notes[0]
+
+
+def test_a_fractional_power_is_refused():
+    with pytest.raises(UnitError, match="not a whole number"):
+        radcalc.convert(Q(4.0, "lx") ** 0.5, "1")
+
+
 def test_pint_arithmetic_works_in_radcalcs_units():
     assert (Q(1, "klm") + Q(1, "lm")).to("lm").magnitude == pytest.approx(1001)
     assert (Q(12, "lm") / Q(4, "sr")).to("cd").magnitude == pytest.approx(3)

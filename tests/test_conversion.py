@@ -13,8 +13,9 @@ from radcalc.units.table import resolve
 
 FOOT, INCH = Fraction("0.3048"), Fraction("0.0254")
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")
-# (units, the exact value of the first in the second), from the definitions of the units:
-# the international foot and inch, the SI Brochure, GNU units' definitions file of 2022.
+# (units, the exact value of the first in the second), from the definitions of the units: the
+# international foot and inch, the SI Brochure, GNU units' definitions file of 2022, and for the
+# sun the nominal values of IAU 2015 resolution B3.
 EXACT = [
     ("fc", "lx", 1 / FOOT**2),
     ("phot", "lx", Fraction(10**4)),
@@ -61,7 +62,73 @@ EXACT = [
     ("mi", "km", Fraction("1.609344")),
     ("angstrom", "nm", Fraction(1, 10)),
     ("acre", "ft2", Fraction(43560)),
+    ("micron", "nm", Fraction(1000)),
+    ("yard", "m", 3 * FOOT),
+    ("nautical_mile", "m", Fraction(1852)),
+    ("thou", "in", Fraction(1, 1000)),
+    ("light_second", "m", Fraction(299792458)),
+    ("parsec", "m", 648000 * Fraction(149597870700) / PI),
+    ("solar_radius", "km", Fraction(695700)),
+    ("hectare", "m2", Fraction(10**4)),
+    ("sqft", "m2", FOOT**2),
+    ("sqm", "cm2", Fraction(10**4)),
+    ("litre", "cm3", Fraction(1000)),
+    ("percent", "1", Fraction(1, 100)),
+    ("permille", "1", Fraction(1, 1000)),
+    ("ppm", "ppb", Fraction(1000)),
+    ("min", "s", Fraction(60)),
+    ("h", "min", Fraction(60)),
+    ("d", "h", Fraction(24)),
+    ("week", "d", Fraction(7)),
+    ("yr", "d", Fraction(1461, 4)),
+    ("arcmin", "deg", Fraction(1, 60)),
+    ("mas", "arcsec", Fraction(1, 1000)),
+    ("hour_angle", "deg", Fraction(15)),
+    ("sqdeg", "deg2", Fraction(1)),
+    ("hemisphere", "sr", 2 * PI),
+    ("lb", "g", Fraction("453.59237")),
+    ("oz", "g", Fraction("28.349523125")),
+    ("tonne", "kg", Fraction(1000)),
+    ("rpm", "Hz", Fraction(1, 60)),
+    ("K", "mK", Fraction(1000)),
+    ("Wh", "Ws", Fraction(3600)),
+    ("cal_th", "J", Fraction("4.184")),
+    ("Btu_it", "J", Fraction("1055.05585262")),
+    ("Btu_th", "cal_th", Fraction("453.59237") / Fraction("1.8")),
+    ("foot_pound", "J", Fraction("1.3558179483314004")),
+    ("hp", "W", Fraction("745.69987158227022")),
+    ("solar_luminosity", "W", Fraction("3.828e26")),
+    ("solar_constant", "W/m2", Fraction(1361)),
+    ("sfu", "Jy", Fraction(10**4)),
+    ("cp", "cd", Fraction(1)),
+    ("decimal_candle", "cd", Fraction("1.0085")),
+    ("carcel_974", "cd", Fraction("9.74")),
+    ("carcel_961", "cd", Fraction("9.61")),
+    ("hefner_0903", "cd", Fraction("0.903")),
+    ("hefner_0918", "cd", Fraction("0.918")),
+    ("international_candle_10187", "cd", Fraction("1.0187")),
+    ("international_candle_102", "cd", Fraction("1.02")),
+    ("milliphot", "lx", Fraction(10)),
+    ("mcs", "lx.s", Fraction(1)),
+    ("lxs", "lx.s", Fraction(1)),
+    ("lxh", "lx.s", Fraction(3600)),
+    ("footcandle_second", "lx.s", 1 / FOOT**2),
+    ("footcandle_hour", "footcandle_second", Fraction(3600)),
+    ("radlux", "lm/m2", Fraction(1)),
+    ("radphot", "lm/cm2", Fraction(1)),
+    ("equivalent_lux", "cd/m2", 1 / PI),
+    ("equivalent_phot", "cd/cm2", 1 / PI),
+    ("uL", "L", Fraction(1, 10**6)),
+    ("lumen_second", "talbot", Fraction(1)),
+    ("lmh", "lm.s", Fraction(3600)),
+    ("lumerg_talbot", "talbot", Fraction(1)),
+    ("ktd", "td", Fraction(1000)),
 ]
+
+
+def test_every_unit_has_a_value_from_its_definition():
+    named = {name for row in EXACT for text in row[:2] for name, _ in resolve(text).atoms}
+    assert set(compiled.UNITS) <= named
 
 
 @pytest.mark.parametrize(("source", "target", "value"), EXACT)
@@ -146,8 +213,10 @@ WORKED = [
      2000e-6 * 6.02214076e23 * 6.62607015e-34 * 299792458 / 660e-9, 1e-14, "N_A h c / lambda"),
     (1, "umol/s", "W", {"wavelength": "2eV"},
      6.02214076e17 * 2 * 1.602176634e-19, 1e-14, "2 eV a photon"),
-    (1, "W/m2/nm", "W/m2/THz", {"wavelength": "555nm"}, 1.02746080, 1e-8, "lambda^2 / c"),
-    (1, "W/m2/THz", "W/m2/nm", {"wavelength": "555nm"}, 1 / 1.02746080, 1e-8, "c / lambda^2"),
+    (1, "W/m2/nm", "W/m2/THz", {"wavelength": "555nm"}, 555e-9**2 / 299792458 * 1e21, 1e-14,
+     "lambda^2 / c"),
+    (1, "W/m2/THz", "W/m2/nm", {"wavelength": "555nm"}, 299792458 / 555e-9**2 * 1e-21, 1e-14,
+     "c / lambda^2"),
     (1, "W/m2/um", "W/m2/cm-1", {"wavelength": "10um"}, 0.01, 1e-14, "lambda^2 = 1e-4 um cm"),
     (3, "W/m2/nm", "W/m2", {"bandwidth": "10nm"}, 30, 1e-15, "constant in the band"),
     (30, "W/m2", "W/m2/nm", {"bandwidth": "10nm"}, 3, 1e-15, "constant in the band"),

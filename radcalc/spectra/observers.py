@@ -79,7 +79,11 @@ def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
 
 def _nanometres(wavelength: Number) -> Number:
     """Metres to nanometres, so that 555e-9 m is 555 exactly and falls on the table's point."""
-    return wavelength / 1e-9 if not isinstance(wavelength, float) else round(wavelength * 1e9, 9)
+    if isinstance(wavelength, (int, float)):
+        return round(wavelength * 1e9, 9)
+    import numpy
+
+    return numpy.round(wavelength * 1e9, 9)
 
 
 def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
