@@ -7,7 +7,7 @@ through radcalc's own grammar, never through Pint's parser.
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pint
 from pint.util import UnitsContainer
@@ -18,7 +18,13 @@ from radcalc.units import grammar, table
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
 
-class LightRegistry(pint.UnitRegistry[Any]):
+if TYPE_CHECKING:
+    Registry = pint.UnitRegistry[Any]
+else:
+    Registry = pint.UnitRegistry  # generic in some versions only
+
+
+class LightRegistry(Registry):
     """A Pint registry of the units of light that reads text as `radcalc convert` does."""
 
     closed = False  # until its own definitions are read
@@ -63,6 +69,6 @@ def light_registry() -> LightRegistry:
     return registry
 
 
-def exact_registry() -> pint.UnitRegistry[Any]:
+def exact_registry() -> Registry:
     """Build a registry whose factors are exact fractions, for the compiler and the tests."""
-    return pint.UnitRegistry(str(DEFINITIONS), non_int_type=Fraction, cache_folder=None)
+    return Registry(str(DEFINITIONS), non_int_type=Fraction, cache_folder=None)
