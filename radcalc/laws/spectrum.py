@@ -56,7 +56,10 @@ def spectrum(
         f"photons over {range_text(photons_in)}",
         eye.assumption,
     ]
-    return values, assumptions, list(source.notes), _steps(lumens, watts, eye)
+    notes = list(source.notes)
+    if not lumens:
+        notes.append("nothing of this spectrum is seen")
+    return values, assumptions, notes, _steps(lumens, watts, eye)
 
 
 def _number(name: str, label: str, symbol: str, value: Any, unit: str = "1") -> Value:

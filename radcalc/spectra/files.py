@@ -189,7 +189,7 @@ class _Reader:
                 raise self.error(
                     number,
                     f"there are {width - 1} columns of values",
-                    f"--column with one of: {named}",
+                    f"{self.name}:COLUMN (or --column) with one of: {named}",
                 )
             return 1, titles[1]
         if self.column in titles[1:]:
@@ -255,6 +255,8 @@ class _Reader:
                 words = words.replace(sign, " ")
             for word in words.split():
                 if word in UNITS:
+                    if word != "nm":
+                        self.notes.append(f"the wavelengths are in {word}, as declared")
                     return UNITS[word]
         if 100 <= low < 2000 and high <= 20000:
             self.notes.append("the wavelengths are taken as nanometres, from their size")

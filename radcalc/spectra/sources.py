@@ -11,6 +11,7 @@ from radcalc.spectra.spectrum import BlackBody, Lines, Range, Spectrum, Table
 from radcalc.units.grammar import split_quantity
 from radcalc.units.table import resolve
 
+SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 VISIBLE: Range = (380.0, 780.0)
 KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
@@ -24,7 +25,7 @@ HINT = "D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file (radcalc sp
 def spectrum(text: str, column: str = "") -> Spectrum:
     """Read the text of a source: a kind with its parameters, a name, or a file's path.
 
-    `column` chooses the values of a file with several.
+    `column`, or FILE:COLUMN, chooses the values of a file with several.
     """
     text = text.strip()
     if column and find_named(text):
@@ -39,6 +40,11 @@ def spectrum(text: str, column: str = "") -> Spectrum:
         from radcalc.spectra.files import read_file
 
         return read_file(text, column)
+    path, colon, name = text.rpartition(":")
+    if colon and (path == "-" or os.path.exists(path)):
+        from radcalc.spectra.files import read_file
+
+        return read_file(path, column or name)
     raise _unknown(text)
 
 
@@ -147,7 +153,10 @@ def wavelength(parameter: str, text: str) -> float:
         raise _malformed(text, "wavelengths such as 632.8nm")
     if unit.dimension == FREQUENCY:
         return float(standard_air_wavelength(LIGHT / (value * unit.factor))) * 1e9
-    return round(value * unit.factor * 1e9, 9)
+    nanometres = value * unit.factor * 1e9
+    if not SHORTEST <= nanometres <= LONGEST:
+        raise _malformed(text, f"wavelengths from {SHORTEST:g}nm to {LONGEST:g}nm")
+    return round(nanometres, 9)
 
 
 def _line(part: str, text: str) -> tuple[float, float]:
