@@ -49,6 +49,8 @@ def spectrum(text: str, column: str = "") -> Spectrum:
 
 
 def _unknown(text: str) -> RadcalcError:
+    if "/" in text or text.lower().endswith((".csv", ".txt", ".tsv", ".dat")):
+        return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     known = {fold(name): name for name in names()}
     near = [known[f] for f in nearest(fold(text), known, 3)]
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
