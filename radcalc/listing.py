@@ -10,6 +10,7 @@ from radcalc.quantities import (
     RADIANT,
     WAVELENGTH,
     WAVENUMBER,
+    is_per_length,
     name_of,
     read,
 )
@@ -36,6 +37,7 @@ AXES = {
     FREQUENCY: ("/Hz", "/THz"),
     WAVENUMBER: ("/cm-1",),
 }
+PER_LENGTH = ("/m", "/cm", "/ft")
 PREFIXES = "km"
 COMPOSED = {
     "length": ("m", "cm", "um", "nm"),
@@ -64,11 +66,8 @@ def composed(unit: Unit) -> list[str]:
         heads, per_angle = CANDELAS[reading.time], ""
     areas = [(head, area) for head in heads for area in AREAS[reading.area]]
     areas += [(heads[0], area) for area in CUSTOMARY_AREAS[reading.area]]
-    return [
-        head + area + per_angle + per_time + axis
-        for head, area in areas
-        for axis in AXES[reading.axis]
-    ]
+    axes = PER_LENGTH if is_per_length(unit) else AXES[reading.axis]
+    return [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
 
 
 def units_of(unit: Unit) -> list[str]:
