@@ -306,14 +306,15 @@ def _is_physical(slots: set[str], radiance: bool) -> bool:
 def _space(search: _Search, start: Reading, end: Reading) -> Links:
     """Between flux, intensity, irradiance and radiance."""
     radiance = start.is_radiance or end.is_radiance
-    same_area = start.area == end.area
-    if radiance and same_area and start.solid_angle != end.solid_angle:
+    exitance = is_exitance(search.source) or is_exitance(search.target)
+    across = start.area == end.area and start.solid_angle != end.solid_angle
+    if radiance and across and not exitance:
         seen = _disc(search, end.solid_angle < start.solid_angle)
         if seen:
             return seen
     given = set(SPATIAL) & set(search.given)
     open_ways = ways(start, end)
-    if is_exitance(search.source) or is_exitance(search.target):  # leaves the source's surface
+    if exitance:  # it leaves the source's surface: nothing is on the way yet
         open_ways = [way for way in open_ways if not {c.DISTANCE, c.REFLECTANCE} & set(way)]
     inside = [way for way in open_ways if set(way) <= given]
     if len(inside) > 1:
@@ -352,8 +353,7 @@ def _want_space(
     extending = [
         way for way in possible if given and given < way and way in (*SUGGESTED, pair, far)
     ]
-    sensible = [way for way in possible if way in SUGGESTED or way == pair]
-    sensible = sensible or possible
+    sensible = [way for way in possible if way in SUGGESTED or way == pair] or possible
     alternatives: dict[str, str] = {}
     if radiance and given == {c.DISTANCE} and {c.AREA_SLOT, c.DISTANCE} in possible:
         search.used.add(c.DISTANCE)
@@ -366,8 +366,8 @@ def _want_space(
         phrases, hints = zip(*(WANTED[slot] for slot in needed), strict=True)
         alternatives[" and ".join(phrases)] = " with ".join(hints)
     plain = all(" and " not in phrase for phrase in alternatives)
-    self_evident = (" or " if plain else ", or ").join(alternatives)
-    search.missing[c.CONE] = (self_evident, ", or ".join(alternatives.values()))
+    phrase = (" or " if plain else ", or ").join(alternatives)
+    search.missing[c.CONE] = (phrase, ", or ".join(alternatives.values()))
 
 
 def _disc(search: _Search, forward: bool) -> Links:
