@@ -8,7 +8,7 @@ the business of `link.py`.
 from typing import Any, NamedTuple
 
 from radcalc import maths
-from radcalc.errors import ConditionError, NumberError, quote
+from radcalc.errors import ConditionError, NumberError, RadcalcError, quote
 from radcalc.quantities import (
     AREA,
     AXIS,
@@ -275,8 +275,9 @@ def _read_text(option: Option, text: str) -> Any:
         from radcalc.spectra.sources import spectrum
 
         return spectrum(text)
-    ends = [give("wavelength", end) for end in text.split(":")]
-    if len(ends) != 2 or any(end.dimension != LENGTH for end in ends):
+    parts = text.split(":")
+    ends = [give("wavelength", end) for end in parts] if all(map(_is_length, parts)) else []
+    if len(ends) != 2:
         raise ConditionError(
             f"--{option.name} {quote(text)} is not a range of wavelengths",
             f"--{option.name} {option.example}",
@@ -287,6 +288,14 @@ def _read_text(option: Option, text: str) -> Any:
             f"--{option.name} {quote(text)} ends before it starts", f"{ends[1].text}:{ends[0].text}"
         )
     return low, high
+
+
+def _is_length(text: str) -> bool:
+    try:
+        value, unit = split_quantity(text)
+        return value > 0 and bool(unit) and resolve(unit).dimension == LENGTH
+    except RadcalcError:
+        return False
 
 
 def _split(option: Option, text: str) -> tuple[float, str]:

@@ -10,6 +10,7 @@ from radcalc.quantities import describe
 from radcalc.series import read_series
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.sources import spectrum
+from radcalc.spectra.spectrum import Spectrum
 from radcalc.units.grammar import parse_number, split_quantity
 from radcalc.units.table import resolve
 
@@ -46,13 +47,24 @@ def command(
     if (sp_ratio is None) == (spectrum_ is None):
         problem = "is missing" if sp_ratio is None else "is given twice"
         raise UsageError(f"the S/P ratio {problem}", "--sp-ratio 2 or --spectrum LED-B3")
-    ratio = parse_number(sp_ratio) if sp_ratio else _ratio_of(spectrum_ or "")
+    said: list[str] = []
+    noted: list[str] = []
+    if spectrum_:
+        source = spectrum(spectrum_)
+        ratios = [_ratio_of(source)]
+        said, noted = [f"the S/P ratio of {source.label}"], list(source.notes)
+    else:
+        ratios = [parse_number(text) for text in read_series(sp_ratio or "")]
     texts = read_series(luminance)
+    if len(texts) > 1 and len(ratios) > 1:
+        raise ConditionError("--luminance and --sp-ratio are both lists", "a list for one of them")
     answers = []
     for text in texts:
-        values, assumptions, notes, derivation = mesopic(_luminance(text), ratio)
-        case = text if len(texts) > 1 else ""
-        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
+        for ratio in ratios:
+            values, assumptions, notes, derivation = mesopic(_luminance(text), ratio)
+            case = text if len(texts) > 1 else f"S/P {ratio:g}" if len(ratios) > 1 else ""
+            told = said + assumptions, noted + notes, derivation if steps else []
+            answers.append((case, (values, *told)))
     calculator.show(answers, wanted, shown)
 
 
@@ -70,10 +82,9 @@ def _luminance(text: str) -> float:
     return value * unit.factor
 
 
-def _ratio_of(text: str) -> float:
-    source = spectrum(text)
+def _ratio_of(source: Spectrum) -> float:
     day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
     seen = day.maximum * source.seen(day)
     if not seen > 0:
-        raise ConditionError(f"nothing of {quote(text)} is seen", "another spectrum")
+        raise ConditionError(f"nothing of {quote(source.label)} is seen by day", "another spectrum")
     return night.maximum * source.seen(night) / seen

@@ -131,6 +131,16 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
 PAR = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
+def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) -> None:
+    """Refuse watts of so small a part that all the lumens would come from too few of them."""
+    if efficacy > eye.maximum * (1 + 1e-9):
+        raise ConditionError(
+            f"{range_text(watts_in)} leaves out most of the watts that are seen: "
+            f"{efficacy:.6g} lm/W is more than any light gives",
+            "a wider --range",
+        )
+
+
 def spectral_factor(
     given: Given,
     over: str,
@@ -143,7 +153,7 @@ def spectral_factor(
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
     everywhere = WHOLE if source.counts_all_photons else PAR
-    watts_in = limits.value if limits else source.limits
+    watts_in = source.within(limits.value if limits else source.limits)
     photons_in = photon_limits.value if photon_limits else everywhere
     amounts: dict[str, float] = {}
     said = [f"spectrum {source.label}"]
@@ -162,6 +172,8 @@ def spectral_factor(
             f"--spectrum {quote(given.text)} has nothing that counts there: {'; '.join(said[1:])}",
             "another spectrum or range",
         )
+    if {over, under} == {RADIANT, LUMINOUS}:
+        too_narrow(amounts[LUMINOUS] / amounts[RADIANT], seen_by, watts_in)
     value = amounts[over] / amounts[under]
     watts, lumens, photons = (amounts.get(kind, 1.0) for kind in (RADIANT, LUMINOUS, PHOTON))
     if PHOTON not in amounts:

@@ -10,6 +10,7 @@ from radcalc.units.table import NUMBER
 LUMINANCE = light_dimension(LUMINOUS, (0, 1, 1), "")
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
 A, B, SCOTOPIC_AT_555 = 0.7670, 0.3334, 683 / 1699
+HIGHEST_RATIO = 73.0  # no wavelength of the tables has more
 PHOTOPIC_FROM, SCOTOPIC_TO = 5.0, 0.005  # cd/m2
 
 
@@ -52,8 +53,10 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
 
 def mesopic(luminance: float, ratio: float) -> Answer:
     """Mesopic luminance from photopic luminance [cd/m2] and the S/P ratio of the light."""
-    if not luminance > 0 or not ratio > 0:
-        raise ConditionError("luminance and S/P ratio must be more than 0", "values above 0")
+    if not 0 < luminance <= 1e12:
+        raise ConditionError("the luminance is not possible here", "more than 0, up to 1e12 cd/m2")
+    if not 0 < ratio <= HIGHEST_RATIO:
+        raise ConditionError(f"an S/P ratio of {ratio:g} is not possible", "more than 0, up to 73")
     seen, m = solve(luminance, ratio)
     values = [
         Value("mesopic-luminance", "mesopic luminance", "L_mes", seen, (LUMINANCE,), ("cd/m2",)),

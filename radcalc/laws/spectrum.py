@@ -4,9 +4,9 @@ import math
 from functools import cache
 from typing import Any
 
-from radcalc.conditions import PHOTON_ENERGY, TEMPERATURE
+from radcalc.conditions import ENERGY, PHOTON_ENERGY, TEMPERATURE
 from radcalc.errors import ConditionError
-from radcalc.factors.kinds import PAR
+from radcalc.factors.kinds import PAR, too_narrow
 from radcalc.quantities import AXIS, LUMINOUS, PHOTON, RADIANT, RATIOS, WAVELENGTH, light_dimension
 from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer
@@ -37,13 +37,14 @@ def spectrum(
     Watts are counted over `limits` [nm] (the source's own where None), photons over
     `photon_limits` (400 nm to 700 nm, all of them for lines).
     """
-    watts_in = limits or source.limits
+    watts_in = source.within(limits or source.limits)
     photons_in = photon_limits or (WHOLE if source.counts_all_photons else PAR)
     eye, night = OBSERVERS[observer], OBSERVERS["scotopic"]
     watts = source.power(watts_in)
     if not watts > 0:
         raise ConditionError(f"there is no power in {range_text(watts_in)}", "another --range")
     lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
+    too_narrow(lumens / watts, eye, watts_in)
     values = [
         *_shape(source, watts_in, watts),
         *_efficacies(lumens, dark, watts, eye),
@@ -113,7 +114,7 @@ def _photons(source: Spectrum, limits: Range, lumens: float, watts: float) -> li
     mean = source.power(limits) / photons
     per_joule, per_photon = RATIOS[PHOTON, RADIANT], RATIOS[LUMINOUS, PHOTON]
     energy = Value(
-        "photon-energy", "mean photon energy", "Q", mean, (PHOTON_ENERGY,), ("eV/photon",)
+        "photon-energy", "mean photon energy", "Q", mean, (PHOTON_ENERGY, ENERGY), ("eV",)
     )
     efficacy = Value(
         "photon-efficacy", "photon efficacy", "K_p", photons / watts, (per_joule,), ("umol/J",)

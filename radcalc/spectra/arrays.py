@@ -92,8 +92,14 @@ class ArrayTable(Table):
 
 
 def _grid(wavelengths: Any, spectra: Any) -> Any:
+    """The wavelengths as an array, if they are fit for the spectra."""
     grid = np.asarray(wavelengths, dtype=float)
-    if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0) or not grid[0] > 0:
+    if (
+        grid.ndim != 1
+        or len(grid) < 2
+        or not np.all(np.diff(grid) > 0)
+        or not 0 < grid[0] <= grid[-1] < np.inf
+    ):
         raise ConditionError("the wavelengths do not rise", "a rising array of two or more [nm]")
     if spectra.shape[-1:] != grid.shape:
         raise ConditionError(
@@ -137,6 +143,7 @@ def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
     >>> round(float(luminous([554.0, 555.0, 556.0], np.array([0.0, 1.0, 0.0]))), 1)
     683.0
     """
+    spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = _grid(wavelengths, spectra)
     return spectra @ _luminous_weights(grid, observer)
 
@@ -164,7 +171,7 @@ def luminous_efficacy(
     Returns
     -------
     array of shape (...)
-        Lumens per watt.
+        Lumens per watt; NaN for a spectrum without power.
 
     Raises
     ------
@@ -177,7 +184,10 @@ def luminous_efficacy(
     >>> float(luminous_efficacy([380.0, 780.0], np.ones((2, 2)))[0]) < 683
     True
     """
+    spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = _grid(wavelengths, spectra)
+    if not max(limits[0], grid[0]) < min(limits[1], grid[-1]):
+        raise ConditionError(f"the limits {limits} hold nothing of the grid", "limits [nm] in it")
     both = np.stack([_luminous_weights(grid, observer), power_weights(grid, limits)], axis=1)
     counted = spectra @ both  # in one pass over the spectra
     return counted[..., 0] / counted[..., 1]

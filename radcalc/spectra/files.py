@@ -4,6 +4,7 @@ What can be read in one way only is read, and said; everything else is an error 
 """
 
 import os
+import re
 import sys
 from collections.abc import Iterator
 from itertools import pairwise
@@ -15,10 +16,26 @@ from radcalc.quantities import RADIANT, WAVELENGTH, read
 from radcalc.spectra.spectrum import Table
 from radcalc.units.table import resolve
 
-UNITS = {"nm": 1.0, "um": 1e3, "micron": 1e3, "microns": 1e3, "angstrom": 0.1, "angstroms": 0.1,
-         "å": 0.1, "a": 0.1, "m": 1e9}  # fmt: skip
-DELIMITERS = ("\t", ";", ",")
+UNITS = {
+    "nm": 1.0,
+    "nanometre": 1.0,
+    "nanometer": 1.0,
+    "um": 1e3,
+    "micron": 1e3,
+    "micrometre": 1e3,
+    "micrometer": 1e3,
+    "angstrom": 0.1,
+    "å": 0.1,
+    "mm": 1e6,
+    "m": 1e9,
+}
+# A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
+DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
+BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
+DELIMITERS = ("\t", ";", "|", ",")
 LARGE = 1 << 18  # bytes from which a regular file is worth loading NumPy for
+NOISE = 0.05  # of the peak: negative values within it are a spectrometer's noise
+LARGEST = 1 << 29  # bytes
 COMMENTS = ("#", "%", "//", ";;")
 
 
@@ -34,7 +51,11 @@ def read_file(path: str, column: str = "") -> Table:
                 if table is not None:
                     return table
             with open(path, "rb") as file:
-                raw = file.read()
+                raw = file.read(LARGEST)
+                if file.read(1):
+                    raise ConditionError(
+                        f"{name} is too large to be explained", "a regular table of numbers"
+                    )
     except OSError as error:
         raise ConditionError(
             f"cannot read {name}: {error.strerror}", "a file with a spectrum"
@@ -44,7 +65,7 @@ def read_file(path: str, column: str = "") -> Table:
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         raise ConditionError(
-            f"{name}, line {line}: not UTF-8 text", "a text file in UTF-8"
+            f"{name}, line {line}: not UTF-8 text", "the file in UTF-8 (iconv converts it)"
         ) from None
     return _Reader(name, text.splitlines(), column).table()
 
@@ -66,6 +87,7 @@ def _large(name: str, path: str, column: str) -> Table | None:
             path,
             delimiter=layout.delimiter,
             skiprows=layout.first - 1,
+            comments=None,
             ndmin=2,
             encoding="utf-8-sig",
         )
@@ -76,6 +98,15 @@ def _large(name: str, path: str, column: str) -> Table | None:
     if not regular or not (numpy.diff(grid) > 0).all():
         return None
     return reader.finish(grid, values, layout, ArrayTable)
+
+
+# The radiant quantity by the powers of 1/area and 1/solid angle.
+QUANTITIES = {
+    (0, 0): "flux",
+    (0, 1): "intensity",
+    (1, 0): "irradiance",
+    (1, 1): "radiance",
+}
 
 
 class _Layout(NamedTuple):
@@ -140,13 +171,24 @@ class _Reader:
         if not rows:
             raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
         width = len(self.cells(rows[0][1], delimiter))
+        self.check_titles(header)
         place, title = self.value_column(header, width, rows[0][0])
         return _Layout(delimiter, comma, header, rows[0][0], place, title)
+
+    def check_titles(self, header: list[str]) -> None:
+        """Refuse a first column that says it is something else than wavelengths."""
+        titles = [_plain(title) for title in header]
+        if any(DECLARED.match(title) or title.startswith("wavelength") for title in titles[1:]):
+            raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
+        if titles and any(word in titles[0] for word in ("freq", "energy", "wavenumber")):
+            raise self.error(0, f"'{quote(header[0])}' is no wavelength", "wavelengths first")
 
     def finish(self, grid: Any, values: Any, layout: _Layout, kind: type[Table]) -> Table:
         """Give the numbers their units, and say what was repaired or is odd."""
         scale = self.wavelength_unit(layout.header, grid[0], grid[-1])
         low = values.min() if kind is not Table else min(values)
+        if low < -NOISE * max(values):
+            raise self.error(0, f"a value of {low:g}: too far below 0 for noise", "no dark light")
         if low < 0:
             count = int(sum(value < 0 for value in values))
             self.notes.append(f"{count} negative values (down to {low:g}) are kept as noise")
@@ -166,7 +208,7 @@ class _Reader:
 
     def dialect(self, line: str) -> tuple[str | None, bool]:
         """The delimiter (None: blanks) and whether numbers have a decimal comma."""
-        for delimiter in DELIMITERS[:2]:
+        for delimiter in DELIMITERS[:3]:
             if delimiter in line:
                 return delimiter, "," in line
         if "," in line:
@@ -206,7 +248,7 @@ class _Reader:
     ) -> tuple[list[float], list[float]]:
         """Both columns as numbers; the slow way only to say what is wrong, and where."""
         try:
-            if comma:
+            if comma or not all(line.isascii() and "_" not in line for _, line in rows):
                 raise ValueError
             split = [line.split(delimiter) for _, line in rows]
             width = len(split[0])
@@ -248,16 +290,20 @@ class _Reader:
         """Nanometres per unit of the first column: declared, or plain from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
-        declared = header[:1] + [c for c in self.comments if "wavelength" in c.lower()]
-        for text in declared:
-            words = text.lower().replace("µ", "u").replace("μ", "u")
-            for sign in "()[]/,:;_=":
-                words = words.replace(sign, " ")
-            for word in words.split():
-                if word in UNITS:
-                    if word != "nm":
-                        self.notes.append(f"the wavelengths are in {word}, as declared")
-                    return UNITS[word]
+        titles = [_plain(title) for title in header]
+        bare = titles[:1] if titles and titles[0].rstrip("s") in UNITS else []
+        for text in titles[:1] + [_plain(comment) for comment in self.comments]:
+            found = DECLARED.search(text)
+            word = found.group(1) if found else ""
+            if text in titles[:1]:
+                bracket = BRACKETED.search(text)
+                word = bracket.group(1) if bracket else text if bare else word
+                if bracket and word.rstrip("s") not in UNITS:
+                    problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
+                    raise self.error(0, problem, "nm, um, angstrom, mm or m")
+            if word.rstrip("s") in UNITS and word != "":
+                self.notes.append(f"the wavelengths are in {word}, as declared")
+                return UNITS[word.rstrip("s")]
         if 100 <= low < 2000 and high <= 20000:
             self.notes.append("the wavelengths are taken as nanometres, from their size")
             return 1.0
@@ -304,19 +350,26 @@ class _Reader:
                 except RadcalcError:  # a title is free text: no unit, no absolute values
                     continue
                 facts = read(unit)
-                if facts and facts.kind == RADIANT and facts.axis == WAVELENGTH and not facts.time:
-                    scale = unit.factor * 1e-9
-                    kinds = {
-                        (0, 0): "flux",
-                        (1, 0): "irradiance",
-                        (1, 1): "radiance",
-                        (0, 1): "intensity",
-                    }
-                    return kinds[facts.area, facts.solid_angle], scale
+                if facts is None or not unit.is_light:
+                    continue  # a percentage, say: relative values
+                if facts.kind == RADIANT and facts.axis == WAVELENGTH and not facts.time:
+                    return QUANTITIES[facts.area, facts.solid_angle], unit.factor * 1e-9
+                raise self.error(
+                    0,
+                    f"values in {quote(text)} are no radiant power per wavelength",
+                    "values in W/m2/nm or the like",
+                )
         return "", 1.0
 
 
+def _plain(text: str) -> str:
+    """A title or a comment in small letters, with one kind of micro."""
+    return text.strip().lower().replace("µ", "u").replace("μ", "u")
+
+
 def _is_number(cell: str, comma: bool) -> bool:
+    if not cell.isascii() or "_" in cell:  # float() would read 5_50 and other scripts' digits
+        return False
     try:
         float(cell.replace(",", ".") if comma else cell)
     except ValueError:

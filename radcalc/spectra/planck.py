@@ -10,6 +10,7 @@ LIGHT = 299792458.0  # m/s
 BOLTZMANN = 1.380649e-23  # J/K
 AVOGADRO = 6.02214076e23  # 1/mol
 C2 = PLANCK * LIGHT / BOLTZMANN  # m K
+SMALL = 0.5  # below it the power series in x = c2/(lambda T) holds to a float's digits
 WIEN_X = 4.9651142317442763  # the root of x = 5 (1 - e^-x): the peak per wavelength
 HALF_X = (2.7325893071213999, 8.096610458229823)  # where x^5/(e^x - 1) is half of that
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
@@ -25,26 +26,41 @@ def spectral_exitance(wavelength: float, temperature: float) -> float:
 
 def exitance(temperature: float, low: float = 0.0, high: float = math.inf) -> float:
     """Radiant exitance of a black body [W/m2] between two wavelengths [m]."""
-    share = _power_beyond(C2 / (high * temperature)) - _power_beyond(
-        C2 / (low * temperature) if low else math.inf
-    )
+    first, last = C2 / (high * temperature), C2 / (low * temperature) if low else math.inf
+    if last < SMALL:
+        share = _power_below(last) - _power_below(first)
+    else:
+        share = _power_beyond(first) - _power_beyond(last)
     return STEFAN_BOLTZMANN * temperature**4 * share
 
 
 def photon_exitance(temperature: float, low: float, high: float) -> float:
     """Photons that a black body radiates between two wavelengths [1/(s m2)]."""
     scale = 2 * math.pi * (BOLTZMANN * temperature / PLANCK) ** 3 / LIGHT**2
-    start = C2 / (low * temperature) if low else math.inf
-    return scale * (_photons_beyond(C2 / (high * temperature)) - _photons_beyond(start))
+    first, last = C2 / (high * temperature), C2 / (low * temperature) if low else math.inf
+    if last < SMALL:
+        return scale * (_photons_below(last) - _photons_below(first))
+    return scale * (_photons_beyond(first) - _photons_beyond(last))
+
+
+def _power_below(x: float) -> float:
+    """15/pi^4 times the integral of t^3/(e^t - 1) from 0 to a small x, by its power series."""
+    series = 1 / 3 - x / 8 + x**2 / 60 - x**4 / 5040 + x**6 / 272160 - x**8 / 13305600
+    return 15 / math.pi**4 * x**3 * series
+
+
+def _photons_below(x: float) -> float:
+    """The integral of t^2/(e^t - 1) from 0 to a small x, by its power series."""
+    series = 1 / 2 - x / 6 + x**2 / 48 - x**4 / 4320 + x**6 / 241920 - x**8 / 12096000
+    return x**2 * series
 
 
 def _power_beyond(x: float) -> float:
     """15/pi^4 times the integral of t^3/(e^t - 1) from x to infinity."""
     if x == math.inf:
         return 0.0
-    if x < 0.5:  # the series in powers of x of what is missing from the whole
-        small = x**3 * (1 / 3 - x / 8 + x**2 / 60 - x**4 / 5040 + x**6 / 272160 - x**8 / 13305600)
-        return 1 - 15 / math.pi**4 * small
+    if x < SMALL:
+        return 1 - _power_below(x)
     total, n = 0.0, 1
     while n * x < 745 and n < 200:
         total += math.exp(-n * x) * (x**3 / n + 3 * x**2 / n**2 + 6 * x / n**3 + 6 / n**4)
@@ -56,11 +72,8 @@ def _photons_beyond(x: float) -> float:
     """The integral of t^2/(e^t - 1) from x to infinity."""
     if x == math.inf:
         return 0.0
-    if x < 0.5:
-        whole = 2 * 1.2020569031595942  # 2 zeta(3)
-        return whole - x**2 * (
-            1 / 2 - x / 6 + x**2 / 48 - x**4 / 4320 + x**6 / 241920 - x**8 / 12096000
-        )
+    if x < SMALL:
+        return 2 * 1.2020569031595942 - _photons_below(x)  # 2 zeta(3) is the whole
     total, n = 0.0, 1
     while n * x < 745 and n < 200:
         total += math.exp(-n * x) * (x**2 / n + 2 * x / n**2 + 2 / n**3)

@@ -28,7 +28,7 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     `column`, or FILE:COLUMN, chooses the values of a file with several.
     """
     text = text.strip()
-    if column and find_named(text):
+    if column and (find_named(text) or (text.partition(":")[0].lower() in KINDS and ":" in text)):
         raise ConditionError(f"--column has no use with {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in KINDS:
@@ -174,5 +174,11 @@ def _gaussian(text: str, centre: float, fwhm: float) -> Table:
     sigma = fwhm / (2 * math.sqrt(2 * math.log(2)))
     points = range(-150, 151)
     pairs = [(centre + i * sigma / 21, math.exp(-((i / 21) ** 2) / 2)) for i in points]
-    pairs = [(x, y) for x, y in pairs if x > 0]
+    if not 1e-6 * centre <= fwhm <= centre:
+        raise _malformed(text, "a width from a millionth of the centre (or line:) to the centre")
+    if pairs[0][0] <= 0:
+        pairs = [
+            (SHORTEST, math.exp(-((centre / sigma) ** 2) / 2)),
+            *(p for p in pairs if p[0] > 1),
+        ]
     return Table(text, [x for x, _ in pairs], [y for _, y in pairs])

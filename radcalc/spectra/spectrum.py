@@ -53,6 +53,10 @@ class Spectrum:
         """Photons per second between two wavelengths."""
         raise NotImplementedError
 
+    def within(self, limits: Range) -> Range:
+        """The part of a range where there is anything known."""
+        return limits
+
     def total(self) -> float:
         """Watts over all there is."""
         return self.power(WHOLE)
@@ -89,6 +93,11 @@ class Table(Spectrum):
         self.grid = grid
         self.values = values
         self.absolute = absolute
+
+    def within(self, limits: Range) -> Range:
+        """See `Spectrum`: nothing is known beyond the data."""
+        low, high = max(limits[0], self.grid[0]), min(limits[1], self.grid[-1])
+        return (low, high) if low < high else limits
 
     def power(self, limits: Range) -> float:
         """See `Spectrum`."""
