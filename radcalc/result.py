@@ -59,10 +59,11 @@ class Value:
     """One result of a calculator, in coherent SI units, with the units it is shown in.
 
     `dimensions` are those of the units in which it may be asked for; the first is its own.  The
-    value may be a function, which is called when it is first looked at.
+    value may be a function, which is called when it is first looked at.  `reach` has the same
+    thing of other kinds, by their dimensions, where the conditions link them.
     """
 
-    __slots__ = ("_si", "dimensions", "label", "name", "symbol", "units")
+    __slots__ = ("_si", "dimensions", "label", "name", "reach", "symbol", "units")
 
     def __init__(
         self,
@@ -72,6 +73,7 @@ class Value:
         si: Any,
         dimensions: tuple[tuple[int, ...], ...],
         units: tuple[str, ...],
+        reach: dict[tuple[int, ...], float] | None = None,
     ) -> None:
         """Hold a result: `name` is what --get takes, `label` what a table shows."""
         self.name = name
@@ -80,6 +82,7 @@ class Value:
         self._si = si
         self.dimensions = dimensions
         self.units = units
+        self.reach = reach or {}
 
     @property
     def si(self) -> Any:

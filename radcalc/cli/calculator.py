@@ -29,13 +29,16 @@ get_option = click.option(
 
 def in_unit(value: Value, unit: Unit) -> float:
     """A value in one of the units it may be asked for."""
-    if unit.dimension not in value.dimensions:
+    amount = value.reach.get(unit.dimension)
+    if unit.dimension in value.dimensions:
+        amount = value.si
+    if amount is None:
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
     si = Unit("SI", 1, 1, unit.dimension, ())
-    return _held(value, float(value.si * exact_ratio(si, unit)))
+    return _held(value, float(amount * exact_ratio(si, unit)))
 
 
 def _held(value: Value, number: float) -> float:

@@ -45,12 +45,13 @@ def spectrum(
         raise ConditionError(f"there is no power in {range_text(watts_in)}", "another --range")
     lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
     too_narrow(lumens / watts, eye, watts_in)
+    amounts = {RADIANT: watts, LUMINOUS: lumens, PHOTON: source.photons(photons_in)}
     values = [
         *_shape(source, watts_in, watts),
         *_efficacies(lumens, dark, watts, eye),
         *_photons(source, photons_in, lumens, watts),
         *_colour(source),
-        *_absolute(source, lumens, watts),
+        *_absolute(source, amounts),
     ]
     assumptions = [
         f"spectrum {source.label}; watts counted over {range_text(watts_in)}, "
@@ -191,30 +192,35 @@ def _uv(x: float, y: float) -> tuple[float, float]:
     return 4 * x / below, 6 * y / below
 
 
-def _absolute(source: Spectrum, lumens: float, watts: float) -> list[Value]:
-    """What an absolute source gives: irradiance and illuminance, or what a black body radiates."""
-    found = []
+def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
+    """What an absolute source gives: irradiance and illuminance, or what a black body radiates.
+
+    `amounts` are its watts, lumens and photons; each result can be asked for in all three kinds.
+    """
     if isinstance(source, BlackBody):
-        parts = [("exitance", "radiant exitance", "M_e", (0, 1, 0), RADIANT, watts, "W/m2")]
-        for name, label, symbol, kind, value, unit in (
-            ("radiance", "radiance", "L_e", RADIANT, watts, "W/m2/sr"),
-            ("luminance", "luminance", "L_v", LUMINOUS, lumens, "cd/m2"),
-        ):
-            parts.append((name, label, symbol, (0, 1, 1), kind, value / math.pi, unit))
-        for name, label, symbol, geometry, kind, value, unit in parts:
-            dimension = light_dimension(kind, geometry, "")
-            found.append(Value(name, label, symbol, value, (dimension,), (unit,)))
-        found.append(
-            Value("temperature", "temperature", "T", source.temperature, (TEMPERATURE,), ("K",))
-        )
+        leaving = {kind: amount / math.pi for kind, amount in amounts.items()}
+        shown = [
+            ("exitance", "radiant exitance", "M_e", (0, 1, 0), RADIANT, amounts, "W/m2"),
+            ("radiance", "radiance", "L_e", (0, 1, 1), RADIANT, leaving, "W/m2/sr"),
+            ("luminance", "luminance", "L_v", (0, 1, 1), LUMINOUS, leaving, "cd/m2"),
+        ]
     elif source.absolute:
         geometry, luminous, unit, luminous_unit = ABSOLUTE[source.absolute]
-        for name, kind, value, text in (
-            (source.absolute, RADIANT, watts, unit),
-            (luminous, LUMINOUS, lumens, luminous_unit),
-        ):
-            dimension = light_dimension(kind, geometry, "")
-            found.append(Value(name, name.replace("-", " "), "", value, (dimension,), (text,)))
+        name, label = source.absolute, luminous.replace("-", " ")
+        shown = [
+            (name, name, "", geometry, RADIANT, amounts, unit),
+            (luminous, label, "", geometry, LUMINOUS, amounts, luminous_unit),
+        ]
+    else:
+        return []
+    found = []
+    for name, label, symbol, geometry, kind, by_kind, unit in shown:
+        reach = {light_dimension(k, geometry, ""): amount for k, amount in by_kind.items()}
+        own = light_dimension(kind, geometry, "")
+        found.append(Value(name, label, symbol, by_kind[kind], (own,), (unit,), reach))
+    if isinstance(source, BlackBody):
+        temperature = source.temperature
+        found.append(Value("temperature", "temperature", "T", temperature, (TEMPERATURE,), ("K",)))
     return found
 
 
