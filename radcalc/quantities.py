@@ -6,19 +6,7 @@ is no graph of conversions: what stands between two quantities is the difference
 """
 
 from radcalc.errors import quote
-from radcalc.units.table import (
-    ANGLE,
-    COUNT,
-    CYCLE,
-    LENGTH,
-    LUMINOSITY,
-    MASS,
-    NUMBER,
-    RETINAL,
-    TIME,
-    Dimension,
-    Unit,
-)
+from radcalc.units.table import BASES, NUMBER, Dimension, Unit
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, WAVELENGTH, FREQUENCY, WAVENUMBER = "", "lambda", "nu", "sigma"
@@ -32,20 +20,9 @@ EXITANCE_UNITS = ("radlux", "radphot")
 
 def powers(**exponents: int) -> Dimension:
     """Write a dimension by the names of its bases."""
-    places = {
-        "length": LENGTH,
-        "mass": MASS,
-        "time": TIME,
-        "temperature": 3,
-        "angle": ANGLE,
-        "cycle": CYCLE,
-        "count": COUNT,
-        "luminosity": LUMINOSITY,
-        "retinal": RETINAL,
-    }
     dimension = list(NUMBER)
     for name, exponent in exponents.items():
-        dimension[places[name]] = exponent
+        dimension[BASES.index(name)] = exponent
     return tuple(dimension)
 
 
@@ -68,7 +45,7 @@ AXIS = {
 SOLID_ANGLE = powers(angle=2)
 AREA = powers(length=2)
 DURATION = powers(time=1)
-TROLAND = powers(retinal=1)
+TROLAND = powers(retinal_illuminance=1)
 RATIOS = {
     (over, under): times(FLUX[over], FLUX[under], -1)
     for over in FLUX
@@ -155,13 +132,6 @@ class Reading:
     def is_radiance(self) -> bool:
         """Whether the quantity is per projected solid angle: radiance, luminance, troland."""
         return bool(self.area and self.solid_angle)
-
-    @property
-    def dimension(self) -> Dimension:
-        """The dimension that these facts make."""
-        if self.retinal:
-            return TROLAND
-        return light_dimension(self.kind, self.geometry, self.axis)
 
     @property
     def name(self) -> str:

@@ -14,20 +14,10 @@ from typing import Any, NamedTuple
 from pint.util import UnitsContainer
 
 from radcalc.units.registry import DEFINITIONS, exact_registry
+from radcalc.units.table import BASES, MASS
 
 HERE = Path(__file__).parent
-BASE_UNITS = {  # dimension in Pint: exponent's place; table.BASES has the same order
-    "[length]": 0,
-    "[mass]": 1,
-    "[time]": 2,
-    "[temperature]": 3,
-    "[angle]": 4,
-    "[cycle]": 5,
-    "[count]": 6,
-    "[luminosity]": 7,
-    "[retinal_illuminance]": 8,
-}
-MASS = 1  # the gram is Pint's base unit, the kilogram the SI's
+BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
 
 
 class Definition(NamedTuple):
@@ -144,7 +134,7 @@ def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
     powers = [0] * len(BASE_UNITS)
     for base, power in registry.get_dimensionality(container).items():
         powers[BASE_UNITS[base]] = int(power)
-    factor = Fraction(factor) / Fraction(1000) ** powers[MASS]
+    factor = Fraction(factor) / Fraction(1000) ** powers[MASS]  # Pint's base is the gram
     return factor.numerator, factor.denominator, tuple(powers)
 
 
