@@ -50,7 +50,7 @@ def quick_lane(words: list[str]) -> int | None:
         if not target:
             return None
         made = plan(resolve(source), resolve(target))
-        text = line(made.apply(value), target, number=number)
+        text = line(made.apply(value), target, bare=number)
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None
     try:

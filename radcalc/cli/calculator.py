@@ -1,8 +1,7 @@
 """What every calculator shares: --get, and turning its values into rows."""
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from collections.abc import Sequence
 
 import click
 
@@ -14,8 +13,6 @@ from radcalc.quantities import describe
 from radcalc.render.plain import number
 from radcalc.result import Answer, Result, Row, Step, Value
 from radcalc.units.table import Unit, resolve
-
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 get_option = click.option(
     "-g",

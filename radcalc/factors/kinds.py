@@ -31,7 +31,7 @@ from radcalc.spectra.observers import (
     standard_air_wavelength,
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
-from radcalc.spectra.spectrum import WHOLE, Spectrum, range_text
+from radcalc.spectra.spectrum import PAR, Spectrum, range_text
 
 
 class Light(NamedTuple):
@@ -105,7 +105,8 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         photons = f"{given.text} is {show(of.vacuum * 1e9)} nm in vacuum"
         said = VACUUM.format(given.text) if is_length else photons
         assumption = "; ".join(filter(None, [assumption, said]))
-        outside = (of.table < 400e-9 * (1 - 1e-12)) | (of.table > 700e-9 * (1 + 1e-12))
+        low, high = (end * 1e-9 for end in PAR)
+        outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
         if maths.any_true(outside):
             notes += (f"{given.text} lies outside 400-700 nm, where PPFD is counted",)
     unit = KIND_UNITS[over, under]
@@ -126,9 +127,6 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             )
         symbol, value = f"(1/{symbol})", 1 / value
     return Factor(symbol, value, unit, assumption, steps, notes)
-
-
-PAR = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
 def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) -> None:
@@ -152,9 +150,9 @@ def spectral_factor(
     """The ratio of two kinds, over / under, of a whole spectrum."""
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    everywhere = WHOLE if source.counts_all_photons else PAR
-    watts_in = source.within(limits.value if limits else source.limits)
-    photons_in = photon_limits.value if photon_limits else everywhere
+    watts_in, photons_in = source.counted(
+        limits.value if limits else None, photon_limits.value if photon_limits else None
+    )
     amounts: dict[str, float] = {}
     said = [f"spectrum {source.label}"]
     for kind in (over, under):
@@ -223,23 +221,19 @@ def given_ratio(given: Given, over: str, under: str) -> Factor | None:
     value = positive(given)
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
-    if pair in ((LUMINOUS, RADIANT), (RADIANT, LUMINOUS)):
-        efficacy = value if pair[0] == LUMINOUS else 1 / value
-        limit = OBSERVERS["photopic"].maximum
-        if maths.any_true(efficacy > limit * (1 + 1e-12)):
+    if LUMINOUS in pair:
+        if RADIANT in pair:
+            most, shown = OBSERVERS["photopic"].maximum, "{:g} lm/W"
+            scale, advice = 1.0, "683lm/W"
+        else:
+            most, shown = _most_lumens_per_photon(), "{:.4g} lm s/umol"
+            scale, advice = AVOGADRO * 1e-6, "147lm.s/umol"
+        lumens_per = value if pair[0] == LUMINOUS else 1 / value
+        if maths.any_true(lumens_per > most * (1 + 1e-12)):
             raise ConditionError(
                 f"--efficacy {quote(given.text)} is not possible: no light gives more than "
-                f"{limit:g} lm/W",
-                "an efficacy of up to 683lm/W",
-            )
-    if LUMINOUS in pair and PHOTON in pair:
-        per_photon = value if pair[0] == LUMINOUS else 1 / value
-        most = _most_lumens_per_photon()
-        if maths.any_true(per_photon > most * (1 + 1e-9)):
-            raise ConditionError(
-                f"--efficacy {quote(given.text)} is not possible: no light gives more than "
-                f"{most * AVOGADRO * 1e-6:.4g} lm s/umol",
-                "an efficacy of up to 147lm.s/umol",
+                f"{shown.format(most * scale)}",
+                f"an efficacy of up to {advice}",
             )
     text = f"an efficacy of {given.text}, as given"
     if pair == (over, under):

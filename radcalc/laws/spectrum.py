@@ -6,7 +6,7 @@ from typing import Any
 
 from radcalc.conditions import ENERGY, PHOTON_ENERGY, TEMPERATURE
 from radcalc.errors import ConditionError
-from radcalc.factors.kinds import PAR, too_narrow
+from radcalc.factors.kinds import too_narrow
 from radcalc.quantities import AXIS, LUMINOUS, PHOTON, RADIANT, RATIOS, WAVELENGTH, light_dimension
 from radcalc.result import Answer, Step, Value
 from radcalc.spectra.observers import OBSERVERS, Observer
@@ -37,8 +37,7 @@ def spectrum(
     Watts are counted over `limits` [nm] (the source's own where None), photons over
     `photon_limits` (400 nm to 700 nm, all of them for lines).
     """
-    watts_in = source.within(limits or source.limits)
-    photons_in = photon_limits or (WHOLE if source.counts_all_photons else PAR)
+    watts_in, photons_in = source.counted(limits, photon_limits)
     eye, night = OBSERVERS[observer], OBSERVERS["scotopic"]
     watts = source.power(watts_in)
     if not watts > 0:

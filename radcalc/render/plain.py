@@ -12,18 +12,18 @@ def number(value: float, precision: int | None = None) -> str:
     return f"{value:.{precision or DIGITS}g}"
 
 
-def line(value: float, unit: str, precision: int | None = None, number: bool = False) -> str:
+def line(value: float, unit: str, precision: int | None = None, bare: bool = False) -> str:
     """One converted value: VALUE, a tab and UNIT, or the bare number."""
-    text = f"{value:.{precision or DIGITS}g}"
-    return f"{text}\n" if number else f"{text}\t{unit}\n"
+    text = number(value, precision)
+    return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 
-def render(result: "Result", precision: int | None = None, number: bool = False) -> str:
+def render(result: "Result", precision: int | None = None, bare: bool = False) -> str:
     """All rows of a result, a line each; a calculator's begin with their names."""
     return "".join(
         [
-            (f"{row.name}\t" if row.name and not number else "")
-            + line(row.value, row.unit, precision, number)
+            (f"{row.name}\t" if row.name and not bare else "")
+            + line(row.value, row.unit, precision, bare)
             for row in result.rows
         ]
     )

@@ -9,8 +9,9 @@ from radcalc.spectra.integrals import at, clip, integral, weighted
 from radcalc.spectra.observers import Observer, luminous_efficiency
 from radcalc.spectra.planck import LIGHT, PLANCK
 
-WHOLE = (0.0, math.inf)
 Range = tuple[float, float]
+WHOLE: Range = (0.0, math.inf)
+PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
 def range_text(limits: Range) -> str:
@@ -56,6 +57,11 @@ class Spectrum:
     def within(self, limits: Range) -> Range:
         """The part of a range where there is anything known."""
         return limits
+
+    def counted(self, limits: Range | None, photon_limits: Range | None) -> tuple[Range, Range]:
+        """Where watts and where photons are counted, by default or as somebody said."""
+        everywhere = WHOLE if self.counts_all_photons else PAR
+        return self.within(limits or self.limits), photon_limits or everywhere
 
     def total(self) -> float:
         """Watts over all there is."""
@@ -144,7 +150,7 @@ class Lines(Spectrum):
     def __init__(self, label: str, lines: Sequence[tuple[float, float]]) -> None:
         """Hold the lines; all their photons are counted."""
         notes: tuple[str, ...] = ()
-        if any(not 400 <= place <= 700 for place, _ in lines):
+        if any(not PAR[0] <= place <= PAR[1] for place, _ in lines):
             notes = ("a line lies outside 400-700 nm, where PPFD is counted; it counts here",)
         super().__init__(label, WHOLE, notes)
         self.lines = lines

@@ -29,7 +29,7 @@ BASES = (
     "luminosity",
     "retinal_illuminance",
 )
-LENGTH, MASS, TIME, TEMPERATURE, ANGLE, CYCLE, COUNT, LUMINOSITY, RETINAL = range(len(BASES))
+LENGTH, MASS, TIME, TEMPERATURE, ANGLE, CYCLE, COUNT, LUMINOSITY = range(8)  # the first ones
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
