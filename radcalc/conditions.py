@@ -228,12 +228,17 @@ def show(value: Any) -> str:
 
 
 def give(name: str, value: Any) -> Given:
-    """Read one condition.
+    """Read one condition of a conversion."""
+    return read(OPTIONS[name], value)
+
+
+def read(option: Option, value: Any) -> Given:
+    """Read what an option was given.
 
     `value` is a text as on the command line, True for a flag, a number, or a pair of a number
     (or an array) and a `Unit`.
     """
-    option = OPTIONS[name]
+    name = option.name
     if option.choices:
         if value not in option.choices:
             raise ConditionError(

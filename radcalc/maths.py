@@ -4,17 +4,24 @@ A scalar answer needs no NumPy: it is imported only when an argument is an array
 """
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 Number = Any  # a float, or anything that NumPy can work on element by element
 
 
-def _call(name: str, x: Number) -> Number:
-    if isinstance(x, (int, float)):
-        return getattr(math, name)(x)
-    import numpy
+def is_array(x: Any) -> bool:
+    """Whether NumPy must serve x."""
+    return not isinstance(x, (int, float))
 
-    return getattr(numpy, name)(x)
+
+def _call(name: str, *xs: Number) -> Number:
+    for x in xs:
+        if is_array(x):
+            import numpy
+
+            return getattr(numpy, name)(*xs)
+    return getattr(math, name)(*xs)
 
 
 def sin(x: Number) -> Number:
@@ -32,11 +39,79 @@ def atan(x: Number) -> Number:
     return _call("atan", x)
 
 
+def atan2(y: Number, x: Number) -> Number:
+    """The angle of the point (x, y), in radians from -pi to pi."""
+    return _call("atan2", y, x)
+
+
+def asin(x: Number) -> Number:
+    """The arc sine of x, in radians."""
+    return _call("asin", x)
+
+
+def sqrt(x: Number) -> Number:
+    """The square root of x."""
+    return _call("sqrt", x)
+
+
 def log1p(x: Number) -> Number:
     """The natural logarithm of 1 + x."""
     return _call("log1p", x)
 
 
+def hypot(x: Number, y: Number) -> Number:
+    """The length of (x, y)."""
+    return _call("hypot", x, y)
+
+
+def power_of_two(x: Number) -> Number:
+    """The power of two just above x: to divide by it rounds nothing."""
+    return _call("ldexp", 1.0, _call("frexp", x)[1])
+
+
 def any_true(condition: Any) -> bool:
     """Whether a comparison holds anywhere: a bool as it is, an array if any element is true."""
     return condition if isinstance(condition, bool) else bool(condition.any())
+
+
+def larger(x: Number, y: Number) -> Number:
+    """The larger of two, element by element."""
+    return piecewise(x >= y, lambda a, b: a, lambda a, b: b, x, y)
+
+
+def smaller(x: Number, y: Number) -> Number:
+    """The smaller of two, element by element."""
+    return piecewise(x <= y, lambda a, b: a, lambda a, b: b, x, y)
+
+
+def piecewise(
+    condition: Any,
+    then: Callable[..., Number],
+    otherwise: Callable[..., Number],
+    *xs: Number,
+) -> Number:
+    """`then(*xs)` where the condition holds, `otherwise(*xs)` elsewhere.
+
+    Each function sees only the elements it is meant for.
+    """
+    if isinstance(condition, bool):
+        return then(*xs) if condition else otherwise(*xs)
+    import numpy
+
+    chosen, *spread = numpy.broadcast_arrays(condition, *xs)
+    result = numpy.empty(chosen.shape)
+    if chosen.any():
+        result[chosen] = then(*(x[chosen] for x in spread))
+    if not chosen.all():
+        result[~chosen] = otherwise(*(x[~chosen] for x in spread))
+    return result
+
+
+def each(function: Callable[..., float], *xs: Number) -> Number:
+    """A function of floats for every element of arrays that are broadcast together."""
+    for x in xs:
+        if is_array(x):
+            import numpy
+
+            return numpy.vectorize(function, otypes=[float])(*xs)
+    return function(*xs)

@@ -19,16 +19,25 @@ class Step:
 class Row:
     """One value of an answer; `case` says which of several answers it belongs to.
 
-    `name` is what `--get` calls a calculator's result; a conversion has none.
+    `name` is what `--get` calls a calculator's result; a conversion has none.  `given` tells
+    what the user gave from what follows.
     """
 
-    __slots__ = ("case", "name", "quantity", "symbol", "unit", "value")
+    __slots__ = ("case", "given", "name", "quantity", "symbol", "unit", "value")
 
     def __init__(
-        self, quantity: str, symbol: str, value: Any, unit: str, case: str = "", name: str = ""
+        self,
+        quantity: str,
+        symbol: str,
+        value: Any,
+        unit: str,
+        case: str = "",
+        name: str = "",
+        given: bool = False,
     ) -> None:
         """Hold one value in its unit."""
         self.name = name
+        self.given = given
         self.quantity = quantity
         self.symbol = symbol
         self.value = value
@@ -60,10 +69,11 @@ class Value:
 
     `dimensions` are those of the units in which it may be asked for; the first is its own.  The
     value may be a function, which is called when it is first looked at.  `reach` has the same
-    thing of other kinds, by their dimensions, where the conditions link them.
+    thing of other kinds, by their dimensions, where the conditions link them.  `given` says
+    that the user gave it.
     """
 
-    __slots__ = ("_si", "dimensions", "label", "name", "reach", "symbol", "units")
+    __slots__ = ("_si", "dimensions", "given", "label", "name", "reach", "symbol", "units")
 
     def __init__(
         self,
@@ -74,8 +84,10 @@ class Value:
         dimensions: tuple[tuple[int, ...], ...],
         units: tuple[str, ...],
         reach: dict[tuple[int, ...], float] | None = None,
+        given: bool = False,
     ) -> None:
         """Hold a result: `name` is what --get takes, `label` what a table shows."""
+        self.given = given
         self.name = name
         self.label = label
         self.symbol = symbol

@@ -23,6 +23,7 @@ KEEPERS = {
         "radcalc.spectra.observers",
         "radcalc.spectra.arrays",
         "radcalc.spectra.files",
+        "radcalc.geometry",
     ),
 }
 # Imports point downwards: a layer may import those below it.
@@ -35,7 +36,7 @@ LAYERS = [
     ["radcalc.link"],
     ["radcalc.factors"],
     ["radcalc.conditions", "radcalc.series"],
-    ["radcalc.spectra", "radcalc.result"],
+    ["radcalc.geometry", "radcalc.spectra", "radcalc.result"],
     ["radcalc.quantities"],
     ["radcalc.units", "radcalc.maths"],
     ["radcalc.errors", "radcalc._version"],
@@ -124,6 +125,13 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("spectrum", "--list"),
         ("mesopic", "--luminance", "0.1cd/m2", "--spectrum", "LED-B3"),
         ("photon", "400nm:700nm:10nm", "-g", "photon-energy:eV"),
+        ("solid-angle", "cone", "--half-angle", "30deg"),
+        ("solid-angle", "sphere", "--radius", "695700km", "--distance", "1au"),
+        ("solid-angle", "zone", "--polar", "30deg:60deg"),
+        ("solid-angle", "disc", "--radius", "1m", "--height", "1m", "--offset", "0m:2m:0.5m"),
+        ("solid-angle", "polygon", "1,0,0", "0,1,0", "0,0,1", "--normal", "0,1,-1"),
+        ("direction", "1", "1", "1"),
+        ("etendue", "--area", "1mm2", "--half-angle", "90deg"),
     ],
     ids=" ".join,
 )

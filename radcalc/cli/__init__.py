@@ -11,7 +11,17 @@ from radcalc._version import __version__
 from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
 
-COMMANDS = ("convert", "photon", "spectrum", "mesopic", "units")
+COMMANDS = (
+    "convert",
+    "solid-angle",
+    "direction",
+    "etendue",
+    "integrate",
+    "photon",
+    "spectrum",
+    "mesopic",
+    "units",
+)
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -28,7 +38,7 @@ class Commands(click.Group):
             return None
         from importlib import import_module
 
-        command: click.Command = import_module(f"radcalc.cli.{cmd_name}").command
+        command: click.Command = import_module(f"radcalc.cli.{cmd_name.replace('-', '_')}").command
         return command
 
     def resolve_command(
@@ -52,6 +62,7 @@ def commands() -> None:
       radcalc convert 100 lx fc
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm cd --isotropic
+      radcalc solid-angle cone --half-angle 30deg
       radcalc units luminance
     """
 

@@ -1,17 +1,20 @@
-"""What every calculator shares: --get, and turning its values into rows."""
+"""What every calculator shares: its inputs, --get, --steps, and turning values into rows."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import click
 
 from radcalc import console
 from radcalc.cli.output import PLAIN, TABLE, Output
 from radcalc.conversion import exact_ratio
-from radcalc.errors import NumberError, UsageError, nearest, quote
+from radcalc.errors import ConditionError, NumberError, UsageError, nearest, quote
+from radcalc.laws.inputs import INPUTS, Inputs, take
 from radcalc.quantities import describe
 from radcalc.render.plain import number
 from radcalc.result import Answer, Result, Row, Step, Value
+from radcalc.series import read_series
 from radcalc.units.table import Unit, resolve
 
 get_option = click.option(
@@ -22,6 +25,43 @@ get_option = click.option(
     metavar="NAME[:UNIT]",
     help="The bare number of that result (repeatable; coherent SI without a unit).",
 )
+steps_option = click.option("--steps", is_flag=True, help="Show the derivation.")
+
+Case = tuple[str, Inputs]
+
+
+def inputs(*names: str, **helps: str) -> Callable[..., Any]:
+    """Add inputs as options; `helps` has other texts for some of them."""
+
+    def add(command: Callable[..., Any]) -> Callable[..., Any]:
+        for name in reversed(names):
+            option = INPUTS[name]
+            text = helps.get(name.replace("-", "_"), option.help)
+            command = click.option(f"--{name}", metavar=option.example, help=text)(command)
+        return command
+
+    return add
+
+
+def cases(typed: dict[str, str | None]) -> list[Case]:
+    """The inputs as given; several times where one of them is a list or a range."""
+    given = {
+        name.replace("_", "-"): [take(name.replace("_", "-"), part) for part in read_series(text)]
+        for name, text in typed.items()
+        if text is not None
+    }
+    lists = [name for name, values in given.items() if len(values) > 1]
+    if len(lists) > 1:
+        raise ConditionError(
+            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
+        )
+    return [
+        (
+            given[lists[0]][k].text if lists else "",
+            {name: values[k if name in lists else 0] for name, values in given.items()},
+        )
+        for k in range(len(given[lists[0]]) if lists else 1)
+    ]
 
 
 def in_unit(value: Value, unit: Unit) -> float:
@@ -56,8 +96,15 @@ def pick(values: Sequence[Value], wanted: str) -> float:
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
 
 
-def show(answers: Sequence[tuple[str, Answer]], wanted: Sequence[str], output: Output) -> None:
+def show(
+    answers: Sequence[tuple[str, Answer]],
+    wanted: Sequence[str],
+    output: Output,
+    steps: bool = True,
+) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
+    if not steps:
+        answers = [(case, (*answer[:3], [])) for case, answer in answers]
     if wanted:
         if output.format not in (PLAIN, TABLE):
             raise UsageError(
@@ -84,7 +131,7 @@ def _result(
     steps: Sequence[Step],
 ) -> Result:
     rows = [
-        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name)
+        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name, v.given)
         for v in values
         for text in v.units
     ]

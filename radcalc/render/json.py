@@ -27,7 +27,7 @@ def render(result: Result, precision: int | None = None) -> str:
 
 
 def _row(row: Row, precision: int | None) -> dict[str, Any]:
-    fields = {
+    fields: dict[str, Any] = {
         "quantity": row.quantity,
         "symbol": row.symbol,
         "value": float(number(row.value, precision)) if precision else row.value,
@@ -35,4 +35,6 @@ def _row(row: Row, precision: int | None) -> dict[str, Any]:
     }
     if row.name:
         fields = {"name": row.name, **fields}
+    if row.given:
+        fields["given"] = True
     return {"case": row.case, **fields} if row.case else fields

@@ -31,7 +31,7 @@ def render(
     lines = [
         [
             *([row.case] if cases else []),
-            row.quantity,
+            f"{row.quantity} (given)" if row.given else row.quantity,
             row.symbol,
             number(row.value, precision or DIGITS),
             row.unit,

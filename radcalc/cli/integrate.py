@@ -1,0 +1,79 @@
+"""`radcalc integrate EXPRESSION`."""
+
+import math
+
+import click
+
+from radcalc.cli import calculator, output
+from radcalc.cli.sections import SectionedCommand
+from radcalc.conditions import positive
+from radcalc.errors import ConditionError, UsageError
+from radcalc.laws.inputs import read_interval, take
+from radcalc.laws.integrate import integrate
+from radcalc.units.grammar import parse_number
+
+WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
+
+
+@click.command(
+    "integrate",
+    cls=SectionedCommand,
+    sections={
+        "Directions": ("sphere", "hemisphere", "half_angle", "polar", "azimuth"),
+        "Results": ("accuracy", "wanted"),
+    },
+    context_settings={"max_content_width": 100},
+)
+@click.argument("expression", metavar="EXPRESSION")
+@click.option("--sphere", is_flag=True, help="All directions.")
+@click.option("--hemisphere", is_flag=True, help="The hemisphere about +z.")
+@calculator.inputs("half-angle", half_angle="The cone of that half angle about +z.")
+@click.option("--polar", metavar="30deg:60deg", help="A zone between two polar angles.")
+@click.option("--azimuth", metavar="0deg:90deg", help="Only between these azimuths.")
+@click.option(
+    "--accuracy", metavar="1e-9", default="1e-9", help="Relative, at which to stop (1e-9)."
+)
+@calculator.get_option
+@calculator.steps_option
+@output.options
+def command(
+    expression: str,
+    sphere: bool,
+    hemisphere: bool,
+    half_angle: str | None,
+    polar: str | None,
+    azimuth: str | None,
+    accuracy: str,
+    wanted: tuple[str, ...],
+    steps: bool,
+    shown: output.Output,
+) -> None:
+    """Integrate a function of direction over a part of the sphere.
+
+    \b
+    Examples:
+      radcalc integrate 'cos(theta)' --hemisphere
+      radcalc integrate '100*cos(theta)**10' --polar 0deg:45deg
+      radcalc integrate 'max(x, 0)' --sphere --accuracy 1e-6
+      radcalc integrate 'exp(-(theta/(10*deg))**2)' --half-angle 60deg -g integral:deg2
+
+    EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
+    vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
+    tanh exp log log10 sqrt abs min max; one that begins with a minus goes in brackets: '(-x)'.
+    The integral is over solid angle: sin(theta) is there already.  What does not converge is
+    refused.
+    """
+    given = [name for name in (sphere, hemisphere, half_angle, polar) if name]
+    if not given:
+        raise UsageError("the directions to integrate over are missing", WHERE)
+    if len(given) > 1:
+        raise ConditionError("the directions to integrate over are given twice", f"one of {WHERE}")
+    if polar:
+        ends = read_interval("polar", polar)
+    elif half_angle:
+        ends = (0.0, positive(take("half-angle", half_angle)))
+    else:
+        ends = (0.0, math.pi if sphere else math.pi / 2)
+    around = read_interval("azimuth", azimuth) if azimuth else (0.0, 2 * math.pi)
+    answer = integrate(expression, ends, around, parse_number(accuracy))
+    calculator.show([("", answer)], wanted, shown, steps)

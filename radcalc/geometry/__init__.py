@@ -1,0 +1,1 @@
+"""The geometry under radiometry: directions, solid angles, projected solid angles, etendue."""

@@ -1,0 +1,99 @@
+"""A polygon as somebody typed it: whether it is one, flat and seen from off its plane."""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from radcalc.errors import ConditionError
+from radcalc.geometry.polygons import cross, dot, length, minus, plus, times
+
+Point = tuple[float, float, float]
+FLAT = 1e-6  # of the polygon's size: how far a vertex, as typed, may be off the plane
+NOTED = 1e-12
+MOST = 1000
+
+
+class Outline:
+    """A polygon's vertices from the observer, and the normal of its plane, away from him."""
+
+    def __init__(self, vertices: list[Point], normal: Point, notes: list[str]) -> None:
+        """Hold what `read` found."""
+        self.vertices = vertices
+        self.normal = normal
+        self.notes = notes
+
+    def lowest(self, normal: Point) -> float:
+        """How far the lowest vertex is above the horizon of a normal."""
+        return float(min(dot(normal, vertex) for vertex in self.vertices))
+
+
+def read(points: Sequence[Point], viewpoint: Point) -> Outline:
+    """Check a polygon's vertices, and take them from a viewpoint.
+
+    Raises
+    ------
+    ConditionError
+        Fewer than three vertices, a vertex twice, no area, vertices off one plane, sides that
+        cross, a viewpoint in the polygon's plane.
+    """
+    if not 3 <= len(points) <= MOST:
+        raise ConditionError(
+            f"a polygon of {len(points)} vertices is not possible", f"from 3 to {MOST}, as X,Y,Z"
+        )
+    first = points[0]
+    sides = [minus(point, first) for point in points]
+    size = max(length(side) for side in sides)
+    for k, point in enumerate(points):
+        if point in points[:k]:
+            raise ConditionError(
+                f"the vertex {_write(point)} is given twice", "each once, and no closing one"
+            )
+    # Newell's normal, whose length is twice the area
+    area: Point = (0.0, 0.0, 0.0)
+    for one, two in pairwise(sides[1:]):
+        area = plus(area, cross(one, two))
+    if length(area) <= 1e-12 * size * size:
+        raise ConditionError("the polygon has no area", "vertices that are not on one line")
+    unit = times(area, 1 / length(area))
+    off = max(abs(dot(unit, side)) for side in sides)
+    if off > FLAT * size:
+        raise ConditionError(
+            f"the polygon is not flat: a vertex is {off:.3g} off the plane of the others",
+            "its triangles, each for itself",
+        )
+    _refuse_crossing(sides, unit)
+    away = minus(first, viewpoint)
+    height = dot(unit, away)
+    if abs(height) <= 1e-12 * max(size, length(away)):
+        raise ConditionError(
+            "the viewpoint lies in the polygon's plane", "--viewpoint X,Y,Z off that plane"
+        )
+    notes = []
+    if off > NOTED * size:
+        notes = [f"the vertices are up to {off:.2g} off one plane"]
+    normal = times(unit, math.copysign(1.0, height))
+    return Outline([plus(away, side) for side in sides], normal, notes)
+
+
+def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
+    """Refuse a bow tie, whose halves would be taken from each other."""
+    axis = max(range(3), key=lambda k: abs(unit[k]))
+    flat = [tuple(x for k, x in enumerate(side) if k != axis) for side in sides]
+    count = len(flat)
+
+    def turn(a: int, b: int, c: int) -> float:
+        (ax, ay), (bx, by), (cx, cy) = flat[a % count], flat[b % count], flat[c % count]
+        return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+
+    for j in range(count):
+        for k in range(j + 2, count - (j == 0)):
+            apart = turn(j, j + 1, k) * turn(j, j + 1, k + 1)
+            across = turn(k, k + 1, j) * turn(k, k + 1, j + 1)
+            if apart <= 0 and across <= 0 and (apart or across):
+                raise ConditionError(
+                    "the polygon's sides cross or touch", "the vertices in order round it"
+                )
+
+
+def _write(point: Point) -> str:
+    return ",".join(f"{x:g}" for x in point)

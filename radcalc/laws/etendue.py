@@ -1,0 +1,218 @@
+"""The etendue between a source and a receiver or a cone, and the flux that a radiance gives it."""
+
+import math
+from typing import Any
+
+from radcalc.conditions import Given, Option, positive, read, require, show
+from radcalc.errors import ConditionError, UsageError
+from radcalc.factors import space
+from radcalc.geometry import etendue as g
+from radcalc.laws import inputs as i
+from radcalc.laws.inputs import Inputs
+from radcalc.quantities import FLUX, GEOMETRIES, SOLID_ANGLE, light_dimension, powers
+from radcalc.result import Answer, Step, Value
+from radcalc.units.grammar import split_quantity
+from radcalc.units.table import NUMBER, resolve
+
+ETENDUE = powers(length=2, angle=2)
+CONES = ("half-angle", "apex-angle", "na", "f-number")
+RECEIVERS = ("receiver-area", "receiver-radius", "receiver-diameter")
+SOURCES = ("area", "radius", "diameter", "width", "length")
+FLUX_UNITS = {"e": "W", "v": "lm", "p": "photon/s"}
+ROUND = ("radius", "diameter")
+
+
+def etendue(given: Inputs) -> Answer:
+    """The etendue of a source and a cone of light, or of a source and a receiver."""
+    has_receiver = any(name in given for name in RECEIVERS)
+    has_cone = any(name in given for name in CONES)
+    if has_receiver and has_cone:
+        raise ConditionError(
+            "a receiver and a cone contradict each other: both limit the light", "one of them"
+        )
+    if has_receiver:
+        found = _with_receiver(given)
+    elif has_cone:
+        found = _with_cone(given)
+    else:
+        raise UsageError(
+            "what limits the light is missing",
+            "--half-angle, --apex-angle, --na, --f-number, or --receiver-area with --distance",
+        )
+    values, assumptions, notes, steps = found
+    values += [i.known(one) for name, one in given.items() if name != "radiance"]
+    if "radiance" in given:
+        flux, step = _flux(given["radiance"], values[0].si)
+        values[1:1] = flux
+        steps = [*steps, step]
+    return values, assumptions, notes, steps
+
+
+def _values(size: Any, area: Any, far: Any = None) -> list[Value]:
+    """An etendue as results; per area it is a projected solid angle."""
+    projected = size / area
+    values = [
+        Value("etendue", "etendue", "G", size, (ETENDUE,), ("m2 sr", "mm2 sr")),
+        Value(
+            "projected-solid-angle",
+            "projected solid angle",
+            "Ω_p",
+            projected,
+            (SOLID_ANGLE,),
+            ("sr",),
+        ),
+        Value(
+            "configuration-factor",
+            "configuration factor",
+            "F",
+            projected / math.pi,
+            (NUMBER,),
+            ("1",),
+        ),
+    ]
+    if far is not None:
+        values.append(
+            Value("far-field-etendue", "far-field etendue", "A1 A2/d²", far, (ETENDUE,), ("m2 sr",))
+        )
+    return values
+
+
+def _area(given: Inputs) -> tuple[Any, list[Step]]:
+    """The area of the source [m2]."""
+    if "width" in given or "length" in given:
+        for name in ("width", "length"):
+            i.one_of(given, f"the {name} of the source", name)
+        if any(name in given for name in ("area", *ROUND)):
+            raise ConditionError("the size of the source is given twice", "one of them")
+        return positive(given["width"]) * positive(given["length"]), []
+    factor = space.area(i.one_of(given, "the size of the source", "area", *ROUND))
+    return factor.value, list(factor.steps)
+
+
+def _with_cone(given: Inputs) -> Answer:
+    i.only(given, (*SOURCES, *CONES, "radiance"), "a source and a cone")
+    area, steps = _area(given)
+    one = i.one_of(given, "the cone", *CONES)
+    said = ["every point of the source sends its light into the same cone about its normal"]
+    shown = f"{show(area)} m2"
+    if one.option.name == "na":
+        size = g.patch_and_aperture(area, positive(one))
+        formula, numbers = "G = pi A NA^2 Omega0", f"pi {shown} ({show(one.value)})^2 sr"
+        said.append("in air, where the numerical aperture is the sine of the half angle")
+    elif one.option.name == "f-number":
+        size = g.patch_and_lens(area, positive(one))
+        formula, numbers = "G = pi A / (4 N^2) Omega0", f"pi {shown} / (4 ({show(one.value)})^2) sr"
+        said.append("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
+    else:
+        half = i.half_angle(one)
+        size = g.patch_and_cone(area, half)
+        formula = "G = pi A sin^2(alpha) Omega0"
+        numbers = f"pi {shown} sin^2({_degrees(half)}) sr"
+    steps.append(Step("etendue of a cone", formula, f"G = {numbers} = {show(size)} m2 sr"))
+    return _values(size, area), said, [], steps
+
+
+def _with_receiver(given: Inputs) -> Answer:
+    i.only(
+        given,
+        (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence", "radiance"),
+        "a source and a receiver",
+    )
+    away = i.one_of(given, "the distance", "distance")
+    receiver = i.one_of(given, "the size of the receiver", *RECEIVERS)
+    discs = any(n in given for n in ROUND) and receiver.option.name != "receiver-area"
+    if discs and "tilt" not in given and "incidence" not in given:
+        return _discs(given, positive(away))
+    return _patches(given, away, receiver)
+
+
+def _discs(given: Inputs, away: Any) -> Answer:
+    one = i.radius(given)
+    other = i.radius(given, "receiver-", "the size of the receiver")
+    area = math.pi * one**2
+    size = g.coaxial_discs(one, other, away)
+    far = g.two_patches(area, math.pi * other**2, away)
+    step = Step(
+        "two coaxial discs",
+        "G = pi^2/2 (S - sqrt(S^2 - 4 r1^2 r2^2)) Omega0, S = r1^2 + r2^2 + d^2",
+        f"r1 = {show(one)} m, r2 = {show(other)} m, d = {show(away)} m; G = {show(size)} m2 sr",
+        "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-41",
+    )
+    note = f"the far field A1 A2 / d^2 is {show(far / size)} times the exact etendue"
+    said = ["two discs that face each other on one axis"]
+    return _values(size, area, far), said, [note], [step]
+
+
+def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
+    area, steps = _area(given)
+    name = receiver.option.name
+    size = positive(receiver)
+    other = size if name == "receiver-area" else math.pi * i.radius(given, "receiver-") ** 2
+    tilt = abs(given["tilt"].value) if "tilt" in given else 0.0
+    incidence = abs(given["incidence"].value) if "incidence" in given else 0.0
+    for angle in ("tilt", "incidence"):
+        if angle in given:
+            require(given[angle], abs(given[angle].value) <= math.pi, "0 to 180 deg")
+    longest = max(2 * math.sqrt(max(area, other) / math.pi), *_sides(given), 0.0)
+    if positive(away) < 5 * longest * (1 - 1e-12):
+        raise ConditionError(
+            f"--distance {away.text} is less than five times the size of the patches "
+            f"({show(longest)} m): A1 A2 / d^2 does not hold",
+            "--radius and --receiver-radius, for two discs exactly",
+        )
+    total = g.two_patches(area, other, away.value, tilt, incidence)
+    notes = []
+    if total == 0:
+        notes = ["one of the patches is seen from its edge or from behind"]
+    cosines = f"cos({_degrees(tilt)}) {show(other)} m2 cos({_degrees(incidence)})"
+    steps.append(
+        Step(
+            "two small patches",
+            "G = A1 cos(t1) A2 cos(t2) / d^2 Omega0",
+            f"G = {show(area)} m2 {cosines} / ({show(away.value)} m)^2 sr = {show(total)} m2 sr",
+        )
+    )
+    said = ["patches small beside their distance"]
+    return _values(total, area), said, notes, steps
+
+
+def _sides(given: Inputs) -> list[Any]:
+    return [given[name].value for name in ("width", "length") if name in given]
+
+
+def read_radiance(text: str) -> Given:
+    """Read --radiance: a radiance, a luminance, or photons; no spectral density."""
+    kinds = tuple(light_dimension(kind, (0, 1, 1), "") for kind in FLUX)
+    option = Option("radiance", "", kinds, "a radiance or a luminance", "100cd/m2", "")
+    return read(option, text)
+
+
+def _flux(radiance: Given, size: Any) -> tuple[list[Value], Step]:
+    """Phi = L G."""
+    light = positive(radiance)
+    kind = next(k for k in FLUX if light_dimension(k, (0, 1, 1), "") == radiance.dimension)
+    unit = resolve(split_quantity(radiance.text)[1])
+    flux = light * size
+    name = GEOMETRIES[0, 0, 0][0]["evp".index(kind)]
+    step = Step(
+        "flux of a uniform radiance",
+        "Phi = L G",
+        f"Phi = {radiance.text} * {show(size)} m2 sr = {show(flux)} {FLUX_UNITS[kind]}",
+        "ISO 80000-7, radiance",
+    )
+    return [
+        Value("flux", name, f"Φ_{kind}", flux, (FLUX[kind],), (FLUX_UNITS[kind],)),
+        Value(
+            "radiance",
+            GEOMETRIES[0, 1, 1][0]["evp".index(kind)],
+            f"L_{kind}",
+            light,
+            (radiance.dimension,),
+            (unit.text,),
+            given=True,
+        ),
+    ], step
+
+
+def _degrees(angle: Any) -> str:
+    return f"{show(math.degrees(angle))} deg"

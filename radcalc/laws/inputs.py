@@ -1,0 +1,180 @@
+"""What the calculators can be given, and how each of it is read.
+
+An input is an option of a calculator's command (`--radius 2m`); a value of it is read by
+`conditions.read`, as a condition of a conversion is.
+"""
+
+from typing import Any
+
+from radcalc.conditions import ANGLE, LENGTH, Given, Option, positive, read
+from radcalc.errors import ConditionError, NumberError, UsageError, quote
+from radcalc.quantities import AREA, SOLID_ANGLE
+from radcalc.result import Value
+from radcalc.units.grammar import parse_number, split_quantity
+from radcalc.units.table import NUMBER, Dimension
+
+
+def _option(
+    name: str, dimension: Dimension, takes: str, example: str, help_: str
+) -> tuple[str, Option]:
+    return name, Option(name, "", (dimension,), takes, example, help_)
+
+
+def _length(name: str, example: str, help_: str) -> tuple[str, Option]:
+    return _option(name, LENGTH, "a length", example, help_)
+
+
+def _angle(name: str, example: str, help_: str) -> tuple[str, Option]:
+    return _option(name, ANGLE, "an angle", example, help_)
+
+
+INPUTS = dict(
+    (
+        _length("radius", "10cm", "Radius of the source."),
+        _length("diameter", "20cm", "Diameter of the source."),
+        _length("width", "2m", "Width of the source, along x."),
+        _length("length", "1m", "Length of the source, along y."),
+        _option("area", AREA, "an area", "1cm2", "Area of the source."),
+        _length("distance", "2m", "Straight line to the centre of the source."),
+        _length("height", "50cm", "Height above the source's plane, along its axis."),
+        _length("offset", "20cm", "Offset from the source's axis, along x (with --height)."),
+        _length("offset-y", "20cm", "Offset from the source's axis, along y (with --height)."),
+        _angle("tilt", "60deg", "Angle by which the source is turned from the line of sight."),
+        _angle("incidence", "30deg", "Angle between the light and the receiver's normal."),
+        _angle("half-angle", "30deg", "Half angle of a cone, from its axis to its edge."),
+        _angle("apex-angle", "60deg", "Full angle of a cone, from edge to edge."),
+        _option("solid-angle", SOLID_ANGLE, "a solid angle", "1sr", "Solid angle."),
+        _option(
+            "projected-solid-angle",
+            SOLID_ANGLE,
+            "a solid angle",
+            "1sr",
+            "Solid angle projected along the cone's axis.",
+        ),
+        _angle("horizontal", "60deg", "Full angle between the pyramid's left and right face."),
+        _angle("vertical", "40deg", "Full angle between its upper and lower face."),
+        _angle("polar", "45deg", "Polar angle, from +z."),
+        _angle("azimuth", "30deg", "Azimuth, from +x towards +y."),
+        _angle("elevation", "45deg", "Elevation above the plane of x and y."),
+        _option("receiver-area", AREA, "an area", "4cm2", "Area of the receiver."),
+        _length("receiver-radius", "1m", "Radius of the receiver."),
+        _length("receiver-diameter", "2m", "Diameter of the receiver."),
+        _option("na", NUMBER, "a number", "0.22", "Numerical aperture, in air."),
+        _option("f-number", NUMBER, "a number", "2.4", "The lens's f-number."),
+    )
+)
+SYMBOLS = {
+    "radius": "R",
+    "diameter": "D",
+    "width": "w",
+    "length": "l",
+    "area": "A",
+    "distance": "d",
+    "height": "h",
+    "offset": "x",
+    "offset-y": "y",
+    "tilt": "θ",
+    "incidence": "θ",
+    "half-angle": "α",
+    "apex-angle": "2α",
+    "solid-angle": "Ω",
+    "projected-solid-angle": "Ω_p",
+    "horizontal": "a",
+    "vertical": "b",
+    "polar": "θ",
+    "azimuth": "φ",
+    "elevation": "h",
+    "receiver-area": "A_r",
+    "receiver-radius": "R_r",
+    "receiver-diameter": "D_r",
+    "na": "NA",
+    "f-number": "N",
+}
+
+Inputs = dict[str, Given]
+
+
+def take(name: str, text: str) -> Given:
+    """Read one input."""
+    return read(INPUTS[name], text)
+
+
+def known(given: Given) -> Value:
+    """An input as a row of the answer, in the unit it was given in."""
+    return value(given.option.name, given.value, unit_of(given), True)
+
+
+def value(name: str, si: Any, unit: str, given: bool = False) -> Value:
+    """A result that is also an input."""
+    label = name.replace("-", " ")
+    dimensions = INPUTS[name].dimensions
+    return Value(name, label, SYMBOLS[name], si, dimensions, (unit,), given=given)
+
+
+def unit_of(given: Given) -> str:
+    """The unit as it was typed; 1 where there is none."""
+    return split_quantity(given.text)[1] or "1"
+
+
+def one_of(inputs: Inputs, what: str, *names: str) -> Given:
+    """The one of several inputs that was given."""
+    found = [inputs[name] for name in names if name in inputs]
+    hint = " or ".join(f"--{name} {INPUTS[name].example}" for name in names)
+    if not found:
+        raise UsageError(f"{what} is missing", hint)
+    if len(found) > 1:
+        flags = " and ".join(given.flag for given in found)
+        raise ConditionError(f"{flags} contradict each other: both give {what}", "one of them")
+    return found[0]
+
+
+def only(inputs: Inputs, names: tuple[str, ...], what: str) -> None:
+    """Refuse inputs that have no use."""
+    unused = [given.flag for name, given in inputs.items() if name not in names]
+    if unused:
+        raise ConditionError(
+            f"{' and '.join(unused)} {'has' if len(unused) == 1 else 'have'} no use for {what}",
+            f"the same without {' and '.join(unused)}",
+        )
+
+
+def radius(inputs: Inputs, prefix: str = "", what: str = "the size of the source") -> Any:
+    """A radius, from the radius or the diameter."""
+    size = one_of(inputs, what, f"{prefix}radius", f"{prefix}diameter")
+    return positive(size) / (2 if size.option.name.endswith("diameter") else 1)
+
+
+def half_angle(given: Given) -> Any:
+    """A half angle, from the half angle or the apex angle."""
+    return positive(given) / (2 if given.option.name == "apex-angle" else 1)
+
+
+def read_interval(name: str, text: str) -> tuple[float, float]:
+    """Read A:B, two angles [rad]."""
+    parts = text.split(":")
+    if len(parts) != 2:
+        raise ConditionError(
+            f"--{name} {quote(text)} is not an interval", f"--{name} 30deg:60deg, from A to B"
+        )
+    low, high = (take(name, part).value for part in parts)
+    if low >= high:
+        raise ConditionError(
+            f"--{name} {quote(text)} ends before it starts", f"--{name} {parts[1]}:{parts[0]}"
+        )
+    return low, high
+
+
+def read_point(text: str, what: str) -> tuple[float, float, float]:
+    """Read X,Y,Z, three bare numbers in any one unit."""
+    parts = text.split(",")
+    hint = "X,Y,Z, in one unit that is not written: 1,0,0.5"
+    if len(parts) != 3:
+        count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} '{quote(text)}' has {count}, not three", hint)
+    try:
+        x, y, z = (parse_number(part) for part in parts)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
+    if max(abs(x), abs(y), abs(z)) > 1e100:
+        raise NumberError(f"{what} '{quote(text)}' is too far away", "coordinates up to 1e100")
+    return x, y, z

@@ -1,0 +1,51 @@
+"""The integral of an expression over a part of the sphere."""
+
+import math
+
+from radcalc.conditions import show
+from radcalc.errors import ConditionError, quote
+from radcalc.geometry.cubature import CELLS, FINE, over_directions
+from radcalc.geometry.expression import read_expression
+from radcalc.quantities import SOLID_ANGLE
+from radcalc.result import Answer, Step, Value
+
+Interval = tuple[float, float]
+TURN = 2 * math.pi
+FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
+
+
+def integrate(
+    text: str, polar: Interval, azimuth: Interval = (0.0, TURN), accuracy: float = 1e-9
+) -> Answer:
+    """Integrate an expression in theta, phi, x, y, z over intervals of two angles [rad]."""
+    slack = 1 + 1e-12
+    if polar[0] < 0 or polar[1] > math.pi * slack:
+        raise ConditionError("polar angles beyond the poles are not possible", "0deg:180deg")
+    if azimuth[1] - azimuth[0] > TURN * slack:
+        raise ConditionError("the azimuths are more than a turn", "0deg:360deg")
+    if not FINEST <= accuracy <= COARSEST:
+        raise ConditionError(
+            f"an accuracy of {accuracy:g} is not possible", f"from {FINEST:g} to {COARSEST:g}"
+        )
+    found = over_directions(read_expression(text), polar, azimuth, accuracy)
+    width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
+    values = [
+        Value("integral", "integral", "∫f dΩ", found.value, (SOLID_ANGLE,), ("sr",)),
+        Value("error", "bound of the error", "", found.error, (SOLID_ANGLE,), ("sr",)),
+    ]
+    points = [n * FINE for n in CELLS]
+    said = [
+        "theta is the polar angle from +z, phi the azimuth from +x, in radians; x, y, z the unit "
+        "vector",
+        f"peaks narrower than {show(width / points[0])} deg in theta or {show(turn / points[1])} "
+        "deg in phi may be missed",
+    ]
+    (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
+    step = Step(
+        "integral over directions",
+        "I = integral of f(theta, phi) sin(theta) dtheta dphi",
+        f"f = {quote(text)}, theta from {show(t0)} to {show(t1)} deg, phi from {show(p0)} to "
+        f"{show(p1)} deg; I = {show(found.value)} sr, from {found.cells} cells of {FINE} x {FINE} "
+        "points of Gauss and Legendre",
+    )
+    return values, said, [], [step]
