@@ -49,6 +49,26 @@ def asin(x: Number) -> Number:
     return _call("asin", x)
 
 
+def acos(x: Number) -> Number:
+    """The arc cosine of x, in radians."""
+    return _call("acos", x)
+
+
+def exp(x: Number) -> Number:
+    """e to the power of x."""
+    return _call("exp", x)
+
+
+def expm1(x: Number) -> Number:
+    """e to the power of x, less 1."""
+    return _call("expm1", x)
+
+
+def log2(x: Number) -> Number:
+    """The logarithm of x to the base 2."""
+    return _call("log2", x)
+
+
 def sqrt(x: Number) -> Number:
     """The square root of x."""
     return _call("sqrt", x)

@@ -70,10 +70,21 @@ class Value:
     `dimensions` are those of the units in which it may be asked for; the first is its own.  The
     value may be a function, which is called when it is first looked at.  `reach` has the same
     thing of other kinds, by their dimensions, where the conditions link them.  `given` says
-    that the user gave it.
+    the number that the user gave, in the first of the units; `also` is another name that --get
+    takes.
     """
 
-    __slots__ = ("_si", "dimensions", "given", "label", "name", "reach", "symbol", "units")
+    __slots__ = (
+        "_si",
+        "also",
+        "dimensions",
+        "given",
+        "label",
+        "name",
+        "reach",
+        "symbol",
+        "units",
+    )
 
     def __init__(
         self,
@@ -84,10 +95,12 @@ class Value:
         dimensions: tuple[tuple[int, ...], ...],
         units: tuple[str, ...],
         reach: dict[tuple[int, ...], float] | None = None,
-        given: bool = False,
+        given: Any = None,
+        also: str = "",
     ) -> None:
         """Hold a result: `name` is what --get takes, `label` what a table shows."""
         self.given = given
+        self.also = also
         self.name = name
         self.label = label
         self.symbol = symbol

@@ -8,9 +8,11 @@ import click
 
 from radcalc import console
 from radcalc.cli.output import PLAIN, TABLE, Output
+from radcalc.conditions import Given, read
 from radcalc.conversion import exact_ratio
 from radcalc.errors import ConditionError, NumberError, UsageError, nearest, quote
-from radcalc.laws.inputs import INPUTS, Inputs, take
+from radcalc.laws import light
+from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.quantities import describe
 from radcalc.render.plain import number
 from radcalc.result import Answer, Result, Row, Step, Value
@@ -46,7 +48,7 @@ def inputs(*names: str, **helps: str) -> Callable[..., Any]:
 def cases(typed: dict[str, str | None]) -> list[Case]:
     """The inputs as given; several times where one of them is a list or a range."""
     given = {
-        name.replace("_", "-"): [take(name.replace("_", "-"), part) for part in read_series(text)]
+        name.replace("_", "-"): [_read(name.replace("_", "-"), part) for part in read_series(text)]
         for name, text in typed.items()
         if text is not None
     }
@@ -64,6 +66,11 @@ def cases(typed: dict[str, str | None]) -> list[Case]:
     ]
 
 
+def _read(name: str, text: str) -> Given:
+    """Read an input, or a light quantity."""
+    return read(INPUTS[name] if name in INPUTS else light.option(name), text)
+
+
 def in_unit(value: Value, unit: Unit) -> float:
     """A value in one of the units it may be asked for."""
     amount = value.reach.get(unit.dimension)
@@ -74,6 +81,8 @@ def in_unit(value: Value, unit: Unit) -> float:
             f"{value.name} is not measured in {describe(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
+    if value.given is not None and unit.text == value.units[0]:
+        return float(value.given)  # as typed: 30, where pi/6 would give 29.999999999999996
     si = Unit("SI", 1, 1, unit.dimension, ())
     return _held(value, float(amount * exact_ratio(si, unit)))
 
@@ -89,9 +98,9 @@ def pick(values: Sequence[Value], wanted: str) -> float:
     """The number that NAME[:UNIT] asks for."""
     name, _, unit = wanted.partition(":")
     for value in values:
-        if value.name == name.strip():
+        if name.strip() in (value.name, value.also):
             return in_unit(value, resolve(unit)) if unit else _held(value, value.si)
-    names = [value.name for value in values]
+    names = list(dict.fromkeys(value.name for value in values))
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
 
@@ -131,7 +140,7 @@ def _result(
     steps: Sequence[Step],
 ) -> Result:
     rows = [
-        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name, v.given)
+        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name, v.given is not None)
         for v in values
         for text in v.units
     ]

@@ -4,7 +4,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.etendue import etendue, read_radiance
+from radcalc.laws.etendue import etendue
 
 SECTIONS = {
     "Source": ("area", "radius", "diameter", "width", "length", "tilt", "radiance"),
@@ -51,7 +51,6 @@ SECTIONS = {
 @calculator.steps_option
 @output.options
 def command(
-    radiance: str | None,
     wanted: tuple[str, ...],
     steps: bool,
     shown: output.Output,
@@ -71,6 +70,5 @@ def command(
     A source and a cone, or a source and a receiver: two discs (--radius, --receiver-radius) that
     face each other are exact, other patches must be small beside their distance.
     """
-    given = {} if radiance is None else {"radiance": read_radiance(radiance)}
-    answers = [(case, etendue({**one, **given})) for case, one in calculator.cases(typed)]
+    answers = [(case, etendue(given)) for case, given in calculator.cases(typed)]
     calculator.show(answers, wanted, shown, steps)

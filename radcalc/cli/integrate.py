@@ -8,9 +8,9 @@ from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import positive
 from radcalc.errors import ConditionError, UsageError
+from radcalc.laws.inputs import half_angle as half_angle_of
 from radcalc.laws.inputs import read_interval, take
 from radcalc.laws.integrate import integrate
-from radcalc.units.grammar import parse_number
 
 WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
 
@@ -24,26 +24,24 @@ WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
     },
     context_settings={"max_content_width": 100},
 )
-@click.argument("expression", metavar="EXPRESSION")
+@click.argument("words", nargs=-1, metavar="EXPRESSION")
 @click.option("--sphere", is_flag=True, help="All directions.")
 @click.option("--hemisphere", is_flag=True, help="The hemisphere about +z.")
 @calculator.inputs("half-angle", half_angle="The cone of that half angle about +z.")
 @click.option("--polar", metavar="30deg:60deg", help="A zone between two polar angles.")
 @click.option("--azimuth", metavar="0deg:90deg", help="Only between these azimuths.")
-@click.option(
-    "--accuracy", metavar="1e-9", default="1e-9", help="Relative, at which to stop (1e-9)."
-)
+@calculator.inputs("accuracy")
 @calculator.get_option
 @calculator.steps_option
 @output.options
 def command(
-    expression: str,
+    words: tuple[str, ...],
     sphere: bool,
     hemisphere: bool,
     half_angle: str | None,
     polar: str | None,
     azimuth: str | None,
-    accuracy: str,
+    accuracy: str | None,
     wanted: tuple[str, ...],
     steps: bool,
     shown: output.Output,
@@ -63,17 +61,22 @@ def command(
     The integral is over solid angle: sin(theta) is there already.  What does not converge is
     refused.
     """
+    if not words:
+        raise UsageError("an expression is missing", "radcalc integrate 'cos(theta)' --hemisphere")
     given = [name for name in (sphere, hemisphere, half_angle, polar) if name]
     if not given:
         raise UsageError("the directions to integrate over are missing", WHERE)
     if len(given) > 1:
         raise ConditionError("the directions to integrate over are given twice", f"one of {WHERE}")
-    if polar:
-        ends = read_interval("polar", polar)
-    elif half_angle:
-        ends = (0.0, positive(take("half-angle", half_angle)))
-    else:
-        ends = (0.0, math.pi if sphere else math.pi / 2)
     around = read_interval("azimuth", azimuth) if azimuth else (0.0, 2 * math.pi)
-    answer = integrate(expression, ends, around, parse_number(accuracy))
-    calculator.show([("", answer)], wanted, shown, steps)
+    stop = positive(take("accuracy", accuracy)) if accuracy else 1e-9
+    answers = []
+    for case, one in calculator.cases({"half-angle": half_angle}):
+        if polar:
+            ends = read_interval("polar", polar)
+        elif half_angle:
+            ends = (0.0, half_angle_of(one["half-angle"]))
+        else:
+            ends = (0.0, math.pi if sphere else math.pi / 2)
+        answers.append((case, integrate(" ".join(words), ends, around, stop)))
+    calculator.show(answers, wanted, shown, steps)

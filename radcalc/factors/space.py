@@ -195,13 +195,14 @@ def far_field(
     source: Factor,
     distance: Given,
     hint: str = "--radius R in place of --area, for the exact disc",
+    law: str = "the inverse square law",
 ) -> None:
     """Refuse an area seen from so near that the inverse square law is off."""
     size = 2 * (source.value / math.pi) ** 0.5
     if maths.any_true(distance.value < 5 * size * (1 - 1e-12)):
         raise ConditionError(
             f"--distance {quote(distance.text)} is less than five times the size of the source "
-            f"({show(size)} m): the inverse square law does not hold",
+            f"({show(size)} m): {law} does not hold",
             hint,
         )
 

@@ -5,6 +5,7 @@ Only numbers, the names and functions below, + - * / ** and brackets are let thr
 
 import ast
 import math
+import re
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -43,86 +44,107 @@ OPERATORS: dict[type, Callable[..., Any]] = {
     ast.USub: numpy.negative,
     ast.UAdd: numpy.positive,
 }
-LONGEST, DEEPEST = 1000, 100  # characters, and brackets or operators within each other
-EXAMPLE = "an expression such as '100*cos(theta)**10'"
+EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
+GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
+LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within each other
+REFUSED = re.compile(r"[^\w\s.+*/(),^-]|_|\b0[xXoObB]|[^\x00-\x7f]")
 
 Function = Callable[[dict[str, Any]], Any]
 
 
-def read_expression(text: str) -> Function:
-    """Read a text into a function of the arrays theta, phi, x, y, z."""
+class Expression:
+    """A function of the arrays theta, phi, x, y, z, and the names of those that it uses."""
+
+    def __init__(self, text: str) -> None:
+        """Read a text; `RadcalcError` where it is not an expression."""
+        self.text = text
+        self.uses: set[str] = set()
+        self._source = _prepared(text)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                tree = ast.parse(self._source, mode="eval")
+        except SyntaxError as error:
+            column = f" (see column {error.offset})" if (error.offset or 0) > 1 else ""
+            raise ConditionError(f"'{quote(text)}' is not an expression{column}", EXAMPLE) from None
+        except (RecursionError, MemoryError, ValueError):
+            raise ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
+        self._function = self._read(tree.body, DEEPEST)
+
+    def __call__(self, at: dict[str, Any]) -> Any:
+        """The values at arrays by name."""
+        return self._function(at)
+
+    def _read(self, node: ast.expr, depth: int) -> Function:
+        """The function of one node; whatever is not listed here is refused."""
+        if not depth:
+            raise ConditionError("the expression is nested too deeply", f"at most {DEEPEST} levels")
+        match node:
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                number = _finite(value)
+                return lambda _: number
+            case ast.Name(id=name) if name in NAMES:
+                self.uses.add(name)
+                return lambda at: at[name]
+            case ast.Name(id=name) if name in CONSTANTS:
+                return lambda _: CONSTANTS[name]
+            case ast.Name(id=name):
+                raise _unknown(name)
+            case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
+                unary, one = OPERATORS[type(op)], self._read(operand, depth - 1)
+                return lambda at: unary(one(at))
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+                binary = OPERATORS[type(op)]
+                a, b = self._read(left, depth - 1), self._read(right, depth - 1)
+                return lambda at: binary(a(at), b(at))
+            case ast.Call(func=ast.Name(id=name), args=args, keywords=[]):
+                return self._call(name, args, depth)
+        part = self._source[node.col_offset : node.end_col_offset]
+        raise ConditionError(
+            f"'{quote(part)}' cannot stand in an expression",
+            "numbers, + - * / **, brackets, " + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
+        )
+
+    def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
+        if name not in FUNCTIONS:
+            raise _unknown(name)
+        count, function = FUNCTIONS[name]
+        if len(args) != count:
+            raise ConditionError(
+                f"{name}() takes {count} argument{'s' if count > 1 else ''}, not {len(args)}",
+                f"{name}({', '.join(('theta', 'phi')[:count])})",
+            )
+        inner = [self._read(arg, depth - 1) for arg in args]
+        return lambda at: function(*(one(at) for one in inner))
+
+
+def _prepared(text: str) -> str:
+    """The text as Python's parser takes it, with the letters and signs that people use."""
     if len(text) > LONGEST:
         raise ConditionError(f"the expression has {len(text)} characters", f"at most {LONGEST}")
     # ^ has no other meaning here; the minus may be the one that negative numbers are given
     source = text.strip().replace("^", "**").replace("\u2212", "-")
+    for letter, name in GREEK.items():
+        source = source.replace(letter, name)
     if not source:
         raise ConditionError("the expression is empty", EXAMPLE)
+    if found := REFUSED.search(source):
+        raise ConditionError(f"'{quote(found[0])}' cannot stand in an expression", EXAMPLE)
+    return source
+
+
+def _finite(value: float) -> float:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(source, mode="eval")
-    except SyntaxError as error:
-        column = f" at column {error.offset}" if error.offset else ""
-        hint = EXAMPLE
-        if "perhaps you forgot a comma" in str(error) or "invalid decimal" in str(error):
-            hint = "a * between factors: 2*cos(theta)"
-        raise ConditionError(f"'{quote(text)}' is not an expression{column}", hint) from None
-    except (RecursionError, MemoryError, ValueError):
-        raise ConditionError(f"'{quote(text)}' is not an expression", EXAMPLE) from None
-    return _function(tree.body, DEEPEST)
-
-
-def _function(node: ast.expr, depth: int) -> Function:
-    """The function of one node; whatever is not listed here is refused."""
-    if not depth:
-        raise ConditionError("the expression is nested too deeply", f"at most {DEEPEST} levels")
-    match node:
-        case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-            try:
-                number = float(value)
-            except OverflowError:
-                raise ConditionError("a number is too large", "less than 1e308") from None
-            return lambda _: number
-        case ast.Name(id=name) if name in NAMES:
-            return lambda at: at[name]
-        case ast.Name(id=name) if name in CONSTANTS:
-            return lambda _: CONSTANTS[name]
-        case ast.Name(id=name):
-            raise _unknown(name)
-        case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
-            unary, one = OPERATORS[type(op)], _function(operand, depth - 1)
-            return lambda at: unary(one(at))
-        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
-            binary, a, b = (
-                OPERATORS[type(op)],
-                _function(left, depth - 1),
-                _function(right, depth - 1),
-            )
-            return lambda at: binary(a(at), b(at))
-        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]):
-            return _call(name, args, depth)
-    raise ConditionError(
-        f"'{quote(ast.unparse(node))}' cannot stand in an expression",
-        "numbers, + - * / **, brackets, " + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
-    )
-
-
-def _call(name: str, args: list[ast.expr], depth: int) -> Function:
-    if name not in FUNCTIONS:
-        raise _unknown(name)
-    count, function = FUNCTIONS[name]
-    if len(args) != count:
-        raise ConditionError(
-            f"{name}() takes {count} argument{'s' if count > 1 else ''}, not {len(args)}",
-            f"{name}({', '.join(('theta', 'phi')[:count])})",
-        )
-    inner = [_function(arg, depth - 1) for arg in args]
-    return lambda at: function(*(one(at) for one in inner))
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if number == math.inf:
+        raise ConditionError("a number in the expression is too large", "less than 1e308")
+    return number
 
 
 def _unknown(name: str) -> RadcalcError:
     known = (*NAMES, *CONSTANTS, *FUNCTIONS)
     near = nearest(name, known)
-    return ConditionError(
-        f"'{quote(name)}' is not known in an expression", ", ".join(near or known)
-    )
+    message = f"'{quote(name)}' is not known in an expression"
+    return ConditionError(message, ", ".join(near or known))

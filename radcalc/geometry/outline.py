@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.polygons import cross, dot, length, minus, plus, times
+from radcalc.geometry.vectors import cross, dot, length, minus, plus, times
 
 Point = tuple[float, float, float]
 FLAT = 1e-6  # of the polygon's size: how far a vertex, as typed, may be off the plane
@@ -53,12 +53,15 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     for one, two in pairwise(sides[1:]):
         area = plus(area, cross(one, two))
     if length(area) <= 1e-12 * size * size:
+        widest = max(length(cross(one, two)) for one in sides for two in sides)
+        if widest > 1e-12 * size * size:
+            raise _crossing()  # a bow tie, whose halves are equal
         raise ConditionError("the polygon has no area", "vertices that are not on one line")
     unit = times(area, 1 / length(area))
     off = max(abs(dot(unit, side)) for side in sides)
     if off > FLAT * size:
         raise ConditionError(
-            f"the polygon is not flat: a vertex is {off:.3g} off the plane of the others",
+            f"the polygon is not flat: its vertices are up to {off:.3g} off one plane",
             "its triangles, each for itself",
         )
     _refuse_crossing(sides, unit)
@@ -90,9 +93,11 @@ def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
             apart = turn(j, j + 1, k) * turn(j, j + 1, k + 1)
             across = turn(k, k + 1, j) * turn(k, k + 1, j + 1)
             if apart <= 0 and across <= 0 and (apart or across):
-                raise ConditionError(
-                    "the polygon's sides cross or touch", "the vertices in order round it"
-                )
+                raise _crossing()
+
+
+def _crossing() -> ConditionError:
+    return ConditionError("the polygon's sides cross or touch", "the vertices in order round it")
 
 
 def _write(point: Point) -> str:

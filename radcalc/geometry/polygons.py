@@ -5,61 +5,27 @@ The vertices are taken from the observer; inside, a polygon is its first vertex 
 vertices *from that one*, whose differences keep their digits however far the polygon is.
 """
 
-import math
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.quadrature import adaptive
 from radcalc.geometry.special import arc_excess
-from radcalc.maths import Number, any_true, atan2, each, is_array, piecewise, sqrt
+from radcalc.geometry.strips import over_triangle
+from radcalc.geometry.vectors import Vector, cross, dot, length, minus, plus, times, vector
+from radcalc.maths import (
+    Number,
+    any_true,
+    atan2,
+    each,
+    is_array,
+    larger,
+    piecewise,
+    power_of_two,
+    smaller,
+)
 
-Vector = tuple[Number, Number, Number]
-
-
-def vector(point: Any) -> Vector:
-    """The coordinates of a point; those of an array are on its last axis."""
-    if isinstance(point, (tuple, list)) and not any(isinstance(x, (tuple, list)) for x in point):
-        coordinates = tuple(point)
-    else:
-        import numpy
-
-        array = numpy.asarray(point, float)
-        coordinates = tuple(array[..., i] for i in range(array.shape[-1] if array.ndim else 0))
-    if len(coordinates) != 3:
-        raise ConditionError("a point has three coordinates", "X,Y,Z")
-    return coordinates
-
-
-def dot(a: Vector, b: Vector) -> Number:
-    """The scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
-    """a + factor b."""
-    return (a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2])
-
-
-def times(a: Vector, factor: Number) -> Vector:
-    """A vector times a number."""
-    return (a[0] * factor, a[1] * factor, a[2] * factor)
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    """a - b."""
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def length(a: Vector) -> Number:
-    """The length of a vector."""
-    return sqrt(dot(a, a))
+POOR = 1e-2  # of the largest term: below it a sum has lost too many digits
 
 
 def triangle(a: Any, b: Any, c: Any) -> Number:
@@ -84,24 +50,41 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
 def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number:
     """The same, where the sides from a are known with all their digits."""
     la, lb, lc = length(a), length(b), length(c)
-    under = la * lb * lc + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
-    return 2 * atan2(dot(a, cross(ab, ac)), under)
+    whole = la * lb * lc
+    under = whole + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
+    triple = dot(a, cross(ab, ac))
+    angle = 2 * atan2(triple, under)
+    # Of a splinter seen from near, `under` is a small difference of large terms.
+    digits = larger(abs(under) - 1e-14 * whole, 0.0 * whole)
+    off = whole * abs(triple) > 1e3 * abs(angle) * (triple**2 + digits**2)
+    if not any_true(off):
+        return angle
+
+    def strips(*xs: Any) -> Number:
+        return over_triangle(xs[:3], xs[3:6], xs[6:])
+
+    return piecewise(
+        off, lambda _, *xs: each(strips, *xs), lambda angle, *_: angle, angle, *a, *ab, *ac
+    )
+
+
+def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]]:
+    """A polygon made so small or large that no square of a length leaves the floats."""
+    size = abs(first[0])
+    for x in (*first[1:], *(x for side in sides for x in side)):
+        size = larger(size, abs(x))
+    scale = 1 / power_of_two(size)
+    return times(first, scale), [times(side, scale) for side in sides]
 
 
 def fan(first: Vector, sides: Sequence[Vector]) -> Number:
     """The signed solid angle of a polygon, as the sum of the triangles of its first vertex."""
+    first, sides = scaled(first, sides)
     points = [plus(first, side) for side in sides]
-    total, sizes = 0.0, length(first)
+    total = 0.0
     for i in range(1, len(sides) - 1):
         total = total + _triangle(first, points[i], points[i + 1], sides[i], sides[i + 1])
-    # Of a splinter seen from near, the denominator of a triangle all but vanishes.
-    spread = sum(length(side) for side in sides)
-    return _unless(
-        abs(total) < POOR * spread * spread / (spread + sizes) ** 2, total, first, sides, None
-    )
-
-
-POOR = 1e-2  # of the largest term: below it a sum has lost too many digits
+    return total
 
 
 def split(vertices: Any) -> tuple[Vector, list[Vector]]:
@@ -138,18 +121,19 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     directions to the vertices is taken apart from what the sides' arcs add to it: of a small
     polygon the sides' terms all but cancel.
     """
+    first, sides = scaled(first, sides)
     far = length(first)
     points = [plus(first, side) for side in sides]
     lengths = [length(point) for point in points]
-    # (p/|p| - p0/|p0|), from the side p - p0
-    moves = []
-    for side, point, size in zip(sides, points, lengths, strict=True):
-        longer = dot(side, plus(point, first)) / (size + far)
-        moves.append(plus(times(side, 1 / size), first, -longer / (size * far)))
+    moves = [_move(first, far, *one) for one in zip(sides, points, lengths, strict=True)]
+    turns = [
+        smaller(length(side) / size, 2.0 + 0 * size)
+        for side, size in zip(sides, lengths, strict=True)
+    ]
     total, largest = 0.0, 0.0
     for i in range(1, len(sides) - 1):
         total = total + dot(normal, cross(moves[i], moves[i + 1]))
-        largest = largest + length(moves[i]) * length(moves[i + 1])
+        largest = largest + turns[i] * turns[i + 1]
     for i, (point, size) in enumerate(zip(points, lengths, strict=True)):
         j = (i + 1) % len(points)
         product = cross(point, minus(sides[j], sides[i]))
@@ -158,51 +142,38 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
         more = piecewise(cosine > 0.1, lambda s, c: arc_excess(s), _wide, sine, cosine)
         total = total + dot(normal, product) / scale * more
         largest = largest + sine * more
-    return _unless(abs(total) < POOR * largest, total / 2, first, sides, normal)
-
-
-def _unless(
-    poor: Any,
-    total: Number,
-    first: Vector,
-    sides: Sequence[Vector],
-    normal: Vector | None,
-) -> Number:
-    """The total, or the integral over the triangles where the total is poor in digits."""
+    poor = abs(total) < POOR * largest
     if not any_true(poor):
-        return total
+        return total / 2
 
-    def exact(*xs: Any) -> Number:
-        flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
-        start, toward, rest = flat[0], (flat[1] if normal else None), flat[1 + bool(normal) :]
+    def strips(*xs: Any) -> Number:
+        start, toward, *rest = (xs[i : i + 3] for i in range(0, len(xs), 3))
         pairs = pairwise(rest[1:])
-        return sum(_integral(start, one, two, toward) for one, two in pairs)
+        return sum(over_triangle(start, one, two, toward) for one, two in pairs)
 
-    given = [*first, *(normal or ()), *(x for side in sides for x in side)]
-    return piecewise(poor, lambda _, *xs: each(exact, *xs), lambda total, *xs: total, total, *given)
+    given = [*first, *normal, *(x for side in sides for x in side)]
+    return piecewise(
+        poor, lambda _, *xs: each(strips, *xs), lambda half, *_: half, total / 2, *given
+    )
 
 
-def _integral(a: Vector, ab: Vector, ac: Vector, normal: Vector | None) -> Number:
-    """The integral over a triangle of the solid angle, or the projected one, of its parts."""
-    bc, solid = minus(ac, ab), dot(a, cross(ab, ac))
-
-    def part(u: float, v: float) -> Number:
-        p = (
-            a[0] + u * (ab[0] + v * bc[0]),
-            a[1] + u * (ab[1] + v * bc[1]),
-            a[2] + u * (ab[2] + v * bc[2]),
-        )
-        square = dot(p, p)
-        weight = math.sqrt(square) if normal is None else dot(normal, p)
-        return u * weight / square**2
-
-    return solid * adaptive(lambda u: adaptive(lambda v: part(u, v), 0.0, 1.0), 0.0, 1.0)
+def _move(first: Vector, far: Number, side: Vector, point: Vector, size: Number) -> Vector:
+    """p/|p| - p0/|p0|; of a short side from p0 to p without the loss of its digits."""
+    longer = dot(side, plus(point, first)) / (size + far)
+    small = plus(times(side, 1 / size), first, -longer / (size * far))
+    large = minus(times(point, 1 / size), times(first, 1 / far))
+    short = length(side) < size / 2
+    x, y, z = (
+        piecewise(short, lambda s, _: s, lambda _, w: w, s, w)
+        for s, w in zip(small, large, strict=True)
+    )
+    return x, y, z
 
 
 def _wide(sine: Number, cosine: Number) -> Number:
     """beta/sin(beta) - 1, for an angle that is not small."""
     if any_true(sine == 0):
-        raise ConditionError("the observer is on an edge of the polygon", "a viewpoint off it")
+        raise ConditionError("the observer is on an edge of the polygon", "another viewpoint")
     return atan2(sine, cosine) / sine - 1
 
 

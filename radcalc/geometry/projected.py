@@ -11,9 +11,10 @@ import math
 from typing import Any
 
 from radcalc.geometry import solid
-from radcalc.geometry.polygons import above, dot, length, projected, split, vector
+from radcalc.geometry.polygons import above, projected, split
 from radcalc.geometry.quadrature import adaptive, integral
 from radcalc.geometry.special import less_arctangent
+from radcalc.geometry.vectors import dot, length, times, vector
 from radcalc.maths import (
     Number,
     atan2,
@@ -63,9 +64,14 @@ def _cone(half_angle: float, tilt: float) -> Number:
         return _crescent(half_angle, tilt)
     # How high it stands, from -1 (below the horizon) to 1 (above).
     u = cosine / sine
-    w = math.sqrt((1 - u) * (1 + u)) * math.tan(half_angle)
-    turn = math.acos(max(-1.0, -u * math.cos(half_angle) / math.sin(tilt)))
-    return sine**2 * w - less_arctangent(w) + u * sine**3 * turn
+    root, level = math.sqrt((1 - u) * (1 + u)), math.cos(half_angle)
+    turn = math.acos(max(-1.0, -u * level / math.sin(tilt)))
+    if level < 0.5:
+        side = math.atan2(root * sine, level) - root * sine * level
+    else:
+        w = root * math.tan(half_angle)
+        side = sine**2 * w - less_arctangent(w)
+    return side + u * sine**3 * turn
 
 
 def _crescent(half_angle: float, tilt: float) -> float:
@@ -123,7 +129,7 @@ def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number
     """The light vector of a whole disc: towards its axis, and along it."""
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
     both, square = nearest * farthest, height**2 + offset**2
-    more = square - radius**2
+    more = height**2 + (offset - radius) * (offset + radius)
     along = piecewise(
         more > 0,
         lambda b, m, r, h: 2 * (r * h) ** 2 / (b * (b + m)),
@@ -145,25 +151,33 @@ def _tilted_disc(radius: float, height: float, offset: float, tilt: float) -> Nu
         return sine * across + cosine * along
     if centre <= -abs(sine) * radius:
         return 0.0
-    cut = math.acos(-centre / (sine * radius))
-    return _cut_disc(radius, height, offset, sine, cut)
+    return _cut_disc(radius, height, offset, sine, cosine)
 
 
-def _cut_disc(radius: float, height: float, offset: float, sine: float, cut: float) -> float:
+def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: float) -> float:
     """What the receiver's horizon leaves of a disc, strip by strip along the horizon.
 
-    The strip at the angle t of the rim lies at offset + R cos t, and reaches R sin t to either
-    side; the horizon passes through the angle `cut`.
+    The strip at the angle t of the rim lies at x = offset + R cos t, and reaches R sin t to
+    either side.  Angles are counted from the strip nearest the observer, over whom a low disc's
+    share is sharply peaked.
     """
+    horizon = -height * cosine / sine  # the x of the strip on it
+    cut = math.acos(max(-1.0, min(1.0, (horizon - offset) / radius)))
+    nearest = math.acos(max(-1.0, -offset / radius))
+    x0 = max(0.0, offset - radius)
 
-    def strip(t: float) -> float:
-        away, reach = math.hypot(offset + radius * math.cos(t), height), radius * math.sin(t)
-        # cos t - cos(cut): how high it is above the horizon
-        rise = 2 * sine * math.sin((cut + t) / 2) * math.sin((cut - t) / 2)
+    def strip(turn: float) -> float:
+        t = nearest + turn
+        x = x0 - 2 * radius * math.sin(nearest + turn / 2) * math.sin(turn / 2)
+        away, reach = math.hypot(x, height), radius * math.sin(t)
         ends = reach / (away**2 + reach**2) + math.atan(reach / away) / away
-        return height * radius * rise / away**2 * ends * reach
+        return height * sine * (x - horizon) / away**2 * ends * reach
 
-    return adaptive(strip, *((0.0, cut) if sine > 0 else (cut, math.pi)))
+    low, high = (0.0, cut) if sine > 0 else (cut, math.pi)
+    low, high = low - nearest, high - nearest
+    if low < 0 < high:
+        return adaptive(strip, low, 0.0) + adaptive(strip, 0.0, high)
+    return adaptive(strip, low, high)
 
 
 def rectangle(
@@ -212,9 +226,10 @@ def polygon(vertices: Any, normal: Any) -> Number:
 
 def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     n = vector(normal)
-    size = length(n)
-    solid.refuse(size == 0, "a normal of length 0 has no direction", "--normal 0,0,1")
-    unit = (n[0] / size, n[1] / size, n[2] / size)
+    largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
+    solid.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
+    n = times(n, 1 / power_of_two(largest))
+    unit = times(n, 1 / length(n))
     coordinates = [*first, *unit, *(x for side in sides for x in side)]
 
     def one(*xs: Any) -> Number:

@@ -7,7 +7,7 @@ from radcalc.errors import ConditionError
 
 Rule = tuple[tuple[float, ...], tuple[float, ...]]
 _RULES: dict[int, Rule] = {}
-DEEPEST = 60  # halvings of an interval
+DEEPEST, MOST = 60, 2000  # halvings of an interval, and intervals
 
 
 def gauss(n: int) -> Rule:
@@ -56,7 +56,7 @@ def adaptive(
         if abs(left + right - whole) <= accuracy * max(size, abs(left + right)):
             parts.append(left + right)
             continue
-        if depth == DEEPEST:
+        if depth == DEEPEST or len(parts) + len(open_) > MOST:
             raise ConditionError("the integral does not converge", "less extreme values")
         open_ += [(a, middle, left, depth + 1), (middle, b, right, depth + 1)]
     return math.fsum(parts)

@@ -3,14 +3,15 @@
 import math
 from typing import Any
 
-from radcalc.conditions import LENGTH, show
+from radcalc.conditions import LENGTH, require, show
 from radcalc.geometry.directions import cartesian, spherical
 from radcalc.laws import inputs as i
 from radcalc.laws.inputs import Inputs
 from radcalc.result import Answer, Step, Value
 from radcalc.units.table import NUMBER
 
-CONVENTION = "polar angle from +z, azimuth from +x towards +y, from 0 to 360 deg (ISO 80000-2)"
+CONVENTION = "polar angle from +z, azimuth from +x towards +y (ISO 80000-2)"
+LEAST = 2**-53  # of a unit vector's coordinate: below it is what the angle's rounding makes of 0
 
 
 def of_vector(x: float, y: float, z: float, unit: str = "") -> Answer:
@@ -45,11 +46,16 @@ def of_angles(given: Inputs) -> Answer:
     i.only(given, ("polar", "elevation", "azimuth"), "a direction")
     one = i.one_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = i.one_of(given, "the azimuth", "azimuth").value
+    if one.option.name == "elevation":
+        require(one, abs(one.value) <= math.pi / 2 * (1 + 1e-12), "from -90 to 90 deg")
+    else:
+        require(one, 0 <= one.value <= math.pi * (1 + 1e-12), "from 0 to 180 deg")
     polar = one.value if one.option.name == "polar" else math.pi / 2 - one.value
     x, y, z = cartesian(polar, azimuth)
     if one.option.name == "elevation":
         z = math.sin(one.value)  # without the rounding of a right angle
         x, y = math.cos(one.value) * math.cos(azimuth), math.cos(one.value) * math.sin(azimuth)
+    x, y, z = (0.0 if abs(size) < LEAST else size for size in (x, y, z))
     step = Step(
         "unit vector",
         "x = sin(theta) cos(phi), y = sin(theta) sin(phi), z = cos(theta)",

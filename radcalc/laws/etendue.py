@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from radcalc.conditions import Given, Option, positive, read, require, show
+from radcalc.conditions import Given, positive, require, show
 from radcalc.errors import ConditionError, UsageError
 from radcalc.factors import space
 from radcalc.geometry import etendue as g
@@ -37,7 +37,8 @@ def etendue(given: Inputs) -> Answer:
     else:
         raise UsageError(
             "what limits the light is missing",
-            "--half-angle, --apex-angle, --na, --f-number, or --receiver-area with --distance",
+            "--half-angle, --apex-angle, --na, --f-number, or --receiver-area (-radius, -diameter) "
+            "with --distance",
         )
     values, assumptions, notes, steps = found
     values += [i.known(one) for name, one in given.items() if name != "radiance"]
@@ -85,7 +86,8 @@ def _area(given: Inputs) -> tuple[Any, list[Step]]:
         if any(name in given for name in ("area", *ROUND)):
             raise ConditionError("the size of the source is given twice", "one of them")
         return positive(given["width"]) * positive(given["length"]), []
-    factor = space.area(i.one_of(given, "the size of the source", "area", *ROUND))
+    hint = "--area 1cm2, --radius 10cm, --diameter 20cm, or --width 2cm with --length 1cm"
+    factor = space.area(i.one_of(given, "the size of the source", "area", *ROUND, hint=hint))
     return factor.value, list(factor.steps)
 
 
@@ -96,15 +98,17 @@ def _with_cone(given: Inputs) -> Answer:
     said = ["every point of the source sends its light into the same cone about its normal"]
     shown = f"{show(area)} m2"
     if one.option.name == "na":
+        require(one, positive(one) <= 1, "at most 1, in air")
         size = g.patch_and_aperture(area, positive(one))
         formula, numbers = "G = pi A NA^2 Omega0", f"pi {shown} ({show(one.value)})^2 sr"
         said.append("in air, where the numerical aperture is the sine of the half angle")
     elif one.option.name == "f-number":
+        require(one, positive(one) >= 0.5, "0.5 or more, in air")
         size = g.patch_and_lens(area, positive(one))
         formula, numbers = "G = pi A / (4 N^2) Omega0", f"pi {shown} / (4 ({show(one.value)})^2) sr"
         said.append("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
     else:
-        half = i.half_angle(one)
+        half = i.half_angle(one, 90)
         size = g.patch_and_cone(area, half)
         formula = "G = pi A sin^2(alpha) Omega0"
         numbers = f"pi {shown} sin^2({_degrees(half)}) sr"
@@ -138,7 +142,7 @@ def _discs(given: Inputs, away: Any) -> Answer:
         f"r1 = {show(one)} m, r2 = {show(other)} m, d = {show(away)} m; G = {show(size)} m2 sr",
         "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-41",
     )
-    note = f"the far field A1 A2 / d^2 is {show(far / size)} times the exact etendue"
+    note = f"at {show(away)} m the far field A1 A2 / d^2 is {show(far / size)} times the exact one"
     said = ["two discs that face each other on one axis"]
     return _values(size, area, far), said, [note], [step]
 
@@ -148,17 +152,16 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
     name = receiver.option.name
     size = positive(receiver)
     other = size if name == "receiver-area" else math.pi * i.radius(given, "receiver-") ** 2
-    tilt = abs(given["tilt"].value) if "tilt" in given else 0.0
-    incidence = abs(given["incidence"].value) if "incidence" in given else 0.0
-    for angle in ("tilt", "incidence"):
-        if angle in given:
-            require(given[angle], abs(given[angle].value) <= math.pi, "0 to 180 deg")
+    tilt, incidence = i.tilt(given), i.tilt(given, "incidence")
     longest = max(2 * math.sqrt(max(area, other) / math.pi), *_sides(given), 0.0)
     if positive(away) < 5 * longest * (1 - 1e-12):
+        hint = "--radius and --receiver-radius, for two discs exactly"
+        if "tilt" in given or "incidence" in given:
+            hint = "two discs without --tilt and --incidence, which are exact"
         raise ConditionError(
             f"--distance {away.text} is less than five times the size of the patches "
             f"({show(longest)} m): A1 A2 / d^2 does not hold",
-            "--radius and --receiver-radius, for two discs exactly",
+            hint,
         )
     total = g.two_patches(area, other, away.value, tilt, incidence)
     notes = []
@@ -178,13 +181,6 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
 
 def _sides(given: Inputs) -> list[Any]:
     return [given[name].value for name in ("width", "length") if name in given]
-
-
-def read_radiance(text: str) -> Given:
-    """Read --radiance: a radiance, a luminance, or photons; no spectral density."""
-    kinds = tuple(light_dimension(kind, (0, 1, 1), "") for kind in FLUX)
-    option = Option("radiance", "", kinds, "a radiance or a luminance", "100cd/m2", "")
-    return read(option, text)
 
 
 def _flux(radiance: Given, size: Any) -> tuple[list[Value], Step]:
@@ -209,7 +205,7 @@ def _flux(radiance: Given, size: Any) -> tuple[list[Value], Step]:
             light,
             (radiance.dimension,),
             (unit.text,),
-            given=True,
+            given=i.typed_number(radiance),
         ),
     ], step
 

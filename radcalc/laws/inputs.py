@@ -4,11 +4,13 @@ An input is an option of a calculator's command (`--radius 2m`); a value of it i
 `conditions.read`, as a condition of a conversion is.
 """
 
+import math
 from typing import Any
 
-from radcalc.conditions import ANGLE, LENGTH, Given, Option, positive, read
+from radcalc.conditions import ANGLE, LENGTH, Given, Option, positive, read, require
 from radcalc.errors import ConditionError, NumberError, UsageError, quote
-from radcalc.quantities import AREA, SOLID_ANGLE
+from radcalc.maths import any_true
+from radcalc.quantities import AREA, DURATION, SOLID_ANGLE
 from radcalc.result import Value
 from radcalc.units.grammar import parse_number, split_quantity
 from radcalc.units.table import NUMBER, Dimension
@@ -59,8 +61,15 @@ INPUTS = dict(
         _option("receiver-area", AREA, "an area", "4cm2", "Area of the receiver."),
         _length("receiver-radius", "1m", "Radius of the receiver."),
         _length("receiver-diameter", "2m", "Diameter of the receiver."),
+        _option("accuracy", NUMBER, "a number", "1e-9", "Relative, at which to stop (1e-9)."),
         _option("na", NUMBER, "a number", "0.22", "Numerical aperture, in air."),
         _option("f-number", NUMBER, "a number", "2.4", "The lens's f-number."),
+        _option("time", DURATION, "a time", "1h", "How long the light is constant."),
+        _option("exponent", NUMBER, "a number", "3", "Exponent of a cosine-power lobe."),
+        _angle("beam-angle", "30deg", "Full angle of a lobe, where half the peak is left."),
+        _angle("field-angle", "60deg", "Full angle of a lobe, where a tenth of it is left."),
+        _angle("within", "45deg", "Half angle within which the flux is wanted."),
+        _angle("off-axis", "20deg", "Angle between the source's axis and the light."),
     )
 )
 SYMBOLS = {
@@ -89,6 +98,20 @@ SYMBOLS = {
     "receiver-diameter": "D_r",
     "na": "NA",
     "f-number": "N",
+    "time": "t",
+    "exponent": "n",
+    "beam-angle": "FWHM",
+    "field-angle": "FWTM",
+    "within": "β",
+    "off-axis": "γ",
+}
+
+LABELS = {
+    "na": "numerical aperture",
+    "f-number": "f-number",
+    "offset-y": "offset along y",
+    "within": "half angle of the part",
+    "off-axis": "angle off the axis",
 }
 
 Inputs = dict[str, Given]
@@ -101,14 +124,19 @@ def take(name: str, text: str) -> Given:
 
 def known(given: Given) -> Value:
     """An input as a row of the answer, in the unit it was given in."""
-    return value(given.option.name, given.value, unit_of(given), True)
+    return value(given.option.name, given.value, unit_of(given), typed_number(given))
 
 
-def value(name: str, si: Any, unit: str, given: bool = False) -> Value:
+def value(name: str, si: Any, unit: str, given: Any = None) -> Value:
     """A result that is also an input."""
-    label = name.replace("-", " ")
+    label = LABELS.get(name, name.replace("-", " "))
     dimensions = INPUTS[name].dimensions
     return Value(name, label, SYMBOLS[name], si, dimensions, (unit,), given=given)
+
+
+def typed_number(given: Given) -> Any:
+    """The number as it was typed."""
+    return split_quantity(given.text)[0]
 
 
 def unit_of(given: Given) -> str:
@@ -116,10 +144,10 @@ def unit_of(given: Given) -> str:
     return split_quantity(given.text)[1] or "1"
 
 
-def one_of(inputs: Inputs, what: str, *names: str) -> Given:
+def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:
     """The one of several inputs that was given."""
     found = [inputs[name] for name in names if name in inputs]
-    hint = " or ".join(f"--{name} {INPUTS[name].example}" for name in names)
+    hint = hint or " or ".join(f"--{name} {INPUTS[name].example}" for name in names)
     if not found:
         raise UsageError(f"{what} is missing", hint)
     if len(found) > 1:
@@ -133,7 +161,7 @@ def only(inputs: Inputs, names: tuple[str, ...], what: str) -> None:
     unused = [given.flag for name, given in inputs.items() if name not in names]
     if unused:
         raise ConditionError(
-            f"{' and '.join(unused)} {'has' if len(unused) == 1 else 'have'} no use for {what}",
+            f"{' and '.join(unused)} {'has' if len(unused) == 1 else 'have'} no use with {what}",
             f"the same without {' and '.join(unused)}",
         )
 
@@ -144,9 +172,23 @@ def radius(inputs: Inputs, prefix: str = "", what: str = "the size of the source
     return positive(size) / (2 if size.option.name.endswith("diameter") else 1)
 
 
-def half_angle(given: Given) -> Any:
-    """A half angle, from the half angle or the apex angle."""
-    return positive(given) / (2 if given.option.name == "apex-angle" else 1)
+def half_angle(given: Given, most: int = 180) -> Any:
+    """A half angle, from the half angle or the apex angle, of at most so many degrees."""
+    angle = positive(given) / (2 if given.option.name == "apex-angle" else 1)
+    top = 2 * most if given.option.name == "apex-angle" else most
+    good = not any_true(angle > math.radians(most) * (1 + 1e-12))
+    require(given, good, f"at most {top} deg")
+    return angle
+
+
+def tilt(inputs: Inputs, name: str = "tilt") -> Any:
+    """An angle from a normal, from 0 to 180 degrees; 0 where none is given."""
+    if name not in inputs:
+        return 0.0
+    given = inputs[name]
+    angle = abs(given.value)
+    require(given, not any_true(angle > math.pi * (1 + 1e-12)), "from 0 to 180 deg")
+    return angle
 
 
 def read_interval(name: str, text: str) -> tuple[float, float]:
@@ -158,9 +200,10 @@ def read_interval(name: str, text: str) -> tuple[float, float]:
         )
     low, high = (take(name, part).value for part in parts)
     if low >= high:
-        raise ConditionError(
-            f"--{name} {quote(text)} ends before it starts", f"--{name} {parts[1]}:{parts[0]}"
-        )
+        hint = f"--{name} {parts[1]}:{parts[0]}"
+        if name == "azimuth":  # across +x
+            hint = f"--{name} {parts[0]}:{math.degrees(high) + 360:.12g}deg"
+        raise ConditionError(f"--{name} {quote(text)} ends before it starts", hint)
     return low, high
 
 

@@ -4,8 +4,9 @@ import math
 
 from radcalc.conditions import show
 from radcalc.errors import ConditionError, quote
-from radcalc.geometry.cubature import CELLS, FINE, over_directions
-from radcalc.geometry.expression import read_expression
+from radcalc.geometry.cubature import FIRST, POINTS, ROUNDING, Integral, over_directions
+from radcalc.geometry.expression import Expression
+from radcalc.geometry.solid import check_zone, zone
 from radcalc.quantities import SOLID_ANGLE
 from radcalc.result import Answer, Step, Value
 
@@ -18,25 +19,25 @@ def integrate(
     text: str, polar: Interval, azimuth: Interval = (0.0, TURN), accuracy: float = 1e-9
 ) -> Answer:
     """Integrate an expression in theta, phi, x, y, z over intervals of two angles [rad]."""
-    slack = 1 + 1e-12
-    if polar[0] < 0 or polar[1] > math.pi * slack:
-        raise ConditionError("polar angles beyond the poles are not possible", "0deg:180deg")
-    if azimuth[1] - azimuth[0] > TURN * slack:
-        raise ConditionError("the azimuths are more than a turn", "0deg:360deg")
+    check_zone(*polar, azimuth[1] - azimuth[0])
     if not FINEST <= accuracy <= COARSEST:
         raise ConditionError(
             f"an accuracy of {accuracy:g} is not possible", f"from {FINEST:g} to {COARSEST:g}"
         )
-    found = over_directions(read_expression(text), polar, azimuth, accuracy)
+    expression = Expression(text)
+    if expression.uses:
+        found = over_directions(expression, polar, azimuth, accuracy)
+    else:
+        found = _constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
     values = [
         Value("integral", "integral", "∫f dΩ", found.value, (SOLID_ANGLE,), ("sr",)),
-        Value("error", "bound of the error", "", found.error, (SOLID_ANGLE,), ("sr",)),
+        Value("error", "estimate of the error", "", found.error, (SOLID_ANGLE,), ("sr",)),
     ]
-    points = [n * FINE for n in CELLS]
+    points = [2 * n * POINTS for n in FIRST]
     said = [
-        "theta is the polar angle from +z, phi the azimuth from +x, in radians; x, y, z the unit "
-        "vector",
+        "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
+        f"{show(azimuth[0])} to {show(azimuth[1])}); x, y, z the unit vector",
         f"peaks narrower than {show(width / points[0])} deg in theta or {show(turn / points[1])} "
         "deg in phi may be missed",
     ]
@@ -45,7 +46,18 @@ def integrate(
         "integral over directions",
         "I = integral of f(theta, phi) sin(theta) dtheta dphi",
         f"f = {quote(text)}, theta from {show(t0)} to {show(t1)} deg, phi from {show(p0)} to "
-        f"{show(p1)} deg; I = {show(found.value)} sr, from {found.cells} cells of {FINE} x {FINE} "
-        "points of Gauss and Legendre",
+        f"{show(p1)} deg; I = {show(found.value)} sr, from {found.cells} cells of "
+        f"{POINTS} x {POINTS} points of Gauss and Legendre",
     )
     return values, said, [], [step]
+
+
+def _constant(expression: Expression, solid_angle: float) -> Integral:
+    """The integral of what depends on no direction."""
+    import numpy
+
+    with numpy.errstate(all="ignore"):
+        value = float(expression({})) * solid_angle
+    if not math.isfinite(value):
+        raise ConditionError("the expression has no finite value", "smaller numbers")
+    return Integral(value, ROUNDING * abs(value), 0)

@@ -45,7 +45,7 @@ def solid_angle(shape: str, given: Inputs, **others: Any) -> Answer:
 
     `given` are its inputs; `others` what is no quantity: intervals, points, --corner.
     """
-    i.only(given, SHAPES[shape].takes, f"a {shape}")
+    i.only(given, SHAPES[shape].takes, "all directions" if shape == "full" else f"a {shape}")
     seen = SHAPES[shape].see(given, **others)
     if seen.solid == 0 and not seen.notes:
         raise NumberError("the solid angle cannot be held by a number", "less extreme values")
@@ -75,6 +75,8 @@ def solid_angle(shape: str, given: Inputs, **others: Any) -> Answer:
         row = i.known(one)
         same = [k for k, value in enumerate(values) if value.name == name]
         if same:
+            own = values[same[0]].units if len(values[same[0]].units) > 1 else ()
+            row.units += tuple(unit for unit in own if unit not in row.units)
             values[same[0]] = row
         else:
             values.append(row)
@@ -118,6 +120,7 @@ def _cone(given: Inputs) -> Seen:
     )
     name, size = one.option.name, positive(one)
     if name == "solid-angle":
+        require(one, size <= solid.FULL * (1 + solid.SLACK), "at most 4pi sr")
         half = solid.cone_of(size)
     elif name == "projected-solid-angle":
         require(one, size <= math.pi * (1 + solid.SLACK), "at most pi sr, a hemisphere")
@@ -132,7 +135,7 @@ def _as_cone(half: float, onto: str, *before: Step, **others: Any) -> Seen:
     omega, flat = solid.cone(half), projected.cone(half)
     notes: tuple[str, ...] = ()
     if half > math.pi / 2:
-        notes = ("projected: only what is in front of the plane counts, a hemisphere",)
+        notes = ("what is behind that plane does not count: a hemisphere is left",)
     steps = (
         *before,
         _step(
@@ -162,7 +165,7 @@ def _zone(
     low, high = map(_degrees, polar)
     notes = []
     if polar[1] > math.pi / 2 * (1 + solid.SLACK):
-        notes = ["projected: only what is above the plane, up to 90 deg, counts"]
+        notes = ["what is below that plane, past 90 deg, does not count"]
     steps = (
         _step(
             "zone of a sphere",
@@ -176,7 +179,13 @@ def _zone(
             f"Omega_p = {show(flat)} sr",
         ),
     )
-    return Seen(omega, flat, "a plane whose normal is +z", steps, notes=notes)
+    around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
+    said = (f"polar angles from {_span(polar)} deg, {around}",)
+    return Seen(omega, flat, "a plane whose normal is +z", steps, assumptions=said, notes=notes)
+
+
+def _span(interval: tuple[float, float]) -> str:
+    return " to ".join(show(math.degrees(end)) for end in interval)
 
 
 def _sphere(given: Inputs) -> Seen:
@@ -272,7 +281,8 @@ def _rectangle(given: Inputs, corner: bool) -> Seen:
         ),
         _contour(flat),
     )
-    return Seen(omega, flat, FACING, steps)
+    said = ("seen from above a corner",) if corner else ()
+    return Seen(omega, flat, FACING, steps, assumptions=said)
 
 
 def _contour(flat: float) -> Step:
@@ -303,9 +313,11 @@ def _pyramid(given: Inputs) -> Seen:
 def _patch(given: Inputs) -> Seen:
     area = space.area(i.one_of(given, "the size of the patch", "area", "radius", "diameter"))
     away = i.one_of(given, "the distance", "distance")
-    tilt = abs(given["tilt"].value) if "tilt" in given else 0.0
+    tilt = i.tilt(given)
     omega = solid.patch(area.value, positive(away), tilt)
-    space.far_field(area, away, "radcalc solid-angle disc or rectangle, which are exact")
+    space.far_field(
+        area, away, "radcalc solid-angle disc or rectangle, which are exact", "A cos(theta) / d^2"
+    )
     notes = []
     if omega == 0:
         notes = ["the patch is seen from its edge or from behind"]
@@ -332,7 +344,7 @@ def _polygon(
     flat = projected.polygon(flat_shape.vertices, facing)
     notes = list(flat_shape.notes)
     if normal and flat_shape.lowest(normal) < 0:
-        notes.append("projected: what is below the horizon of --normal is cut away")
+        notes.append("what is below the horizon of --normal is cut away")
     step = Step(
         "polygon, as triangles",
         "tan(Omega/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a), each",
@@ -342,8 +354,9 @@ def _polygon(
     plane = "a plane parallel to the polygon's"
     if normal:
         plane = f"a plane whose normal is {','.join(map(show, normal))}"
-    seen_from = f"seen from {','.join(map(show, viewpoint))}" if viewpoint else "seen from 0,0,0"
-    return Seen(omega, flat, plane, (step, _contour(flat)), assumptions=(seen_from,), notes=notes)
+    seen_from = ",".join(map(show, viewpoint or (0.0, 0.0, 0.0)))
+    said = (f"a polygon of {len(points)} vertices, seen from {seen_from}",)
+    return Seen(omega, flat, plane, (step, _contour(flat)), assumptions=said, notes=notes)
 
 
 SIZE = ("radius", "diameter")

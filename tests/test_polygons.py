@@ -1,0 +1,405 @@
+"""Triangles, polygons and their clipping: spherical excess, defining integrals, invariances."""
+
+import math
+import random
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from mpmath import mpf
+
+from radcalc.errors import ConditionError
+from radcalc.geometry import outline, projected, solid
+from radcalc.geometry.polygons import polygon, triangle
+
+DIGITS = 80
+
+
+def close(got, reference, rel=1e-12) -> None:
+    with mpmath.workdps(DIGITS):
+        assert abs(mpf(got) - reference) <= rel * abs(reference), (got, mpmath.nstr(reference, 20))
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    size = mpmath.sqrt(dot(a, a))
+    return tuple(x / size for x in a)
+
+
+def excess(vertices):
+    """Girard's theorem for a convex polygon: its dihedral angles above those of a flat one."""
+    with mpmath.workdps(DIGITS):
+        points = [tuple(map(mpf, p)) for p in vertices]
+        total = -(len(points) - 2) * mpmath.pi
+        for i, p in enumerate(points):
+            before, after = points[i - 1], points[(i + 1) % len(points)]
+            total += mpmath.acos(dot(unit(cross(p, before)), unit(cross(p, after))))
+        return total
+
+
+def lambert(vertices, normal):
+    """The signed component of the light vector, by Lambert's contour formula with 80 digits.
+
+    All of the polygon counts, what is below the horizon negatively.
+    """
+    with mpmath.workdps(DIGITS):
+        points = [unit(tuple(map(mpf, p))) for p in vertices]
+        total = mpf(0)
+        for a, b in zip(points, points[1:] + points[:1], strict=True):
+            side = cross(a, b)
+            sine = mpmath.sqrt(dot(side, side))
+            total += dot(side, tuple(map(mpf, normal))) / sine * mpmath.atan2(sine, dot(a, b))
+        size = mpmath.sqrt(dot(normal, tuple(map(mpf, normal))))
+        return total / 2 / size
+
+
+def integral(vertices, weight):
+    """The defining integral of a triangle: weight(r) n.r / r^3 over its area."""
+    with mpmath.workdps(20):
+        a, b, c = (tuple(map(mpf, p)) for p in vertices)
+        ab, bc = ([y - x for x, y in zip(p, q, strict=True)] for p, q in ((a, b), (b, c)))
+        volume = dot(a, cross(ab, bc))
+
+        def part(u, v):
+            p = tuple(x + u * (y + v * z) for x, y, z in zip(a, ab, bc, strict=True))
+            away = mpmath.sqrt(dot(p, p))
+            return u * weight(p, away) / away**3
+
+        return volume * mpmath.quad(part, [0, 1], [0, 1], method="gauss-legendre")
+
+
+# --- Triangles and convex polygons.
+
+TRIANGLES = [
+    [(1.0, 0.0, 0.5), (0.0, 1.0, 0.7), (-0.3, -0.2, 1.0)],
+    [(1.0, 0.0, 2.0), (0.0, 1.0, 2.0), (0.5, 0.5, 3.0)],
+    [(2.0, 1.0, 1.0), (-1.0, 2.0, 1.5), (-2.0, -2.0, 1.0)],
+]
+
+
+@pytest.mark.parametrize("vertices", TRIANGLES)
+def test_a_triangle_is_its_defining_integral(vertices):
+    whole = integral(vertices, lambda p, away: 1)
+    close(excess(vertices), abs(whole), 1e-13)
+    close(abs(triangle(*vertices)), abs(whole))
+    for normal in ((0.0, 0.0, 1.0), (0.1, -0.2, 3.0)):
+        size = math.sqrt(dot(normal, normal))
+        part = integral(vertices, lambda p, away, n=normal: dot(p, n) / away) / size
+        close(lambert(vertices, normal), part, 1e-13)
+        close(projected.polygon(vertices, normal), abs(part))
+
+
+def convex(draw, sides, size, away, lean):
+    """Vertices on an ellipse, from a centre at a distance."""
+    turns = sorted(draw.uniform(0, 2 * math.pi) for _ in range(sides))
+    bearing, polar = draw.uniform(0, 6), draw.uniform(0, 0.6)
+    centre = [
+        away * math.sin(polar) * math.cos(bearing),
+        away * math.sin(polar) * math.sin(bearing),
+    ]
+    return [
+        (centre[0] + size * math.cos(t), centre[1] + 0.5 * size * math.sin(t),
+         away * math.cos(polar) + lean * size * math.cos(t))
+        for t in turns
+    ]  # fmt: skip
+
+
+def polygons():
+    draw = random.Random(13)
+    for k in range(40):
+        size = 10 ** draw.uniform(-9, 2)
+        yield convex(draw, 3 + k % 5, size, 1.0, draw.uniform(0, 0.3) if size < 1 else 0.0)
+
+
+@pytest.mark.parametrize("vertices", list(polygons()))
+def test_convex_polygons_small_and_large(vertices):
+    # Vertices off one plane by the rounding make a fan's triangles, which Girard takes exactly.
+    with mpmath.workdps(DIGITS):
+        pairs = list(pairwise(vertices[1:]))
+        want = sum(excess([vertices[0], *pair]) for pair in pairs)
+    close(polygon(vertices), want)
+    close(polygon(vertices[::-1]), -want)
+    close(projected.polygon(vertices, (0.0, 0.0, 2.0)), abs(lambert(vertices, (0, 0, 2))))
+
+
+def test_the_octant():
+    octant = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+    assert triangle(*octant) == pytest.approx(math.pi / 2, rel=1e-15)  # an eighth of 4 pi
+    assert triangle(*octant[::-1]) == pytest.approx(-math.pi / 2, rel=1e-15)
+    assert projected.polygon(octant, (0.0, 0.0, 1.0)) == pytest.approx(math.pi / 4, rel=1e-14)
+
+
+def test_a_triangle_that_is_all_but_a_hemisphere():
+    # a base that is close by is nearly a hemisphere
+    base = [(math.cos(t), math.sin(t), 1e-3) for t in (0.0, 2.0, 4.0)]
+    close(triangle(*base), excess(base))
+    with pytest.raises(ConditionError):
+        polygon(base[:2])
+
+
+GOLDEN = (1 + math.sqrt(5)) / 2
+
+
+def test_the_faces_of_platonic_solids():
+    # by symmetry each of n faces has 4pi/n from the centre
+    signs = [(i, j) for i in (1, -1) for j in (1, -1)]
+    icosahedron = np.array(
+        [np.roll((0.0, i * 1.0, j * GOLDEN), k) for i, j in signs for k in range(3)]
+    )
+    faces = 0
+    for i in range(12):
+        for j in range(i):
+            for k in range(j):
+                a, b, c = icosahedron[[i, j, k]]
+                if all(abs(np.dot(p - q, p - q) - 4) < 1e-9 for p, q in ((a, b), (b, c), (a, c))):
+                    faces += 1
+                    assert abs(triangle(a, b, c)) == pytest.approx(math.pi / 5, rel=1e-13)
+    assert faces == 20
+    # the dodecahedron's face about (1, 0, golden), of the vertices at the icosahedron's faces
+    t = 2 * math.pi / 5
+    height = math.sqrt(25 + 11 * math.sqrt(5)) / math.sqrt(40)  # inradius over edge
+    radius = 1 / (2 * math.sin(math.pi / 5))
+    face = [(radius * math.cos(k * t), radius * math.sin(k * t), height) for k in range(5)]
+    assert polygon(face) == pytest.approx(math.pi / 3, rel=1e-13)
+    # three edges at 60 degrees to each other: the corner of a tetrahedron, arccos(23/27)
+    corner = [(1.0, 1.0, 0.0), (0.0, 1.0, 1.0), (1.0, 0.0, 1.0)]
+    assert abs(triangle(*corner)) == pytest.approx(math.acos(23 / 27), rel=1e-13)
+
+
+# --- Invariances.
+
+coordinates = st.floats(-10, 10)
+points = st.tuples(coordinates, coordinates, coordinates)
+
+
+def wide(a, b, c) -> bool:
+    """Whether a triangle is neither a splinter nor nearly seen edge-on."""
+    sizes = [math.sqrt(dot(p, p)) for p in (a, b, c)]
+    return min(sizes) > 1e-2 and abs(dot(a, cross(b, c))) > 1e-2 * math.prod(sizes)
+
+
+@given(points, points, points)
+def test_a_triangles_sign_is_its_turn(a, b, c):
+    assume(wide(a, b, c))
+    value = triangle(a, b, c)
+    assert triangle(a, c, b) == pytest.approx(-value, rel=1e-12)
+    assert triangle(b, c, a) == pytest.approx(value, rel=1e-12)
+    assert value * dot(a, cross(b, c)) > 0
+    assert triangle(*(tuple(1e3 * x for x in p) for p in (a, b, c))) == pytest.approx(value, 1e-12)
+
+
+def rotation(a, b, c):
+    """The matrix of three Euler angles."""
+
+    def about(axis, t):
+        i, j = [(1, 2), (2, 0), (0, 1)][axis]
+        matrix = np.eye(3)
+        matrix[i, i] = matrix[j, j] = math.cos(t)
+        matrix[i, j], matrix[j, i] = -math.sin(t), math.sin(t)
+        return matrix
+
+    return about(2, a) @ about(0, b) @ about(2, c)
+
+
+rotations = st.builds(rotation, *[st.floats(-3, 3)] * 3)
+
+
+def turned(matrix, points):
+    return [tuple(map(float, matrix @ np.array(point))) for point in points]
+
+
+@st.composite
+def flat_polygons(draw):
+    """A convex polygon in the plane z = 1, its vertices on a circle."""
+    turns = draw(st.lists(st.integers(0, 71), min_size=4, max_size=9, unique=True))
+    x, y, size = draw(st.floats(-3, 3)), draw(st.floats(-3, 3)), draw(st.floats(1e-2, 5))
+    angles = [k * math.pi / 36 for k in sorted(turns)]
+    return [(x + size * math.cos(t), y + size * math.sin(t), 1.0) for t in angles]
+
+
+@given(flat_polygons(), st.data())
+def test_a_polygon_is_the_sum_of_its_parts(vertices, data):
+    cut = data.draw(st.integers(2, len(vertices) - 2))
+    one, two = vertices[: cut + 1], [*vertices[cut:], vertices[0]]
+    assert polygon(one) + polygon(two) == pytest.approx(polygon(vertices), rel=1e-12)
+    for normal in ((0.0, 0.0, 1.0), (1.0, 0.2, 0.1)):
+        parts = projected.polygon(one, normal) + projected.polygon(two, normal)
+        whole = projected.polygon(vertices, normal)
+        assert parts == pytest.approx(whole, rel=1e-12, abs=1e-15)
+
+
+@given(flat_polygons(), rotations)
+def test_no_direction_is_preferred(vertices, matrix):
+    value = polygon(vertices)
+    assert polygon(turned(matrix, vertices)) == pytest.approx(value, rel=1e-12)
+    normal = (1.0, 0.2, 0.1)
+    value = projected.polygon(vertices, normal)
+    (other,) = turned(matrix, [normal])
+    got = projected.polygon(turned(matrix, vertices), other)
+    assert got == pytest.approx(value, rel=1e-11, abs=1e-15)
+
+
+@given(flat_polygons(), points)
+def test_what_is_above_less_what_is_below_is_the_light_vector(vertices, normal):
+    assume(dot(normal, normal) > 1e-4)
+    above = projected.polygon(vertices, normal)
+    below = projected.polygon(vertices, tuple(-x for x in normal))
+    assert above >= 0
+    assert below >= 0
+    # what is above the horizon counts positively in the vertices' turn about +z
+    with mpmath.workdps(DIGITS):
+        want = lambert(vertices, normal)
+    assert above - below == pytest.approx(float(want), rel=1e-12, abs=1e-13)
+    assert above + below <= abs(polygon(vertices)) * (1 + 1e-12)
+
+
+@given(flat_polygons(), st.floats(1.0, 3.0))
+def test_a_larger_polygon_is_seen_larger(vertices, factor):
+    x, y = (sum(p[i] for p in vertices) / len(vertices) for i in (0, 1))
+    larger = [(x + factor * (p[0] - x), y + factor * (p[1] - y), 1.0) for p in vertices]
+    assert abs(polygon(larger)) >= abs(polygon(vertices)) * (1 - 1e-12)
+    one, two = (projected.polygon(p, (0.5, 0.0, 1.0)) for p in (larger, vertices))
+    assert one >= two * (1 - 1e-12)
+
+
+@given(st.tuples(*[st.floats(-3, 3)] * 3), rotations)
+def test_a_cube_closes_round_those_inside_and_not_those_outside(place, matrix):
+    assume(all(abs(abs(x) - 1) > 1e-3 for x in place))
+    total = 0.0
+    for axis in range(3):
+        for sign in (1.0, -1.0):
+            ring = [(1.0, 1.0), (-sign, sign), (-1.0, -1.0), (sign, -sign)]  # left from inside
+            face = [np.insert(np.array(p), axis, sign) - np.array(place) for p in ring]
+            total += polygon(turned(matrix, face)) * (-1 if axis == 1 else 1)
+    inside = all(abs(x) < 1 for x in place)
+    assert abs(total) == pytest.approx(4 * math.pi if inside else 0.0, rel=1e-12, abs=1e-12)
+
+
+angles = st.floats(1e-6, 1.5)
+tilts = st.floats(-math.pi, math.pi)
+lengths = st.floats(1e-2, 1e2)
+PAIRS = {
+    "cone": lambda a, t, x, y, z: (solid.cone(a), projected.cone(a, t)),
+    "zone": lambda a, t, x, y, z: (
+        solid.zone(a, a + abs(t) / 4),
+        projected.zone(a, a + abs(t) / 4),
+    ),
+    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
+    "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
+    "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
+    "rectangle": lambda a, t, x, y, z: (
+        solid.rectangle(x, y, z, t, a),
+        projected.rectangle(x, y, z, t, a, (math.sin(t), 0.1, math.cos(t))),
+    ),
+    "pyramid": lambda a, t, x, y, z: (solid.pyramid(a, abs(t)), projected.pyramid(a, abs(t))),
+}
+
+
+@pytest.mark.parametrize("shape", PAIRS)
+@given(angles, tilts, lengths, lengths, lengths)
+def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
+    whole, part = PAIRS[shape](a, t, x, y, z)
+    assert 0 <= part <= whole * (1 + 1e-12)
+
+
+@settings(deadline=1000)
+@given(angles, tilts, lengths, lengths, lengths, st.floats(1.0, 3.0))
+def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
+    bigger = min(a * factor, 1.57)
+    for one, two in (
+        (solid.cone(bigger), solid.cone(a)),
+        (projected.cone(bigger, t), projected.cone(a, t)),
+        (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
+        (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
+        (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
+        (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),
+        (projected.rectangle(x, y * factor, z, t, a), projected.rectangle(x, y, z, t, a)),
+        (solid.pyramid(bigger, a), solid.pyramid(a, a)),
+    ):
+        assert one >= two * (1 - 1e-12)
+
+
+def test_arrays_of_polygons_give_what_floats_give():
+    draw = random.Random(14)
+    one = [convex(draw, 5, 10 ** draw.uniform(-3, 0), 1.0, 0.1) for _ in range(12)]
+    array = np.reshape(one, (3, 4, 5, 3))
+    want = np.reshape([polygon(p) for p in one], (3, 4))
+    np.testing.assert_allclose(polygon(array), want, rtol=1e-13)
+    a, b, c = (array[..., k, :] for k in range(3))
+    want = np.reshape([triangle(*p[:3]) for p in one], (3, 4))
+    np.testing.assert_allclose(triangle(a, b, c), want, rtol=1e-13)
+    np.testing.assert_allclose(triangle(one[0][0], b, c)[0, 0], want[0, 0], rtol=1e-13)
+    for normal in ((0.0, 0.0, 1.0), (1.0, 0.1, 0.05)):
+        want = np.reshape([projected.polygon(p, normal) for p in one], (3, 4))
+        np.testing.assert_allclose(projected.polygon(array, normal), want, rtol=1e-13)
+    normals = np.array([(0.0, 0.0, 1.0), (1.0, 0.1, 0.05), (0.3, 0.3, 0.3), (0.0, 0.0, -1.0)])
+    want = np.reshape(
+        [projected.polygon(p, tuple(normals[k % 4])) for k, p in enumerate(one)], (3, 4)
+    )
+    np.testing.assert_allclose(projected.polygon(array, normals), want, rtol=1e-13)
+
+
+# --- Outlines, as somebody typed them.
+
+SQUARE = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
+HERE = (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("vertices", "viewpoint", "message"),
+    [
+        (SQUARE[:2], HERE, "2 vertices"),
+        ([(math.cos(k / 200), math.sin(k / 200), 1.0) for k in range(1001)], HERE, "1001 vertices"),
+        ([*SQUARE, SQUARE[0]], HERE, "given twice"),
+        ([SQUARE[0], SQUARE[1], SQUARE[1], SQUARE[2]], HERE, "given twice"),
+        ([(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (3.0, 0.0, 1.0)], HERE, "no area"),
+        ([*SQUARE[:3], (0.0, 1.0, 1.01)], HERE, "not flat"),
+        ([SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]], HERE, "area|cross"),
+        ([(0.0, 0.0, 1.0), (4.0, 3.0, 1.0), (4.0, 0.0, 1.0), (0.0, 2.0, 1.0)], HERE, "cross"),
+        # a vertex on another side
+        ([(0.0, 0.0, 1.0), (4.0, 0.0, 1.0), (4.0, 2.0, 1.0), (2.0, 0.0, 1.0), (0.0, 2.0, 1.0)],
+         HERE, "cross or touch"),
+        (SQUARE, (5.0, 5.0, 1.0), "in the polygon's plane"),
+        (SQUARE, (0.5, 0.5, 1.0), "in the polygon's plane"),
+    ],
+)  # fmt: skip
+def test_what_is_no_polygon_is_refused(vertices, viewpoint, message):
+    with pytest.raises(ConditionError, match=message) as caught:
+        outline.read(vertices, viewpoint)
+    assert caught.value.hint
+
+
+def test_a_polygon_with_a_notch_is_what_its_triangles_are():
+    notched = [(-2.0, -2.0, 0.0), (2.0, -2.0, 0.0), (0.0, -1.0, 0.0), (2.0, 2.0, 0.0)]
+    viewpoint = (0.3, 0.2, -1.5)
+    found = outline.read(notched, viewpoint)
+    moved = [tuple(x - v for x, v in zip(p, viewpoint, strict=True)) for p in notched]
+    # the notch is at the third vertex: two triangles of the diagonal from it
+    want = sum(excess([moved[2], *pair]) for pair in ((moved[0], moved[1]), (moved[0], moved[3])))
+    close(abs(polygon(found.vertices)), want)
+    assert found.notes == []
+    assert found.lowest((0.0, 0.0, 1.0)) == pytest.approx(1.5, rel=1e-15)
+    assert found.normal == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
+    away = outline.read(notched, (0.3, 0.2, 1.5))
+    assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)
+    # seen facing its plane, the part with the normal is all of it
+    close(projected.polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
+
+
+def test_a_thousand_vertices_make_a_circle():
+    ring = [(math.cos(k * math.pi / 500), math.sin(k * math.pi / 500), 1.0) for k in range(1000)]
+    found = outline.read(ring, HERE)
+    # a regular pyramid's apex: 2 pi - 2 n arctan(tan(pi/n) / sqrt(1 + r^2/h^2))
+    want = 2 * math.pi - 2000 * math.atan(math.tan(math.pi / 1000) / math.sqrt(2))
+    assert polygon(found.vertices) == pytest.approx(want, rel=1e-12)
+    close(polygon(found.vertices), excess(ring))
