@@ -5,6 +5,7 @@ A condition is an option of `convert` (`--distance 2m`) or a keyword of the Pyth
 the business of `link.py`.
 """
 
+import math
 from typing import Any, NamedTuple
 
 from radcalc import maths
@@ -225,6 +226,11 @@ class Factor(NamedTuple):
 def show(value: Any) -> str:
     """A number for a derivation; an array by its shape."""
     return f"{value:.6g}" if isinstance(value, (int, float)) else f"array{value.shape}"
+
+
+def degrees(angle: Any) -> str:
+    """An angle [rad] for a derivation."""
+    return f"{show(angle * (180 / math.pi))} deg"
 
 
 def give(name: str, value: Any) -> Given:

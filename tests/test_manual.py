@@ -66,8 +66,8 @@ def described(page: str, title: str) -> set[str]:
     """The options that are items of a list in one section of the page."""
     section = re.search(rf"^ *{title}\n(.*?)^ {{0,3}}\S", page, re.M | re.S)
     assert section, f"the manual has no section '{title}'"
-    items = re.findall(r"^ {5}(--?[\w-]+)(?:, (--?[\w-]+))?", section[1], re.M)
-    return {spelling for item in items for spelling in item if spelling}
+    items = re.findall(r"^ {5}((?:--?[\w-]+(?:, )?)+)", section[1], re.M)
+    return {spelling for item in items for spelling in item.split(", ") if spelling}
 
 
 @pytest.mark.parametrize("called", CONTEXTS)

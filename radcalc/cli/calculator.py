@@ -8,7 +8,7 @@ import click
 
 from radcalc import console
 from radcalc.cli.output import PLAIN, TABLE, Output
-from radcalc.conditions import Given, read
+from radcalc.conditions import Given, give, read
 from radcalc.conversion import exact_ratio
 from radcalc.errors import ConditionError, NumberError, UsageError, nearest, quote
 from radcalc.laws import light
@@ -16,8 +16,8 @@ from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.quantities import describe
 from radcalc.render.plain import number
 from radcalc.result import Answer, Result, Row, Step, Value
-from radcalc.series import read_series
-from radcalc.units.table import Unit, resolve
+from radcalc.series import read_series, read_spectra
+from radcalc.units.table import NUMBER, Unit, resolve
 
 get_option = click.option(
     "-g",
@@ -45,11 +45,30 @@ def inputs(*names: str, **helps: str) -> Callable[..., Any]:
     return add
 
 
+def quantities(*names: str) -> Callable[..., Any]:
+    """Add light quantities as options, by their generic names and by those of one kind."""
+
+    def add(command: Callable[..., Any]) -> Callable[..., Any]:
+        for name in reversed(names):
+            others = light.names_of(name)
+            text = f"{light.INPUTS[name]} (also --{', --'.join(others)})."
+            for other in reversed(others):
+                what = f"{light.INPUTS[name]}, as {other.replace('-', ' ')}."
+                command = click.option(
+                    f"--{other}", metavar=light.option(other).example, help=what, hidden=True
+                )(command)
+            example = light.option(name).example
+            command = click.option(f"--{name}", metavar=example, help=text)(command)
+        return command
+
+    return add
+
+
 def cases(typed: dict[str, str | None]) -> list[Case]:
     """The inputs as given; several times where one of them is a list or a range."""
     given = {
-        name.replace("_", "-"): [_read(name.replace("_", "-"), part) for part in read_series(text)]
-        for name, text in typed.items()
+        name: [_read(name, part) for part in _parts(name, text)]
+        for name, text in ((name.replace("_", "-"), text) for name, text in typed.items())
         if text is not None
     }
     lists = [name for name, values in given.items() if len(values) > 1]
@@ -66,9 +85,24 @@ def cases(typed: dict[str, str | None]) -> list[Case]:
     ]
 
 
+def _parts(name: str, text: str) -> list[str]:
+    """The values of a list or a range; a range of wavelengths, or a file's name, is one value."""
+    if name == "spectrum":
+        return read_spectra(text)
+    return [text] if name in light.REFINEMENTS else read_series(text)
+
+
 def _read(name: str, text: str) -> Given:
-    """Read an input, or a light quantity."""
-    return read(INPUTS[name] if name in INPUTS else light.option(name), text)
+    """Read an input, a light quantity, or what links its kinds."""
+    if name in light.LINKS or name in light.REFINEMENTS:
+        return give(name, text)
+    option = INPUTS[name] if name in INPUTS else light.option(name)
+    try:
+        return read(option, text)
+    except NumberError as error:
+        if "," in text and option.dimensions == (NUMBER,):
+            raise NumberError(error.message, f"{error.hint}; a list as in 2.0,4.0") from None
+        raise
 
 
 def in_unit(value: Value, unit: Unit) -> float:
@@ -144,4 +178,6 @@ def _result(
         for v in values
         for text in v.units
     ]
+    if case:  # of several answers each begins with what it is for
+        rows.sort(key=lambda row: not row.given)
     return Result(tuple(rows), tuple(assumptions), tuple(notes), tuple(steps))

@@ -46,7 +46,7 @@ SECTIONS = {
     length="Length of a rectangular source.",
     distance="Straight line from the source to the receiver.",
 )
-@click.option("--radiance", metavar="100cd/m2", help="Uniform radiance or luminance, for a flux.")
+@calculator.quantities("radiance")
 @calculator.get_option
 @calculator.steps_option
 @output.options

@@ -37,7 +37,14 @@ class SectionedCommand(click.Command):
             if word.startswith("--") and name in seen - several:
                 raise UsageError(f"{quote(name)} is given twice", "it once, or a list of values")
             seen.add(name)
-        return super().parse_args(ctx, args)
+        rest = super().parse_args(ctx, args)
+        for parameter in self.params:
+            value = ctx.params.get(parameter.name or "")
+            if value == "" or (
+                isinstance(value, tuple) and "" in value and parameter.opts[0][0] == "-"
+            ):
+                raise UsageError(f"{parameter.opts[0]} is empty", "a value, or without the option")
+        return rest
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write one list of options a section."""

@@ -6,7 +6,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.errors import ConditionError, UsageError, nearest, quote
+from radcalc.errors import UsageError, nearest, quote
 from radcalc.laws.inputs import read_interval, read_point
 from radcalc.laws.solid_angle import ALIASES, SHAPES, solid_angle
 
@@ -29,18 +29,6 @@ SECTIONS = {
     "Pyramid": ("horizontal", "vertical"),
     "Polygon": ("viewpoint", "normal"),
     "Results": ("wanted",),
-}
-EXAMPLES = {
-    "cone": "radcalc solid-angle cone --half-angle 30deg",
-    "polygon": "radcalc solid-angle polygon 1,0,0 0,1,0 0,0,1",
-}
-# What is no quantity, and the shapes that take it.
-OTHERS = {
-    "polar": ("zone",),
-    "azimuth": ("zone",),
-    "corner": ("rectangle",),
-    "viewpoint": ("polygon",),
-    "normal": ("polygon",),
 }
 
 
@@ -119,24 +107,20 @@ def command(
     One of the quantities may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
     """
     shape, points = _shape(words)
+    each = calculator.cases(typed)  # before the words, so that `--radius 2 m` is told to write 2m
     others: dict[str, Any] = {
         "polar": polar and read_interval("polar", polar),
         "azimuth": azimuth and read_interval("azimuth", azimuth),
-        "corner": corner,
+        "corner": corner or None,
         "viewpoint": viewpoint and read_point(viewpoint, "--viewpoint"),
         "normal": normal and read_point(normal, "--normal"),
     }
-    for name, shapes in OTHERS.items():
-        if others[name] and shape not in shapes:
-            raise ConditionError(f"--{name} has no use for a {shape}", f"the same without --{name}")
-    taken = {name: value for name, value in others.items() if shape in OTHERS[name]}
+    others = {name: value for name, value in others.items() if value is not None}
     if shape == "polygon":
-        taken["points"] = [read_point(word, "the vertex") for word in points]
+        others["points"] = [read_point(word, "the vertex") for word in points]
     elif points:
         raise UsageError(f"too many words: '{quote(' '.join(points))}'", "options, as in --help")
-    answers = [
-        (case, solid_angle(shape, given, **taken)) for case, given in calculator.cases(typed)
-    ]
+    answers = [(case, solid_angle(shape, given, others)) for case, given in each]
     calculator.show(answers, wanted, shown, steps)
 
 
@@ -145,8 +129,9 @@ def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
     names = [*SHAPES, *ALIASES]
     if not words:
         raise UsageError("a shape is missing", ", ".join(names))
-    name = ALIASES.get(words[0], words[0])
+    word = words[0].lower()
+    name = ALIASES.get(word, word)
     if name not in SHAPES:
-        near = nearest(words[0], names, 1) or names
+        near = nearest(word, names, 1) or names
         raise UsageError(f"there is no shape '{quote(words[0])}'", ", ".join(near))
     return name, words[1:]

@@ -7,6 +7,7 @@ from radcalc import maths
 from radcalc.conditions import (
     Factor,
     Given,
+    degrees,
     positive,
     require,
     show,
@@ -52,10 +53,10 @@ def solid_angle(given: Given) -> Factor:
     step = Step(
         "solid angle of a cone",
         "Omega = 4 pi sin^2(alpha/2) Omega0",
-        f"Omega = 4 pi sin^2({_degrees(half)}/2) sr = {show(omega)} sr",
+        f"Omega = 4 pi sin^2({degrees(half)}/2) sr = {show(omega)} sr",
         "ISO 80000-3, solid angle",
     )
-    cone = f"uniform over a cone of half angle {_degrees(half)}, {show(omega)} sr"
+    cone = f"uniform over a cone of half angle {degrees(half)}, {show(omega)} sr"
     return Factor("Omega", omega, "sr", cone, (step,))
 
 
@@ -63,10 +64,6 @@ def half_angle(given: Given) -> Any:
     """The half angle of a cone [rad], from --half-angle or --apex-angle."""
     angle = positive(given)
     return angle if given.option.name == "half-angle" else angle / 2
-
-
-def _degrees(angle: Any) -> str:
-    return f"{show(angle * (180 / math.pi))} deg"
 
 
 def _lobe(given: Given) -> Factor:
@@ -84,7 +81,7 @@ def _lobe(given: Given) -> Factor:
             Step(
                 "exponent of a lobe",
                 "n = ln(1/2) / ln cos(FWHM/2)",
-                f"n = ln(1/2) / ln cos({_degrees(angle)}/2) = {show(exponent)}",
+                f"n = ln(1/2) / ln cos({degrees(angle)}/2) = {show(exponent)}",
             ),
         )
     omega = 2 * math.pi / (exponent + 1)
@@ -114,10 +111,10 @@ def projected_solid_angle(given: Given) -> Factor:
     step = Step(
         "projected solid angle of a cone",
         "Omega_p = pi sin^2(alpha) Omega0",
-        f"Omega_p = pi sin^2({_degrees(half)}) sr = {show(omega)} sr",
+        f"Omega_p = pi sin^2({degrees(half)}) sr = {show(omega)} sr",
         "ISO 80000-7, radiance and irradiance",
     )
-    cone = f"uniform over a cone of half angle {_degrees(half)} about the normal"
+    cone = f"uniform over a cone of half angle {degrees(half)} about the normal"
     return Factor("Omega_p", omega, "sr", f"{cone}, {show(omega)} sr projected", (step,))
 
 
@@ -126,7 +123,7 @@ def inverse_square(given: Given, incidence: Given | None) -> Factor:
     distance = positive(given)
     cosine, tilt, notes = _cosine(incidence)
     value = cosine / distance**2
-    written = f"cos({_degrees(incidence.value)}) " if incidence else ""
+    written = f"cos({degrees(incidence.value)}) " if incidence else ""
     step = Step(
         "inverse square law",
         f"q = {'cos(theta) ' if incidence else ''}Omega0 / d^2",
@@ -184,7 +181,7 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
         "disc on its axis",
         f"Omega_p = pi Omega0 R^2 / (R^2 + d^2){' cos(theta)' if incidence else ''}",
         f"Omega_p = pi sr ({show(radius)} m)^2 / (({show(radius)} m)^2 + ({show(away)} m)^2)"
-        f"{f' cos({_degrees(incidence.value)})' if incidence else ''} = {show(omega)} sr",
+        f"{f' cos({degrees(incidence.value)})' if incidence else ''} = {show(omega)} sr",
         "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors",
     )
     assumption = f"a uniform disc seen from its axis at {distance.text}, {tilt}"

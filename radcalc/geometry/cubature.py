@@ -133,7 +133,9 @@ def over_directions(
     split = numpy.arange(len(grid.value))
     while True:
         grid.quarter(split)
-        size, cells = float(grid.size.sum()), len(grid.value)
+        cells = len(grid.value)
+        with numpy.errstate(over="ignore"):
+            size = float(grid.size.sum())
         if not math.isfinite(size):
             raise ConditionError("the integral is larger than a number can be", "smaller values")
         error = float(grid.error.sum()) + ROUNDING * size

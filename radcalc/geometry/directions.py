@@ -41,6 +41,8 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
 def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     """The unit vector of a polar angle from 0 to pi and an azimuth [rad]."""
     if any_true((polar < 0) | (polar > math.pi * (1 + 1e-12))):
-        raise ConditionError("a polar angle is from 0 to 180 deg", "--elevation for -90 to 90 deg")
+        raise ConditionError(
+            "a polar angle is from 0 to 180 deg", "an elevation is from -90 to 90 deg"
+        )
     across = sin(polar)
     return across * cos(azimuth), across * sin(azimuth), cos(polar)

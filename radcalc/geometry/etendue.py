@@ -8,7 +8,7 @@ import math
 
 from radcalc.geometry import projected
 from radcalc.geometry.solid import facing, refuse
-from radcalc.maths import Number, hypot, larger, power_of_two
+from radcalc.maths import Number, hypot, larger, power_of_two, sqrt
 
 
 def patch_and_cone(area: Number, half_angle: Number) -> Number:
@@ -59,4 +59,4 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     radius, other, distance = radius / scale, other / scale, distance / scale
     root = hypot(distance, radius - other) * hypot(distance, radius + other)
     total = radius**2 + other**2 + distance**2
-    return 2 * (math.pi * radius * other) ** 2 / (total + root) * scale**2
+    return 2 * (math.pi * (radius * (other / sqrt(total + root))) * scale) ** 2

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from radcalc.errors import ConditionError
 from radcalc.geometry.vectors import cross, dot, length, minus, plus, times
+from radcalc.maths import power_of_two
 
 Point = tuple[float, float, float]
 FLAT = 1e-6  # of the polygon's size: how far a vertex, as typed, may be off the plane
@@ -40,14 +41,17 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
         raise ConditionError(
             f"a polygon of {len(points)} vertices is not possible", f"from 3 to {MOST}, as X,Y,Z"
         )
-    first = points[0]
-    sides = [minus(point, first) for point in points]
-    size = max(length(side) for side in sides)
     for k, point in enumerate(points):
         if point in points[:k]:
             raise ConditionError(
                 f"the vertex {_write(point)} is given twice", "each once, and no closing one"
             )
+    # Only directions matter: in a unit in which no square leaves the floats.
+    scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
+    points, viewpoint = [times(point, scale) for point in points], times(viewpoint, scale)
+    first = points[0]
+    sides = [minus(point, first) for point in points]
+    size = max(length(side) for side in sides)
     # Newell's normal, whose length is twice the area
     area: Point = (0.0, 0.0, 0.0)
     for one, two in pairwise(sides[1:]):
@@ -61,7 +65,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     off = max(abs(dot(unit, side)) for side in sides)
     if off > FLAT * size:
         raise ConditionError(
-            f"the polygon is not flat: its vertices are up to {off:.3g} off one plane",
+            f"the polygon is not flat: its vertices are up to {off / scale:.3g} off one plane",
             "its triangles, each for itself",
         )
     _refuse_crossing(sides, unit)
@@ -69,11 +73,11 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     height = dot(unit, away)
     if abs(height) <= 1e-12 * max(size, length(away)):
         raise ConditionError(
-            "the viewpoint lies in the polygon's plane", "--viewpoint X,Y,Z off that plane"
+            "the viewpoint lies in the polygon's plane", "a viewpoint off that plane"
         )
     notes = []
     if off > NOTED * size:
-        notes = [f"the vertices are up to {off:.2g} off one plane"]
+        notes = [f"the vertices are up to {off / scale:.2g} off one plane"]
     normal = times(unit, math.copysign(1.0, height))
     return Outline([plus(away, side) for side in sides], normal, notes)
 

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from radcalc.conditions import LENGTH, require, show
+from radcalc.conditions import LENGTH, degrees, require, show
 from radcalc.geometry.directions import cartesian, spherical
 from radcalc.laws import inputs as i
 from radcalc.laws.inputs import Inputs
@@ -11,6 +11,7 @@ from radcalc.result import Answer, Step, Value
 from radcalc.units.table import NUMBER
 
 CONVENTION = "polar angle from +z, azimuth from +x towards +y (ISO 80000-2)"
+POLE = "at a pole every azimuth is right"
 LEAST = 2**-53  # of a unit vector's coordinate: below it is what the angle's rounding makes of 0
 
 
@@ -20,7 +21,7 @@ def of_vector(x: float, y: float, z: float, unit: str = "") -> Answer:
     unit_vector = (x / length, y / length, z / length)
     notes = []
     if not (x or y):
-        notes = ["at a pole every azimuth is right, and 0 is given"]
+        notes = [f"{POLE}, and 0 is given"]
     shown = unit or "1"
     dimension = LENGTH if unit else NUMBER
     rows = [*_rows(polar, azimuth, unit_vector, {})]
@@ -29,12 +30,12 @@ def of_vector(x: float, y: float, z: float, unit: str = "") -> Answer:
         Step(
             "polar angle",
             "theta = atan2(sqrt(x^2 + y^2), z)",
-            f"theta = atan2({show(math.hypot(x, y))}, {show(z)}) = {_degrees(polar)}",
+            f"theta = atan2({show(math.hypot(x, y))}, {show(z)}) = {degrees(polar)}",
         ),
         Step(
             "azimuth",
             "phi = atan2(y, x)",
-            f"phi = atan2({show(y)}, {show(x)}) = {_degrees(azimuth)}",
+            f"phi = atan2({show(y)}, {show(x)}) = {degrees(azimuth)}",
         ),
     ]
     said = [CONVENTION, "x, y and z are those of the unit vector"]
@@ -59,19 +60,21 @@ def of_angles(given: Inputs) -> Answer:
     step = Step(
         "unit vector",
         "x = sin(theta) cos(phi), y = sin(theta) sin(phi), z = cos(theta)",
-        f"theta = {_degrees(polar)}, phi = {_degrees(azimuth)}; "
+        f"theta = {degrees(polar)}, phi = {degrees(azimuth)}; "
         f"x = {show(x)}, y = {show(y)}, z = {show(z)}",
     )
     rows = _rows(polar, azimuth, (x, y, z), given)
     rows.append(Value("length", "length", "r", 1.0, (NUMBER,), ("1",)))
-    return rows, [CONVENTION], [], [step]
+    notes = [POLE] if not (x or y) else []
+    return rows, [CONVENTION], notes, [step]
 
 
 def _rows(
     polar: Any, azimuth: Any, vector: tuple[float, float, float], given: Inputs
 ) -> list[Value]:
     """The results that both have; an angle that was given as it was given."""
-    found = {"polar": polar, "azimuth": azimuth, "elevation": math.pi / 2 - polar}
+    x, y, z = vector
+    found = {"polar": polar, "azimuth": azimuth, "elevation": math.atan2(z, math.hypot(x, y))}
     rows = [
         i.known(given[name]) if name in given else i.value(name, angle, "deg")
         for name, angle in found.items()
@@ -81,7 +84,3 @@ def _rows(
         for name, size in zip("xyz", vector, strict=True)
     ]
     return rows
-
-
-def _degrees(angle: float) -> str:
-    return f"{show(math.degrees(angle))} deg"

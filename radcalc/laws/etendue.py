@@ -3,27 +3,29 @@
 import math
 from typing import Any
 
-from radcalc.conditions import Given, positive, require, show
-from radcalc.errors import ConditionError, UsageError
+from radcalc.conditions import Given, degrees, positive, require, show
+from radcalc.errors import ConditionError, NumberError, UsageError
 from radcalc.factors import space
 from radcalc.geometry import etendue as g
+from radcalc.geometry.solid import facing
 from radcalc.laws import inputs as i
+from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
-from radcalc.quantities import FLUX, GEOMETRIES, SOLID_ANGLE, light_dimension, powers
+from radcalc.quantities import SOLID_ANGLE, powers
 from radcalc.result import Answer, Step, Value
-from radcalc.units.grammar import split_quantity
-from radcalc.units.table import NUMBER, resolve
+from radcalc.units.table import NUMBER
 
 ETENDUE = powers(length=2, angle=2)
+LEAST = 1e-300  # below it a float has fewer digits
 CONES = ("half-angle", "apex-angle", "na", "f-number")
 RECEIVERS = ("receiver-area", "receiver-radius", "receiver-diameter")
 SOURCES = ("area", "radius", "diameter", "width", "length")
-FLUX_UNITS = {"e": "W", "v": "lm", "p": "photon/s"}
 ROUND = ("radius", "diameter")
 
 
 def etendue(given: Inputs) -> Answer:
     """The etendue of a source and a cone of light, or of a source and a receiver."""
+    radiance, _, given = q.sort(given)
     has_receiver = any(name in given for name in RECEIVERS)
     has_cone = any(name in given for name in CONES)
     if has_receiver and has_cone:
@@ -41,9 +43,11 @@ def etendue(given: Inputs) -> Answer:
             "with --distance",
         )
     values, assumptions, notes, steps = found
-    values += [i.known(one) for name, one in given.items() if name != "radiance"]
-    if "radiance" in given:
-        flux, step = _flux(given["radiance"], values[0].si)
+    if not notes and values[0].si < LEAST:
+        raise NumberError("the etendue is too small to be held by a number", "larger sizes")
+    values += [i.known(one) for one in given.values()]
+    if radiance:
+        flux, step = _flux(q.read_light(radiance, {}), values[0].si)
         values[1:1] = flux
         steps = [*steps, step]
     return values, assumptions, notes, steps
@@ -92,7 +96,7 @@ def _area(given: Inputs) -> tuple[Any, list[Step]]:
 
 
 def _with_cone(given: Inputs) -> Answer:
-    i.only(given, (*SOURCES, *CONES, "radiance"), "a source and a cone")
+    i.only(given, (*SOURCES, *CONES), "a source and a cone")
     area, steps = _area(given)
     one = i.one_of(given, "the cone", *CONES)
     said = ["every point of the source sends its light into the same cone about its normal"]
@@ -111,7 +115,7 @@ def _with_cone(given: Inputs) -> Answer:
         half = i.half_angle(one, 90)
         size = g.patch_and_cone(area, half)
         formula = "G = pi A sin^2(alpha) Omega0"
-        numbers = f"pi {shown} sin^2({_degrees(half)}) sr"
+        numbers = f"pi {shown} sin^2({degrees(half)}) sr"
     steps.append(Step("etendue of a cone", formula, f"G = {numbers} = {show(size)} m2 sr"))
     return _values(size, area), said, [], steps
 
@@ -119,13 +123,13 @@ def _with_cone(given: Inputs) -> Answer:
 def _with_receiver(given: Inputs) -> Answer:
     i.only(
         given,
-        (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence", "radiance"),
+        (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence"),
         "a source and a receiver",
     )
     away = i.one_of(given, "the distance", "distance")
     receiver = i.one_of(given, "the size of the receiver", *RECEIVERS)
     discs = any(n in given for n in ROUND) and receiver.option.name != "receiver-area"
-    if discs and "tilt" not in given and "incidence" not in given:
+    if discs and not i.tilt(given) and not i.tilt(given, "incidence"):
         return _discs(given, positive(away))
     return _patches(given, away, receiver)
 
@@ -142,8 +146,13 @@ def _discs(given: Inputs, away: Any) -> Answer:
         f"r1 = {show(one)} m, r2 = {show(other)} m, d = {show(away)} m; G = {show(size)} m2 sr",
         "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, C-41",
     )
+    if not size > LEAST:
+        raise NumberError("the etendue is too small to be held by a number", "larger sizes")
     note = f"at {show(away)} m the far field A1 A2 / d^2 is {show(far / size)} times the exact one"
-    said = ["two discs that face each other on one axis"]
+    said = [
+        "two discs that face each other on one axis",
+        "projected solid angle and configuration factor: means over the source",
+    ]
     return _values(size, area, far), said, [note], [step]
 
 
@@ -155,7 +164,7 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
     tilt, incidence = i.tilt(given), i.tilt(given, "incidence")
     longest = max(2 * math.sqrt(max(area, other) / math.pi), *_sides(given), 0.0)
     if positive(away) < 5 * longest * (1 - 1e-12):
-        hint = "--radius and --receiver-radius, for two discs exactly"
+        hint = "more distance, or --radius and --receiver-radius for two discs exactly"
         if "tilt" in given or "incidence" in given:
             hint = "two discs without --tilt and --incidence, which are exact"
         raise ConditionError(
@@ -165,9 +174,9 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
         )
     total = g.two_patches(area, other, away.value, tilt, incidence)
     notes = []
-    if total == 0:
+    if not facing(tilt) * facing(incidence):
         notes = ["one of the patches is seen from its edge or from behind"]
-    cosines = f"cos({_degrees(tilt)}) {show(other)} m2 cos({_degrees(incidence)})"
+    cosines = f"cos({degrees(tilt)}) {show(other)} m2 cos({degrees(incidence)})"
     steps.append(
         Step(
             "two small patches",
@@ -175,7 +184,10 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
             f"G = {show(area)} m2 {cosines} / ({show(away.value)} m)^2 sr = {show(total)} m2 sr",
         )
     )
-    said = ["patches small beside their distance"]
+    off = (area + other) / math.pi / away.value**2
+    said = [
+        f"patches small beside their distance (two discs would have some {show(100 * off)} % less)"
+    ]
     return _values(total, area), said, notes, steps
 
 
@@ -183,32 +195,15 @@ def _sides(given: Inputs) -> list[Any]:
     return [given[name].value for name in ("width", "length") if name in given]
 
 
-def _flux(radiance: Given, size: Any) -> tuple[list[Value], Step]:
+def _flux(lit: q.Lit, size: Any) -> tuple[list[Value], Step]:
     """Phi = L G."""
-    light = positive(radiance)
-    kind = next(k for k in FLUX if light_dimension(k, (0, 1, 1), "") == radiance.dimension)
-    unit = resolve(split_quantity(radiance.text)[1])
-    flux = light * size
-    name = GEOMETRIES[0, 0, 0][0]["evp".index(kind)]
+    given = lit.values["radiance"]
+    flux = positive(given) * size
+    shown = q.show_light(lit, {"flux": flux, "radiance": given.value})
     step = Step(
         "flux of a uniform radiance",
         "Phi = L G",
-        f"Phi = {radiance.text} * {show(size)} m2 sr = {show(flux)} {FLUX_UNITS[kind]}",
+        f"Phi = {given.text} * {show(size)} m2 sr = {show(flux)} {q.unit('flux', lit.kind, True)}",
         "ISO 80000-7, radiance",
     )
-    return [
-        Value("flux", name, f"Φ_{kind}", flux, (FLUX[kind],), (FLUX_UNITS[kind],)),
-        Value(
-            "radiance",
-            GEOMETRIES[0, 1, 1][0]["evp".index(kind)],
-            f"L_{kind}",
-            light,
-            (radiance.dimension,),
-            (unit.text,),
-            given=i.typed_number(radiance),
-        ),
-    ], step
-
-
-def _degrees(angle: Any) -> str:
-    return f"{show(math.degrees(angle))} deg"
+    return [*shown.values["flux"], *shown.values["radiance"]], step

@@ -37,10 +37,10 @@ INPUTS = dict(
         _length("width", "2m", "Width of the source, along x."),
         _length("length", "1m", "Length of the source, along y."),
         _option("area", AREA, "an area", "1cm2", "Area of the source."),
-        _length("distance", "2m", "Straight line to the centre of the source."),
+        _length("distance", "2m", "Straight line to the centre of what is seen."),
         _length("height", "50cm", "Height above the source's plane, along its axis."),
-        _length("offset", "20cm", "Offset from the source's axis, along x (with --height)."),
-        _length("offset-y", "20cm", "Offset from the source's axis, along y (with --height)."),
+        _length("offset", "20cm", "How far aside of the source's axis, along x (with --height)."),
+        _length("offset-y", "20cm", "How far aside of it along y (with --height)."),
         _angle("tilt", "60deg", "Angle by which the source is turned from the line of sight."),
         _angle("incidence", "30deg", "Angle between the light and the receiver's normal."),
         _angle("half-angle", "30deg", "Half angle of a cone, from its axis to its edge."),
@@ -158,7 +158,11 @@ def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:
 
 def only(inputs: Inputs, names: tuple[str, ...], what: str) -> None:
     """Refuse inputs that have no use."""
-    unused = [given.flag for name, given in inputs.items() if name not in names]
+    refuse_unused([given.flag for name, given in inputs.items() if name not in names], what)
+
+
+def refuse_unused(unused: list[str], what: str) -> None:
+    """Refuse options that have no use."""
     if unused:
         raise ConditionError(
             f"{' and '.join(unused)} {'has' if len(unused) == 1 else 'have'} no use with {what}",
@@ -199,7 +203,9 @@ def read_interval(name: str, text: str) -> tuple[float, float]:
             f"--{name} {quote(text)} is not an interval", f"--{name} 30deg:60deg, from A to B"
         )
     low, high = (take(name, part).value for part in parts)
-    if low >= high:
+    if low == high:
+        raise ConditionError(f"--{name} {quote(text)} has no width", f"--{name} 30deg:60deg")
+    if low > high:
         hint = f"--{name} {parts[1]}:{parts[0]}"
         if name == "azimuth":  # across +x
             hint = f"--{name} {parts[0]}:{math.degrees(high) + 360:.12g}deg"

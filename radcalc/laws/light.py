@@ -6,10 +6,10 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 
 from typing import Any, NamedTuple
 
-from radcalc.conditions import OPTIONS, Factor, Given, Option, read
+from radcalc.conditions import Factor, Given, Option
 from radcalc.errors import ConditionError
 from radcalc.factors import kinds
-from radcalc.laws.inputs import unit_of
+from radcalc.laws.inputs import typed_number, unit_of
 from radcalc.quantities import (
     KIND_NAMES,
     LUMINOUS,
@@ -32,6 +32,16 @@ GEOMETRY = {
     "flux-within": (0, 0, 0),
     "beam-flux": (0, 0, 0),
     "far-field-irradiance": (0, 1, 0),
+}
+INPUTS = {
+    "flux": "All the flux of the source",
+    "intensity": "The intensity on the source's axis",
+    "irradiance": "The irradiance on the receiver",
+    "exitance": "The exitance of the source",
+    "radiance": "The uniform radiance of the source",
+    "exposure": "The exposure of the receiver (with --time)",
+    "energy": "The energy that the source sends (with --time)",
+    "incident-irradiance": "The irradiance on the reflector (with --reflectance)",
 }
 SYMBOLS = {
     "flux": "Φ",
@@ -115,9 +125,22 @@ def option(name: str) -> Option:
     )
 
 
+def names_of(generic: str) -> tuple[str, ...]:
+    """The names of one kind that go with a generic name."""
+    return tuple(name for name, (own, _) in SPECIFIC.items() if own == generic)
+
+
 def kind_of(name: str, given: Given) -> str:
     """The kind in which a light quantity was given."""
     return next(kind for kind in ORDER if dimension(name, kind) == given.dimension)
+
+
+def sort(given: dict[str, Given]) -> tuple[dict[str, Given], dict[str, Given], dict[str, Given]]:
+    """Tell light quantities, what links their kinds, and the rest from each other."""
+    quantities = {n: g for n, g in given.items() if n in INPUTS or n in SPECIFIC}
+    links = {n: g for n, g in given.items() if n in LINKS or n in REFINEMENTS}
+    rest = {n: g for n, g in given.items() if n not in quantities and n not in links}
+    return quantities, links, rest
 
 
 class Lit(NamedTuple):
@@ -235,7 +258,7 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
                     (dimension(name, kind),),
                     (text,),
                     reach if kind == lit.kind else None,
-                    given=is_given,
+                    given=typed_number(given) if given and is_given else None,
                     also=specific(name, kind),
                 )
             )
@@ -255,8 +278,3 @@ def specific(name: str, kind: str) -> str:
         if pair == (name, kind):
             return own
     return name if kind == RADIANT else f"{_named(kind)}-{name}"
-
-
-def conditions(typed: dict[str, str]) -> dict[str, Given]:
-    """Read the options that link the kinds."""
-    return {name: read(OPTIONS[name], text) for name, text in typed.items()}

@@ -296,7 +296,7 @@ def point_source(
         notes.append("light from the side or behind does not reach the receiver")
     if shape == CONICAL and "share" in values and any_true(values["share"].value == 0):
         notes.append("the receiver is outside the cone")
-    found = {
+    found: dict[str, Any] = {
         name: values[name].value
         for name in (
             "intensity",

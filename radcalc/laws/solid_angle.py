@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.conditions import ANGLE, positive, require, show
+from radcalc.conditions import ANGLE, degrees, positive, require, show
 from radcalc.errors import ConditionError, NumberError, UsageError
 from radcalc.factors import space
 from radcalc.geometry import projected, solid
@@ -15,6 +15,7 @@ from radcalc.result import Answer, Step, Value
 from radcalc.units.table import NUMBER
 
 Point = tuple[float, float, float]
+LEAST = 1e-300  # below it a float has fewer digits
 
 
 class Seen(NamedTuple):
@@ -34,21 +35,28 @@ class Seen(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """A shape: the inputs it takes, which of them are intervals, and how it is seen."""
+    """A shape: the inputs it takes, how it is seen, and what else it takes that is no quantity."""
 
     takes: tuple[str, ...]
     see: Callable[..., Seen]
+    also: tuple[str, ...] = ()
 
 
-def solid_angle(shape: str, given: Inputs, **others: Any) -> Answer:
+def solid_angle(shape: str, given: Inputs, others: dict[str, Any] | None = None) -> Answer:
     """The solid angle of a shape of `SHAPES`, with all that follows from it.
 
-    `given` are its inputs; `others` what is no quantity: intervals, points, --corner.
+    `given` are its inputs, `others` what is no quantity: intervals (polar, azimuth), points
+    (points, viewpoint, normal) and corner.
     """
-    i.only(given, SHAPES[shape].takes, "all directions" if shape == "full" else f"a {shape}")
-    seen = SHAPES[shape].see(given, **others)
-    if seen.solid == 0 and not seen.notes:
-        raise NumberError("the solid angle cannot be held by a number", "less extreme values")
+    named = "all directions" if shape == "full" else f"a {shape}"
+    others = others or {}
+    i.only(given, SHAPES[shape].takes, named)
+    i.refuse_unused([f"--{n}" for n in others if n not in SHAPES[shape].also], named)
+    seen = SHAPES[shape].see(given, **{name: others.get(name) for name in SHAPES[shape].also})
+    if not seen.notes and min(seen.solid, seen.projected) < LEAST:
+        raise NumberError(
+            "the solid angle is too small to be held by a number", "less extreme sizes"
+        )
     half = solid.cone_of(seen.solid) if seen.half_angle is None else seen.half_angle
     values = [
         Value("solid-angle", "solid angle", "Ω", seen.solid, (SOLID_ANGLE,), ("sr", "deg2")),
@@ -83,10 +91,6 @@ def solid_angle(shape: str, given: Inputs, **others: Any) -> Answer:
     values += seen.found
     assumptions = [f"projected onto {seen.onto}", *seen.assumptions]
     return values, assumptions, list(seen.notes), list(seen.steps)
-
-
-def _degrees(angle: Any) -> str:
-    return f"{show(math.degrees(angle))} deg"
 
 
 def _step(law: str, formula: str, numbers: str, omega: float, reference: str = "") -> Step:
@@ -141,14 +145,14 @@ def _as_cone(half: float, onto: str, *before: Step, **others: Any) -> Seen:
         _step(
             "solid angle of a cone",
             "Omega = 4 pi sin^2(alpha/2) Omega0",
-            f"4 pi sin^2({_degrees(half)}/2) sr",
+            f"4 pi sin^2({degrees(half)}/2) sr",
             omega,
             "ISO 80000-3, solid angle",
         ),
         Step(
             "projected solid angle of a cone",
             "Omega_p = pi sin^2(alpha) Omega0",
-            f"Omega_p = pi sin^2({_degrees(min(half, math.pi / 2))}) sr = {show(flat)} sr",
+            f"Omega_p = pi sin^2({degrees(min(half, math.pi / 2))}) sr = {show(flat)} sr",
             "ISO 80000-7, radiance and irradiance",
         ),
     )
@@ -162,7 +166,7 @@ def _zone(
         raise UsageError("the polar angles of the zone are missing", "--polar 30deg:60deg")
     width = azimuth[1] - azimuth[0] if azimuth else 2 * math.pi
     omega, flat = solid.zone(*polar, width), projected.zone(*polar, width)
-    low, high = map(_degrees, polar)
+    low, high = map(degrees, polar)
     notes = []
     if polar[1] > math.pi / 2 * (1 + solid.SLACK):
         notes = ["what is below that plane, past 90 deg, does not count"]
@@ -210,7 +214,7 @@ def _sphere(given: Inputs) -> Seen:
     step = Step(
         "sphere, its centre at a distance",
         "sin(alpha) = R / d",
-        f"sin(alpha) = {show(size)} m / {show(away)} m, alpha = {_degrees(half)}",
+        f"sin(alpha) = {show(size)} m / {show(away)} m, alpha = {degrees(half)}",
     )
     plane = "a plane whose normal points to the sphere's centre"
     return _as_cone(half, plane, step, found=found)
@@ -259,12 +263,12 @@ def _disc(given: Inputs) -> Seen:
 FACING = "a plane parallel to the source's (the receiver faces it)"
 
 
-def _rectangle(given: Inputs, corner: bool) -> Seen:
+def _rectangle(given: Inputs, corner: bool | None) -> Seen:
     for name in ("width", "length"):
         i.one_of(given, f"the {name} of the rectangle", name)
     width, length = positive(given["width"]), positive(given["length"])
     x, y = _offset(given, "offset"), _offset(given, "offset-y")
-    height = _above(given, corner)
+    height = _above(given, bool(corner))
     if corner:
         if {"offset", "offset-y"} & set(given):
             raise ConditionError("--corner and --offset contradict each other", "one of them")
@@ -302,7 +306,7 @@ def _pyramid(given: Inputs) -> Seen:
     step = _step(
         "rectangular pyramid",
         "Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0",
-        f"4 arcsin(sin({_degrees(a)}/2) sin({_degrees(b)}/2)) sr",
+        f"4 arcsin(sin({degrees(a)}/2) sin({degrees(b)}/2)) sr",
         omega,
     )
     said = ("the angles are full ones, from face to face through the axis",)
@@ -324,10 +328,13 @@ def _patch(given: Inputs) -> Seen:
     step = _step(
         "small patch",
         "Omega = A cos(theta) / d^2 Omega0",
-        f"{show(area.value)} m2 cos({_degrees(tilt)}) / ({show(away.value)} m)^2 sr",
+        f"{show(area.value)} m2 cos({degrees(tilt)}) / ({show(away.value)} m)^2 sr",
         omega,
     )
-    said = ("a patch small beside its distance",)
+    more = 0.75 * area.value / math.pi / away.value**2
+    said = (
+        f"a patch small beside its distance (a disc facing it fills {show(100 * more)} % less)",
+    )
     plane = "a plane whose normal points to the patch"
     steps = (*area.steps, step)
     return Seen(omega, omega, plane, steps, assumptions=said, notes=notes)
@@ -364,12 +371,14 @@ SHAPES = {
     "full": Shape((), _full),
     "hemisphere": Shape((), _hemisphere),
     "cone": Shape(("half-angle", "apex-angle", "solid-angle", "projected-solid-angle"), _cone),
-    "zone": Shape((), _zone),
+    "zone": Shape((), _zone, ("polar", "azimuth")),
     "sphere": Shape((*SIZE, "distance", "solid-angle"), _sphere),
     "disc": Shape((*SIZE, "distance", "height", "offset"), _disc),
-    "rectangle": Shape(("width", "length", "distance", "height", "offset", "offset-y"), _rectangle),
+    "rectangle": Shape(
+        ("width", "length", "distance", "height", "offset", "offset-y"), _rectangle, ("corner",)
+    ),
     "pyramid": Shape(("horizontal", "vertical"), _pyramid),
     "patch": Shape(("area", *SIZE, "distance", "tilt"), _patch),
-    "polygon": Shape((), _polygon),
+    "polygon": Shape((), _polygon, ("points", "viewpoint", "normal")),
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}
