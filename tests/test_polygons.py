@@ -388,7 +388,8 @@ def test_a_polygon_with_a_notch_is_what_its_triangles_are():
     want = sum(excess([moved[2], *pair]) for pair in ((moved[0], moved[1]), (moved[0], moved[3])))
     close(abs(polygon(found.vertices)), want)
     assert found.notes == []
-    assert found.lowest((0.0, 0.0, 1.0)) == pytest.approx(1.5, rel=1e-15)
+    assert not found.dips_below((0.0, 0.0, 1.0))
+    assert found.dips_below((0.0, 0.0, -1.0))
     assert found.normal == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
     away = outline.read(notched, (0.3, 0.2, 1.5))
     assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)

@@ -165,3 +165,12 @@ def _not_found(value: float, error: float, size: float, cells: int) -> Condition
         f"{cells} cells",
         hint,
     )
+
+
+def of_constant(function: Function, solid_angle: float) -> Integral:
+    """The integral of what depends on no direction."""
+    with numpy.errstate(all="ignore"):
+        value = float(function({})) * solid_angle
+    if not math.isfinite(value):
+        raise ConditionError("the expression has no finite value", "smaller numbers")
+    return Integral(value, ROUNDING * abs(value), 0)

@@ -23,9 +23,9 @@ class Outline:
         self.normal = normal
         self.notes = notes
 
-    def lowest(self, normal: Point) -> float:
-        """How far the lowest vertex is above the horizon of a normal."""
-        return float(min(dot(normal, vertex) for vertex in self.vertices))
+    def dips_below(self, normal: Point) -> bool:
+        """Whether a vertex is below the horizon of a normal."""
+        return any(dot(normal, vertex) < 0 for vertex in self.vertices)
 
 
 def read(points: Sequence[Point], viewpoint: Point) -> Outline:

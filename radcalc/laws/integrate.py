@@ -4,7 +4,7 @@ import math
 
 from radcalc.conditions import show
 from radcalc.errors import ConditionError, quote
-from radcalc.geometry.cubature import FIRST, POINTS, ROUNDING, Integral, over_directions
+from radcalc.geometry.cubature import FIRST, POINTS, of_constant, over_directions
 from radcalc.geometry.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
 from radcalc.quantities import SOLID_ANGLE
@@ -28,7 +28,7 @@ def integrate(
     if expression.uses:
         found = over_directions(expression, polar, azimuth, accuracy)
     else:
-        found = _constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
+        found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
     values = [
         Value("integral", "integral", "∫f dΩ", found.value, (SOLID_ANGLE,), ("sr",)),
@@ -50,14 +50,3 @@ def integrate(
         f"{POINTS} x {POINTS} points of Gauss and Legendre",
     )
     return values, said, [], [step]
-
-
-def _constant(expression: Expression, solid_angle: float) -> Integral:
-    """The integral of what depends on no direction."""
-    import numpy
-
-    with numpy.errstate(all="ignore"):
-        value = float(expression({})) * solid_angle
-    if not math.isfinite(value):
-        raise ConditionError("the expression has no finite value", "smaller numbers")
-    return Integral(value, ROUNDING * abs(value), 0)

@@ -54,9 +54,7 @@ def solid_angle(shape: str, given: Inputs, others: dict[str, Any] | None = None)
     i.refuse_unused([f"--{n}" for n in others if n not in SHAPES[shape].also], named)
     seen = SHAPES[shape].see(given, **{name: others.get(name) for name in SHAPES[shape].also})
     if not seen.notes and min(seen.solid, seen.projected) < LEAST:
-        raise NumberError(
-            "the solid angle is too small to be held by a number", "less extreme sizes"
-        )
+        raise NumberError("the solid angle is too small for a number", "less extreme sizes")
     half = solid.cone_of(seen.solid) if seen.half_angle is None else seen.half_angle
     values = [
         Value("solid-angle", "solid angle", "Ω", seen.solid, (SOLID_ANGLE,), ("sr", "deg2")),
@@ -350,7 +348,7 @@ def _polygon(
     facing = normal or flat_shape.normal
     flat = projected.polygon(flat_shape.vertices, facing)
     notes = list(flat_shape.notes)
-    if normal and flat_shape.lowest(normal) < 0:
+    if normal and flat_shape.dips_below(normal):
         notes.append("what is below the horizon of --normal is cut away")
     step = Step(
         "polygon, as triangles",
