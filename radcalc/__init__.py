@@ -13,13 +13,30 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from typing import Any
 
-    from radcalc.api import Quantity, convert, explain
+    from radcalc.api import (
+        Quantity,
+        calorimeter,
+        convert,
+        ev,
+        explain,
+        lambertian,
+        point_source,
+    )
 
-__all__ = ["Quantity", "__version__", "convert", "explain"]
+__all__ = [
+    "Quantity",
+    "__version__",
+    "calorimeter",
+    "convert",
+    "ev",
+    "explain",
+    "lambertian",
+    "point_source",
+]
 
 
 def __getattr__(name: str) -> "Any":
-    if name in ("Quantity", "convert", "explain"):
+    if name in __all__:
         from radcalc import api
 
         return getattr(api, name)

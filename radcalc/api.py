@@ -4,8 +4,8 @@ from typing import Any
 
 from radcalc.conditions import OPTIONS, Given, give
 from radcalc.conversion import Plan, answer, plan
-from radcalc.errors import ConditionError, UnitError, quote
-from radcalc.result import Result
+from radcalc.errors import ConditionError, UnitError, nearest, quote
+from radcalc.result import Answer, Result
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
@@ -72,6 +72,161 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     """
     made, magnitude = _plan(value, target, conditions)
     return answer(made, float(magnitude), steps=True)
+
+
+def point_source(*, distribution: str | None = None, **given: Any) -> dict[str, Any]:
+    """Everything that follows for a source that is small beside its distance.
+
+    Parameters
+    ----------
+    distribution : {"isotropic", "cone", "lobe"}, optional
+        How its light is spread, where no option of a cone or a lobe tells.
+    **given : str, Quantity or float
+        As the options of ``radcalc point-source``, with underscores: ``flux="800 lm"``,
+        ``distance=Quantity(array, "m")``.  Arrays are broadcast together.
+
+    Returns
+    -------
+    dict of str to Quantity
+        What was given and what follows, by the names of ``--get`` with underscores.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        What is missing, contradictory, impossible or without use.
+
+    Examples
+    --------
+    >>> print(point_source(flux="800lm", distance="2m")["irradiance"].round(3))
+    15.915 lux
+    """
+    from radcalc.laws.point_source import point_source as law
+
+    return _results(law(_inputs(given), distribution))
+
+
+def lambertian(shape: str = "patch", *flags: str, **given: Any) -> dict[str, Any]:
+    """Everything that follows for a diffuse source or reflector.
+
+    Parameters
+    ----------
+    shape : {"patch", "disc", "sphere", "rectangle", "plane", "hemisphere"}
+        The shape of the source.
+    *flags : {"corner", "perpendicular"}
+        Of a rectangle.
+    **given : str, Quantity or float
+        As the options of ``radcalc lambertian``, with underscores.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> print(lambertian(luminance="100cd/m2", area="0.1m2")["flux"].round(3))
+    31.416 lumen
+    """
+    from radcalc.laws.lambertian import SHAPES
+    from radcalc.laws.lambertian import lambertian as law
+
+    if shape not in SHAPES:
+        raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
+    return _results(law(shape, _inputs(given), flags))
+
+
+def ev(**given: Any) -> dict[str, Any]:
+    """Exposure values, and the light that a meter shows them for.
+
+    Parameters
+    ----------
+    **given : str, Quantity or float
+        As the options of ``radcalc ev``, with underscores.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> print(ev(ev100=15)["luminance"])
+    4096.0 candela / meter ** 2
+    """
+    from radcalc.laws.ev import ev as law
+
+    return _results(law(_inputs(given)))
+
+
+def calorimeter(**given: Any) -> dict[str, Any]:
+    """The radiant flux that heats a body, or how warm a flux makes it.
+
+    Parameters
+    ----------
+    **given : str, Quantity or float
+        As the options of ``radcalc calorimeter``, with underscores.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> print(calorimeter(energy="7.7J", mass="10g", specific_heat="385J/kg/K")["temperature_rise"])
+    2.0 kelvin
+    """
+    from radcalc.laws.calorimeter import calorimeter as law
+
+    return _results(law(_inputs(given)))
+
+
+def _inputs(given: dict[str, Any]) -> dict[str, Given]:
+    """Read what a calculator is given."""
+    from radcalc.laws import inputs, light
+
+    known = {*inputs.INPUTS, *light.INPUTS, *light.SPECIFIC, *light.LINKS, *light.REFINEMENTS}
+    found = {}
+    for name, value in given.items():
+        option = name.replace("_", "-")
+        if option not in known:
+            near = nearest(option, known)
+            raise ConditionError(f"there is no input '{quote(name)}'", ", ".join(near))
+        if value is None:
+            continue
+        if _is_quantity(value):
+            value = (value.magnitude, from_container(value._units))
+        found[option] = light.read_any(option, value)
+    return found
+
+
+def _results(answer: Answer) -> dict[str, Any]:
+    """The results as quantities, each in the first unit it is shown in."""
+    from radcalc.asked import in_unit
+
+    registry = light_registry()
+    return {
+        value.name.replace("-", "_"): Quantity(
+            in_unit(value, unit := resolve(value.units[0])), registry.container(unit)
+        )
+        for value in reversed(answer[0])
+        if value.units
+    }
 
 
 def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any]:

@@ -199,12 +199,18 @@ OPTIONS = {
 
 
 class Given(NamedTuple):
-    """A condition that was given: the option, the text as typed, the value in SI units."""
+    """A condition that was given: the option, the text as typed, the value in SI units.
+
+    `number` and `unit` are those typed; `is_exact` where no text was, but a number of Python's.
+    """
 
     option: Option
     text: str
     value: Any
     dimension: Dimension
+    number: Any = None
+    unit: Unit | None = None
+    is_exact: bool = False
 
     @property
     def flag(self) -> str:
@@ -277,7 +283,8 @@ def read(option: Option, value: Any) -> Given:
         raise ConditionError(
             f"--{name} takes {option.takes}, not {describe(unit)}", f"--{name} {option.example}"
         )
-    return Given(option, text, _in_si(option, text, number, unit), dimension)
+    in_si = _in_si(option, text, number, unit)
+    return Given(option, text, in_si, dimension, number, unit, not isinstance(value, str))
 
 
 def _read_text(option: Option, text: str) -> Any:

@@ -15,6 +15,11 @@ def is_array(x: Any) -> bool:
     return not isinstance(x, (int, float))
 
 
+def is_column(x: Any) -> bool:
+    """Whether x is an array of elements, and no single number."""
+    return is_array(x) and x.ndim > 0
+
+
 def _call(name: str, *xs: Number) -> Number:
     for x in xs:
         if is_array(x):

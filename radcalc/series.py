@@ -1,12 +1,14 @@
 """Several values in one word: a list `1m,2m,5m` or a range `START:STOP:STEP`."""
 
 import math
+from typing import Any
 
 from radcalc.errors import ConditionError, quote
 from radcalc.units.grammar import split_quantity
-from radcalc.units.table import divide, resolve
+from radcalc.units.table import Unit, divide, resolve
 
 MOST = 10_000
+LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
 
 
 def read_series(text: str) -> list[str]:
@@ -44,7 +46,25 @@ def _has_unit(part: str) -> bool:
     return part.strip()[-1:] in ("%", "°") or any(c.isalpha() for c in part)
 
 
+def read_array(text: str) -> tuple[Any, Unit] | None:
+    """A range of more than `LONG` values as an array and its unit; None for any other text."""
+    if text.count(":") != 2:
+        return None
+    start, step, values, unit = _steps(text, MOST_IN_ARRAY)
+    if values <= LONG:
+        return None
+    import numpy
+
+    return start + step * numpy.arange(values), resolve(unit or "1")
+
+
 def _range(text: str) -> list[str]:
+    start, step, values, unit = _steps(text, MOST)
+    return [f"{start + i * step:.15g}{unit}" for i in range(values)]
+
+
+def _steps(text: str, most: int) -> tuple[float, float, int, str]:
+    """Start, step and number of values of a range, in the unit of its start."""
     parts = text.split(":")
     if len(parts) != 3:
         raise ConditionError(f"'{quote(text)}' is not a range", "START:STOP:STEP, as in 1m:5m:1m")
@@ -61,10 +81,10 @@ def _range(text: str) -> list[str]:
     start, stop, step = size
     count = (stop - start) / step if step else 0.0
     if not all(map(math.isfinite, (*size, count))):
-        raise ConditionError(f"'{quote(text)}' has too many values", f"at most {MOST}")
+        raise ConditionError(f"'{quote(text)}' has too many values", f"at most {most}")
     if step == 0 or count < 0:
         raise ConditionError(f"'{quote(text)}' never reaches its end", "a step from START to STOP")
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
-    if values > MOST:
-        raise ConditionError(f"'{quote(text)}' has {values} values", f"at most {MOST}")
-    return [f"{start + i * step:.15g}{numbers[0][1]}" for i in range(values)]
+    if values > most:
+        raise ConditionError(f"'{quote(text)}' has {values} values", f"at most {most}")
+    return start, step, values, numbers[0][1]

@@ -19,6 +19,7 @@ KEEPERS = {
     "colour": ("radcalc.spectra.compile", "radcalc.spectra.colorimetry"),
     "numpy": (
         "radcalc.maths",
+        "radcalc.series",
         "radcalc.api",
         "radcalc.spectra.observers",
         "radcalc.spectra.arrays",
@@ -31,6 +32,7 @@ LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
     ["radcalc.api", "radcalc.listing", "radcalc.render", "radcalc.operands", "radcalc.console"],
+    ["radcalc.asked"],
     ["radcalc.laws"],
     ["radcalc.conversion"],
     ["radcalc.link"],

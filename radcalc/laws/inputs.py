@@ -7,13 +7,25 @@ An input is an option of a calculator's command (`--radius 2m`); a value of it i
 import math
 from typing import Any
 
-from radcalc.conditions import ANGLE, LENGTH, Given, Option, positive, read, require
+from radcalc.conditions import ANGLE, LENGTH, TEMPERATURE, Given, Option, positive, read, require
 from radcalc.errors import ConditionError, NumberError, UsageError, quote
 from radcalc.maths import any_true
-from radcalc.quantities import AREA, DURATION, SOLID_ANGLE
+from radcalc.quantities import (
+    AREA,
+    DURATION,
+    LUMINOUS,
+    SOLID_ANGLE,
+    light_dimension,
+    powers,
+    times,
+)
 from radcalc.result import Value
-from radcalc.units.grammar import parse_number, split_quantity
+from radcalc.units.grammar import parse_number
 from radcalc.units.table import NUMBER, Dimension
+
+LUMINANCE = light_dimension(LUMINOUS, (0, 1, 1), "")
+ILLUMINANCE = light_dimension(LUMINOUS, (0, 1, 0), "")
+SPECIFIC_HEAT = powers(length=2, time=-2, temperature=-1)
 
 
 def _option(
@@ -53,6 +65,7 @@ INPUTS = dict(
             "1sr",
             "Solid angle projected along the cone's axis.",
         ),
+        _option("configuration-factor", NUMBER, "a number", "0.1", "Configuration factor."),
         _angle("horizontal", "60deg", "Full angle between the pyramid's left and right face."),
         _angle("vertical", "40deg", "Full angle between its upper and lower face."),
         _angle("polar", "45deg", "Polar angle, from +z."),
@@ -65,6 +78,55 @@ INPUTS = dict(
         _option("na", NUMBER, "a number", "0.22", "Numerical aperture, in air."),
         _option("f-number", NUMBER, "a number", "2.4", "The lens's f-number."),
         _option("time", DURATION, "a time", "1h", "How long the light is constant."),
+        _option("reflectance", NUMBER, "a number from 0 to 1", "0.8", "Of the reflector, 0 to 1."),
+        _option("ev", NUMBER, "a number", "12", "Exposure value, of f-number and time."),
+        _option("ev100", NUMBER, "a number", "15", "Exposure value at ISO 100, of the light."),
+        _option("iso", NUMBER, "a number", "100", "Speed of the film or sensor (100)."),
+        _option(
+            "k",
+            times(LUMINANCE, DURATION),
+            "a luminance times a time",
+            "12.5cd.s/m2",
+            "The meter's constant for reflected light (12.5 cd s/m2).",
+        ),
+        _option(
+            "c",
+            times(ILLUMINANCE, DURATION),
+            "an illuminance times a time",
+            "250lx.s",
+            "The meter's constant for incident light (250 lx s).",
+        ),
+        _option("luminance", LUMINANCE, "a luminance", "1000cd/m2", "Luminance of the scene."),
+        _option("illuminance", ILLUMINANCE, "an illuminance", "10klx", "Illuminance on it."),
+        _option(
+            "saturation-luminance",
+            LUMINANCE,
+            "a luminance",
+            "4000cd/m2",
+            "Luminance at which the sensor saturates.",
+        ),
+        _option("mass", powers(mass=1), "a mass", "10g", "Mass of the body that is heated."),
+        _option(
+            "specific-heat",
+            SPECIFIC_HEAT,
+            "a specific heat capacity",
+            "385J/kg/K",
+            "Its specific heat capacity.",
+        ),
+        _option(
+            "temperature-rise",
+            TEMPERATURE,
+            "a temperature difference",
+            "2K",
+            "How much warmer it gets.",
+        ),
+        _option(
+            "absorptance",
+            NUMBER,
+            "a number from 0 to 1",
+            "0.95",
+            "The part of the light that it absorbs (1).",
+        ),
         _option("exponent", NUMBER, "a number", "3", "Exponent of a cosine-power lobe."),
         _angle("beam-angle", "30deg", "Full angle of a lobe, where half the peak is left."),
         _angle("field-angle", "60deg", "Full angle of a lobe, where a tenth of it is left."),
@@ -88,6 +150,7 @@ SYMBOLS = {
     "apex-angle": "2α",
     "solid-angle": "Ω",
     "projected-solid-angle": "Ω_p",
+    "configuration-factor": "F",
     "horizontal": "a",
     "vertical": "b",
     "polar": "θ",
@@ -99,6 +162,19 @@ SYMBOLS = {
     "na": "NA",
     "f-number": "N",
     "time": "t",
+    "reflectance": "ρ",
+    "ev": "EV",
+    "ev100": "EV100",
+    "iso": "S",
+    "k": "K",
+    "c": "C",
+    "luminance": "L_v",
+    "illuminance": "E_v",
+    "saturation-luminance": "L_sat",
+    "mass": "m",
+    "specific-heat": "c",
+    "temperature-rise": "ΔT",
+    "absorptance": "α",
     "exponent": "n",
     "beam-angle": "FWHM",
     "field-angle": "FWTM",
@@ -106,12 +182,35 @@ SYMBOLS = {
     "off-axis": "γ",
 }
 
+# The coherent unit of each, as a derivation shows it.
+_COHERENT = {
+    LENGTH: "m",
+    ANGLE: "rad",
+    AREA: "m2",
+    SOLID_ANGLE: "sr",
+    DURATION: "s",
+    NUMBER: "1",
+    LUMINANCE: "cd/m2",
+    ILLUMINANCE: "lx",
+    times(LUMINANCE, DURATION): "cd s/m2",
+    times(ILLUMINANCE, DURATION): "lx s",
+    powers(mass=1): "kg",
+    TEMPERATURE: "K",
+    SPECIFIC_HEAT: "J/kg/K",
+}
+COHERENT = {name: _COHERENT[option.dimensions[0]] for name, option in INPUTS.items()}
+COHERENT |= {"lateral": "m", "apparent-area": "m2"}
 LABELS = {
     "na": "numerical aperture",
     "f-number": "f-number",
     "offset-y": "offset along y",
     "within": "half angle of the part",
     "off-axis": "angle off the axis",
+    "ev": "exposure value",
+    "ev100": "exposure value at ISO 100",
+    "iso": "ISO speed",
+    "k": "meter constant K",
+    "c": "meter constant C",
 }
 
 Inputs = dict[str, Given]
@@ -124,7 +223,7 @@ def take(name: str, text: str) -> Given:
 
 def known(given: Given) -> Value:
     """An input as a row of the answer, in the unit it was given in."""
-    return value(given.option.name, given.value, unit_of(given), typed_number(given))
+    return value(given.option.name, given.value, unit_of(given), given.number)
 
 
 def value(name: str, si: Any, unit: str, given: Any = None) -> Value:
@@ -134,14 +233,9 @@ def value(name: str, si: Any, unit: str, given: Any = None) -> Value:
     return Value(name, label, SYMBOLS[name], si, dimensions, (unit,), given=given)
 
 
-def typed_number(given: Given) -> Any:
-    """The number as it was typed."""
-    return split_quantity(given.text)[0]
-
-
 def unit_of(given: Given) -> str:
     """The unit as it was typed; 1 where there is none."""
-    return split_quantity(given.text)[1] or "1"
+    return given.unit.text if given.unit else "1"
 
 
 def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:

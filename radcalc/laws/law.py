@@ -5,13 +5,14 @@ symbols can be had from.  A `Relation` is what is no monomial: a function for ea
 be solved for.  All values are in coherent SI units, floats or arrays.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.conditions import show
+from radcalc.conditions import degrees, show
 from radcalc.errors import ConditionError, NumberError
 from radcalc.maths import any_true, is_array
 from radcalc.result import Step
+from radcalc.units.grammar import read_number
 
 EXACT = 1e-9  # what rounding in the arithmetic may add
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
@@ -116,14 +117,15 @@ def rounding(text: str) -> float:
 
     A short number counts as three digits: 2m is meant as 2.00 m.
     """
+    number = text[: read_number(text)[1]]
     digits = ""
-    for character in text.lstrip("+-"):
+    for character in number.lstrip("+-"):
         if character in "0123456789":
             digits += character
         elif character != ".":
             break
     digits = digits.lstrip("0")
-    if not digits or "/" in text or "pi" in text or "π" in text:
+    if not digits or not {"/", "p", "π"}.isdisjoint(number):
         return EXACT
     digits = digits.ljust(FEWEST_DIGITS, "0")
     return 0.5 / float(digits)
@@ -203,16 +205,6 @@ class Contradiction(ConditionError):
         self.law, self.name, self.given, self.found = law, name, given, found
 
 
-def would_do(
-    laws: Sequence[AnyLaw], given: Values, wanted: str, inputs: Iterable[str]
-) -> list[str]:
-    """The inputs of which each alone would make a wanted symbol follow."""
-    known = set(given)
-    return [
-        name for name in inputs if name not in known and wanted in reached(laws, known | {name})
-    ]
-
-
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
     """The symbols that follow from those that are known, whatever their values."""
     known, before = set(known), -1
@@ -236,16 +228,21 @@ def _step(law: AnyLaw, target: str, values: Values, naming: dict[str, Naming]) -
         name: symbols[name] if name == target else _number(values[name].value, naming[name].unit)
         for name in law.names
     }
-    written = law.template.format(**numbers)
-    found = f"{symbols[target]} = {_number(values[target].value, naming[target].unit)}"
-    so = written if written.startswith(f"{symbols[target]} = ") else f"{written}, so"
-    text = f"{written} = {found.partition(' = ')[2]}" if so == written else f"{so} {found}"
-    return Step(law.name, law.template.format(**symbols), text, law.reference)
+    formula, written = law.template.format(**symbols), law.template.format(**numbers)
+    left, _, right = formula.partition(" = ")
+    if left == right:  # cos(theta) = cos(theta)
+        formula = ""
+    found = _number(values[target].value, naming[target].unit).strip("()")
+    if written.startswith(f"{symbols[target]} = "):
+        text = f"{written} = {found}"
+    else:
+        text = f"{written}, so {symbols[target]} = {found}"
+    return Step(law.name, formula, text, law.reference)
 
 
 def _number(value: Any, unit: str) -> str:
     if is_array(value):
         return show(value)
     if unit == "rad":
-        return f"{show(value * 180 / 3.141592653589793)} deg"
-    return show(value) if unit == "1" else f"{show(value)} {unit}"
+        return f"{degrees(value)}"
+    return show(value) if unit == "1" else f"({show(value)} {unit})"

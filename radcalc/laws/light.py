@@ -6,10 +6,11 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 
 from typing import Any, NamedTuple
 
-from radcalc.conditions import Factor, Given, Option
-from radcalc.errors import ConditionError
+from radcalc.conditions import Factor, Given, Option, give, read
+from radcalc.errors import ConditionError, NumberError
 from radcalc.factors import kinds
-from radcalc.laws.inputs import typed_number, unit_of
+from radcalc.laws.inputs import INPUTS as OTHER_INPUTS
+from radcalc.laws.inputs import unit_of
 from radcalc.quantities import (
     KIND_NAMES,
     LUMINOUS,
@@ -18,6 +19,7 @@ from radcalc.quantities import (
     light_dimension,
 )
 from radcalc.result import Step, Value
+from radcalc.units.table import NUMBER
 
 GEOMETRY = {
     "flux": (0, 0, 0),
@@ -123,6 +125,22 @@ def option(name: str) -> Option:
         example,
         "",
     )
+
+
+def read_any(name: str, value: Any) -> Given:
+    """Read an input of a calculator, a light quantity, or what links its kinds.
+
+    `value` is a text, a number, or a pair of a number or an array and a `Unit`.
+    """
+    if name in LINKS or name in REFINEMENTS:
+        return give(name, value)
+    own = OTHER_INPUTS[name] if name in OTHER_INPUTS else option(name)
+    try:
+        return read(own, value)
+    except NumberError as error:
+        if "," in str(value) and own.dimensions == (NUMBER,):
+            raise NumberError(error.message, f"{error.hint}; a list as in 2.0,4.0") from None
+        raise
 
 
 def names_of(generic: str) -> tuple[str, ...]:
@@ -258,7 +276,7 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
                     (dimension(name, kind),),
                     (text,),
                     reach if kind == lit.kind else None,
-                    given=typed_number(given) if given and is_given else None,
+                    given=given.number if given and is_given else None,
                     also=specific(name, kind),
                 )
             )

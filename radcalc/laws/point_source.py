@@ -5,7 +5,7 @@ over a cone, or falls off as a power of the cosine (a lobe).
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from radcalc.conditions import positive, require, show
@@ -14,21 +14,10 @@ from radcalc.geometry import solid
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
-from radcalc.laws.law import (
-    AnyLaw,
-    Contradiction,
-    Known,
-    Law,
-    Naming,
-    Relation,
-    Values,
-    rounding,
-    solve,
-    steps,
-    would_do,
-)
+from radcalc.laws.law import AnyLaw, Law, Relation
+from radcalc.laws.sheet import OVER_TIME, Sheet
 from radcalc.maths import acos, any_true, asin, atan2, exp, expm1, hypot, log1p, piecewise, sin
-from radcalc.result import Answer, Step, Value
+from radcalc.result import Answer
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 POSITION = ("distance", "height", "offset", "offset-y", "incidence")
@@ -91,7 +80,6 @@ LAWS: dict[str, list[AnyLaw]] = {
             "sr",
             "ISO 80000-7, intensity",
         ),
-        Law("all directions", "{solid-angle} = 4 pi Omega0", "solid-angle", (), 4 * math.pi, "sr"),
         Relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
@@ -187,16 +175,25 @@ LAWS: dict[str, list[AnyLaw]] = {
         ),
     ],
 }
+INVERSE_SQUARE = Law(
+    "inverse square law",
+    "{irradiance} = {intensity} {cosine} Omega0 / {distance}^2",
+    "irradiance",
+    (("intensity", 1), ("cosine", 1), ("distance", -2)),
+    1.0,
+    "sr",
+    "ISO 80000-7, intensity and irradiance",
+)
+OFF_AXIS = Law(
+    "inverse square law, off the source's axis",
+    "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
+    "irradiance",
+    (("intensity", 1), ("share", 1), ("cosine", 1), ("distance", -2)),
+    1.0,
+    "sr",
+    "ISO 80000-7, intensity and irradiance",
+)
 ANY_LAWS: list[AnyLaw] = [
-    Law(
-        "inverse square law",
-        "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
-        "irradiance",
-        (("intensity", 1), ("share", 1), ("cosine", 1), ("distance", -2)),
-        1.0,
-        "sr",
-        "ISO 80000-7, intensity and irradiance",
-    ),
     Relation(
         "cosine of the incidence",
         "{cosine} = cos({incidence})",
@@ -216,10 +213,7 @@ ANY_LAWS: list[AnyLaw] = [
         },
     ),
     Law("flux within", "{flux-within} = {flux} {part}", "flux-within", (("flux", 1), ("part", 1))),
-    Law(
-        "exposure", "{exposure} = {irradiance} {time}", "exposure", (("irradiance", 1), ("time", 1))
-    ),
-    Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1))),
+    *OVER_TIME,
     Law(
         "flux on a receiver",
         "{received-flux} = {irradiance} {receiver-area}",
@@ -257,65 +251,103 @@ INTERNAL = {
 }
 
 
-def point_source(
-    typed: Inputs, given: Inputs, light: Inputs, distribution: str | None = None
-) -> Answer:
-    """Everything that follows for a point source.
+RESULTS = (
+    "intensity",
+    "flux",
+    "irradiance",
+    "exposure",
+    "energy",
+    "received-flux",
+    "flux-within",
+    "beam-flux",
+)
+UNITS = {
+    "distance": "m",
+    "height": "m",
+    "offset": "m",
+    "offset-y": "m",
+    "incidence": "deg",
+    "off-axis": "deg",
+}
+OTHERS = {"within": "deg", "time": "s", "receiver-area": "m2"}
+SHAPED = {
+    ISOTROPIC: {},
+    CONICAL: {"half-angle": "deg", "apex-angle": "deg", "solid-angle": "sr"},
+    LOBED: {"exponent": "1", "beam-angle": "deg", "field-angle": "deg"},
+}
+SAID = {
+    ISOTROPIC: "isotropic: the same intensity in all directions",
+    CONICAL: "the same intensity everywhere in the cone, none outside",
+    LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
+}
 
-    `typed` are its light quantities, by whichever name; `given` its lengths, angles, numbers and
-    times; `light` what links the kinds; `distribution` one of `DISTRIBUTIONS`.
+
+def point_source(given: Inputs, distribution: str | None = None) -> Answer:
+    """Everything that follows for a point source from whatever is known of it.
+
+    `given` are light quantities by whichever name, lengths, angles, times, and what links the
+    kinds; `distribution` is one of `DISTRIBUTIONS`.
     """
-    lit = q.read_light(typed, light)
-    shape = _distribution(given, distribution)
-    said = list(lit.assumptions)
-    if shape == ISOTROPIC:
-        said.append("isotropic: the same intensity in all directions")
-    elif shape == CONICAL:
-        said.append("the same intensity everywhere in the cone, none outside")
-    else:
-        said.append("intensity I0 cos^n(theta) from the axis, of which I0 is given here")
-    known = _known(lit, given)
-    placed = _position(given, known, shape, said)
-    laws = [*LAWS[shape], *ANY_LAWS, *placed]
-    if not lit.amounts:
-        raise UsageError("a light quantity is missing", "--flux, --intensity or --irradiance")
-    naming = _naming(lit.kind)
+    quantities, links, rest = q.sort(given)
+    i.only(rest, INPUTS, "a point source")
+    lit = q.read_light(quantities, links)
+    _refuse_foreign(lit)
+    shape = _distribution(rest, distribution)
+    sheet = Sheet(lit, rest, INTERNAL, "incidence")
+    _check_angles(rest)
+    laws = [*LAWS[shape], *ANY_LAWS, *_position(rest, sheet, shape)]
+    sheet.said.append(SAID[shape])
+    _solve(sheet, laws)
+    sheet.refuse_idle(laws, (*QUANTITIES, *INPUTS))
+    _refuse_near(rest, sheet)
+    if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
+        sheet.notes.append("light from the side or behind does not reach the receiver")
+    if shape == CONICAL and sheet.has("share") and any_true(sheet.at("share") == 0):
+        sheet.notes.append("the receiver is outside the cone")
+    rows, shown = sheet.light_rows(RESULTS)
+    rows += sheet.input_rows(
+        {**UNITS, **SHAPED[shape], "within": "deg", "time": "s", "receiver-area": "m2"}
+    )
+    rows += sheet.absent_rows(laws, (*RESULTS, "distance"), (*QUANTITIES, *INPUTS))
+    return sheet.answer(rows, shown)
+
+
+def _solve(sheet: Sheet, laws: list[AnyLaw]) -> None:
+    """Light comes along the receiver's normal, unless the quantities tell that it does not."""
+    if "incidence" in sheet.known or not sheet.has("irradiance", "distance", "exposure"):
+        sheet.solve(laws)
+        return
+    sheet.know("incidence", 0.0)
     try:
-        solution = solve(laws, known)
-        if _is_placed(solution.values) and "incidence" not in solution.values:
-            said.append("light along the receiver's normal")
-            known["incidence"] = Known(0.0)
-            solution = solve(laws, known)
-    except Contradiction as error:
-        raise _contradiction(error, lit, given, naming) from None
-    values = solution.values
-    _refuse_idle(laws, known, values, lit, given)
-    _refuse_near(given, values)
-    notes = list(lit.notes)
-    if any_true(values["cosine"].value == 0) if "cosine" in values else False:
-        notes.append("light from the side or behind does not reach the receiver")
-    if shape == CONICAL and "share" in values and any_true(values["share"].value == 0):
-        notes.append("the receiver is outside the cone")
-    found: dict[str, Any] = {
-        name: values[name].value
-        for name in (
-            "intensity",
-            "flux",
-            "irradiance",
-            "exposure",
-            "energy",
-            "received-flux",
-            "flux-within",
-            "beam-flux",
-        )
-        if name in values
-    }
-    shown = q.show_light(lit, found)
-    rows = [row for name in found for row in shown.values[name]]
-    rows += _others(given, values, shape)
-    rows += _missing(laws, known, values, lit)
-    derivation: list[Step] = [*lit.steps, *steps(solution, naming), *shown.steps]
-    return rows, [*said, *shown.assumptions], [*notes, *shown.notes], derivation
+        sheet.solve(laws)
+        sheet.said.append("light along the receiver's normal")
+    except ConditionError as contradiction:
+        del sheet.known["incidence"]
+        try:
+            sheet.solve(laws)
+        except ConditionError:
+            raise contradiction from None
+        sheet.notes.append("less light than head-on: the incidence is what makes up for it")
+
+
+def _refuse_foreign(lit: q.Lit) -> None:
+    """Refuse what a point has not: a radiance, an exitance."""
+    for name, one in lit.values.items():
+        if name not in QUANTITIES:
+            raise ConditionError(f"{one.flag}: a point source has none", "radcalc lambertian")
+    if not lit.values:
+        raise UsageError("a light quantity is missing", "--flux, --intensity or --irradiance")
+
+
+def _check_angles(given: Inputs) -> None:
+    """Refuse angles that no cone and no lobe has."""
+    for name, one in given.items():
+        if name in ("beam-angle", "field-angle"):
+            require(one, not any_true(one.value >= math.pi), "less than 180 deg")
+        elif name in ("half-angle", "apex-angle"):
+            i.half_angle(one)
+        elif name in ("within", "incidence"):
+            i.tilt(given, name)
 
 
 def _distribution(given: Inputs, chosen: str | None) -> str:
@@ -338,52 +370,16 @@ def _distribution(given: Inputs, chosen: str | None) -> str:
     return chosen or ISOTROPIC
 
 
-def _known(lit: q.Lit, given: Inputs) -> Values:
-    """What is given, as the laws take it."""
-    known = {
-        name: Known(amount, rounding(lit.values[name].text), lit.values[name].text)
-        for name, amount in lit.amounts.items()
-    }
-    for name, one in lit.values.items():
-        positive(one) if name != "irradiance" else require(
-            one, not any_true(one.value <= 0), "more than 0"
-        )
-    limits = {
-        "beam-angle": math.pi,
-        "field-angle": math.pi,
-        "half-angle": math.pi,
-        "within": math.pi,
-    }
-    for name, one in given.items():
-        if name in ("offset", "offset-y", "incidence"):
-            continue
-        if name == "exponent":
-            require(one, not any_true(one.value < 0), "0 or more")
-        else:
-            positive(one)
-        if name in limits:
-            top = limits[name] * (1 + 1e-12)
-            bad = one.value > top if name in ("half-angle", "within") else one.value >= math.pi
-            require(
-                one, not any_true(bad), "less than 180 deg" if name in LOBE else "up to 180 deg"
-            )
-        known[name] = Known(one.value, rounding(one.text), one.text)
-    return known
-
-
-def _position(given: Inputs, known: Values, shape: str, said: list[str]) -> list[AnyLaw]:
+def _position(given: Inputs, sheet: Sheet, shape: str) -> list[AnyLaw]:
     """What the receiver's place adds: known values, and laws for a place off the axis."""
     if "incidence" in given:
-        one = given["incidence"]
-        require(one, not any_true(abs(one.value) > math.pi), "0 to 180 deg")
-        known["incidence"] = Known(abs(one.value), rounding(one.text), one.text)
+        sheet.know("incidence", i.tilt(given, "incidence"), given["incidence"])
     lateral = [given[name] for name in ("offset", "offset-y") if name in given]
     if not lateral:
-        known["share"] = Known(1.0)
         if "height" in given:
-            known["lateral"] = Known(0.0)
-            _level(given, known, said)
-        return []
+            sheet.know("lateral", 0.0)
+            _level(given, sheet, 0.0)
+        return [INVERSE_SQUARE]
     if "height" not in given:
         raise UsageError(
             "--height is missing beside --offset", "--height 6m, along the source's axis"
@@ -391,16 +387,16 @@ def _position(given: Inputs, known: Values, shape: str, said: list[str]) -> list
     sideways = (
         hypot(*(one.value for one in lateral)) if len(lateral) == 2 else abs(lateral[0].value)
     )
-    known["lateral"] = Known(sideways, max(rounding(one.text) for one in lateral))
+    sheet.know("lateral", sideways, lateral[0])
     off = atan2(sideways, positive(given["height"]))
-    known["off-axis"] = Known(off)
-    _level(given, known, said, off)
-    said.append("the source points straight down its axis")
+    sheet.know("off-axis", off)
+    _level(given, sheet, off)
     if shape == ISOTROPIC:
-        known["share"] = Known(1.0)
-        return []
+        return [INVERSE_SQUARE]
+    sheet.said.append("the source points straight down")
     if shape == CONICAL:
         return [
+            OFF_AXIS,
             Relation(
                 "inside the cone",
                 "{share} = 1 where {off-axis} is within {half-angle}, else 0",
@@ -414,174 +410,33 @@ def _position(given: Inputs, known: Values, shape: str, said: list[str]) -> list
                         at("half-angle"),
                     )
                 },
-            )
+            ),
         ]
     return [
+        OFF_AXIS,
         Relation(
             "fall of a lobe",
             "{share} = cos({off-axis})^{exponent}",
             ("share", "off-axis", "exponent"),
             {"share": lambda at: exp(at("exponent") * _ln_cos(at("off-axis")))},
-        )
+        ),
     ]
 
 
-def _level(given: Inputs, known: Values, said: list[str], off: Any = 0.0) -> None:
+def _level(given: Inputs, sheet: Sheet, off: Any) -> None:
     """A receiver under a height lies in a plane across the source's axis, unless told."""
     if "incidence" not in given:
-        known["incidence"] = Known(off)
-        said.append("the receiver lies in a plane across the source's axis (a floor)")
+        sheet.know("incidence", off)
+        sheet.said.append("the receiver lies flat, in a plane across the source's axis")
 
 
-def _is_placed(values: Values) -> bool:
-    return bool({"distance", "irradiance", "exposure", "received-flux"} & set(values))
-
-
-def _refuse_idle(
-    laws: Sequence[AnyLaw], known: Values, values: Values, lit: q.Lit, given: Inputs
-) -> None:
-    """Refuse what is given and used by no law, and what nothing follows from."""
-    live = {name for law in laws if all(n in values for n in law.names) for name in law.names}
-    inputs = (*QUANTITIES, *INPUTS)
-    for name, one in {**lit.values, **given}.items():
-        own = "lateral" if name in ("offset", "offset-y") else name
-        if own in live or (name == "incidence" and "irradiance" in values):
-            continue
-        useful = [
-            n
-            for n in inputs
-            if n not in known
-            and _makes_live(laws, set(known) | {n}, own)
-            and n not in ("incidence", "offset", "offset-y", "within")
-        ]
-        raise ConditionError(
-            f"{one.flag} {one.text}: nothing follows from it yet",
-            f"with it, {' or '.join(f'--{n}' for n in useful[:4])}" if useful else "without it",
-        )
-    del given
-
-
-def _makes_live(laws: Sequence[AnyLaw], known: set[str], name: str) -> bool:
-    """Whether some law of a symbol would have all its symbols."""
-    from radcalc.laws.law import reached
-
-    values = reached(laws, known | {"incidence"})
-    return any(name in law.names and all(n in values for n in law.names) for law in laws)
-
-
-def _refuse_near(given: Inputs, values: Values) -> None:
+def _refuse_near(given: Inputs, sheet: Sheet) -> None:
     """Refuse a receiver so large beside its distance that its irradiance is not uniform."""
-    if "receiver-area" in given and "distance" in values and "irradiance" in values:
+    if "receiver-area" in given and sheet.has("distance"):
         size = 2 * (given["receiver-area"].value / math.pi) ** 0.5
-        if any_true(values["distance"].value < 5 * size * (1 - 1e-12)):
+        if any_true(sheet.at("distance") < 5 * size * (1 - 1e-12)):
             raise ConditionError(
                 f"--receiver-area {given['receiver-area'].text} is too large for its distance: "
                 "the irradiance on it is not uniform",
                 f"a distance of {show(5 * size)} m or more",
             )
-
-
-def _others(given: Inputs, values: Values, shape: str) -> list[Value]:
-    """The lengths, angles, times and numbers as results."""
-    names = ["distance", "height", "offset", "offset-y", "incidence", "off-axis"]
-    names += [*CONE] if shape == CONICAL else [*LOBE] if shape == LOBED else []
-    names += ["within", "time", "receiver-area"]
-    shown = {
-        "distance": "m",
-        "height": "m",
-        "time": "s",
-        "receiver-area": "m2",
-        "solid-angle": "sr",
-        "exponent": "1",
-    }
-    rows = []
-    for name in names:
-        if name in given:
-            rows.append(i.known(given[name]))
-        elif name in values and values[name].value is not None:
-            rows.append(i.value(name, values[name].value, shown.get(name, "deg")))
-    if shape != CONICAL and "solid-angle" in values:
-        quiet = i.value("solid-angle", values["solid-angle"].value, "sr")
-        quiet.units = ()
-        rows.append(quiet)
-    return rows
-
-
-def _missing(laws: Sequence[AnyLaw], known: Values, values: Values, lit: q.Lit) -> list[Value]:
-    """Results that do not follow, which say what they lack when they are asked for."""
-    rows = []
-    names = (
-        "intensity",
-        "flux",
-        "irradiance",
-        "exposure",
-        "energy",
-        "received-flux",
-        "flux-within",
-        "beam-flux",
-        "distance",
-    )
-    for name in names:
-        if name in values:
-            continue
-        alone = would_do(laws, known, name, (*QUANTITIES, *INPUTS))
-
-        def fail(name: str = name, alone: list[str] = alone) -> Any:
-            raise UsageError(
-                f"no {name.replace('-', ' ')} follows from what is given",
-                " or ".join(f"--{n}" for n in alone[:5]) or "more of the quantities",
-            )
-
-        if name == "distance":
-            rows.append(Value(name, name, "d", fail, i.INPUTS[name].dimensions, ()))
-        else:
-            dims = tuple(q.dimension(name, kind) for kind in q.ORDER)
-            rows.append(Value(name, name, "", fail, dims, (), also=q.specific(name, lit.kind)))
-    return rows
-
-
-def _naming(kind: str) -> dict[str, Naming]:
-    """How the symbols are written in a derivation."""
-    letters = {
-        **i.SYMBOLS,
-        "apex-angle": "2 alpha",
-        "half-angle": "alpha",
-        "solid-angle": "Omega",
-        "incidence": "theta",
-        "within": "beta",
-        "off-axis": "gamma",
-    }
-    units = {
-        "distance": "m",
-        "height": "m",
-        "lateral": "m",
-        "time": "s",
-        "receiver-area": "m2",
-        "solid-angle": "sr",
-        "exponent": "1",
-    }
-    naming = {name: Naming(letter, units.get(name, "rad")) for name, letter in letters.items()}
-    naming |= {name: Naming(letter, units.get(name, "1")) for name, letter in INTERNAL.items()}
-    ascii_ = {"Φ": "Phi", "Φ_r": "Phi_r", "Φ_w": "Phi_w", "Φ_b": "Phi_b"}
-    for name, letter in q.SYMBOLS.items():
-        naming[name] = Naming(ascii_.get(letter, letter), q.unit(name, kind, coherent=True))
-    return naming
-
-
-def _contradiction(
-    error: Contradiction, lit: q.Lit, given: Inputs, naming: dict[str, Naming]
-) -> ConditionError:
-    """Both values, with their unit, and the ratio."""
-    one = lit.values.get(error.name) or given.get(error.name)
-    unit = naming[error.name].unit
-    scale = 180 / math.pi if unit == "rad" else 1.0
-    shown_unit = "deg" if unit == "rad" else unit
-    found = f"{show(error.found * scale)} {shown_unit}".removesuffix(" 1")
-    text = one.text if one else f"{show(error.given * scale)} {shown_unit}"
-    flag = one.flag if one else error.name
-    ratio = f" (ratio {show(error.given / error.found)})" if not any_true(error.found == 0) else ""
-    others = [f"--{n}" for n in error.law.names if n in lit.values or n in given]
-    return ConditionError(
-        f"{flag} {text} contradicts the rest, which gives {found}{ratio}",
-        f"without one of {', '.join(others)}",
-    )

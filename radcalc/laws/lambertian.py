@@ -1,0 +1,444 @@
+"""A source of the same radiance in all directions, or a perfectly diffuse reflector.
+
+The radiance goes over into an irradiance by the projected solid angle under which the receiver
+sees the source, which is exact at any distance; the far field is shown beside it.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from radcalc.conditions import positive, require, show
+from radcalc.errors import ConditionError, UsageError
+from radcalc.geometry import projected, solid
+from radcalc.laws import inputs as i
+from radcalc.laws import light as q
+from radcalc.laws.inputs import Inputs
+from radcalc.laws.law import AnyLaw, Law, Relation
+from radcalc.laws.sheet import Sheet
+from radcalc.maths import any_true, atan2, cos, hypot, is_array, sin, sqrt
+from radcalc.result import Answer
+
+QUANTITIES = (
+    "radiance",
+    "exitance",
+    "flux",
+    "intensity",
+    "irradiance",
+    "incident-irradiance",
+    "exposure",
+    "energy",
+)
+RESULTS = (*QUANTITIES, "far-field-irradiance")
+SIZES = ("area", "radius", "diameter", "width", "length")
+POSITION = ("distance", "height", "offset", "offset-y", "incidence")
+INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
+UNITS = {
+    "reflectance": "1",
+    "area": "m2",
+    "radius": "m",
+    "diameter": "m",
+    "width": "m",
+    "length": "m",
+    "distance": "m",
+    "height": "m",
+    "offset": "m",
+    "offset-y": "m",
+    "incidence": "deg",
+    "tilt": "deg",
+    "half-angle": "deg",
+    "solid-angle": "sr",
+    "projected-solid-angle": "sr",
+    "configuration-factor": "1",
+    "time": "s",
+}
+INTERNAL = {"apparent-area": "A_p", "cosine": "cos(theta)", "cosine-of-source": "cos(theta_s)"}
+HOWELL = "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors"
+LAWS: list[AnyLaw] = [
+    Law(
+        "Lambertian exitance",
+        "{exitance} = pi Omega0 {radiance}",
+        "exitance",
+        (("radiance", 1),),
+        math.pi,
+        "sr",
+        "ISO 80000-7, radiance and exitance",
+    ),
+    Law(
+        "Lambertian reflector",
+        "{exitance} = {reflectance} {incident-irradiance}",
+        "exitance",
+        (("reflectance", 1), ("incident-irradiance", 1)),
+        reference="ISO 80000-7, reflectance",
+    ),
+    Law(
+        "flux of a surface",
+        "{flux} = {exitance} {area}",
+        "flux",
+        (("exitance", 1), ("area", 1)),
+        reference="ISO 80000-7, exitance",
+    ),
+    Law(
+        "intensity of a surface",
+        "{intensity} = {radiance} {apparent-area}",
+        "intensity",
+        (("radiance", 1), ("apparent-area", 1)),
+        reference="ISO 80000-7, radiance",
+    ),
+    Law(
+        "irradiance of a uniform radiance",
+        "{irradiance} = {radiance} {projected-solid-angle}",
+        "irradiance",
+        (("radiance", 1), ("projected-solid-angle", 1)),
+        reference="ISO 80000-7, radiance and irradiance",
+    ),
+    Law(
+        "configuration factor",
+        "{configuration-factor} = {projected-solid-angle} / (pi Omega0)",
+        "configuration-factor",
+        (("projected-solid-angle", 1),),
+        1 / math.pi,
+        "1/sr",
+    ),
+    Law(
+        "inverse square law, as an estimate",
+        "{far-field-irradiance} = {intensity} {cosine-of-source} {cosine} Omega0 / {distance}^2",
+        "far-field-irradiance",
+        (("intensity", 1), ("cosine-of-source", 1), ("cosine", 1), ("distance", -2)),
+        1.0,
+        "sr",
+    ),
+    Law(
+        "exposure", "{exposure} = {irradiance} {time}", "exposure", (("irradiance", 1), ("time", 1))
+    ),
+    Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1))),
+]
+FLAT = Law("as seen from the front", "{apparent-area} = {area}", "apparent-area", (("area", 1),))
+RECTANGLE = Law(
+    "area of a rectangle", "{area} = {width} {length}", "area", (("width", 1), ("length", 1))
+)
+CIRCLE = Law("area of a circle", "{area} = pi {radius}^2", "area", (("radius", 2),), math.pi)
+
+
+class Shape(NamedTuple):
+    """A source's shape: the inputs it takes, and what it adds to the worksheet: its laws."""
+
+    takes: tuple[str, ...]
+    place: Callable[..., list[AnyLaw]]
+    flags: tuple[str, ...] = ()
+
+
+def lambertian(shape: str, given: Inputs, flags: tuple[str, ...] = ()) -> Answer:
+    """Everything that follows for a Lambertian source of a shape of `SHAPES`.
+
+    `given` are light quantities by whichever name, sizes, the receiver's place, and what links
+    the kinds; `flags` may be corner and perpendicular.
+    """
+    quantities, links, rest = q.sort(given)
+    named = f"a {shape}"
+    i.only(rest, (*SHAPES[shape].takes, "reflectance", "time"), named)
+    i.refuse_unused([f"--{flag}" for flag in flags if flag not in SHAPES[shape].flags], named)
+    lit = q.read_light(quantities, links)
+    if not lit.values and ("reflectance" in rest or "time" in rest or links):
+        raise UsageError("a light quantity is missing", "--radiance, --exitance, --flux ...")
+    if "reflectance" in rest:
+        one = rest["reflectance"]
+        require(one, not any_true(one.value > 1), "from 0 to 1, or from 0% to 100%")
+    sheet = Sheet(lit, rest, INTERNAL)
+    laws = [*LAWS, *SHAPES[shape].place(sheet, flags)]
+    sheet.said.append("Lambertian: the same radiance in all directions")
+    sheet.solve(laws)
+    sheet.refuse_idle(laws, (*QUANTITIES, *INPUTS))
+    _judge(sheet)
+    rows, shown = sheet.light_rows(RESULTS)
+    rows += sheet.input_rows(UNITS)
+    rows += sheet.absent_rows(laws, (*RESULTS, "distance", "radius"), (*QUANTITIES, *INPUTS))
+    return sheet.answer(rows, shown)
+
+
+def _judge(sheet: Sheet) -> None:
+    """Refuse a reflector that gives more than it gets; say how far the far field is off."""
+    if sheet.has("reflectance") and any_true(sheet.at("reflectance") > 1 + 1e-9):
+        raise ConditionError(
+            f"a reflectance of {show(sheet.at('reflectance'))} is not possible: more light leaves "
+            "the reflector than reaches it",
+            "less radiance, or more incident irradiance",
+        )
+    if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("size"):
+        far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
+        if is_array(far) or is_array(exact) or not exact or abs(far / exact - 1) < 1e-6:
+            return
+        size = sheet.known["size"].value
+        sheet.notes.append(
+            f"the inverse square law, with the distance to the centre, gives {show(far / exact)} "
+            f"times the irradiance; from {show(5 * size)} m on, five times the size, it is near"
+        )
+
+
+def _area_of(sheet: Sheet) -> list[AnyLaw]:
+    """The area of a flat source, from whichever of its sizes."""
+    given = sheet.given
+    laws: list[AnyLaw] = [FLAT]
+    if "width" in given or "length" in given:
+        laws.append(RECTANGLE)
+    if "radius" in given or "diameter" in given:
+        laws += _round(sheet)
+        laws.append(CIRCLE)
+    return laws
+
+
+def _round(sheet: Sheet) -> list[AnyLaw]:
+    """Radius and diameter."""
+    if "diameter" in sheet.given:
+        return [
+            Law("diameter", "{diameter} = 2 {radius}", "diameter", (("radius", 1),), 2.0),
+        ]
+    return []
+
+
+def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    """A flat source of whatever shape, small where it is seen from a distance."""
+    given = sheet.given
+    laws = _area_of(sheet)
+    placed = [given[name].flag for name in ("incidence", "tilt") if name in given]
+    if "distance" not in given and "irradiance" not in sheet.lit.values:
+        if placed:
+            raise UsageError(f"{placed[0]} has no use without a distance", "--distance 2m with it")
+        return laws
+    sheet.know("cosine", solid.facing(i.tilt(given, "incidence")))
+    sheet.know("cosine-of-source", solid.facing(i.tilt(given)))
+    sheet.use("incidence", "tilt")
+    sheet.said.append("a source small beside its distance")
+    if "area" in given and "distance" in given:
+        size = 2 * sqrt(given["area"].value / math.pi)
+        if any_true(positive(given["distance"]) < 5 * size * (1 - 1e-12)):
+            raise ConditionError(
+                f"--distance {given['distance'].text} is less than five times the size of the "
+                f"source ({show(size)} m)",
+                "radcalc lambertian disc or rectangle, which are exact",
+            )
+    laws.append(
+        Law(
+            "small source",
+            "{projected-solid-angle} = {area} {cosine-of-source} {cosine} Omega0 / {distance}^2",
+            "projected-solid-angle",
+            (("area", 1), ("cosine-of-source", 1), ("cosine", 1), ("distance", -2)),
+            1.0,
+            "sr",
+        )
+    )
+    return laws
+
+
+def _height(sheet: Sheet) -> Any:
+    """The height above a flat source; on its axis the distance is the same."""
+    given = sheet.given
+    both = [name for name in ("height", "distance") if name in given]
+    if len(both) == 2:
+        raise ConditionError("--height and --distance contradict each other", "one of them")
+    if not both:
+        return None
+    if both == ["distance"] and {"offset", "offset-y"} & set(given):
+        raise ConditionError(
+            "--distance is the straight line to the centre, and off the axis no height",
+            "--height in its place",
+        )
+    return positive(given[both[0]])
+
+
+def _centre(sheet: Sheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[Any, Any, Any]:
+    """Where the centre is seen: distance, angle from the axis, and the receiver's tilt.
+
+    Without --incidence the receiver faces the source's plane.  With one it is turned by that
+    angle from the line to the centre, away from the source's axis: from the centre to facing
+    the plane, and on.
+    """
+    sheet.use("height", "distance", "offset", "offset-y", "incidence")
+    lateral = hypot(x, y)
+    distance = hypot(height, lateral)
+    off = atan2(lateral, height)
+    tilt = 0.0
+    if "incidence" in sheet.given:
+        given = sheet.given["incidence"]
+        require(given, not any_true(abs(given.value) > math.pi), "from -180 to 180 deg")
+        tilt = off - given.value
+        sheet.said.append("the incidence is counted from the line to the centre, off the axis")
+    else:
+        sheet.said.append("the receiver faces the source's plane")
+    sheet.know("cosine", solid.facing(off - tilt))
+    sheet.know("cosine-of-source", height / distance)
+    if "distance" not in sheet.known:
+        sheet.know("distance", distance)
+    return distance, off, tilt
+
+
+def _disc(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    given = sheet.given
+    laws: list[AnyLaw] = [*_round(sheet), CIRCLE, FLAT]
+    sized = "radius" in given or "diameter" in given
+    height = _height(sheet)
+    if sized and height is not None:
+        size = i.radius(given)
+        sheet.use("radius", "diameter")
+        offset = given["offset"].value if "offset" in given else 0.0
+        _, _, tilt = _centre(sheet, height, abs(offset))
+        sheet.know("projected-solid-angle", projected.disc(size, height, offset, tilt))
+        sheet.know("solid-angle", solid.disc(size, height, offset))
+        sheet.know("size", 2 * size)
+        return laws
+    if "offset" in given or "incidence" in given:
+        raise UsageError(
+            "the size or the height is missing beside --offset or --incidence",
+            "--radius 25cm, --height 75cm",
+        )
+    name = "height" if "height" in given else "distance"
+    laws.append(
+        Relation(
+            "disc on its axis",
+            f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{name}}}^2)",
+            ("projected-solid-angle", "radius", name),
+            {
+                name: lambda at: at("radius") * sqrt(_over(math.pi, at) - 1),
+                "radius": lambda at: at(name) / sqrt(_over(math.pi, at) - 1),
+            },
+            HOWELL,
+        )
+    )
+    return laws
+
+
+def _over(whole: float, at: Callable[[str], Any]) -> Any:
+    """A whole over the projected solid angle, which must be less."""
+    part = at("projected-solid-angle")
+    solid.refuse(
+        part >= whole,
+        "more irradiance than the whole hemisphere at that radiance would give",
+        "more radiance, or less irradiance",
+    )
+    return whole / part
+
+
+def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    given = sheet.given
+    laws: list[AnyLaw] = [
+        *_round(sheet),
+        Law("area of a sphere", "{area} = 4 pi {radius}^2", "area", (("radius", 2),), 4 * math.pi),
+        Law(
+            "as seen from anywhere",
+            "{apparent-area} = pi {radius}^2",
+            "apparent-area",
+            (("radius", 2),),
+            math.pi,
+        ),
+    ]
+    incidence = i.tilt(given, "incidence")
+    sheet.know("cosine", solid.facing(incidence))
+    sheet.know("cosine-of-source", 1.0)
+    if ("radius" in given or "diameter" in given) and "distance" in given:
+        size, away = i.radius(given), positive(given["distance"])
+        sheet.use("radius", "diameter", "distance", "incidence")
+        sheet.know("projected-solid-angle", projected.sphere(size, away, incidence))
+        sheet.know("solid-angle", solid.sphere(size, away))
+        sheet.know("size", 2 * size)
+        if any_true(incidence + solid.angular_radius(size, away) > math.pi / 2):
+            sheet.notes.append("the sphere is partly below the receiver's horizon")
+        return laws
+    if "incidence" in given:
+        raise UsageError("--incidence has no use without --radius and --distance", "both of them")
+    laws.append(
+        Relation(
+            "sphere, its centre at a distance",
+            "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
+            ("projected-solid-angle", "radius", "distance"),
+            {
+                "distance": lambda at: at("radius") * sqrt(_over(math.pi, at)),
+                "radius": lambda at: at("distance") / sqrt(_over(math.pi, at)),
+            },
+            HOWELL,
+        )
+    )
+    return laws
+
+
+def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    given = sheet.given
+    laws: list[AnyLaw] = [
+        FLAT,
+        Law(
+            "area of a rectangle",
+            "{area} = {width} {length}",
+            "area",
+            (("width", 1), ("length", 1)),
+        ),
+    ]
+    height = _height(sheet)
+    if height is None:
+        useless = [f"--{flag}" for flag in flags]
+        useless += [given[n].flag for n in ("offset", "offset-y", "incidence") if n in given]
+        if useless:
+            raise UsageError(f"{useless[0]} has no use without a height", "--height 1.5m with it")
+        return laws
+    for name in ("width", "length"):
+        i.one_of(given, f"the {name} of the rectangle", name)
+    width, length = positive(given["width"]), positive(given["length"])
+    sheet.use("width", "length", "height", "distance", "offset", "offset-y")
+    x, y = (given[name].value if name in given else 0.0 for name in ("offset", "offset-y"))
+    if "corner" in flags:
+        if {"offset", "offset-y", "distance"} & set(given):
+            raise ConditionError("--corner, with --height, already says where", "one of them")
+        x, y = width / 2, length / 2
+        sheet.said.append("below a corner of the rectangle")
+    if "perpendicular" in flags:
+        if "incidence" in given:
+            raise ConditionError("--perpendicular and --incidence contradict each other", "one")
+        toward = -1.0 if not is_array(y) and y > 0 else 1.0
+        normal: Any = (0.0, toward, 0.0)
+        distance = hypot(height, hypot(x, y))
+        sheet.know("cosine", abs(y) / distance)
+        sheet.know("cosine-of-source", height / distance)
+        sheet.know("distance", distance)
+        sheet.said.append("the receiver's normal runs along the rectangle's length")
+    else:
+        _, _, tilt = _centre(sheet, height, x, y)
+        lateral = hypot(x, y)
+        away = (-x / lateral, -y / lateral) if not any_true(lateral == 0) else (1.0, 0.0)
+        normal = (sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt))
+        if "incidence" in given and any_true(lateral == 0):
+            sheet.said.append("the receiver is turned along the width")
+    sheet.know("projected-solid-angle", projected.rectangle(width, length, height, x, y, normal))
+    sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
+    sheet.know("size", hypot(width, length))
+    return laws
+
+
+def _plane(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    """An endless plane: half of all directions, whatever its distance."""
+    sheet.use("incidence")
+    sheet.know(
+        "projected-solid-angle", projected.cone(math.pi / 2, i.tilt(sheet.given, "incidence"))
+    )
+    sheet.know("solid-angle", solid.HEMISPHERE)
+    sheet.said.append("an endless plane, seen under the same light from any distance")
+    return []
+
+
+def _hemisphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+    """The sky, or the part of it in a cone about the zenith."""
+    given = sheet.given
+    sheet.use("half-angle", "incidence")
+    half = i.half_angle(given["half-angle"]) if "half-angle" in given else math.pi / 2
+    sheet.know("projected-solid-angle", projected.cone(half, i.tilt(given, "incidence")))
+    sheet.know("solid-angle", solid.cone(half))
+    part = "a cone of it" if "half-angle" in given else "all of it"
+    sheet.said.append(f"a hemisphere of one radiance, {part}")
+    return []
+
+
+SHAPES = {
+    "patch": Shape((*SIZES, "distance", "incidence", "tilt"), _patch),
+    "disc": Shape(("radius", "diameter", "distance", "height", "offset", "incidence"), _disc),
+    "sphere": Shape(("radius", "diameter", "distance", "incidence"), _sphere),
+    "rectangle": Shape(("width", "length", *POSITION), _rectangle, ("corner", "perpendicular")),
+    "plane": Shape(("incidence",), _plane),
+    "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
+}
