@@ -161,7 +161,7 @@ def ev(**given: Any) -> dict[str, Any]:
     Examples
     --------
     >>> print(ev(ev100=15)["luminance"])
-    4096.0 candela / meter ** 2
+    4096.0 candela / metre ** 2
     """
     from radcalc.laws.ev import ev as law
 
@@ -219,14 +219,13 @@ def _results(answer: Answer) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
     from radcalc.asked import in_unit
 
-    registry = light_registry()
-    return {
-        value.name.replace("-", "_"): Quantity(
-            in_unit(value, unit := resolve(value.units[0])), registry.container(unit)
-        )
-        for value in reversed(answer[0])
-        if value.units
-    }
+    found: dict[str, Any] = {}
+    for value in answer[0]:
+        name = value.name.replace("-", "_")
+        if value.units and name not in found:
+            unit = resolve(value.units[0])
+            found[name] = Quantity(in_unit(value, unit), light_registry().container(unit))
+    return found
 
 
 def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any]:
