@@ -2,7 +2,6 @@
 
 import os
 import sys
-import traceback
 
 import click
 
@@ -137,6 +136,8 @@ def one_line(text: str) -> str:
 
 def _bug(error: Exception) -> int:
     if os.environ.get("RADCALC_DEBUG") == "1":
+        import traceback
+
         traceback.print_exc(file=sys.stderr)
     console.say(
         [
