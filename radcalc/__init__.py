@@ -41,3 +41,7 @@ def __getattr__(name: str) -> "Any":
 
         return getattr(api, name)
     raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
+
+
+def __dir__() -> "list[str]":
+    return [*globals(), *__all__]

@@ -1,5 +1,6 @@
 """The Python API: Pint quantities in and out, arrays welcome."""
 
+from collections.abc import Callable
 from typing import Any
 
 from radcalc.conditions import OPTIONS, Given, give
@@ -74,13 +75,17 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     return answer(made, float(magnitude), steps=True)
 
 
-def point_source(*, distribution: str | None = None, **given: Any) -> dict[str, Any]:
+def point_source(
+    *, distribution: str | None = None, any_incidence: bool = False, **given: Any
+) -> dict[str, Any]:
     """Everything that follows for a source that is small beside its distance.
 
     Parameters
     ----------
     distribution : {"isotropic", "cone", "lobe"}, optional
         How its light is spread, where no option of a cone or a lobe tells.
+    any_incidence : bool
+        Work out the incidence, in place of taking it as 0.
     **given : str, Quantity or float
         As the options of ``radcalc point-source``, with underscores: ``flux="800 lm"``,
         ``distance=Quantity(array, "m")``.  Arrays are broadcast together.
@@ -100,20 +105,26 @@ def point_source(*, distribution: str | None = None, **given: Any) -> dict[str, 
     >>> print(point_source(flux="800lm", distance="2m")["irradiance"].round(3))
     15.915 lux
     """
+    from radcalc.laws.point_source import DISTRIBUTIONS
     from radcalc.laws.point_source import point_source as law
 
-    return _results(law(_inputs(given), distribution))
+    if distribution not in (None, *DISTRIBUTIONS):
+        message = f"there is no distribution '{quote(str(distribution))}'"
+        raise ConditionError(message, ", ".join(DISTRIBUTIONS))
+    return _results(law, _inputs(given), distribution, any_incidence)
 
 
-def lambertian(shape: str = "patch", *flags: str, **given: Any) -> dict[str, Any]:
+def lambertian(
+    shape: str = "patch", *, corner: bool = False, perpendicular: bool = False, **given: Any
+) -> dict[str, Any]:
     """Everything that follows for a diffuse source or reflector.
 
     Parameters
     ----------
     shape : {"patch", "disc", "sphere", "rectangle", "plane", "hemisphere"}
         The shape of the source.
-    *flags : {"corner", "perpendicular"}
-        Of a rectangle.
+    corner, perpendicular : bool
+        Of a rectangle: the receiver is under its corner, and its normal runs along the length.
     **given : str, Quantity or float
         As the options of ``radcalc lambertian``, with underscores.
 
@@ -137,7 +148,8 @@ def lambertian(shape: str = "patch", *flags: str, **given: Any) -> dict[str, Any
 
     if shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
-    return _results(law(shape, _inputs(given), flags))
+    chosen = {"corner": corner, "perpendicular": perpendicular}
+    return _results(law, shape, _inputs(given), tuple(name for name, on in chosen.items() if on))
 
 
 def ev(**given: Any) -> dict[str, Any]:
@@ -165,7 +177,7 @@ def ev(**given: Any) -> dict[str, Any]:
     """
     from radcalc.laws.ev import ev as law
 
-    return _results(law(_inputs(given)))
+    return _results(law, _inputs(given))
 
 
 def calorimeter(**given: Any) -> dict[str, Any]:
@@ -193,7 +205,7 @@ def calorimeter(**given: Any) -> dict[str, Any]:
     """
     from radcalc.laws.calorimeter import calorimeter as law
 
-    return _results(law(_inputs(given)))
+    return _results(law, _inputs(given))
 
 
 def _inputs(given: dict[str, Any]) -> dict[str, Given]:
@@ -215,10 +227,16 @@ def _inputs(given: dict[str, Any]) -> dict[str, Given]:
     return found
 
 
-def _results(answer: Answer) -> dict[str, Any]:
+def _results(law: Callable[..., Answer], *words: Any) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
     from radcalc.asked import in_unit
 
+    try:
+        answer = law(*words)
+    except ValueError as error:
+        if "broadcast" not in str(error):
+            raise
+        raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
     found: dict[str, Any] = {}
     for value in answer[0]:
         name = value.name.replace("-", "_")

@@ -44,10 +44,11 @@ def held(name: str, number: Any) -> Any:
 def pick(values: Sequence[Value], wanted: str) -> Any:
     """What NAME[:UNIT] asks for."""
     name, _, unit = wanted.partition(":")
+    name = name.strip()
     for value in values:
-        if name.strip() in (value.name, value.also):
+        if name and name in (value.name, value.also):
             return in_unit(value, resolve(unit)) if unit else held(value.name, value.si)
-    names = list(dict.fromkeys(value.name for value in values))
+    names = list(dict.fromkeys(value.name for value in values if value.units))
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
 

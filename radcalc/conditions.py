@@ -247,8 +247,8 @@ def give(name: str, value: Any) -> Given:
 def read(option: Option, value: Any) -> Given:
     """Read what an option was given.
 
-    `value` is a text as on the command line, True for a flag, a number, or a pair of a number
-    (or an array) and a `Unit`.
+    `value` is a text as on the command line, True for a flag, a number, or a number (or an
+    array) with a `Unit`, and with a text if that says it better.
     """
     name = option.name
     if option.choices:
@@ -269,8 +269,8 @@ def read(option: Option, value: Any) -> Given:
         number, unit_text = _split(option, text)
         unit = resolve(unit_text) if unit_text else None
     elif isinstance(value, tuple):
-        number, unit = value
-        text = f"{show(number)} {unit.text}"
+        number, unit, *said = value
+        text = said[0] if said else f"{show(number)} {unit.text}"
     else:
         number, unit, text = value, None, show(value)
     dimension = unit.dimension if unit else NUMBER

@@ -9,7 +9,7 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-ANSWERED, FAILED, BUG, INTERRUPTED = 0, 2, 3, 130
+ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
 
 def is_terminal() -> bool:

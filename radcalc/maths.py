@@ -11,8 +11,8 @@ Number = Any  # a float, or anything that NumPy can work on element by element
 
 
 def is_array(x: Any) -> bool:
-    """Whether NumPy must serve x."""
-    return not isinstance(x, (int, float))
+    """Whether NumPy must serve x: neither a number nor a text, a flag or nothing."""
+    return hasattr(x, "dtype") and not isinstance(x, float)
 
 
 def is_column(x: Any) -> bool:
@@ -77,6 +77,11 @@ def log2(x: Number) -> Number:
 def sqrt(x: Number) -> Number:
     """The square root of x."""
     return _call("sqrt", x)
+
+
+def log(x: Number) -> Number:
+    """The natural logarithm of x."""
+    return _call("log", x)
 
 
 def log1p(x: Number) -> Number:

@@ -46,8 +46,8 @@ def _has_unit(part: str) -> bool:
     return part.strip()[-1:] in ("%", "°") or any(c.isalpha() for c in part)
 
 
-def read_array(text: str) -> tuple[Any, Unit] | None:
-    """A range of more than `LONG` values as an array and its unit; None for any other text."""
+def read_array(text: str) -> tuple[Any, Unit, str] | None:
+    """A range of more than `LONG` values as an array, its unit and text; else None."""
     if text.count(":") != 2:
         return None
     start, step, values, unit = _steps(text, MOST_IN_ARRAY)
@@ -55,7 +55,7 @@ def read_array(text: str) -> tuple[Any, Unit] | None:
         return None
     import numpy
 
-    return start + step * numpy.arange(values), resolve(unit or "1")
+    return start + step * numpy.arange(values), resolve(unit or "1"), text
 
 
 def _range(text: str) -> list[str]:

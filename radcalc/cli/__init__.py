@@ -119,6 +119,10 @@ def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
         hint = f"{', '.join(near)} (see {help_})" if near else help_
         return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)
     message = one_line(error.format_message())
+    if "unexpected extra argument" in message:
+        word = message.partition("(")[2].rstrip(")")
+        hint = "a value and its unit are one word, as in --distance 2m"
+        return RadcalcError(f"there is a word too many: '{word}'", hint)
     return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
 
 

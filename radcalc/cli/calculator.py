@@ -1,18 +1,21 @@
 """What every calculator shares: its inputs, --get, --steps, and turning values into rows."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from functools import wraps
+from typing import Any, NamedTuple
 
 import click
 
 from radcalc import console
 from radcalc.asked import pick, rows
+from radcalc.cli import checking
 from radcalc.cli.output import PLAIN, TABLE, Output
 from radcalc.conditions import OPTIONS
 from radcalc.errors import ConditionError, UsageError
 from radcalc.laws import light
 from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.maths import is_array, is_column
+from radcalc.quantities import LUMINOUS
 from radcalc.render.plain import DIGITS, number
 from radcalc.result import Answer, Result, Step, Value
 from radcalc.series import MOST, read_array, read_series, read_spectra
@@ -27,38 +30,85 @@ get_option = click.option(
 )
 steps_option = click.option("--steps", is_flag=True, help="Show the derivation.")
 
+
+class Asked(NamedTuple):
+    """What is asked of the answer: some results, the derivation, whether a number is right."""
+
+    wanted: tuple[str, ...]
+    steps: bool
+    check: str | None
+    tolerance: str | None
+
+    def wants(self, name: str) -> bool:
+        """Whether a result is asked for by its name."""
+        named = [*self.wanted, (self.check or "").replace("=", ":")]
+        return any(one.partition(":")[0].strip() == name for one in named)
+
+    def refuse_idle(self) -> None:
+        """Refuse what has no use with --check, or without."""
+        checking.refuse_idle(self.check, self.tolerance)
+        if self.check is not None and self.wanted:
+            raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
+
+
+def results(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options that ask for results; the command is called with `asked`."""
+
+    @wraps(function)
+    def asking(
+        *args: Any,
+        wanted: tuple[str, ...],
+        steps: bool,
+        check: str | None,
+        tolerance: str | None,
+        **others: Any,
+    ) -> Any:
+        asked = Asked(wanted, steps, check, tolerance)
+        asked.refuse_idle()
+        return function(*args, asked=asked, **others)
+
+    for option in reversed((get_option, steps_option, *checking.OPTIONS)):
+        asking = option(asking)
+    return asking
+
+
+RESULTS = ("wanted", "check", "tolerance")  # their section of a command's help
 Case = tuple[str, Inputs]
 VECTORS = {*INPUTS, *light.INPUTS, *light.SPECIFIC}  # what may be a range of any length
 LINES = 1000  # formatted at a time
 
 
-def inputs(*names: str, **helps: str) -> Callable[..., Any]:
-    """Add inputs as options; `helps` has other texts for some of them."""
+def inputs(*names: str, **helps: str | tuple[str, str]) -> Callable[..., Any]:
+    """Add inputs as options; `helps` has other texts for some of them, or an example and a text."""
 
     def add(command: Callable[..., Any]) -> Callable[..., Any]:
         for name in reversed(names):
             option = INPUTS[name]
-            text = helps.get(name.replace("-", "_"), option.help)
-            command = click.option(f"--{name}", metavar=option.example, help=text)(command)
+            said = helps.get(name.replace("-", "_"), option.help)
+            example, text = (option.example, said) if isinstance(said, str) else said
+            command = click.option(f"--{name}", metavar=example, help=text)(command)
         return command
 
     return add
 
 
-def quantities(*names: str) -> Callable[..., Any]:
+def quantities(*names: str, kinds: Sequence[str] = light.ORDER) -> Callable[..., Any]:
     """Add light quantities as options, by their generic names and by those of one kind."""
 
     def add(command: Callable[..., Any]) -> Callable[..., Any]:
         for name in reversed(names):
-            others = light.names_of(name)
-            text = f"{light.INPUTS[name]} (also --{', --'.join(others)})."
+            others = [n for n in light.names_of(name) if light.SPECIFIC[n][1] in kinds]
+            text = light.INPUTS[name]
+            if others:
+                text += f" (also --{', --'.join(others)})"
             for other in reversed(others):
                 what = f"{light.INPUTS[name]}, as {other.replace('-', ' ')}."
                 command = click.option(
                     f"--{other}", metavar=light.option(other).example, help=what, hidden=True
                 )(command)
-            example = light.option(name).example
-            command = click.option(f"--{name}", metavar=example, help=text)(command)
+            own = LUMINOUS if LUMINOUS in kinds else kinds[0]
+            example = f"100{light.unit(name, own)}".replace(" ", ".")
+            command = click.option(f"--{name}", metavar=example, help=f"{text}.")(command)
         return command
 
     return add
@@ -109,14 +159,40 @@ def _parts(name: str, text: str, arrays: bool) -> Sequence[Any]:
     return [text] if name in light.REFINEMENTS else read_series(text)
 
 
-def show(
-    answers: Sequence[tuple[str, Answer]],
-    wanted: Sequence[str],
+def finish(
+    answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output, **facts: Any
+) -> int:
+    """Show answers that no input can be changed of, or judge one; return the exit status."""
+    cases = [(case, Inputs()) for case, _ in answers]
+    left = iter(answers)
+    return run(cases, lambda _: next(left)[1], asked, output, **facts)
+
+
+def run(
+    each: Sequence[Case],
+    work_out: Callable[[Inputs], Answer],
+    asked: Asked,
     output: Output,
-    steps: bool = True,
-) -> None:
+    **facts: Any,
+) -> int:
+    """Work out the answer to every case and show it, or judge one; return the exit status.
+
+    `facts` are what a judgement takes beside the inputs: the command, the shape.
+    """
+    if asked.check is not None:
+        if len(each) > 1:
+            raise UsageError("--check takes one answer, and there are several", "one value a call")
+        return checking.judge(
+            each[0][1], work_out, asked.check, asked.tolerance, asked.steps, output, **facts
+        )
+    show([(case, work_out(given)) for case, given in each], asked, output)
+    return console.ANSWERED
+
+
+def show(answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
-    if not steps:
+    wanted = asked.wanted
+    if not asked.steps:
         answers = [(case, (*answer[:3], [])) for case, answer in answers]
     if wanted:
         if output.format not in (PLAIN, TABLE):
@@ -124,9 +200,11 @@ def show(
                 f"--get prints bare numbers, and contradicts --format {output.format}",
                 "one of them",
             )
-        for _, (values, _, _, _) in answers:
-            columns = [pick(values, name) for name in wanted]
-            console.write(_lines(columns, output.precision))
+        lines = [
+            _lines([pick(values, name) for name in wanted], output.precision)
+            for _, (values, _, _, _) in answers
+        ]
+        console.write("".join(lines))
         output.remark([_result("", [], *answer[1:]) for _, answer in answers])
         return
     if output.number:

@@ -5,6 +5,7 @@ import click
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.laws.calorimeter import INPUTS, QUANTITIES, calorimeter
+from radcalc.quantities import RADIANT
 
 
 @click.command(
@@ -20,18 +21,15 @@ from radcalc.laws.calorimeter import INPUTS, QUANTITIES, calorimeter
             "receiver_area",
             "time",
         ),
-        "Results": ("wanted",),
+        "Results": calculator.RESULTS,
     },
     context_settings={"max_content_width": 100},
 )
-@calculator.quantities(*QUANTITIES)
+@calculator.quantities(*QUANTITIES, kinds=(RADIANT,))
 @calculator.inputs(*INPUTS, time="How long it is in the light.")
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
-def command(
-    wanted: tuple[str, ...], steps: bool, shown: output.Output, **typed: str | None
-) -> None:
+def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) -> int:
     """Give the radiant flux that heats a body, or how warm a flux makes it.
 
     \b
@@ -40,5 +38,5 @@ def command(
       radcalc calorimeter --irradiance 1000W/m2 --receiver-area 20cm2 --absorptance 0.95 \\
         --time 1min --mass 10g --specific-heat 385J/kg/K -g temperature-rise:K
     """
-    answers = [(case, calorimeter(given)) for case, given in calculator.cases(typed, arrays=True)]
-    calculator.show(answers, wanted, shown, steps)
+    each = calculator.cases(typed, arrays=True)
+    return calculator.run(each, calorimeter, asked, shown, command="calorimeter")

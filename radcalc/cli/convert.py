@@ -4,9 +4,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from radcalc.cli import output
+from radcalc.cli import checking, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import OPTIONS, Given, give
+from radcalc.console import ANSWERED
 from radcalc.conversion import answer, plan
 from radcalc.errors import ConditionError, ConversionError, UsageError
 from radcalc.operands import read_operands
@@ -38,6 +39,7 @@ SECTIONS = {
         "pupil",
     ),
     "Time and bandwidth": ("time", "bandwidth"),
+    "Homework": ("check", "tolerance"),
 }
 
 
@@ -70,13 +72,17 @@ def _conditions(command: Any) -> Any:
 @click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
 @_conditions
 @click.option("--steps", is_flag=True, help="Show the derivation.")
+@checking.OPTIONS[0]
+@checking.OPTIONS[1]
 @output.options
 def command(
     words: tuple[str, ...],
     steps: bool,
+    check: str | None,
+    tolerance: str | None,
     shown: output.Output,
     **conditions: Any,
-) -> None:
+) -> int:
     """Convert between units, and between quantities under a condition.
 
     \b
@@ -97,16 +103,27 @@ def command(
         for name, text in conditions.items()
         if text not in (None, False)
     }
+    checking.refuse_idle(check, tolerance)
     each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
     if not target_text:
         if steps:
             raise UsageError("--steps needs a unit to convert to", "a TARGET unit")
+        if check is not None:
+            raise UsageError("--check needs a unit to convert to", "a TARGET unit")
         shown.show([every_unit(value, source, typed, shown.number)])
-        return
+        return ANSWERED
     target = resolve(target_text)
+    if check is not None:
+        if len(each) > 1:
+            raise UsageError("--check takes one answer, and there are several", "one value a call")
+        given = each[0][1]
+        return checking.judge_conversion(
+            value, source, target, given, check, tolerance, steps, shown
+        )
     shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])
+    return ANSWERED
 
 
 def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:

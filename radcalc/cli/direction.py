@@ -16,21 +16,19 @@ from radcalc.units.table import resolve
 @click.command(
     "direction",
     cls=SectionedCommand,
-    sections={"Angles": ("polar", "elevation", "azimuth"), "Results": ("wanted",)},
+    sections={"Angles": ("polar", "elevation", "azimuth"), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="[X Y Z]")
 @calculator.inputs("polar", "elevation", "azimuth")
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
     **typed: str | None,
-) -> None:
+) -> int:
     """Give a direction in spherical coordinates and as a unit vector.
 
     \b
@@ -49,11 +47,10 @@ def command(
         raise ConditionError("a vector and angles contradict each other", "one of them")
     if not words and not given[0][1]:
         raise UsageError("a direction is missing", "X Y Z, or --polar 45deg --azimuth 30deg")
-    if words:
-        answers = [("", _of_words(coordinates))]
-    else:
-        answers = [(case, of_angles(one)) for case, one in given]
-    calculator.show(answers, wanted, shown, steps)
+    vector = _of_words(coordinates) if words else None
+    return calculator.run(
+        given, lambda g: vector or of_angles(g), asked, shown, command="direction"
+    )
 
 
 def _of_words(coordinates: list[str]) -> Answer:

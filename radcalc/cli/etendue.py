@@ -16,7 +16,7 @@ SECTIONS = {
         "distance",
         "incidence",
     ),
-    "Results": ("wanted",),
+    "Results": calculator.RESULTS,
 }
 
 
@@ -47,15 +47,13 @@ SECTIONS = {
     distance="Straight line from the source to the receiver.",
 )
 @calculator.quantities("radiance")
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
     **typed: str | None,
-) -> None:
+) -> int:
     """Give the etendue of a source, and the flux that a radiance sends through it.
 
     \b
@@ -70,5 +68,4 @@ def command(
     A source and a cone, or a source and a receiver: two discs (--radius, --receiver-radius) that
     face each other are exact, other patches must be small beside their distance.
     """
-    answers = [(case, etendue(given)) for case, given in calculator.cases(typed)]
-    calculator.show(answers, wanted, shown, steps)
+    return calculator.run(calculator.cases(typed), etendue, asked, shown, command="etendue")

@@ -14,17 +14,14 @@ from radcalc.laws.ev import INPUTS, ev
         "Light": ("ev100", "luminance", "illuminance"),
         "Camera": ("ev", "f_number", "time", "iso"),
         "Meter": ("k", "c"),
-        "Results": ("wanted",),
+        "Results": calculator.RESULTS,
     },
     context_settings={"max_content_width": 100},
 )
-@calculator.inputs(*INPUTS, time="Exposure time, such as 1/100s.")
-@calculator.get_option
-@calculator.steps_option
+@calculator.inputs(*INPUTS, time=("1/100s", "Exposure time."))
+@calculator.results
 @output.options
-def command(
-    wanted: tuple[str, ...], steps: bool, shown: output.Output, **typed: str | None
-) -> None:
+def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) -> int:
     """Give exposure values, and the light that a light meter shows them for.
 
     \b
@@ -36,5 +33,4 @@ def command(
 
     --ev is that of the f-number and the time, at the ISO speed given; --ev100 is that of the light.
     """
-    answers = [(case, ev(given)) for case, given in calculator.cases(typed, arrays=True)]
-    calculator.show(answers, wanted, shown, steps)
+    return calculator.run(calculator.cases(typed, arrays=True), ev, asked, shown, command="ev")

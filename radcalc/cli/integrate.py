@@ -8,9 +8,10 @@ from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import positive
 from radcalc.errors import ConditionError, UsageError
+from radcalc.laws.inputs import Inputs, read_interval, take
 from radcalc.laws.inputs import half_angle as half_angle_of
-from radcalc.laws.inputs import read_interval, take
 from radcalc.laws.integrate import integrate
+from radcalc.result import Answer
 
 WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
 
@@ -20,7 +21,7 @@ WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
     cls=SectionedCommand,
     sections={
         "Directions": ("sphere", "hemisphere", "half_angle", "polar", "azimuth"),
-        "Results": ("accuracy", "wanted"),
+        "Results": ("accuracy", *calculator.RESULTS),
     },
     context_settings={"max_content_width": 100},
 )
@@ -31,8 +32,7 @@ WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
 @click.option("--polar", metavar="30deg:60deg", help="A zone between two polar angles.")
 @click.option("--azimuth", metavar="0deg:90deg", help="Only between these azimuths.")
 @calculator.inputs("accuracy")
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
@@ -42,10 +42,9 @@ def command(
     polar: str | None,
     azimuth: str | None,
     accuracy: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
-) -> None:
+) -> int:
     """Integrate a function of direction over a part of the sphere.
 
     \b
@@ -70,13 +69,15 @@ def command(
         raise ConditionError("the directions to integrate over are given twice", f"one of {WHERE}")
     around = read_interval("azimuth", azimuth) if azimuth else (0.0, 2 * math.pi)
     stop = positive(take("accuracy", accuracy)) if accuracy else 1e-9
-    answers = []
-    for case, one in calculator.cases({"half-angle": half_angle}):
+
+    def work_out(one: Inputs) -> Answer:
         if polar:
             ends = read_interval("polar", polar)
         elif half_angle:
             ends = (0.0, half_angle_of(one["half-angle"]))
         else:
             ends = (0.0, math.pi if sphere else math.pi / 2)
-        answers.append((case, integrate(" ".join(words), ends, around, stop)))
-    calculator.show(answers, wanted, shown, steps)
+        return integrate(" ".join(words), ends, around, stop)
+
+    each = calculator.cases({"half-angle": half_angle})
+    return calculator.run(each, work_out, asked, shown, command="integrate")

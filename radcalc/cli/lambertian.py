@@ -20,7 +20,7 @@ SECTIONS = {
         "perpendicular",
     ),
     "Kinds of light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
-    "Results": ("wanted",),
+    "Results": calculator.RESULTS,
 }
 
 
@@ -40,18 +40,16 @@ SECTIONS = {
 @click.option("--corner", is_flag=True, help="The receiver is under a corner of the rectangle.")
 @click.option("--perpendicular", is_flag=True, help="Its normal runs along the rectangle's length.")
 @calculator.light_options
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
     corner: bool,
     perpendicular: bool,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
     **typed: str | None,
-) -> None:
+) -> int:
     """Give what follows for a diffuse source or reflector, exactly at any distance.
 
     \b
@@ -94,8 +92,6 @@ def command(
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one shape")
     chosen = {"corner": corner, "perpendicular": perpendicular}
     flags = tuple(name for name, on in chosen.items() if on)
-    answers = [
-        (case, lambertian(shape, given, flags))
-        for case, given in calculator.cases(typed, arrays=True)
-    ]
-    calculator.show(answers, wanted, shown, steps)
+    each = calculator.cases(typed, arrays=True)
+    facts = {"command": "lambertian", "shape": shape}
+    return calculator.run(each, lambda g: lambertian(shape, g, flags), asked, shown, **facts)

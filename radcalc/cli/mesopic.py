@@ -18,23 +18,21 @@ from radcalc.units.table import resolve
 @click.command(
     "mesopic",
     cls=SectionedCommand,
-    sections={"Light": ("luminance", "sp_ratio", "spectrum_"), "Results": ("wanted",)},
+    sections={"Light": ("luminance", "sp_ratio", "spectrum_"), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )
 @click.option("--luminance", metavar="0.1cd/m2", help="The photopic luminance.")
 @click.option("--sp-ratio", metavar="2", help="The light's ratio of scotopic to photopic.")
 @click.option("--spectrum", "spectrum_", metavar="SOURCE", help="A spectrum, for its S/P ratio.")
-@calculator.get_option
-@click.option("--steps", is_flag=True, help="Show the derivation.")
+@calculator.results
 @output.options
 def command(
     luminance: str | None,
     sp_ratio: str | None,
     spectrum_: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
-) -> None:
+) -> int:
     """Give the mesopic luminance of CIE 191:2010, between night and day.
 
     \b
@@ -63,9 +61,8 @@ def command(
         for ratio in ratios:
             values, assumptions, notes, derivation = mesopic(_luminance(text), ratio)
             case = text if len(texts) > 1 else f"S/P {ratio:g}" if len(ratios) > 1 else ""
-            told = said + assumptions, noted + notes, derivation if steps else []
-            answers.append((case, (values, *told)))
-    calculator.show(answers, wanted, shown)
+            answers.append((case, (values, said + assumptions, noted + notes, derivation)))
+    return calculator.finish(answers, asked, shown, command="mesopic")
 
 
 def _luminance(text: str) -> float:

@@ -65,7 +65,7 @@ def width() -> int:
     return shutil.get_terminal_size((80, 24)).columns
 
 
-def options(function: Callable[..., None]) -> Callable[..., None]:
+def options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Add the output options to a command, which is called with what they decide: `shown`."""
 
     @wraps(function)
@@ -78,9 +78,9 @@ def options(function: Callable[..., None]) -> Callable[..., None]:
         color: str,
         quiet: bool,
         **others: Any,
-    ) -> None:
+    ) -> Any:
         shown = decide(format_, json_, number, precision, color, quiet)
-        function(*args, shown=shown, **others)
+        return function(*args, shown=shown, **others)
 
     for option in reversed(OPTIONS):
         decided = option(decided)

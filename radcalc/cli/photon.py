@@ -4,7 +4,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import OPTIONS, give
+from radcalc.conditions import OPTIONS, Given, give, positive
 from radcalc.errors import ConditionError, RadcalcError, UsageError
 from radcalc.laws.photon import photon
 from radcalc.series import read_series
@@ -13,7 +13,7 @@ from radcalc.series import read_series
 @click.command(
     "photon",
     cls=SectionedCommand,
-    sections={"Light": ("observer",), "Results": ("wanted",)},
+    sections={"Light": ("observer",), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY")
@@ -22,16 +22,14 @@ from radcalc.series import read_series
     type=click.Choice(OPTIONS["observer"].choices),
     help="Whose eyes the luminous efficiency is for.",
 )
-@calculator.get_option
-@click.option("--steps", is_flag=True, help="Show the derivation.")
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
     observer: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
-) -> None:
+) -> int:
     """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
 
     \b
@@ -48,15 +46,20 @@ def command(
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
     seen_by = give("observer", observer) if observer else None
-    answers = []
     texts = read_series(" ".join(words))
-    for text in texts:
-        try:
-            values, assumptions, notes, derivation = photon(give("wavelength", text), seen_by)
-        except RadcalcError as error:
-            message = error.message.replace("--wavelength", "photon")
-            hint = error.hint.replace("--wavelength", "radcalc photon")
-            raise ConditionError(message, hint) from None
-        case = text if len(texts) > 1 else ""
-        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
-    calculator.show(answers, wanted, shown)
+    each = [(text if len(texts) > 1 else "", {"wavelength": _read(text)}) for text in texts]
+    return calculator.run(
+        each, lambda given: photon(given["wavelength"], seen_by), asked, shown, command="photon"
+    )
+
+
+def _read(text: str) -> Given:
+    """A wavelength, frequency, wavenumber or energy, which is no option here."""
+    try:
+        given = give("wavelength", text)
+        positive(given)
+    except RadcalcError as error:
+        message = error.message.replace("--wavelength", "photon")
+        hint = error.hint.replace("--wavelength", "radcalc photon")
+        raise ConditionError(message, hint) from None
+    return given

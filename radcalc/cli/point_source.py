@@ -4,7 +4,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.point_source import DISTRIBUTIONS, INPUTS, QUANTITIES, point_source
+from radcalc.laws.point_source import DISTRIBUTIONS, INPUTS, QUANTITIES, point_source, spread
 
 SECTIONS = {
     "Light": tuple(QUANTITIES),
@@ -28,7 +28,7 @@ SECTIONS = {
         "time",
     ),
     "Kinds of light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
-    "Results": ("wanted",),
+    "Results": calculator.RESULTS,
 }
 
 
@@ -53,16 +53,14 @@ SECTIONS = {
     solid_angle="Solid angle of a uniform cone.",
 )
 @calculator.light_options
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
     distribution: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
     **typed: str | None,
-) -> None:
+) -> int:
     """Give what follows for a source that is small beside its distance.
 
     \b
@@ -78,13 +76,22 @@ def command(
       radcalc point-source --flux 5mW --distance 1m --wavelength 632.8nm
 
     Any sufficient set of the quantities gives the others; what is given twice is checked, to the
-    digits typed.  The irradiance is at the receiver.  Under a --height the source points straight
-    down and the receiver lies flat, unless --incidence tells otherwise.  Several sources add up:
-    for i in 100cd 250cd; do radcalc point-source --intensity $i --distance 2m -g irradiance:lx;
-    done | paste -sd+ | bc
+    digits typed.  The irradiance is at the receiver.  Light comes along the receiver's normal,
+    unless --incidence tells otherwise or -g incidence asks what it is; under a --height the
+    source points straight down and the receiver lies flat.  Several sources add up:
+
+    \b
+      for i in 100cd 250cd; do
+        radcalc point-source --intensity $i --distance 2m -q -g irradiance:lx
+      done | paste -sd+ | bc
     """
-    answers = [
-        (case, point_source(given, distribution))
-        for case, given in calculator.cases(typed, arrays=True)
-    ]
-    calculator.show(answers, wanted, shown, steps)
+    each = calculator.cases(typed, arrays=True)
+    shape = spread(each[0][1], distribution)
+    return calculator.run(
+        each,
+        lambda given: point_source(given, distribution, asked.wants("incidence")),
+        asked,
+        shown,
+        command="point-source",
+        distribution=shape,
+    )

@@ -28,7 +28,7 @@ SECTIONS = {
     ),
     "Pyramid": ("horizontal", "vertical"),
     "Polygon": ("viewpoint", "normal"),
-    "Results": ("wanted",),
+    "Results": calculator.RESULTS,
 }
 
 
@@ -63,8 +63,7 @@ SECTIONS = {
 @click.option("--corner", is_flag=True, help="Seen from above a corner of the rectangle.")
 @click.option("--viewpoint", metavar="X,Y,Z", help="Where the polygon is seen from (0,0,0).")
 @click.option("--normal", metavar="X,Y,Z", help="Normal of the plane projected onto.")
-@calculator.get_option
-@calculator.steps_option
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
@@ -73,11 +72,10 @@ def command(
     corner: bool,
     viewpoint: str | None,
     normal: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
     **typed: str | None,
-) -> None:
+) -> int:
     """Give the solid angle of a shape, and its projected solid angle.
 
     \b
@@ -120,8 +118,8 @@ def command(
         others["points"] = [read_point(word, "the vertex") for word in points]
     elif points:
         raise UsageError(f"too many words: '{quote(' '.join(points))}'", "options, as in --help")
-    answers = [(case, solid_angle(shape, given, others)) for case, given in each]
-    calculator.show(answers, wanted, shown, steps)
+    facts = {"command": "solid-angle", "shape": shape, "polar": others.get("polar")}
+    return calculator.run(each, lambda g: solid_angle(shape, g, others), asked, shown, **facts)
 
 
 def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:

@@ -28,7 +28,7 @@ FORMS = (
     sections={
         "Source": ("column", "list_"),
         "Light": ("observer", "range", "photon_range"),
-        "Results": ("wanted",),
+        "Results": calculator.RESULTS,
     },
     context_settings={"max_content_width": 100},
 )
@@ -43,8 +43,7 @@ FORMS = (
 )
 @click.option("--range", metavar="LOW:HIGH", help="Where watts are counted.")
 @click.option("--photon-range", metavar="LOW:HIGH", help="Where photons are counted.")
-@calculator.get_option
-@click.option("--steps", is_flag=True, help="Show the derivation.")
+@calculator.results
 @output.options
 def command(
     words: tuple[str, ...],
@@ -53,10 +52,9 @@ def command(
     observer: str,
     range: str | None,
     photon_range: str | None,
-    wanted: tuple[str, ...],
-    steps: bool,
+    asked: calculator.Asked,
     shown: output.Output,
-) -> None:
+) -> int:
     """Describe a spectrum: peak, width, efficacies, photons, colour.
 
     \b
@@ -72,17 +70,16 @@ def command(
     """
     if list_:
         console.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
-        return
+        return console.ANSWERED
     if len(words) != 1:
         problem = "a source is missing" if not words else "one source a call"
         raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")
     limits = give("range", range).value if range else None
     photon_limits = give("photon-range", photon_range).value if photon_range else None
-    answers = []
     texts = read_spectra(words[0])
-    for text in texts:
-        source = spectrum(text, column or "")
-        values, assumptions, notes, derivation = describe(source, limits, photon_limits, observer)
-        case = text if len(texts) > 1 else ""
-        answers.append((case, (values, assumptions, notes, derivation if steps else [])))
-    calculator.show(answers, wanted, shown)
+    sources = {text if len(texts) > 1 else "": spectrum(text, column or "") for text in texts}
+    answers = [
+        (case, describe(source, limits, photon_limits, observer))
+        for case, source in sources.items()
+    ]
+    return calculator.finish(answers, asked, shown, command="spectrum")

@@ -1,12 +1,11 @@
 """Light measured by the heat it leaves in a body that absorbs it."""
 
-from radcalc.conditions import require
 from radcalc.errors import ConditionError, UsageError
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
 from radcalc.laws.law import AnyLaw, Law
-from radcalc.laws.sheet import Sheet
+from radcalc.laws.sheet import ENERGY, Sheet
 from radcalc.maths import any_true
 from radcalc.quantities import RADIANT
 from radcalc.result import Answer
@@ -21,6 +20,7 @@ INPUTS = (
     "receiver-area",
 )
 UNITS = {
+    "heat": "J",
     "mass": "kg",
     "specific-heat": "J/kg/K",
     "temperature-rise": "K",
@@ -42,7 +42,7 @@ LAWS: list[AnyLaw] = [
         (("absorptance", 1), ("energy", 1)),
         reference="ISO 80000-7, absorptance",
     ),
-    Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1))),
+    ENERGY,
     Law(
         "flux on a receiver",
         "{flux} = {irradiance} {receiver-area}",
@@ -61,10 +61,7 @@ def calorimeter(given: Inputs) -> Answer:
         raise ConditionError("a calorimeter measures watts and joules", "--flux 5W, --energy 10J")
     if not given:
         raise UsageError("nothing is given", "--mass, --specific-heat and --temperature-rise")
-    if "absorptance" in rest:
-        one = rest["absorptance"]
-        require(one, not any_true(one.value > 1), "from 0 to 1, or from 0% to 100%")
-    sheet = Sheet(lit, rest, {"heat": "Q_h"})
+    sheet = Sheet(lit, rest, {})
     if "absorptance" not in rest and not _is_solved_for(sheet):
         sheet.know("absorptance", 1.0)
         sheet.said.append("a black body: all of the light is absorbed")

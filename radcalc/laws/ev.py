@@ -1,17 +1,19 @@
 """The light meter: exposure values, and what light they stand for."""
 
+from radcalc.conditions import require
 from radcalc.errors import UsageError
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
 from radcalc.laws.law import AnyLaw, Law, Relation
 from radcalc.laws.sheet import Sheet
-from radcalc.maths import log2
+from radcalc.maths import any_true, log2
 from radcalc.result import Answer
 
 INPUTS = ("ev", "ev100", "luminance", "illuminance", "f-number", "time", "iso", "k", "c")
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of meters use
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
+MOST_EV = 100  # of which no camera and no light comes near
 UNITS = {
     "ev100": "1",
     "ev": "1",
@@ -72,7 +74,7 @@ LAWS: list[AnyLaw] = [
     ),
     Relation(
         "saturation",
-        "{saturation-luminance} = 1.2 2^{ev100}",
+        "{saturation-luminance} = 1.2 cd/m2 2^{ev100}",
         ("saturation-luminance", "ev100"),
         {"saturation-luminance": lambda at: SATURATION * 2.0 ** at("ev100")},
         "ISO 12232, saturation-based speed",
@@ -87,6 +89,10 @@ def ev(given: Inputs) -> Answer:
         raise UsageError(
             "the light is missing", "--ev100, --luminance, --illuminance or --f-number"
         )
+    for name in ("ev", "ev100"):
+        if name in given:
+            one = given[name]
+            require(one, not any_true(abs(one.value) > MOST_EV), f"from -{MOST_EV} to {MOST_EV}")
     nothing = q.read_light({}, {})
     sheet = Sheet(nothing, given, {"light": "N^2/t"})
     for name in ("ev", "ev100"):

@@ -7,7 +7,17 @@ An input is an option of a calculator's command (`--radius 2m`); a value of it i
 import math
 from typing import Any
 
-from radcalc.conditions import ANGLE, LENGTH, TEMPERATURE, Given, Option, positive, read, require
+from radcalc.conditions import (
+    ANGLE,
+    ENERGY,
+    LENGTH,
+    TEMPERATURE,
+    Given,
+    Option,
+    positive,
+    read,
+    require,
+)
 from radcalc.errors import ConditionError, NumberError, UsageError, quote
 from radcalc.maths import any_true
 from radcalc.quantities import (
@@ -97,7 +107,7 @@ INPUTS = dict(
             "The meter's constant for incident light (250 lx s).",
         ),
         _option("luminance", LUMINANCE, "a luminance", "1000cd/m2", "Luminance of the scene."),
-        _option("illuminance", ILLUMINANCE, "an illuminance", "10klx", "Illuminance on it."),
+        _option("illuminance", ILLUMINANCE, "an illuminance", "10klx", "Illuminance on the scene."),
         _option(
             "saturation-luminance",
             LUMINANCE,
@@ -120,6 +130,7 @@ INPUTS = dict(
             "2K",
             "How much warmer it gets.",
         ),
+        _option("heat", ENERGY, "a heat", "10J", "Heat that the body takes up."),
         _option(
             "absorptance",
             NUMBER,
@@ -144,7 +155,7 @@ SYMBOLS = {
     "height": "h",
     "offset": "x",
     "offset-y": "y",
-    "tilt": "θ",
+    "tilt": "θ_s",
     "incidence": "θ",
     "half-angle": "α",
     "apex-angle": "2α",
@@ -175,6 +186,7 @@ SYMBOLS = {
     "specific-heat": "c",
     "temperature-rise": "ΔT",
     "absorptance": "α",
+    "heat": "Q_h",
     "exponent": "n",
     "beam-angle": "FWHM",
     "field-angle": "FWTM",
@@ -196,6 +208,7 @@ _COHERENT = {
     times(ILLUMINANCE, DURATION): "lx s",
     powers(mass=1): "kg",
     TEMPERATURE: "K",
+    ENERGY: "J",
     SPECIFIC_HEAT: "J/kg/K",
 }
 COHERENT = {name: _COHERENT[option.dimensions[0]] for name, option in INPUTS.items()}

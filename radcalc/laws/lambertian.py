@@ -15,9 +15,9 @@ from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
 from radcalc.laws.law import AnyLaw, Law, Relation
-from radcalc.laws.sheet import Sheet
-from radcalc.maths import any_true, atan2, cos, hypot, is_array, sin, sqrt
-from radcalc.result import Answer
+from radcalc.laws.sheet import OVER_TIME, Sheet
+from radcalc.maths import any_true, atan2, cos, hypot, is_array, larger, sin, sqrt
+from radcalc.result import Answer, Step
 
 QUANTITIES = (
     "radiance",
@@ -108,16 +108,27 @@ LAWS: list[AnyLaw] = [
         1.0,
         "sr",
     ),
-    Law(
-        "exposure", "{exposure} = {irradiance} {time}", "exposure", (("irradiance", 1), ("time", 1))
-    ),
-    Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1))),
+    *OVER_TIME,
 ]
 FLAT = Law("as seen from the front", "{apparent-area} = {area}", "apparent-area", (("area", 1),))
 RECTANGLE = Law(
     "area of a rectangle", "{area} = {width} {length}", "area", (("width", 1), ("length", 1))
 )
 CIRCLE = Law("area of a circle", "{area} = pi {radius}^2", "area", (("radius", 2),), math.pi)
+
+
+def _place(sheet: Sheet, flat: Any, what: str, offset: Any = 0.0) -> None:
+    """Enter the exact projected solid angle of a shape, with its step."""
+    sheet.know("projected-solid-angle", flat)
+    aside = f", {show(offset)} m off its axis" if any_true(offset != 0) else ""
+    sheet.placed.append(
+        Step(
+            "projected solid angle",
+            "Omega_p = integral of cos(theta) over the solid angle of the source",
+            f"{what}{aside}: Omega_p = {show(flat)} sr",
+            HOWELL,
+        )
+    )
 
 
 class Shape(NamedTuple):
@@ -141,23 +152,48 @@ def lambertian(shape: str, given: Inputs, flags: tuple[str, ...] = ()) -> Answer
     lit = q.read_light(quantities, links)
     if not lit.values and ("reflectance" in rest or "time" in rest or links):
         raise UsageError("a light quantity is missing", "--radiance, --exitance, --flux ...")
-    if "reflectance" in rest:
-        one = rest["reflectance"]
-        require(one, not any_true(one.value > 1), "from 0 to 1, or from 0% to 100%")
+    if not given:
+        raise UsageError("nothing is given", "--radiance, --exitance, --flux ...")
+    if shape in ENDLESS:
+        _refuse_whole(shape, lit)
     sheet = Sheet(lit, rest, INTERNAL)
     laws = [*LAWS, *SHAPES[shape].place(sheet, flags)]
     sheet.said.append("Lambertian: the same radiance in all directions")
     sheet.solve(laws)
     sheet.refuse_idle(laws, (*QUANTITIES, *INPUTS))
+    if shape == "patch":
+        _refuse_near(sheet)
     _judge(sheet)
     rows, shown = sheet.light_rows(RESULTS)
     rows += sheet.input_rows(UNITS)
-    rows += sheet.absent_rows(laws, (*RESULTS, "distance", "radius"), (*QUANTITIES, *INPUTS))
+    rows += sheet.efficacy_row()
+    rows += sheet.absent_rows(laws, (*RESULTS, *UNITS), (*QUANTITIES, *INPUTS))
     return sheet.answer(rows, shown)
 
 
+ENDLESS = ("plane", "hemisphere")
+
+
+def _refuse_whole(shape: str, lit: q.Lit) -> None:
+    """Refuse what an endless source has no end of."""
+    for name in ("flux", "energy", "intensity"):
+        if name in lit.values:
+            raise ConditionError(
+                f"{lit.values[name].flag}: a {shape} has no end, and no {name} of its own",
+                "--radiance, --exitance or --irradiance",
+            )
+
+
 def _judge(sheet: Sheet) -> None:
-    """Refuse a reflector that gives more than it gets; say how far the far field is off."""
+    """Refuse what no Lambertian source does; say how far the far field is off."""
+    if sheet.has("projected-solid-angle") and any_true(
+        sheet.at("projected-solid-angle") > math.pi * (1 + 1e-9)
+    ):
+        raise ConditionError(
+            "more irradiance than a source of that radiance gives, though it filled all that the "
+            f"receiver sees (projected solid angle {show(sheet.at('projected-solid-angle'))} sr)",
+            "at most pi times the radiance",
+        )
     if sheet.has("reflectance") and any_true(sheet.at("reflectance") > 1 + 1e-9):
         raise ConditionError(
             f"a reflectance of {show(sheet.at('reflectance'))} is not possible: more light leaves "
@@ -168,11 +204,11 @@ def _judge(sheet: Sheet) -> None:
         far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
         if is_array(far) or is_array(exact) or not exact or abs(far / exact - 1) < 1e-6:
             return
-        size = sheet.known["size"].value
-        sheet.notes.append(
-            f"the inverse square law, with the distance to the centre, gives {show(far / exact)} "
-            f"times the irradiance; from {show(5 * size)} m on, five times the size, it is near"
-        )
+        nearest = 5 * sheet.known["size"].value
+        said = f"the inverse square law, from the centre, gives {show(far / exact)} times that"
+        if far and sheet.at("distance") < nearest:
+            said += f"; it is for {show(nearest)} m and more, five times the size"
+        sheet.notes.append(said)
 
 
 def _area_of(sheet: Sheet) -> list[AnyLaw]:
@@ -208,15 +244,8 @@ def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     sheet.know("cosine", solid.facing(i.tilt(given, "incidence")))
     sheet.know("cosine-of-source", solid.facing(i.tilt(given)))
     sheet.use("incidence", "tilt")
-    sheet.said.append("a source small beside its distance")
-    if "area" in given and "distance" in given:
-        size = 2 * sqrt(given["area"].value / math.pi)
-        if any_true(positive(given["distance"]) < 5 * size * (1 - 1e-12)):
-            raise ConditionError(
-                f"--distance {given['distance'].text} is less than five times the size of the "
-                f"source ({show(size)} m)",
-                "radcalc lambertian disc or rectangle, which are exact",
-            )
+    if "distance" in given:
+        sheet.said.append("a source small beside its distance")
     laws.append(
         Law(
             "small source",
@@ -228,6 +257,21 @@ def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
         )
     )
     return laws
+
+
+def _refuse_near(sheet: Sheet) -> None:
+    """Refuse a patch seen from nearer than five times its size, however that was found."""
+    if sheet.has("distance") and sheet.has("area"):
+        longest = 2 * sqrt(sheet.at("area") / math.pi)
+        for name in ("width", "length"):
+            if sheet.has(name):
+                longest = larger(longest, sheet.at(name))
+        if any_true(sheet.at("distance") < 5 * longest * (1 - 1e-9)):
+            raise ConditionError(
+                f"a distance of {show(sheet.at('distance'))} m is less than five times the size "
+                f"of the source ({show(longest)} m)",
+                "radcalc lambertian disc, sphere or rectangle, which are exact",
+            )
 
 
 def _height(sheet: Sheet) -> Any:
@@ -282,15 +326,14 @@ def _disc(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
         sheet.use("radius", "diameter")
         offset = given["offset"].value if "offset" in given else 0.0
         _, _, tilt = _centre(sheet, height, abs(offset))
-        sheet.know("projected-solid-angle", projected.disc(size, height, offset, tilt))
+        flat = projected.disc(size, height, offset, tilt)
+        _place(sheet, flat, f"a disc of {show(size)} m radius from {show(height)} m above", offset)
         sheet.know("solid-angle", solid.disc(size, height, offset))
         sheet.know("size", 2 * size)
         return laws
     if "offset" in given or "incidence" in given:
-        raise UsageError(
-            "the size or the height is missing beside --offset or --incidence",
-            "--radius 25cm, --height 75cm",
-        )
+        missing = "--height 75cm" if sized else "--radius 25cm"
+        raise UsageError("too little is given beside --offset or --incidence", missing)
     name = "height" if "height" in given else "distance"
     laws.append(
         Relation(
@@ -298,6 +341,7 @@ def _disc(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
             f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{name}}}^2)",
             ("projected-solid-angle", "radius", name),
             {
+                "projected-solid-angle": lambda at: projected.disc(at("radius"), at(name)),
                 name: lambda at: at("radius") * sqrt(_over(math.pi, at) - 1),
                 "radius": lambda at: at(name) / sqrt(_over(math.pi, at) - 1),
             },
@@ -337,7 +381,8 @@ def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     if ("radius" in given or "diameter" in given) and "distance" in given:
         size, away = i.radius(given), positive(given["distance"])
         sheet.use("radius", "diameter", "distance", "incidence")
-        sheet.know("projected-solid-angle", projected.sphere(size, away, incidence))
+        flat = projected.sphere(size, away, incidence)
+        _place(sheet, flat, f"a sphere of {show(size)} m radius from {show(away)} m")
         sheet.know("solid-angle", solid.sphere(size, away))
         sheet.know("size", 2 * size)
         if any_true(incidence + solid.angular_radius(size, away) > math.pi / 2):
@@ -351,10 +396,20 @@ def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
             "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
             ("projected-solid-angle", "radius", "distance"),
             {
+                "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
                 "distance": lambda at: at("radius") * sqrt(_over(math.pi, at)),
                 "radius": lambda at: at("distance") / sqrt(_over(math.pi, at)),
             },
             HOWELL,
+        )
+    )
+    laws.append(  # all its flux goes through the sphere of that distance
+        Law(
+            "flux of a sphere at a distance",
+            "{flux} = 4 pi {distance}^2 {irradiance}",
+            "flux",
+            (("distance", 2), ("irradiance", 1)),
+            4 * math.pi,
         )
     )
     return laws
@@ -391,7 +446,7 @@ def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     if "perpendicular" in flags:
         if "incidence" in given:
             raise ConditionError("--perpendicular and --incidence contradict each other", "one")
-        toward = -1.0 if not is_array(y) and y > 0 else 1.0
+        toward = 1.0 - 2.0 * (y > 0)
         normal: Any = (0.0, toward, 0.0)
         distance = hypot(height, hypot(x, y))
         sheet.know("cosine", abs(y) / distance)
@@ -401,11 +456,13 @@ def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     else:
         _, _, tilt = _centre(sheet, height, x, y)
         lateral = hypot(x, y)
-        away = (-x / lateral, -y / lateral) if not any_true(lateral == 0) else (1.0, 0.0)
+        over = 1.0 * (lateral == 0)  # above the centre it is turned along the width
+        away = (-x / (lateral + over) - over, -y / (lateral + over))
         normal = (sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt))
         if "incidence" in given and any_true(lateral == 0):
             sheet.said.append("the receiver is turned along the width")
-    sheet.know("projected-solid-angle", projected.rectangle(width, length, height, x, y, normal))
+    flat = projected.rectangle(width, length, height, x, y, normal)
+    _place(sheet, flat, f"a rectangle of {show(width)} m x {show(length)} m", x)
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
     sheet.know("size", hypot(width, length))
     return laws
@@ -426,8 +483,8 @@ def _hemisphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     """The sky, or the part of it in a cone about the zenith."""
     given = sheet.given
     sheet.use("half-angle", "incidence")
-    half = i.half_angle(given["half-angle"]) if "half-angle" in given else math.pi / 2
-    sheet.know("projected-solid-angle", projected.cone(half, i.tilt(given, "incidence")))
+    half = i.half_angle(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
+    _place(sheet, projected.cone(half, i.tilt(given, "incidence")), "the sky")
     sheet.know("solid-angle", solid.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
     sheet.said.append(f"a hemisphere of one radiance, {part}")

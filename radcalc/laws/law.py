@@ -14,6 +14,7 @@ from radcalc.maths import any_true, is_array
 from radcalc.result import Step
 from radcalc.units.grammar import read_number
 
+LOGARITHMIC = {"ev": 0.1, "ev100": 0.1}  # steps, by which marked values differ from exact ones
 EXACT = 1e-9  # what rounding in the arithmetic may add
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
 
@@ -43,7 +44,6 @@ class Law(NamedTuple):
     constant: float = 1.0
     unit: str = "1"
     reference: str = ""
-    validity: str = ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -83,7 +83,6 @@ class Relation(NamedTuple):
     names: tuple[str, ...]
     solvers: dict[str, Callable[[Callable[[str], Any]], Any]]
     reference: str = ""
-    validity: str = ""
 
     @property
     def targets(self) -> tuple[str, ...]:
@@ -162,7 +161,9 @@ def _follow(law: AnyLaw, target: str, values: Values) -> Known:
     if is_array(value):
         return Known(value, max(values[name].rounding for name in law.names if name != target))
     if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):
-        raise NumberError(f"the {target.replace('-', ' ')} cannot be held by a number", "others")
+        raise NumberError(
+            f"the {target.replace('-', ' ')} cannot be held by a number", "less extreme values"
+        )
     off = 0.0
     for name in law.names:
         if name != target and values[name].rounding and value:
@@ -192,7 +193,7 @@ def _check(law: AnyLaw, values: Values, given: Values) -> None:
     value = values[name].value
     allowed = values[name].rounding + other.rounding + EXACT
     difference = abs(value - other.value)
-    if any_true(difference > allowed * abs(value) + 1e-300):
+    if any_true(difference > allowed * abs(value) + LOGARITHMIC.get(name, 1e-300)):
         raise Contradiction(law, name, value, other.value)
 
 

@@ -36,13 +36,13 @@ GEOMETRY = {
     "far-field-irradiance": (0, 1, 0),
 }
 INPUTS = {
-    "flux": "All the flux of the source",
+    "flux": "All the flux",
     "intensity": "The intensity on the source's axis",
     "irradiance": "The irradiance on the receiver",
     "exitance": "The exitance of the source",
     "radiance": "The uniform radiance of the source",
     "exposure": "The exposure of the receiver (with --time)",
-    "energy": "The energy that the source sends (with --time)",
+    "energy": "All the energy (with --time)",
     "incident-irradiance": "The irradiance on the reflector (with --reflectance)",
 }
 SYMBOLS = {
@@ -85,6 +85,7 @@ SPECIFIC = {
     "received-luminous-flux": ("received-flux", LUMINOUS),
     "received-radiant-flux": ("received-flux", RADIANT),
     "received-photon-flux": ("received-flux", PHOTON),
+    "far-field-illuminance": ("far-field-irradiance", LUMINOUS),
 }
 # geometry -> the unit to show of each kind, and the coherent one of a derivation
 UNITS = {
@@ -139,7 +140,8 @@ def read_any(name: str, value: Any) -> Given:
         return read(own, value)
     except NumberError as error:
         if "," in str(value) and own.dimensions == (NUMBER,):
-            raise NumberError(error.message, f"{error.hint}; a list as in 2.0,4.0") from None
+            parts = ",".join(p if "." in p else f"{p}.0" for p in str(value).split(","))
+            raise NumberError(error.message, f"{parts}, if that is a list") from None
         raise
 
 
@@ -194,6 +196,7 @@ def read_light(typed: dict[str, Given], light: dict[str, Given]) -> Lit:
         )
     _refuse_unused(light)
     kind = kind_of(*next(iter(given.items()))) if given else RADIANT
+    first = next(iter(given.values()), None)
     said: list[str] = []
     notes: list[str] = []
     steps: list[Step] = []
@@ -201,11 +204,11 @@ def read_light(typed: dict[str, Given], light: dict[str, Given]) -> Lit:
     for name, one in given.items():
         own = kind_of(name, one)
         amounts[name] = one.value
-        if own != kind:
+        if own != kind and first:
             factor = _factor(light, kind, own)
             if factor is None:
                 raise ConditionError(
-                    f"{one.flag} is {_named(own)} and another quantity {_named(kind)}: "
+                    f"{one.flag} is {_named(own)}, {first.flag} {_named(kind)}: "
                     "what links them is missing",
                     "--wavelength, --spectrum or --efficacy",
                 )
@@ -269,7 +272,7 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
             own = amount if kind == lit.kind else reach[dimension(name, kind)]
             rows.append(
                 Value(
-                    name if kind == lit.kind else specific(name, kind),
+                    name if kind == lit.kind else row_name(name, kind),
                     specific(name, kind).replace("-", " "),
                     f"{SYMBOLS[name]}_{kind}" if "_" not in SYMBOLS[name] else SYMBOLS[name],
                     given.value if given and is_given else own,
@@ -288,6 +291,18 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
         [note for factor in factors.values() for note in factor.notes],
         [step for factor in factors.values() for step in factor.steps],
     )
+
+
+def row_name(name: str, kind: str) -> str:
+    """What --get calls a light quantity of another kind than the given one."""
+    own = specific(name, kind)
+    return f"radiant-{name}" if own == name else own
+
+
+def efficacy(lit: Lit) -> Any:
+    """The luminous efficacy [lm/W] that links the kinds, or None."""
+    factor = _factor(lit.light, LUMINOUS, RADIANT)
+    return factor.value if factor else None
 
 
 def specific(name: str, kind: str) -> str:

@@ -4,11 +4,12 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from radcalc.conditions import Given, positive, show
+from radcalc.conditions import Given, positive, require, show
 from radcalc.errors import ConditionError, UsageError
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.law import (
+    LOGARITHMIC,
     AnyLaw,
     Contradiction,
     Known,
@@ -20,6 +21,8 @@ from radcalc.laws.law import (
     solve,
     steps,
 )
+from radcalc.maths import any_true
+from radcalc.quantities import LUMINOUS, RADIANT, RATIOS
 from radcalc.result import Answer, Step, Value
 
 # How symbols are written in a derivation, where that differs from a table.
@@ -36,12 +39,15 @@ LETTERS = {
     "reflectance": "rho",
 }
 GREEK = {"Φ": "Phi", "Δ": "d", "α": "alpha", "ρ": "rho", "θ": "theta", "Ω": "Omega"}
+ENERGY = Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1)))
 OVER_TIME = (
     Law(
         "exposure", "{exposure} = {irradiance} {time}", "exposure", (("irradiance", 1), ("time", 1))
     ),
-    Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1))),
+    ENERGY,
 )
+FROM_ZERO = ("exponent", "reflectance")
+PARTS = ("reflectance", "absorptance")
 SIGNED = ("offset", "offset-y", "incidence", "tilt", "ev", "ev100")  # the rest is above 0
 
 
@@ -62,6 +68,7 @@ class Sheet:
         self.lit, self.given, self.internal = lit, given, internal
         self.defaults = set(defaults)
         self.used: set[str] = set()
+        self.placed: list[Step] = []  # of what was worked out outside the laws
         self.said, self.notes = list(lit.assumptions), list(lit.notes)
         self.known: dict[str, Known] = {}
         self.solution = Solution({}, [])
@@ -70,12 +77,15 @@ class Sheet:
             self.know(name, lit.amounts[name], one)
         for name, one in given.items():
             if name not in SIGNED:
-                self.know(name, positive(one), one)
+                self.know(name, one.value if name in FROM_ZERO else positive(one), one)
+                require(one, not any_true(one.value < 0), "0 or more")
+                if name in PARTS:
+                    require(one, not any_true(one.value > 1), "from 0 to 1, or from 0% to 100%")
 
-    def know(self, name: str, value: Any, of: Given | None = None) -> None:
+    def know(self, name: str, value: Any, *of: Given) -> None:
         """Add a value: one that was given, or one that goes without saying."""
-        off = rounding(of.text) if of and not of.is_exact else 0.0
-        self.known[name] = Known(value, off, of.text if of else "")
+        off = max((rounding(one.text) for one in of if not one.is_exact), default=0.0)
+        self.known[name] = Known(value, off, of[0].text if of else "")
 
     def use(self, *names: str) -> None:
         """Count inputs as used, which went into a value that was worked out outside the laws."""
@@ -113,6 +123,19 @@ class Sheet:
                 f"nothing follows from {one.flag} {one.text}{'' if others else ' alone'}",
                 f"with it, {flags}" if flags else f"the same without {one.flag}",
             )
+
+    def efficacy_row(self) -> list[Value]:
+        """The luminous efficacy that links lumens and watts, where there is one."""
+        ratio = q.efficacy(self.lit)
+        if ratio is None:
+            return []
+        dimension = RATIOS[LUMINOUS, RADIANT]
+        return [
+            Value("luminous-efficacy", "luminous efficacy", "K", ratio, (dimension,), ("lm/W",))
+        ]
+
+    def _all_flags(self) -> str:
+        return ", ".join(one.flag for one in {**self.lit.values, **self.given}.values())
 
     def light_rows(self, names: Iterable[str]) -> tuple[list[Value], q.Shown]:
         """The light quantities that follow, in every kind that is linked."""
@@ -158,8 +181,9 @@ class Sheet:
 
     def answer(self, rows: list[Value], shown: q.Shown) -> Answer:
         """All of it."""
-        derivation: list[Step] = [*self.lit.steps, *self.steps(), *shown.steps]
-        return rows, [*self.said, *shown.assumptions], [*self.notes, *shown.notes], derivation
+        derivation: list[Step] = [*self.lit.steps, *self.placed, *self.steps(), *shown.steps]
+        said = list(dict.fromkeys([*self.said, *shown.assumptions]))
+        return rows, said, list(dict.fromkeys([*self.notes, *shown.notes])), derivation
 
     def steps(self) -> list[Step]:
         """The derivation."""
@@ -180,14 +204,20 @@ class Sheet:
     def _contradiction(self, error: Contradiction) -> ConditionError:
         """Both values, with their unit, and the ratio."""
         unit = self._naming(error.name).unit
+        if error.name in self.internal:
+            return ConditionError(
+                f"{self._all_flags()} contradict each other, by the law '{error.law.name}'",
+                "fewer of them",
+            )
         one = self.lit.values.get(error.name) or self.given.get(error.name)
         found = _with_unit(error.found, unit)
         text = f"{one.flag} {one.text}" if one else f"{error.name} {_with_unit(error.given, unit)}"
         ratio = f" (ratio {show(error.given / error.found)})" if _is_number(error.found) else ""
-        others = [other.flag for other in {**self.lit.values, **self.given}.values()]
+        if error.name in LOGARITHMIC:
+            ratio = f" ({show(error.given - error.found)} apart)"
         return ConditionError(
             f"{text} contradicts the rest, which gives {found}{ratio}",
-            f"without one of {', '.join(others)}",
+            f"without one of {self._all_flags()}",
         )
 
 
