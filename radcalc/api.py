@@ -143,7 +143,7 @@ def lambertian(
     >>> print(lambertian(luminance="100cd/m2", area="0.1m2")["flux"].round(3))
     31.416 lumen
     """
-    from radcalc.laws.lambertian import SHAPES
+    from radcalc.laws.surfaces import SHAPES
     from radcalc.laws.lambertian import lambertian as law
 
     if shape not in SHAPES:

@@ -27,10 +27,20 @@ from radcalc.laws import lambertian as lambertian_module
 from radcalc.laws import light as light_module
 from radcalc.laws import point_source as point_module
 from radcalc.laws import sheet as sheet_module
+from radcalc.laws import spreads as spreads_module
+from radcalc.laws import surfaces as surfaces_module
 from radcalc.laws.law import Contradiction, Known, Law, Relation, rounding, solve
 from radcalc.units.registry import light_registry
 
-MODULES = (point_module, lambertian_module, ev_module, calorimeter_module, sheet_module)
+MODULES = (
+    spreads_module,
+    surfaces_module,
+    point_module,
+    lambertian_module,
+    ev_module,
+    calorimeter_module,
+    sheet_module,
+)
 Q = radcalc.Quantity
 PI = math.pi
 
@@ -258,9 +268,9 @@ def test_every_symbol_of_a_relation_comes_back(law, data):
 
 # --- solve, check, rounding.
 
-LOBE = [*point_module.LAWS["lobe"], *point_module.ANY_LAWS, point_module.INVERSE_SQUARE]
-CONE = [*point_module.LAWS["cone"], *point_module.ANY_LAWS, point_module.INVERSE_SQUARE]
-SURFACE = [*lambertian_module.LAWS, lambertian_module.FLAT, lambertian_module.CIRCLE]
+LOBE = [*spreads_module.LAWS["lobe"], *spreads_module.ANY_LAWS, spreads_module.INVERSE_SQUARE]
+CONE = [*spreads_module.LAWS["cone"], *spreads_module.ANY_LAWS, spreads_module.INVERSE_SQUARE]
+SURFACE = [*surfaces_module.LAWS, surfaces_module.FLAT, surfaces_module.CIRCLE]
 
 
 def known(**values: float) -> dict[str, Known]:

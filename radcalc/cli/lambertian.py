@@ -5,7 +5,8 @@ import click
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.laws.lambertian import INPUTS, QUANTITIES, SHAPES, lambertian
+from radcalc.laws.lambertian import INPUTS, QUANTITIES, lambertian
+from radcalc.laws.surfaces import SHAPES
 
 SECTIONS = {
     "Light": (*(name.replace("-", "_") for name in QUANTITIES), "reflectance", "time"),

@@ -1,6 +1,5 @@
 """How a judgement is shown, in every format."""
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -17,6 +16,8 @@ def show(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str], out
     """Write what is said of an answer; return 0 where it is right and 1 where it is wrong."""
     status = console.ANSWERED if verdict.is_right else console.WRONG
     if output.format == JSON:
+        import json  # costs as much as the judgement
+
         console.write(json.dumps(_object(verdict, assumptions, notes), ensure_ascii=False) + "\n")
         return status
     if output.format == CSV or output.number:

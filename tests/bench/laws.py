@@ -33,6 +33,10 @@ def main() -> int:
         1.5,
         11,
     )
+    question = (RADCALC, "solid-angle", "cone", "--half-angle", "30deg")
+    for name, answer in (("right", "0.842sr"), ("wrong", "3.14sr")):
+        ours = command(*question, "--check", answer)
+        met &= report(f"--check of a {name} answer / without", ours, command(*question), 1.2, 60)
     return 0 if met else 1
 
 
