@@ -143,8 +143,8 @@ def lambertian(
     >>> print(lambertian(luminance="100cd/m2", area="0.1m2")["flux"].round(3))
     31.416 lumen
     """
-    from radcalc.laws.surfaces import SHAPES
     from radcalc.laws.lambertian import lambertian as law
+    from radcalc.laws.surfaces import SHAPES
 
     if shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))

@@ -39,4 +39,5 @@ def _plain_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     """No colour or debug settings of the caller's."""
     for name in ("NO_COLOR", "FORCE_COLOR", "RADCALC_DEBUG", "COLUMNS"):
         monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("LC_ALL", "C.UTF-8")  # tables have the names of the caller's language
     os.environ.setdefault("TERM", "xterm")

@@ -154,7 +154,9 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE.keys())
-@pytest.mark.parametrize("place", ["value", "source", "target", "condition", "option", "search"])
+@pytest.mark.parametrize(
+    "place", ["value", "source", "target", "condition", "option", "search", "name", "typical"]
+)
 def test_whatever_is_typed_gets_one_clear_message(text, place):
     words = {
         "value": [b"convert", text, b"lx", b"fc"],
@@ -163,6 +165,8 @@ def test_whatever_is_typed_gets_one_clear_message(text, place):
         "condition": [b"convert", b"1", b"cd", b"lx", b"--distance", text],
         "option": [b"convert", b"1", b"cd", b"lx", b"--x" + text],
         "search": [b"units", b"zz" + text],
+        "name": [b"quantities", b"zz" + text],
+        "typical": [b"typical", b"zz" + text],
     }[place]
     done = subprocess.run([entry_point(), *words], capture_output=True, timeout=60)
     message = done.stderr.decode("utf-8")

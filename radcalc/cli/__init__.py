@@ -24,6 +24,8 @@ COMMANDS = (
     "spectrum",
     "mesopic",
     "units",
+    "quantities",
+    "typical",
 )
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 

@@ -10,6 +10,7 @@ import click
 
 from radcalc import console
 from radcalc.errors import UsageError
+from radcalc.names import ENGLISH, language
 from radcalc.result import Result
 
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
@@ -23,6 +24,7 @@ class Output(NamedTuple):
     precision: int | None
     color: bool
     quiet: bool
+    language: str = ENGLISH
 
     def show(self, results: Sequence[Result]) -> None:
         """Write the results to standard output, and remarks on them to standard error."""
@@ -30,7 +32,9 @@ class Output(NamedTuple):
             from radcalc.render import table
 
             said = not self.quiet
-            console.write(table.render(results, width(), self.color, self.precision, said))
+            console.write(
+                table.render(results, width(), self.color, self.precision, said, self.language)
+            )
         elif self.format == JSON:
             from radcalc.render import json
 
@@ -124,7 +128,8 @@ def decide(
     terminal = console.is_terminal()
     if chosen is None:
         chosen = TABLE if terminal else PLAIN
-    return Output(chosen, number, precision, wants_color(color, terminal), quiet)
+    spoken = language() if chosen == TABLE else ENGLISH
+    return Output(chosen, number, precision, wants_color(color, terminal), quiet, spoken)
 
 
 def wants_color(color: str, terminal: bool) -> bool:

@@ -2,11 +2,11 @@
 
 import click
 
-from radcalc import console
-from radcalc.cli import output
+from radcalc.cli import lists, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.errors import UnitError, UsageError, nearest, quote
+from radcalc.errors import UnitError, nearest, quote
 from radcalc.listing import Entry, entry, quantity_names, search
+from radcalc.names import translate
 
 
 @click.command("units", cls=SectionedCommand, context_settings={"max_content_width": 100})
@@ -25,35 +25,12 @@ def command(
       radcalc units lambert            the units with that in their name
       radcalc units cd/m2              what a unit measures, and its fellows
     """
-    if shown.number or shown.precision:
-        useless = "-n" if shown.number else "--precision"
-        raise UsageError(f"{useless} has no use with units", "radcalc units alone")
+    lists.refuse_number_options(shown, "units")
     found = search(" ".join(words)) or _same_quantity(" ".join(words))
-    header = ("unit", "symbols", "quantity", "definition", "source", "note")
-    rows = [tuple(e) for e in found]
-    if shown.format == output.JSON:
-        import json
-
-        console.write(
-            json.dumps([dict(zip(header, row, strict=True)) for row in rows], ensure_ascii=False)
-            + "\n"
-        )
-    elif shown.format == output.CSV:
-        import csv
-        import io
-
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerows([header, *rows])
-        console.write(text.getvalue())
-    elif shown.format == output.TABLE:
-        from radcalc.render.table import draw
-
-        notes = [f"note: {e.note}" for e in found if e.note and not shown.quiet]
-        console.write(
-            draw(header[:5], [row[:5] for row in rows], notes, output.width(), shown.color)
-        )
-    else:
-        console.write("".join("\t".join(row) + "\n" for row in rows))
+    rows = [e._asdict() for e in found]
+    rows = [{"unit": row.pop("name"), **row} for row in rows]
+    table = [{**row, "quantity": translate(row["quantity"], shown.language)} for row in rows]
+    lists.show(shown, rows, [e.note for e in found if e.note], table)
 
 
 def _same_quantity(text: str) -> list[Entry]:

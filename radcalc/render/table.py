@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from radcalc.names import ENGLISH, translate
 from radcalc.render.plain import derivation, number
 from radcalc.result import Result
 
@@ -23,15 +24,19 @@ def render(
     color: bool,
     precision: int | None = None,
     remarks: bool = True,
+    language: str = ENGLISH,
 ) -> str:
-    """The rows of all results in one table, what was assumed below, then the steps."""
+    """The rows of all results in one table, what was assumed below, then the steps.
+
+    The quantities' names are in the language, as far as it has them.
+    """
     rows = [row for result in results for row in result.rows]
     cases = any(row.case for row in rows)
     header = [*(["for"] if cases else []), "quantity", "symbol", "value", "unit"]
     lines = [
         [
             *([row.case] if cases else []),
-            f"{row.quantity} (given)" if row.given else row.quantity,
+            translate(row.quantity, language) + (" (given)" if row.given else ""),
             row.symbol,
             number(row.value, precision or DIGITS),
             row.unit,
