@@ -7,7 +7,7 @@ from typing import Any
 from radcalc.conversion import exact_ratio
 from radcalc.errors import NumberError, UsageError, nearest, quote
 from radcalc.maths import is_array, is_column
-from radcalc.quantities import describe
+from radcalc.quantities import GRID, describe
 from radcalc.result import Row, Value
 from radcalc.units.table import Unit, resolve
 
@@ -18,6 +18,12 @@ def in_unit(value: Value, unit: Unit) -> Any:
     if unit.dimension in value.dimensions:
         amount = value.si
     if amount is None:
+        own, asked = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
+        if own and asked and own[1:] == asked[1:]:
+            raise UsageError(
+                f"{value.name} in {quote(unit.text)} takes what links the kinds of light",
+                "--wavelength, --spectrum or --efficacy",
+            )
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),

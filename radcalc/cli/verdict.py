@@ -31,7 +31,8 @@ def show(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str], out
 def _lines(verdict: Verdict, output: Output) -> list[str]:
     digits = output.precision or (IN_TABLES if output.format == TABLE else DIGITS)
     unit = "" if verdict.unit == "1" else f" {verdict.unit}"
-    claimed = f"{number(verdict.claimed, digits)}{unit}"
+    other = "" if verdict.claimed_unit == "1" else f" {verdict.claimed_unit}"
+    claimed = f"{number(verdict.claimed, digits)}{other}"
     right = f"{verdict.name} is {number(verdict.right, digits)}{unit}"
     if verdict.is_right:
         return [f"right ({verdict.tolerance}): {right}"]
@@ -54,6 +55,7 @@ def _object(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str]) 
         "unit": verdict.unit,
         "value": verdict.right,
         "claimed": verdict.claimed,
+        "claimed-unit": verdict.claimed_unit,
         "ratio": verdict.ratio,
         "tolerance": verdict.tolerance,
         "diagnoses": [one._asdict() for one in verdict.diagnoses],

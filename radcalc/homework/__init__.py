@@ -29,6 +29,7 @@ class Verdict(NamedTuple):
     unit: str
     right: float
     claimed: float
+    claimed_unit: str
     ratio: float | None
     tolerance: str
     diagnoses: tuple[Diagnosis, ...]
@@ -62,7 +63,16 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     allowed = read_tolerance(tolerance, unit)
     ratio = said.value / right if right else None
     verdict = Verdict(
-        False, target.name, unit_text, right, said.value, ratio, allowed.text, (), question.steps
+        False,
+        target.name,
+        unit_text,
+        right,
+        said.value,
+        said.unit or unit_text,
+        ratio,
+        allowed.text,
+        (),
+        question.steps,
     )
     if wrong_unit:
         return verdict._replace(
@@ -85,7 +95,9 @@ def _target(question: Question, said: Claim) -> tuple[Value, str, bool]:
     if not said.unit:
         units = {u for v in pool[:1] for u in v.units}
         if len({v.name for v in pool}) > 1 or len(units) != 1:
-            several = ", ".join(f"--check {v.name}={said.number}{v.units[0]}" for v in pool[:3])
+            several = ", ".join(
+                f"--check {v.name}={said.number}{v.units[0].removeprefix('1')}" for v in pool[:3]
+            )
             raise ConditionError(f"--check {quote(said.text)}: say which result is meant", several)
         return pool[0], pool[0].units[0], False
     unit = resolve(said.unit)

@@ -73,7 +73,9 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
     if text.endswith("sf"):
         if not text[:-2].isdigit() or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
-        return Tolerance(f"to {int(text[:-2])} significant digits", "digits", int(text[:-2]))
+        count = int(text[:-2])
+        digits = f"to {count} significant digit{'s' if count > 1 else ''}"
+        return Tolerance(digits, "digits", count)
     option = Option("tolerance", "", (NUMBER, unit.dimension), "a part or a quantity", "1%", "")
     given = read(option, text)
     if given.value < 0:

@@ -94,7 +94,7 @@ def ev(given: Inputs) -> Answer:
             one = given[name]
             require(one, not any_true(abs(one.value) > MOST_EV), f"from -{MOST_EV} to {MOST_EV}")
     nothing = q.read_light({}, {})
-    sheet = Sheet(nothing, given, {"light": "N^2/t"})
+    sheet = Sheet(nothing, given, {"light": "b"})
     for name in ("ev", "ev100"):
         if name in given:
             sheet.know(name, given[name].value, given[name])

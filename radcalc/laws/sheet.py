@@ -167,7 +167,7 @@ class Sheet:
 
             def fail(name: str = name, alone: list[str] = alone) -> Any:
                 raise UsageError(
-                    f"no {name.replace('-', ' ')} follows from what is given",
+                    f"no {i.LABELS.get(name, name.replace('-', ' '))} follows from what is given",
                     " or ".join(f"--{n}" for n in alone[:5]) or "more of the quantities",
                 )
 

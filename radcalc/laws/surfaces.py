@@ -137,6 +137,7 @@ def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     sheet.use("incidence", "tilt")
     if "distance" in given:
         sheet.said.append("a source small beside its distance")
+        _say_facing(sheet)
     laws.append(
         Law(
             "small source",
@@ -148,6 +149,13 @@ def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
         )
     )
     return laws
+
+
+def _say_facing(sheet: Sheet) -> None:
+    """Say how the receiver is turned, where no incidence tells."""
+    sheet.use("incidence")
+    if "incidence" not in sheet.given:
+        sheet.said.append("the receiver faces the source")
 
 
 def _height(sheet: Sheet) -> Any:
@@ -252,6 +260,7 @@ def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
         ),
     ]
     incidence = i.tilt(given, "incidence")
+    _say_facing(sheet)
     sheet.know("cosine", solid.facing(incidence))
     sheet.know("cosine-of-source", 1.0)
     if ("radius" in given or "diameter" in given) and "distance" in given:
@@ -358,7 +367,8 @@ def _plane(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
 def _hemisphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     """The sky, or the part of it in a cone about the zenith."""
     given = sheet.given
-    sheet.use("half-angle", "incidence")
+    sheet.use("half-angle")
+    _say_facing(sheet)
     half = i.half_angle(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
     _place(sheet, projected.cone(half, i.tilt(given, "incidence")), "the sky")
     sheet.know("solid-angle", solid.cone(half))
