@@ -68,6 +68,8 @@ def commands() -> None:
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm cd --isotropic
       radcalc solid-angle cone --half-angle 30deg
+      radcalc point-source --flux 800lm --distance 2m
+      radcalc lambertian --luminance 100cd/m2 --check exitance=628lm/m2
       radcalc units luminance
     """
 

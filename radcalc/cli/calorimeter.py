@@ -11,6 +11,7 @@ from radcalc.quantities import RADIANT
 @click.command(
     "calorimeter",
     cls=SectionedCommand,
+    short_help="Radiant flux from the heat it leaves.",
     sections={
         "Light": tuple(QUANTITIES),
         "Body": (

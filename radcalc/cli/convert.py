@@ -67,7 +67,11 @@ def _conditions(command: Any) -> Any:
 
 
 @click.command(
-    "convert", cls=SectionedCommand, sections=SECTIONS, context_settings={"max_content_width": 100}
+    "convert",
+    cls=SectionedCommand,
+    short_help="Convert units, and quantities under a condition.",
+    sections=SECTIONS,
+    context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
 @_conditions

@@ -23,6 +23,7 @@ SECTIONS = {
 @click.command(
     "etendue",
     cls=SectionedCommand,
+    short_help="Etendues, and the flux of a radiance.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

@@ -10,6 +10,7 @@ from radcalc.laws.ev import INPUTS, ev
 @click.command(
     "ev",
     cls=SectionedCommand,
+    short_help="Exposure values and the light meter.",
     sections={
         "Light": ("ev100", "luminance", "illuminance"),
         "Camera": ("ev", "f_number", "time", "iso"),

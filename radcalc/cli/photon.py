@@ -13,6 +13,7 @@ from radcalc.series import read_series
 @click.command(
     "photon",
     cls=SectionedCommand,
+    short_help="Wavelength, frequency and energy of a photon.",
     sections={"Light": ("observer",), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )

@@ -8,7 +8,12 @@ from radcalc.names import translate
 from radcalc.typical import search
 
 
-@click.command("typical", cls=SectionedCommand, context_settings={"max_content_width": 100})
+@click.command(
+    "typical",
+    cls=SectionedCommand,
+    short_help="Typical values: sun, sky, moon and lamps.",
+    context_settings={"max_content_width": 100},
+)
 @click.argument("words", nargs=-1, metavar="[SEARCH]")
 @output.options
 def command(words: tuple[str, ...], shown: output.Output) -> None:

@@ -9,7 +9,12 @@ from radcalc.listing import Entry, entry, quantity_names, search
 from radcalc.names import translate
 
 
-@click.command("units", cls=SectionedCommand, context_settings={"max_content_width": 100})
+@click.command(
+    "units",
+    cls=SectionedCommand,
+    short_help="Units, their definitions and sources.",
+    context_settings={"max_content_width": 100},
+)
 @click.argument("words", nargs=-1, metavar="[SEARCH]")
 @output.options
 def command(
