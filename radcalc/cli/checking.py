@@ -83,6 +83,7 @@ def judge_conversion(
 
     conditions = {one.option.name: one for one in given}
     facts = _facts(source, target, conditions)
+    facts["unchanged"] = value * target.factor  # the number, with the other unit behind it
     return judge(conditions, work_out, claim, tolerance, steps, shown, **facts)
 
 

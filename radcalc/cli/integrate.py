@@ -81,4 +81,5 @@ def command(
         return integrate(" ".join(words), ends, around, stop)
 
     each = calculator.cases({"half-angle": half_angle})
-    return calculator.run(each, work_out, asked, shown, command="integrate")
+    facts = {"command": "integrate", "polar": polar and read_interval("polar", polar)}
+    return calculator.run(each, work_out, asked, shown, **facts)

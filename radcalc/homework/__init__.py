@@ -106,6 +106,11 @@ def _target(question: Question, said: Claim) -> tuple[Value, str, bool]:
             return value, said.unit, False
     if not pool:
         raise ConditionError("--check: there is nothing to check", "less of it given")
+    for value in pool:  # the one that the number fits, if any
+        for text in value.units:
+            right = in_unit(value, resolve(text))
+            if isinstance(right, float) and abs(said.value - right) <= 0.01 * abs(right):
+                return value, text, True
     return pool[0], pool[0].units[0], True
 
 

@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from radcalc.conditions import Option, read
-from radcalc.errors import ConditionError, NumberError, quote
+from radcalc.errors import ConditionError, NumberError, RadcalcError, quote
 from radcalc.units.grammar import read_number
 from radcalc.units.table import NUMBER, Unit, divide
 
@@ -26,6 +26,10 @@ def read_claim(text: str) -> Claim:
     name, equals, rest = text.partition("=")
     if not equals:
         name, rest = "", text
+    elif not name.strip():
+        raise ConditionError(
+            f"--check {quote(text)} has no name before =", "--check illuminance=25lx"
+        )
     rest = rest.strip().replace("\u2212", "-")
     try:
         value, end = read_number(rest)
@@ -71,13 +75,18 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
     hint = "--tolerance 1%, 0.5lx (in the answer's unit) or 3sf (significant digits)"
     if text.endswith("sf"):
-        if not text[:-2].isdigit() or not 1 <= int(text[:-2]) <= 15:
+        if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
         count = int(text[:-2])
         digits = f"to {count} significant digit{'s' if count > 1 else ''}"
         return Tolerance(digits, "digits", count)
     option = Option("tolerance", "", (NUMBER, unit.dimension), "a part or a quantity", "1%", "")
-    given = read(option, text)
+    try:
+        given = read(option, text)
+    except RadcalcError as error:
+        raise ConditionError(
+            f"--tolerance: {error.message.removeprefix('--tolerance: ')}", hint
+        ) from None
     if given.value < 0:
         raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
     if given.dimension == NUMBER and unit.dimension != NUMBER:

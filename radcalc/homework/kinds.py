@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from radcalc.conditions import LENGTH
 from radcalc.geometry import solid
 from radcalc.homework.mistakes import Problem, light_of, mistake
+from radcalc.laws.spreads import lobe_exponent
 from radcalc.quantities import AREA, DURATION, GRID, LUMINOUS, SOLID_ANGLE
 from radcalc.spectra.observers import OBSERVERS
 
 
 def _is_diffuse(p: Problem) -> bool:
-    names = {"reflectance", "radiance", "exitance", "incident-irradiance"}
+    names = {"reflectance", "radiance", "exitance", "incident-irradiance", "hemisphere"}
     return (
         p.facts.get("command") == "lambertian"
         or bool(names & set(p.given))
@@ -80,12 +81,13 @@ def _lobe(p: Problem) -> Iterator[float]:
     "a spot fills only its own solid angle",
 )
 def _spot(p: Problem) -> Iterator[float]:
-    omega = p.si("solid-angle")
-    n = p.si("exponent")
-    if n is not None and omega is None:
+    omega, n, half = p.si("solid-angle"), p.si("exponent"), p.half_angle()
+    if n is None and "beam-angle" in p.given:
+        n = lobe_exponent(p.given["beam-angle"].value, 0.5)
+    if omega is None and half:
+        omega = solid.cone(half)
+    if omega is None and n is not None:
         omega = 2 * math.pi / (n + 1)
-    if omega is None and "half-angle" in p.given:
-        omega = solid.cone(p.given["half-angle"].value)
     if omega and light_of(p) and p.facts.get("command") in ("point-source", "convert"):
         yield p.right * 4 * math.pi / omega
         yield p.right * omega / (4 * math.pi)
@@ -136,8 +138,10 @@ def _four(p: Problem) -> Iterator[float]:
     "lm = 683 V(lambda) W for one wavelength; a spectrum has its own efficacy",
 )
 def _km(p: Problem) -> Iterator[float]:
-    efficacy = p.facts.get("efficacy")
-    if efficacy and light_of(p):
+    efficacy = p.facts.get("efficacy") or p.si("luminous-efficacy")
+    if efficacy and p.target.name == "luminous-efficacy":
+        yield 683.0
+    elif efficacy and light_of(p):
         for top in (683.0, 683.002):
             ratio = top / efficacy
             yield p.right * ratio
@@ -179,7 +183,8 @@ def _nano(p: Problem) -> Iterator[float]:
     "1 mol of photons is 6.022e23 of them",
 )
 def _mole(p: Problem) -> Iterator[float]:
-    if any(dimension[_COUNT] for dimension in p.target.dimensions):
+    counted = [*p.target.dimensions, *(g.dimension for g in p.given.values() if g.dimension)]
+    if any(dimension[_COUNT] for dimension in counted) or ("wavelength" in p.given and light_of(p)):
         for factor in (6.02214076e23, 6.02214076e17):
             yield p.right * factor
             yield p.right / factor
@@ -212,6 +217,7 @@ def _width(p: Problem) -> Iterator[float]:
 def _jacobian(p: Problem) -> Iterator[float]:
     factor = p.facts.get("jacobian")
     if factor:
+        yield p.facts["unchanged"]
         yield p.right / factor
         yield p.right / factor**2
 
@@ -311,6 +317,8 @@ def _area(p: Problem) -> Iterator[float]:
     for one in p.named(AREA):
         for factor in (1e2, 1e-2, 1e3, 1e-3, 1e4, 1e-4, 1e6, 1e-6):
             yield from p.anew(**{one.option.name.replace("-", "_"): one.value * factor})
+        for factor in (1e2, 1e-2, 1e4, 1e-4):  # where the patch would be too large for its law
+            yield p.right * factor
 
 
 @mistake(

@@ -54,6 +54,24 @@ class Problem:
         except (RadcalcError, TypeError):
             return None
 
+    def half_angle(self) -> float | None:
+        """The half angle of the cone given [rad], by whichever name."""
+        for name, factor in (("half-angle", 1.0), ("apex-angle", 0.5)):
+            if name in self.given:
+                return float(self.given[name].value) * factor
+        return None
+
+    def typed(self, name: str) -> float | None:
+        """The number of an angle that was typed in another unit than radians."""
+        one = self.given.get(name)
+        if one is None or one.unit is None or one.unit.text == "rad":
+            return None
+        return float(one.number) if isinstance(one.number, (int, float)) else None
+
+    def is_of(self, *commands: str) -> bool:
+        """Whether the question is one of these commands'."""
+        return self.facts.get("command") in commands
+
     def named(self, *dimensions: Any) -> list[Given]:
         """The inputs of some dimensions."""
         return [

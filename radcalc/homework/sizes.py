@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from radcalc.conditions import ANGLE
 from radcalc.geometry import solid
 from radcalc.homework.mistakes import Problem, light_of, mistake
-from radcalc.maths import is_array
 
 
 @mistake(
@@ -22,7 +21,11 @@ def _no_cosine(p: Problem) -> Iterator[float]:
             cosine = math.cos(p.given[name].value)
             if name in p.values and cosine > 0 and p.target.name != name:
                 yield p.right / cosine
-    off = p.si("off-axis")
+    off, aside = p.si("off-axis"), _aside(p)
+    if aside and p.target.name == "solid-angle":
+        yield math.pi * (p.si("radius") or 0.0) ** 2 / aside[1] ** 2
+    elif aside and p.target.name == "irradiance" and (far := p.si("far-field-irradiance")):
+        yield far * aside[1] / aside[0]
     if "height" in p.given and "incidence" not in p.given and off and math.cos(off) > 0:
         yield p.right / math.cos(off)
 
@@ -93,9 +96,32 @@ def _radians(p: Problem) -> Iterator[float]:
         if one.option.name in ("half-angle", "apex-angle") and p.target.name == "solid-angle":
             half = number if one.option.name == "half-angle" else number / 2
             yield 2 * math.pi * (1 - math.cos(half))
+    yield from _radian_sines(p)
     if ANGLE in p.target.dimensions:
         yield p.right * math.pi / 180
         yield p.right * 180 / math.pi
+
+
+def _radian_sines(p: Problem) -> Iterator[float]:
+    """The same where both angles, or the sine of a wide one, are concerned."""
+    polar, azimuth = p.typed("polar"), p.typed("azimuth")
+    if polar is not None and azimuth is not None and p.target.name in ("x", "y"):
+        turn = math.cos if p.target.name == "x" else math.sin
+        yield math.sin(polar) * turn(azimuth)
+    half, number = p.half_angle(), p.typed("half-angle")
+    if number is None and (full := p.typed("apex-angle")) is not None:
+        number = full / 2
+    flat = light_of(p) or p.target.name in ("etendue", "projected-solid-angle")
+    if half and number is not None and flat and p.is_of("lambertian", "etendue", "solid-angle"):
+        yield p.right * (math.sin(number) / math.sin(half)) ** 2
+
+
+def _aside(p: Problem) -> tuple[float, float] | None:
+    """The height above a flat source and the slant distance, off its axis."""
+    height, offset = p.si("height"), p.si("offset")
+    if height and offset and p.facts.get("shape") in ("disc", "rectangle"):
+        return height, math.hypot(height, offset)
+    return None
 
 
 @mistake(
@@ -117,10 +143,10 @@ def _quadrant(p: Problem) -> Iterator[float]:
     "irradiance falls as 1/d^2",
 )
 def _not_squared(p: Problem) -> Iterator[float]:
-    if "distance" not in p.given and "height" not in p.given:
-        return
     away = p.si("distance")
     one = p.given.get("distance")
+    if p.target.name == "distance" and p.is_of("point-source"):
+        yield p.right**2
     sizes = [away] if away else []
     if one and isinstance(one.number, (int, float)):
         sizes.append(float(one.number))
@@ -137,6 +163,12 @@ def _not_squared(p: Problem) -> Iterator[float]:
     "d is the straight line: d^2 = h^2 + x^2",
 )
 def _height(p: Problem) -> Iterator[float]:
+    aside, far = _aside(p), p.si("far-field-irradiance")
+    if aside and p.target.name == "solid-angle":
+        yield math.pi * (p.si("radius") or 0.0) ** 2 / aside[0] / aside[1]
+    elif aside and p.target.name == "irradiance" and far:
+        for power in (2, 3):
+            yield far * (aside[1] / aside[0]) ** power
     height, away = p.si("height"), p.si("distance")
     if height and away and "height" in p.given and away > height:
         for power in (2, 3):
@@ -218,7 +250,14 @@ def _tangent(p: Problem) -> Iterator[float]:
     "Omega = 2 pi (1 - cos(alpha)); pi tan^2 and pi alpha^2 are only its beginning",
 )
 def _flat(p: Problem) -> Iterator[float]:
-    half = p.si("half-angle")
+    half, given = p.si("half-angle"), p.half_angle()
+    if given and 0 < given < math.pi / 2:
+        for flat in (math.pi * math.tan(given) ** 2, math.pi * given**2):
+            if p.is_of("point-source", "convert") and light_of(p):
+                yield p.right * solid.cone(given) / flat
+                yield p.right * flat / solid.cone(given)
+            elif p.is_of("etendue"):
+                yield p.right * flat / (math.pi * math.sin(given) ** 2)
     if p.target.name == "solid-angle" and half and half < math.pi / 2:
         yield math.pi * math.tan(half) ** 2
         yield math.pi * half**2
@@ -240,8 +279,9 @@ def _far(p: Problem) -> Iterator[float]:
     if far and near and light_of(p) and p.target.name != "far-field-irradiance":
         yield p.right * far / near
         yield p.right * near / far
-    if p.target.name == "etendue" and (estimate := p.si("far-field-etendue")):
-        yield estimate
+    exact, estimate = p.si("etendue"), p.si("far-field-etendue")
+    if exact and estimate and (light_of(p) or p.target.name == "etendue"):
+        yield p.right * estimate / exact
 
 
 @mistake(
@@ -251,16 +291,9 @@ def _far(p: Problem) -> Iterator[float]:
     "between L and E stands the projected solid angle: pi sr for a hemisphere, not 2 pi",
 )
 def _projected(p: Problem) -> Iterator[float]:
-    full, flat = p.si("solid-angle"), p.si("projected-solid-angle")
-    half = p.si("half-angle")
-    if p.facts.get("command") == "etendue" and half:
-        full = solid.cone(half)
-    if p.facts.get("command") == "convert" and half is not None and not is_array(half):
-        half = half / (2 if "apex-angle" in p.given else 1)
-    if p.facts.get("command") == "convert" and ("half-angle" in p.given or "apex-angle" in p.given):
-        angle = half if "half-angle" in p.given else (p.si("apex-angle") or 0) / 2
-        if angle:
-            full, flat = solid.cone(angle), math.pi * math.sin(min(angle, math.pi / 2)) ** 2
+    full, flat, half = p.si("solid-angle"), p.si("projected-solid-angle"), p.half_angle()
+    if half and p.is_of("etendue", "convert"):
+        full, flat = solid.cone(half), math.pi * math.sin(min(half, math.pi / 2)) ** 2
     if full and flat:
         if p.target.name == "solid-angle":
             yield flat
@@ -279,7 +312,7 @@ def _projected(p: Problem) -> Iterator[float]:
 )
 def _caps(p: Problem) -> Iterator[float]:
     polar = p.facts.get("polar")
-    if polar and p.target.name in ("solid-angle", "projected-solid-angle"):
+    if polar and p.target.name in ("solid-angle", "projected-solid-angle", "integral"):
         inner, outer = map(solid.cone, polar)
         part = p.right / (outer - inner) if outer > inner else 0.0
         yield part * (outer + inner)

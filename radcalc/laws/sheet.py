@@ -161,11 +161,11 @@ class Sheet:
         for name in names:
             if name in self.solution.values:
                 continue
-            known = {*self.known, *self.defaults}
-            others = (n for n in inputs if n != name)
-            alone = [n for n in others if name in reached(laws, {*known, n})]
 
-            def fail(name: str = name, alone: list[str] = alone) -> Any:
+            def fail(name: str = name) -> Any:
+                known = {*self.known, *self.defaults}
+                others = (n for n in inputs if n != name)
+                alone = [n for n in others if name in reached(laws, {*known, n})]
                 raise UsageError(
                     f"no {i.LABELS.get(name, name.replace('-', ' '))} follows from what is given",
                     " or ".join(f"--{n}" for n in alone[:5]) or "more of the quantities",
