@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from radcalc.cli import output
+from radcalc.cli import output, streams
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import OPTIONS, Given, give
 from radcalc.conversion import answer, plan
@@ -38,6 +38,7 @@ SECTIONS = {
         "pupil",
     ),
     "Time and bandwidth": ("time", "bandwidth"),
+    "Streams (with - for VALUE)": tuple(streams.NAMES),
 }
 
 
@@ -64,19 +65,30 @@ def _conditions(command: Any) -> Any:
     return command
 
 
+class ConvertCommand(SectionedCommand):
+    """A --header without a number is one line, and never takes the next word for the number."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Give it the number."""
+        end = args.index("--") if "--" in args else len(args)
+        options = ["--header=1" if word == "--header" else word for word in args[:end]]
+        return super().parse_args(ctx, options + args[end:])
+
+
 @click.command(
-    "convert", cls=SectionedCommand, sections=SECTIONS, context_settings={"max_content_width": 100}
+    "convert", cls=ConvertCommand, sections=SECTIONS, context_settings={"max_content_width": 100}
 )
 @click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
 @_conditions
+@streams.options
 @click.option("--steps", is_flag=True, help="Show the derivation.")
 @output.options
 def command(
     words: tuple[str, ...],
     steps: bool,
     shown: output.Output,
-    **conditions: Any,
-) -> None:
+    **others: Any,
+) -> int | None:
     """Convert between units, and between quantities under a condition.
 
     \b
@@ -87,26 +99,37 @@ def command(
       radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
       radcalc convert 500 lx cd/m2 --reflectance 0.8
       radcalc convert 250 cd/m2                    (every unit of luminance)
+      cut -f3 log.tsv | radcalc convert - lx fc
+      radcalc convert - lx fc -d , --column illuminance < log.csv
+      printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
     Symbols of units are case-sensitive, full names are not.  Without TARGET every unit of the
     quantity is shown.  A condition's value carries its unit and is one word (2m, 30deg); one
     of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
+
+    With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
+    for VALUE and UNIT they carry their own units.  Every other byte stays as it is.
     """
+    asked, conditions = streams.apart(others)
     typed = {
         name.replace("_", "-"): text
         for name, text in conditions.items()
         if text not in (None, False)
     }
     each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
+    if words[:1] == ("-",):
+        return streams.convert(list(words), asked, each, steps, shown)
+    streams.refuse(asked)
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
     if not target_text:
         if steps:
             raise UsageError("--steps needs a unit to convert to", "a TARGET unit")
         shown.show([every_unit(value, source, typed, shown.number)])
-        return
+        return None
     target = resolve(target_text)
     shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])
+    return None
 
 
 def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:

@@ -4,7 +4,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from functools import wraps
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import click
 
@@ -12,6 +12,7 @@ from radcalc import console
 from radcalc.errors import UsageError
 from radcalc.result import Result
 
+T = TypeVar("T")  # what a command returns: its exit status, or nothing
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
 
 
@@ -65,7 +66,7 @@ def width() -> int:
     return shutil.get_terminal_size((80, 24)).columns
 
 
-def options(function: Callable[..., None]) -> Callable[..., None]:
+def options(function: Callable[..., T]) -> Callable[..., T]:
     """Add the output options to a command, which is called with what they decide: `shown`."""
 
     @wraps(function)
@@ -78,9 +79,9 @@ def options(function: Callable[..., None]) -> Callable[..., None]:
         color: str,
         quiet: bool,
         **others: Any,
-    ) -> None:
+    ) -> T:
         shown = decide(format_, json_, number, precision, color, quiet)
-        function(*args, shown=shown, **others)
+        return function(*args, shown=shown, **others)
 
     for option in reversed(OPTIONS):
         decided = option(decided)
