@@ -31,6 +31,7 @@ KEEPERS = {
 LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
+    ["radcalc.stream", "radcalc.texts", "radcalc.columns", "radcalc.bulk"],
     ["radcalc.api", "radcalc.listing", "radcalc.render", "radcalc.operands", "radcalc.console"],
     ["radcalc.asked"],
     ["radcalc.laws"],
@@ -134,6 +135,9 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("solid-angle", "polygon", "1,0,0", "0,1,0", "0,0,1", "--normal", "0,1,-1"),
         ("direction", "1", "1", "1"),
         ("etendue", "--area", "1mm2", "--half-angle", "90deg"),
+        ("convert", "-", "lx", "fc"),
+        ("convert", "-", "lx", "W/m2", "--spectrum", "D65", "--field", "2", "-d", ","),
+        ("convert", "-", "fc", "--json"),
     ],
     ids=" ".join,
 )

@@ -116,6 +116,8 @@ def command(
         for name, text in conditions.items()
         if text not in (None, False)
     }
+    if words[:1] == ("-",):
+        streams.refuse_second_reader(typed)
     each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
     if words[:1] == ("-",):
         return streams.convert(list(words), asked, each, steps, shown)

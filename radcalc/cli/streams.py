@@ -77,6 +77,12 @@ def refuse(asked: Asked) -> None:
             )
 
 
+def refuse_second_reader(typed: dict[str, Any]) -> None:
+    """Refuse a spectrum from standard input, which has the numbers."""
+    if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
+        raise UsageError("there is more than one -, and one standard input", "--spectrum FILE")
+
+
 def convert(
     words: list[str],
     asked: Asked,
@@ -86,7 +92,8 @@ def convert(
 ) -> int:
     """Convert standard input; return the exit status."""
     from radcalc.columns import Cut, Fields, read_delimiter
-    from radcalc.stream import Numbers, Quantities, Stream, run
+    from radcalc.stream import Stream, run
+    from radcalc.texts import Numbers, Quantities
 
     source_text, target_text = read_stream_operands(words)
     given = _given(cases, steps)
@@ -124,7 +131,7 @@ def convert(
     else:
         blank = " " if cut else "\t"
         unit = "" if shown.number else blank + target_text
-        texts = Quantities(planned, unit.encode(errors="replace"), shown.precision)
+        texts = Quantities(planned, unit.encode(), shown.precision)
 
     def record(line: int, field: int | None, made: Plan, value: float) -> str:
         from radcalc.render import json
@@ -139,7 +146,7 @@ def convert(
 
 
 def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]:
-    """The conditions: one case of them, and no second reader of standard input."""
+    """The conditions, of which there is one case."""
     if steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
     if len(cases) > 1:
