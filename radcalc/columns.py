@@ -12,6 +12,7 @@ MOST = 1_000_000  # as a field's number
 FIELDS = "N, N-, N-M, -M or several of them with commas between"
 
 Span = tuple[int, int]  # where a text begins and ends
+Convert = Callable[[list[bytes]], list[bytes] | None]  # many texts, or None where any is unusual
 
 
 class Fields:
@@ -70,10 +71,10 @@ class Cut:
         self.delimiter = delimiter
         self.blanks = bytes(c for c in BLANKS if c not in delimiter)
         mark = re.escape(delimiter)
-        blank = b"[" + self.blanks + b"]*"
+        rest = b"[^" + mark + b"]*" if len(delimiter) == 1 else b"(?:(?!" + mark + b").)*"
+        quoted = rb'"[^"]*(?:""[^"]*)*"(?!")'
         self.pattern = re.compile(
-            blank + rb'"[^"]*(?:""[^"]*)*"(?!")(?:(?!' + mark + rb").)*|(?:(?!" + mark + rb").)*",
-            re.S,
+            b"[" + self.blanks + b"]*" + quoted + rest + b"|" + rest, re.DOTALL
         )
 
     def spans(self, line: bytes) -> list[Span]:
@@ -102,8 +103,10 @@ class Cut:
 
     def inner(self, line: bytes, span: Span) -> Span:
         """The same without the blanks and the quotes around it."""
+        if not self.delimiter:
+            return span
         start, end = _strip(line, span, self.blanks)
-        if self.delimiter and end - start > 1 and line[start] == line[end - 1] == ord('"'):
+        if end - start > 1 and line[start] == line[end - 1] == ord('"'):
             start, end = _strip(line, (start + 1, end - 1), self.blanks)
         return start, end
 
@@ -128,33 +131,27 @@ class Cut:
             else "--delimiter X, with what cuts the fields",
         )
 
-    def table(
-        self, block: bytes, fields: Fields, convert: Callable[[list[bytes]], list[bytes] | None]
-    ) -> bytes | None:
-        """Convert the fields of a block of lines, column by column.
+    def convert(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert the fields of a block of lines, all lines at once.
 
-        None where the lines differ in their number of fields, or have quotes or comments: then
-        each has to be looked at by itself.
+        None where a line has not the shape of the others: each has to be looked at by itself.
         """
+        shown = None
+        if self.delimiter and b'"' not in block and b"#" not in block:
+            shown = self._table(block, fields, convert)
+        return shown or self._matched(block, fields, convert)
+
+    def _table(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert column by column, where all lines have as many fields."""
         mark = self.delimiter
-        if not mark:  # single blanks cut as runs of them do
-            mark = b"\t" if b"\t" in block else b" "
-            other = b" " if mark == b"\t" else b"\t"
-            if other in block or mark * 2 in block or b"\n" + mark in b"\n" + block:
-                return None
-        if b'"' in block or b"#" in block:
-            return None
         rows = block.count(b"\n")
         width = block.count(mark, 0, block.index(b"\n")) + 1
         # the ends of the lines as cells of their own: in a table they are a column
         end = mark + b"\n" + mark
         cells = block[:-1].replace(b"\n", end).split(mark)
         ends = cells[width :: width + 1]
-        if (
-            len(cells) != rows * (width + 1) - 1
-            or ends.count(b"\n") != rows - 1
-            or width < fields.last
-        ):
+        regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
+        if not regular or width < fields.last:
             return None
         for index in fields.of(width):
             column = convert(cells[index :: width + 1])
@@ -162,6 +159,38 @@ class Cut:
                 return None
             cells[index :: width + 1] = column
         return mark.join(cells).replace(end, b"\n") + b"\n"
+
+    def _matched(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert one field of lines with blanks or quotes around their fields."""
+        if fields.ranges != [(fields.last, fields.last)] or len(self.delimiter) > 1:
+            return None
+        # what is between the matches, what stands before the field, the field, and so on
+        parts = re.split(self._line(fields.last - 1), block)
+        if len(parts) != 3 * block.count(b"\n") + 1:
+            return None
+        column = convert(parts[2::3])
+        if column is None:
+            return None
+        parts[2::3] = column
+        return b"".join(parts)
+
+    def _line(self, before: int) -> re.Pattern[bytes]:
+        """What a line with so many fields before the one that is meant looks like.
+
+        In groups: what stands before the field, and the field, which has no blanks in it.  What
+        is quoted has no quotes in it, and the rest of the line is well formed.
+        """
+        if not self.delimiter:
+            text = rf"^([ \t]*(?!#)(?:[^ \t\n]+[ \t]+){{{before}}})([^ \t\n]+)"
+            return re.compile(text.encode(), re.MULTILINE)
+        mark = re.escape(self.delimiter).decode("latin-1")
+        blanks = f"[{self.blanks.decode()}]*"
+        cell = rf'(?:{blanks}"[^"\n]*"{blanks}|[^"\n{mark}]*)'
+        rest = rf"{blanks}(?:{mark}{cell})*$"
+        field = rf'[^" \t\n{mark}]+'
+        opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
+        text = rf"^(?!{blanks}#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
+        return re.compile(text.encode("latin-1"), re.MULTILINE)
 
 
 def _strip(line: bytes, span: Span, blanks: bytes) -> Span:

@@ -14,6 +14,7 @@ from radcalc.texts import Numbers, Quantities
 
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 BLOCK = 1 << 16
+FEW = 200  # bytes that are not cut further
 LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
 BOM = b"\xef\xbb\xbf"
 
@@ -51,7 +52,7 @@ class Stream:
 
     def block(self, block: bytes) -> bytes | None:
         """Convert a block of whole lines at once; None where any of them is unusual."""
-        if self.record or block[-1:] != b"\n":
+        if block[-1:] != b"\n":
             return None
         crlf = b"\r" in block
         if crlf:
@@ -60,7 +61,7 @@ class Stream:
                 return None
             block = block.replace(b"\r\n", b"\n")
         if self.cut:
-            shown = self.cut.table(block, self.fields, self.texts.column)
+            shown = self.cut.convert(block, self.fields, self.texts.column)
         else:
             shown = self.texts.lines(block)
         return shown.replace(b"\n", b"\r\n") if shown and crlf else shown
@@ -121,30 +122,42 @@ def run(
                 write(line)
         if not block:
             continue
-        shown = stream.block(block)
-        if shown is not None:
-            count += block.count(b"\n")
-            write(shown)
-            continue
         lines: list[bytes] = []
-        for line in BytesIO(block):  # unlike splitlines, at newlines alone
-            count += 1
-            try:
-                lines.append(stream.line(line, count))
-            except LineError as error:
-                write(b"".join(lines))
-                lines.clear()
-                if invalid == ABORT:
-                    raise
-                if invalid != IGNORE:
-                    complain(error)
-                good = good and invalid != FAIL
-                if not stream.record:
-                    lines.append(line)
+        for part, shown in _parts(stream, block):
+            if shown is not None:
+                count += part.count(b"\n")
+                lines.append(shown)
+                continue
+            for line in BytesIO(part):  # unlike splitlines, at newlines alone
+                count += 1
+                try:
+                    lines.append(stream.line(line, count))
+                except LineError as error:
+                    if invalid != IGNORE:
+                        write(b"".join(lines))
+                        lines.clear()
+                    if invalid == ABORT:
+                        raise
+                    if invalid != IGNORE:
+                        complain(error)
+                    good = good and invalid != FAIL
+                    if not stream.record:
+                        lines.append(line)
         write(b"".join(lines))
     if count < stream.header and stream.name:
         raise UsageError("stdin has no header", "a line with the names of the columns")
     return good
+
+
+def _parts(stream: Stream, block: bytes) -> Iterator[tuple[bytes, bytes | None]]:
+    """Cut a block until its parts are converted at once, or are a few lines, with None."""
+    shown = None if stream.record else stream.block(block)
+    middle = block.find(b"\n", len(block) // 2) + 1
+    if shown is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
+        yield block, shown
+    else:
+        yield from _parts(stream, block[:middle])
+        yield from _parts(stream, block[middle:])
 
 
 def _blocks(read: Read) -> Iterator[bytes]:

@@ -12,7 +12,7 @@ from radcalc.operands import read_quantity
 from radcalc.render.plain import DIGITS, number
 from radcalc.units.grammar import parse_number
 
-MOST_UNITS = 1000  # that are remembered
+MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
 NUMBER = b"0123456789.+-"
 
 
@@ -83,7 +83,7 @@ class Quantities:
                 made = error
             self.known[unit] = made
         if isinstance(made, RadcalcError):
-            raise made
+            raise made.with_traceback(None)  # which would grow with every line
         return made
 
     def show(self, made: Plan, value: float) -> bytes:
@@ -125,6 +125,8 @@ class Quantities:
         The grammar must agree that this is where the unit begins, and blanks behind it are none
         of it.
         """
+        if len(unit) > LONGEST_UNIT:
+            return None
         if unit not in self.bulks:
             if len(self.bulks) >= MOST_UNITS:
                 self.bulks.clear()

@@ -386,6 +386,28 @@ def test_a_stream_is_its_lines_converted_by_themselves(table, units, precision):
     assert (len(said), good) == (bad, not bad)
 
 
+CELLS = st.sampled_from(
+    [b"1", b" 2.5 ", b'"3"', b'" 4 "', b'"a;b"', b'"a""b"', b"", b'""', b'x"', b'"', b'"5', b"# c",
+     b'"6"x', b"#", b"7 lx", b'"8 klx"', b"9lx", b"\t10", b"1/2", b"\xff", b"-1e3"]
+)  # fmt: skip
+
+
+@settings(max_examples=1000, deadline=None)
+@given(st.lists(st.lists(CELLS, min_size=1, max_size=4), min_size=1, max_size=5),
+       st.sampled_from([b";", b"", b"\t", b" ", "·".encode()]),
+       st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans())  # fmt: skip
+def test_many_lines_at_once_are_the_same_as_one_by_one(rows, mark, fields, own):
+    texts = _own() if own else Numbers(LX_FC)
+    lines = [(mark or b"  ").join(row) + b"\n" for row in rows]
+    made = Stream(texts, Cut(mark), Fields(fields))
+    together = stream(b"".join(lines) * 2, made, "warn")
+    singly = [stream(line, made, "warn") for line in lines * 2]
+    assert together[0] == b"".join([out for out, _, _ in singly])
+    assert len(together[2]) == sum([len(said) for _, _, said in singly])
+    shown = made.block(b"".join(lines))  # where it answers at all, the lines are all good
+    assert shown in (None, b"".join([made.line(line, 1) for line in lines] if shown else [b""]))
+
+
 @settings(max_examples=300, deadline=None)
 @given(st.lists(st.tuples(NUMBERS, st.sampled_from(["lx", " klx", " fc", "  ph", " lm m-2", " zork",
                                                     "", " cd", " mlx "])), max_size=12),
