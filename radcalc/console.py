@@ -38,6 +38,29 @@ def write(text: str) -> None:
         raise not_written(error) from None
 
 
+def read(size: int) -> bytes:
+    """Read from standard input what there is, at most so many bytes; none at its end."""
+    try:
+        return os.read(0, size)
+    except OSError as error:
+        problem = f"cannot read stdin: {error.strerror or error}"
+        raise RadcalcError(problem, "a file or a pipe") from None
+
+
+def pour(data: bytes) -> None:
+    """Write a part of a stream at once.  A closed pipe raises, for there is no use in going on."""
+    out = sys.stdout
+    if out is None:
+        raise OutputError("cannot write the answer: standard output is closed", "a file or a pipe")
+    try:
+        out.buffer.write(data)
+        out.buffer.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise not_written(error) from None
+
+
 def not_written(error: OSError) -> OutputError:
     """What to raise where standard output fails; nothing more is written there."""
     discard_output()

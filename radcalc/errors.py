@@ -62,3 +62,7 @@ class UsageError(RadcalcError):
 
 class OutputError(RadcalcError):
     """What was answered could not be written."""
+
+
+class LineError(RadcalcError):
+    """A line of a stream that cannot be converted."""

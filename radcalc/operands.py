@@ -6,6 +6,7 @@ from radcalc.units.grammar import split_quantity
 SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
 EXAMPLE = "radcalc convert 100 lx fc"
+STREAM_EXAMPLE = "radcalc convert - lx fc, or radcalc convert - fc for lines with their own unit"
 
 
 def read_operands(words: list[str]) -> tuple[float, str, str]:
@@ -16,19 +17,17 @@ def read_operands(words: list[str]) -> tuple[float, str, str]:
     """
     if not words:
         raise UsageError("a value is missing", EXAMPLE)
-    if words[0] == "-":
-        raise UsageError("standard input is not read by this version", "one value a call")
     sides = f" {' '.join(words)} ".split(" to ")
     if len(sides) > 2:
         raise UsageError("the word to stands there more than once", EXAMPLE)
     if len(sides) == 2:
-        value, unit = _split(sides[0])
+        value, unit = read_quantity(sides[0])
         target = sides[1].strip()
         if not target:
             raise UsageError("a unit is missing after to", EXAMPLE)
         rest: list[str] = [target]
     else:
-        value, unit = _split(words[0])
+        value, unit = read_quantity(words[0])
         rest = words[1:]
         if not unit and rest:
             unit, rest = rest[0].strip(), rest[1:]
@@ -41,7 +40,7 @@ def read_operands(words: list[str]) -> tuple[float, str, str]:
     return value, unit, rest[0] if rest else ""
 
 
-def _split(text: str) -> tuple[float, str]:
+def read_quantity(text: str) -> tuple[float, str]:
     """Cut a value from its unit; refuse what goes on as only a number would."""
     value, unit = split_quantity(text)
     if unit and (unit[0] in NOT_UNITS or unit.lower().startswith("x10")):
@@ -49,6 +48,21 @@ def _split(text: str) -> tuple[float, str]:
             f"'{quote(text.strip())}' is not a number and a unit", "a number such as 1000 or 1.5e3"
         )
     return value, unit
+
+
+def read_stream_operands(words: list[str]) -> tuple[str, str]:
+    """Return the units of `- UNIT [to] TARGET`; the first is '' where the lines carry their own."""
+    if words.count("-") > 1:
+        raise UsageError("there is more than one -, and one standard input", STREAM_EXAMPLE)
+    sides = f" {' '.join(words[1:])} ".split(" to ")
+    if len(sides) > 2:
+        raise UsageError("the word to stands there more than once", STREAM_EXAMPLE)
+    units = [side.strip() for side in sides] if len(sides) == 2 else words[1:]
+    if not units or not all(unit.strip() for unit in units[len(sides) - 1 :]):
+        raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
+    if len(units) > 2:
+        raise _too_many(units[0], units[1:])
+    return (units[0] if len(units) > 1 else ""), units[-1]
 
 
 def _too_many(unit: str, rest: list[str]) -> UsageError:

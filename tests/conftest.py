@@ -24,9 +24,10 @@ def run(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
 
 
 def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:
-    """Run code in a new interpreter."""
+    """Run code in a new interpreter, with nothing on standard input."""
     return subprocess.run(
         [sys.executable, "-c", code, *words],
+        stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
         encoding="utf-8",

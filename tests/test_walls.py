@@ -31,6 +31,7 @@ KEEPERS = {
 LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
+    ["radcalc.stream", "radcalc.texts", "radcalc.columns", "radcalc.bulk"],
     ["radcalc.api", "radcalc.listing", "radcalc.render", "radcalc.operands", "radcalc.console"],
     ["radcalc.homework", "radcalc.typical"],
     ["radcalc.names", "radcalc.asked"],
@@ -162,6 +163,9 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
             "--time",
             "30s",
         ),
+        ("convert", "-", "lx", "fc"),
+        ("convert", "-", "lx", "W/m2", "--spectrum", "D65", "--field", "2", "-d", ","),
+        ("convert", "-", "fc", "--json"),
     ],
     ids=" ".join,
 )

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from radcalc.cli import checking, output
+from radcalc.cli import checking, output, streams
 from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import OPTIONS, Given, give
 from radcalc.console import ANSWERED
@@ -40,6 +40,7 @@ SECTIONS = {
     ),
     "Time and bandwidth": ("time", "bandwidth"),
     "Homework": ("check", "tolerance"),
+    "Streams (with - for VALUE)": tuple(streams.NAMES),
 }
 
 
@@ -66,15 +67,26 @@ def _conditions(command: Any) -> Any:
     return command
 
 
+class ConvertCommand(SectionedCommand):
+    """A --header without a number is one line, and never takes the next word for the number."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Give it the number."""
+        end = args.index("--") if "--" in args else len(args)
+        options = ["--header=1" if word == "--header" else word for word in args[:end]]
+        return super().parse_args(ctx, options + args[end:])
+
+
 @click.command(
     "convert",
-    cls=SectionedCommand,
+    cls=ConvertCommand,
     short_help="Convert units, and quantities under a condition.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
 @_conditions
+@streams.options
 @click.option("--steps", is_flag=True, help="Show the derivation.")
 @checking.OPTIONS[0]
 @checking.OPTIONS[1]
@@ -85,7 +97,7 @@ def command(
     check: str | None,
     tolerance: str | None,
     shown: output.Output,
-    **conditions: Any,
+    **others: Any,
 ) -> int:
     """Convert between units, and between quantities under a condition.
 
@@ -97,18 +109,32 @@ def command(
       radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
       radcalc convert 500 lx cd/m2 --reflectance 0.8
       radcalc convert 250 cd/m2                    (every unit of luminance)
+      cut -f3 log.tsv | radcalc convert - lx fc
+      radcalc convert - lx fc -d , --column illuminance < log.csv
+      printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
     Symbols of units are case-sensitive, full names are not.  Without TARGET every unit of the
     quantity is shown.  A condition's value carries its unit and is one word (2m, 30deg); one
     of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
+
+    With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
+    for VALUE and UNIT they carry their own units.  Every other byte stays as it is.
     """
+    asked, conditions = streams.apart(others)
     typed = {
         name.replace("_", "-"): text
         for name, text in conditions.items()
         if text not in (None, False)
     }
     checking.refuse_idle(check, tolerance)
+    if words[:1] == ("-",):
+        streams.refuse_second_reader(typed)
     each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
+    if words[:1] == ("-",):
+        if check is not None:
+            raise UsageError("--check takes one answer, and a stream has several", "one value")
+        return streams.convert(list(words), asked, each, steps, shown)
+    streams.refuse(asked)
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
     if not target_text:

@@ -4,7 +4,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from functools import wraps
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import click
 
@@ -13,6 +13,7 @@ from radcalc.errors import UsageError
 from radcalc.names import ENGLISH, language
 from radcalc.result import Result
 
+T = TypeVar("T")  # what a command returns: its exit status, or nothing
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
 
 
@@ -69,7 +70,7 @@ def width() -> int:
     return shutil.get_terminal_size((80, 24)).columns
 
 
-def options(function: Callable[..., Any]) -> Callable[..., Any]:
+def options(function: Callable[..., T]) -> Callable[..., T]:
     """Add the output options to a command, which is called with what they decide: `shown`."""
 
     @wraps(function)
@@ -82,7 +83,7 @@ def options(function: Callable[..., Any]) -> Callable[..., Any]:
         color: str,
         quiet: bool,
         **others: Any,
-    ) -> Any:
+    ) -> T:
         shown = decide(format_, json_, number, precision, color, quiet)
         return function(*args, shown=shown, **others)
 

@@ -7,8 +7,13 @@ from radcalc.render.plain import number
 from radcalc.result import Result, Row
 
 
-def render(result: Result, precision: int | None = None) -> str:
-    """One object, on one line; several values of one answer are its `results`."""
+def render(
+    result: Result, precision: int | None = None, place: dict[str, int] | None = None
+) -> str:
+    """One object, on one line; several values of one answer are its `results`.
+
+    In a stream it begins with its `place`: the line, and the field.
+    """
     rows = [_row(row, precision) for row in result.rows]
     flat = len(rows) == 1 and not result.rows[0].name
     answer: dict[str, Any] = rows[0] if flat else {"results": rows}
@@ -23,7 +28,7 @@ def render(result: Result, precision: int | None = None) -> str:
         }
         for step in result.steps
     ]
-    return json.dumps(answer, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps({**(place or {}), **answer}, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _row(row: Row, precision: int | None) -> dict[str, Any]:

@@ -1,0 +1,159 @@
+"""`radcalc convert -`: standard input, line by line."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+import click
+
+from radcalc import console
+from radcalc.cli import output
+from radcalc.conditions import Given
+from radcalc.conversion import Plan, answer, plan
+from radcalc.errors import RadcalcError, UsageError
+from radcalc.operands import read_stream_operands
+from radcalc.units.table import resolve
+
+MODES = ("abort", "fail", "warn", "ignore")
+
+
+class Asked(NamedTuple):
+    """The options for streams, as typed; None where they are not."""
+
+    field: str | None
+    column: str | None
+    delimiter: str | None
+    header: int | None
+    invalid: str | None
+
+
+NAMES = Asked._fields
+
+
+def options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options to `convert`."""
+    for option in reversed(OPTIONS):
+        command = option(command)
+    return command
+
+
+OPTIONS = (
+    click.option(
+        "--field", metavar="LIST", help="Which fields are numbers: 3, 1,3, 2-4, 3-, -2 or -."
+    ),
+    click.option("--column", metavar="NAME", help="The field under that name in the header."),
+    click.option(
+        "-d",
+        "--delimiter",
+        metavar="X",
+        help="What cuts the fields: one character, or tab (default: runs of blanks).",
+    ),
+    click.option(
+        "--header",
+        type=click.IntRange(1),
+        metavar="[=N]",
+        help="Pass the first N lines through (default with --header or --column: 1).",
+    ),
+    click.option(
+        "--invalid",
+        type=click.Choice(MODES),
+        help="At a line that cannot be converted: stop (abort, the default), or pass it through "
+        "and fail at the end, warn, or ignore it.",
+    ),
+)
+
+
+def apart(options: dict[str, Any]) -> tuple[Asked, dict[str, Any]]:
+    """The options for streams, and the others."""
+    asked = Asked(*(options[name] for name in NAMES))
+    return asked, {name: value for name, value in options.items() if name not in NAMES}
+
+
+def refuse(asked: Asked) -> None:
+    """Refuse an option for streams where there is none."""
+    for name, value in zip(NAMES, asked, strict=True):
+        if value is not None:
+            raise UsageError(
+                f"--{name} is for lines of standard input", "radcalc convert - UNIT TARGET"
+            )
+
+
+def refuse_second_reader(typed: dict[str, Any]) -> None:
+    """Refuse a spectrum from standard input, which has the numbers."""
+    if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
+        raise UsageError("there is more than one -, and one standard input", "--spectrum FILE")
+
+
+def convert(
+    words: list[str],
+    asked: Asked,
+    cases: Sequence[tuple[str, list[Given]]],
+    steps: bool,
+    shown: output.Output,
+) -> int:
+    """Convert standard input; return the exit status."""
+    from radcalc.columns import Cut, Fields, read_delimiter
+    from radcalc.stream import Stream, run
+    from radcalc.texts import Numbers, Quantities
+
+    source_text, target_text = read_stream_operands(words)
+    given = _given(cases, steps)
+    format_ = click.get_current_context().params.get("format_")
+    if format_ in (output.TABLE, output.CSV):
+        raise UsageError(f"--format {format_} is not for a stream", "--format plain or json")
+    as_json = shown.format == output.JSON
+    target = resolve(target_text)
+    said: set[str] = set()
+
+    def planned(unit: str) -> Plan:
+        made = plan(resolve(unit), target, given)
+        if not (shown.quiet or as_json):
+            lines = console.remarks(made.assumptions, made.notes)
+            console.say([line for line in dict.fromkeys(lines) if line not in said])
+            said.update(lines)
+        return made
+
+    if asked.field is not None and asked.column is not None:
+        raise UsageError("--field and --column contradict each other", "one of them")
+    if not source_text and asked.delimiter is None:
+        name = "field" if asked.field is not None else "column" if asked.column is not None else ""
+        if name:
+            raise UsageError(
+                f"--{name} needs --delimiter where the lines carry their own units",
+                "--delimiter X, which says what cuts the fields",
+            )
+    cut = None
+    if (asked.field, asked.column, asked.delimiter) != (None, None, None):
+        cut = Cut(read_delimiter(asked.delimiter) if asked.delimiter is not None else b"")
+    fields = Fields("1" if asked.field is None else asked.field)
+    texts: Numbers | Quantities
+    if source_text:
+        texts = Numbers(planned(source_text), shown.precision)
+    else:
+        blank = " " if cut else "\t"
+        unit = "" if shown.number else blank + target_text
+        texts = Quantities(planned, unit.encode(), shown.precision)
+
+    def record(line: int, field: int | None, made: Plan, value: float) -> str:
+        from radcalc.render import json
+
+        place = {"line": line, "field": field} if field else {"line": line}
+        return json.render(answer(made, value), shown.precision, place)
+
+    header = asked.header or (1 if asked.column is not None else 0)
+    stream = Stream(texts, cut, fields, asked.column or "", header, record if as_json else None)
+    good = run(stream, console.read, console.pour, asked.invalid or "abort", _complain)
+    return console.ANSWERED if good else console.FAILED
+
+
+def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]:
+    """The conditions, of which there is one case."""
+    if steps:
+        raise UsageError("--steps is not for a stream", "one value, for the derivation")
+    if len(cases) > 1:
+        raise UsageError("a list of conditions is not for a stream", "one value a condition")
+    return cases[0][1]
+
+
+def _complain(error: RadcalcError) -> None:
+    """Say what is wrong with a line, and nothing more: there may be many."""
+    console.say([f"radcalc: {error.message}"])

@@ -1,0 +1,200 @@
+"""Which fields of a line are meant, and where in the line they stand.  All of it in bytes."""
+
+import os
+import re
+from collections.abc import Callable
+
+from radcalc.errors import NumberError, UsageError, nearest, quote
+
+BLANKS = b" \t"
+NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
+MOST = 1_000_000  # as a field's number
+FIELDS = "N, N-, N-M, -M or several of them with commas between"
+
+Span = tuple[int, int]  # where a text begins and ends
+Convert = Callable[[list[bytes]], list[bytes] | None]  # many texts, or None where any is unusual
+
+
+class Fields:
+    """A list of fields as `cut` and `numfmt` take it: `2`, `1,3`, `2-4`, `3-`, `-2`."""
+
+    def __init__(self, text: str = "1") -> None:
+        """Read the list; raise UsageError where it is none."""
+        self.ranges = sorted(_range(text, part) for part in text.replace("\u2212", "-").split(","))
+        self.last = max(last or first for first, last in self.ranges)
+
+    def of(self, count: int) -> list[int]:
+        """The indices of the fields meant, of a line that has `count` of them."""
+        if count < self.last:
+            raise NumberError(f"there is no field {self.last}", f"a line of {self.last} fields")
+        chosen: set[int] = set()
+        for first, last in self.ranges:
+            chosen.update(range(first - 1, last or count))
+        return sorted(chosen)
+
+
+def _range(text: str, part: str) -> tuple[int, int]:
+    """The first and the last field of a part of a list; 0 for the last of a line."""
+    first, dash, last = part.strip().partition("-")
+    numbers = [first or "1", last or "0"] if dash else [first, first]
+    if not all(number.isascii() and number.isdigit() for number in numbers):
+        raise UsageError(f"--field {quote(text)} is not a list of fields", FIELDS)
+    low, high = (int(number[:9]) for number in numbers)
+    if low == 0 or last == "0" or max(low, high) > MOST:
+        raise UsageError(
+            f"--field {quote(text)} is not possible", f"fields are numbered from 1 to {MOST}"
+        )
+    if high and high < low:
+        raise UsageError(f"--field {quote(text)} has a decreasing range", FIELDS)
+    return low, high
+
+
+def read_delimiter(text: str) -> bytes:
+    """One character, or the name of one that a shell makes hard to type."""
+    character = NAMED.get(text.lower(), text)
+    if len(character) != 1 or character in '"\n\r\0':
+        raise UsageError(
+            f"--delimiter {quote(text)} is not one character", "a character, such as , or ; or tab"
+        )
+    return os.fsencode(character)
+
+
+class Cut:
+    """How a line falls into fields: at a delimiter, or at runs of blanks where it is empty.
+
+    A field in double quotes, as CSV has it, may contain the delimiter; with blanks there are no
+    quotes.
+    """
+
+    def __init__(self, delimiter: bytes = b"") -> None:
+        """Prepare the patterns."""
+        self.delimiter = delimiter
+        self.blanks = bytes(c for c in BLANKS if c not in delimiter)
+        mark = re.escape(delimiter)
+        rest = b"[^" + mark + b"]*" if len(delimiter) == 1 else b"(?:(?!" + mark + b").)*"
+        quoted = rb'"[^"]*(?:""[^"]*)*"(?!")'
+        self.pattern = re.compile(
+            b"[" + self.blanks + b"]*" + quoted + rest + b"|" + rest, re.DOTALL
+        )
+
+    def spans(self, line: bytes) -> list[Span]:
+        """Where every field begins and ends, blanks and quotes around it included."""
+        if not self.delimiter:
+            return [found.span() for found in re.finditer(rb"[^ \t]+", line)]
+        spans, start = [], 0
+        quoted = b'"' in line
+        while True:
+            if quoted and (found := self.pattern.match(line, start)):
+                end = found.end()
+                self._check(line[start:end])
+            else:
+                end = line.find(self.delimiter, start)
+                end = len(line) if end < 0 else end
+            spans.append((start, end))
+            if end == len(line):
+                return spans
+            start = end + len(self.delimiter)
+
+    def _check(self, field: bytes) -> None:
+        """Refuse a quote that opens a field and is not closed on the line, or not at its end."""
+        field = field.strip(self.blanks)
+        if field[:1] == b'"' and (len(field) < 2 or field[-1:] != b'"'):
+            raise NumberError("a quoted field does not end on its line", "one line for each record")
+
+    def inner(self, line: bytes, span: Span) -> Span:
+        """The same without the blanks and the quotes around it."""
+        if not self.delimiter:
+            return span
+        start, end = _strip(line, span, self.blanks)
+        if end - start > 1 and line[start] == line[end - 1] == ord('"'):
+            start, end = _strip(line, (start + 1, end - 1), self.blanks)
+        return start, end
+
+    def find(self, header: bytes, name: str) -> Fields:
+        """The field whose cell in the header is that name."""
+        spans = [self.inner(header, span) for span in self.spans(header)]
+        cells = [header[start:end].replace(b'""', b'"') for start, end in spans]
+        wanted = os.fsencode(name).strip(BLANKS)
+        count = cells.count(wanted)
+        if count == 1:
+            return Fields(str(cells.index(wanted) + 1))
+        if count:
+            raise UsageError(
+                f"the header of stdin has the column '{quote(name)}' {count} times", "--field N"
+            )
+        names = [cell.decode("utf-8", "replace") for cell in cells if cell]
+        near = nearest(name, names) or names
+        raise UsageError(
+            f"the header of stdin has no column '{quote(name)}'",
+            quote(", ".join(near))
+            if len(cells) > 1
+            else "--delimiter X, with what cuts the fields",
+        )
+
+    def convert(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert the fields of a block of lines, all lines at once.
+
+        None where a line has not the shape of the others: each has to be looked at by itself.
+        """
+        shown = None
+        if self.delimiter and b'"' not in block and b"#" not in block:
+            shown = self._table(block, fields, convert)
+        return shown or self._matched(block, fields, convert)
+
+    def _table(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert column by column, where all lines have as many fields."""
+        mark = self.delimiter
+        rows = block.count(b"\n")
+        width = block.count(mark, 0, block.index(b"\n")) + 1
+        # the ends of the lines as cells of their own: in a table they are a column
+        end = mark + b"\n" + mark
+        cells = block[:-1].replace(b"\n", end).split(mark)
+        ends = cells[width :: width + 1]
+        regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
+        if not regular or width < fields.last:
+            return None
+        for index in fields.of(width):
+            column = convert(cells[index :: width + 1])
+            if column is None:
+                return None
+            cells[index :: width + 1] = column
+        return mark.join(cells).replace(end, b"\n") + b"\n"
+
+    def _matched(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        """Convert one field of lines with blanks or quotes around their fields."""
+        if fields.ranges != [(fields.last, fields.last)] or len(self.delimiter) > 1:
+            return None
+        # what is between the matches, what stands before the field, the field, and so on
+        parts = re.split(self._line(fields.last - 1), block)
+        if len(parts) != 3 * block.count(b"\n") + 1:
+            return None
+        column = convert(parts[2::3])
+        if column is None:
+            return None
+        parts[2::3] = column
+        return b"".join(parts)
+
+    def _line(self, before: int) -> re.Pattern[bytes]:
+        """What a line with so many fields before the one that is meant looks like.
+
+        In groups: what stands before the field, and the field, which has no blanks in it.  What
+        is quoted has no quotes in it, and the rest of the line is well formed.
+        """
+        if not self.delimiter:
+            text = rf"^([ \t]*(?!#)(?:[^ \t\n]+[ \t]+){{{before}}})([^ \t\n]+)"
+            return re.compile(text.encode(), re.MULTILINE)
+        mark = re.escape(self.delimiter).decode("latin-1")
+        blanks = f"[{self.blanks.decode()}]*"
+        cell = rf'(?:{blanks}"[^"\n]*"{blanks}|[^"\n{mark}]*)'
+        rest = rf"{blanks}(?:{mark}{cell})*$"
+        field = rf'[^" \t\n{mark}]+'
+        opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
+        text = rf"^(?!{blanks}#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
+        return re.compile(text.encode("latin-1"), re.MULTILINE)
+
+
+def _strip(line: bytes, span: Span, blanks: bytes) -> Span:
+    start, end = span
+    text = line[start:end]
+    start += len(text) - len(text.lstrip(blanks))
+    return start, start + len(text.strip(blanks))

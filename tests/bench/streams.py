@@ -1,0 +1,108 @@
+"""Streams as ratios in one run, and the memory of a long one; see README.md."""
+
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from measure import RADCALC, report
+
+LINES, OWN, LONG = 2_000_000, 100_000, 100_000_000
+MEGABYTES = 60
+CASES = [
+    (
+        "2e6 numbers lx to fc / mawk",
+        ("lx", "fc"),
+        '{printf "%.12g\\n", $1*0.09290304}',
+        "numbers",
+        1.2,
+    ),
+    (
+        "2e6 numbers fc to lx, no decimal ratio / mawk",
+        ("fc", "lx"),
+        '{printf "%.12g\\n", $1/0.09290304}',
+        "numbers",
+        2,
+    ),
+    (
+        "field 3 of a CSV of 5 columns / mawk",
+        ("lx", "fc", "--field", "3", "-d", ","),
+        'BEGIN{FS=OFS=","}{$3 = sprintf("%.12g", $3*0.09290304); print}',
+        "table",
+        2,
+    ),
+]
+UNITS = {"lx": "lx", "fc": "footcandle", "klx": "klx", "ph": "phot", "mlx": "mlx"}
+
+
+def fed(path: Path, *words: str) -> Callable[[], object]:
+    """A command with a file as its standard input, run into a pipe that is read to its end."""
+
+    def action() -> None:
+        with path.open("rb") as data, open(os.devnull, "wb") as null:
+            command = subprocess.Popen(words, stdin=data, stdout=subprocess.PIPE)
+            subprocess.run(["cat"], stdin=command.stdout, stdout=null, check=True)
+            if command.wait():
+                raise RuntimeError(words[0])
+
+    return action
+
+
+def write(folder: Path) -> None:
+    """The inputs: numbers with two decimals, below 100 000."""
+    random.seed(1)
+    numbers = [f"{random.uniform(0, 1e5):.2f}" for _ in range(LINES)]
+    (folder / "numbers").write_text("\n".join(numbers) + "\n")
+    rows = [f"{i},room{i % 7},{number},ok,{3 * i}\n" for i, number in enumerate(numbers)]
+    (folder / "table").write_text("".join(rows))
+    own = [(number, random.choice(list(UNITS))) for number in numbers[:OWN]]
+    (folder / "own").write_text("".join([f"{number} {unit}\n" for number, unit in own]))
+    asked = [f"{number} {UNITS[unit]}\nlx\n" for number, unit in own]
+    (folder / "asked").write_text("".join(asked))
+
+
+def memory() -> bool:
+    """Convert a long stream that no file holds, and print the most that was resident."""
+    feeder = subprocess.Popen(
+        ["sh", "-c", f"yes 100 | head -n {LONG}"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    )
+    with open(os.devnull, "wb") as null:
+        child = subprocess.Popen(
+            [RADCALC, "convert", "-", "lx", "fc"], stdin=feeder.stdout, stdout=null
+        )
+        _, status, used = os.wait4(child.pid, 0)
+    feeder.wait()
+    most = used.ru_maxrss / (1 if sys.platform == "darwin" else 1024)
+    print(f"{LONG:.0e} numbers: {most:.1f} MB resident at most (aim {MEGABYTES})")
+    return status == 0 and most <= MEGABYTES
+
+
+def main() -> int:
+    """Print every ratio; the exit status says whether all aims are met."""
+    met = memory()  # first: a child begins with what its parent has
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        write(folder)
+        for title, words, script, data, aim in CASES:
+            if shutil.which("mawk") is None:
+                print(f"{title}: mawk is not installed")
+                met = False
+                continue
+            ours = fed(folder / data, RADCALC, "convert", "-", *words)
+            met &= report(title, ours, fed(folder / data, "mawk", script), aim, 9)
+        if shutil.which("units") is None:
+            print("units is not installed")
+            met = False
+        else:
+            ours = fed(folder / "own", RADCALC, "convert", "-", "lx", "-q")
+            theirs = fed(folder / "asked", "units", "-t")
+            met &= report("1e5 lines with units / units -t", ours, theirs, 0.1, 3)
+    return 0 if met else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
