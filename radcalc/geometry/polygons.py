@@ -55,8 +55,10 @@ def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number
     triple = dot(a, cross(ab, ac))
     angle = 2 * atan2(triple, under)
     # Of a splinter seen from near, `under` is a small difference of large terms.
-    digits = larger(abs(under) - 1e-14 * whole, 0.0 * whole)
-    off = whole * abs(triple) > 1e3 * abs(angle) * (triple**2 + digits**2)
+    size = abs(under)
+    off = (whole * abs(triple) > 1e3 * abs(angle) * (triple * triple + size * size)) | (
+        size < 1e-13 * whole
+    )
     if not any_true(off):
         return angle
 
