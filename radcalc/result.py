@@ -1,5 +1,6 @@
 """What an answer is, before anybody renders it: it knows no terminal and no format."""
 
+from collections.abc import Sequence
 from typing import Any
 
 
@@ -62,6 +63,18 @@ class Result:
         self.assumptions = assumptions
         self.notes = notes
         self.steps = steps
+
+
+def columns(results: Sequence[Result]) -> list[tuple[str, str]] | None:
+    """The name and unit of each row where several answers of a calculator have the same rows.
+
+    Such answers are shown one a line: for plotting, or to be compared.
+    """
+    if len(results) < 2:
+        return None
+    heads = [[(row.name, row.unit) for row in result.rows] for result in results]
+    same = all(head == heads[0] for head in heads) and all(name for name, _ in heads[0])
+    return heads[0] if same else None
 
 
 class Value:

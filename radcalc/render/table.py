@@ -13,7 +13,7 @@ from rich.text import Text
 
 from radcalc.names import ENGLISH, translate
 from radcalc.render.plain import derivation, number
-from radcalc.result import Result
+from radcalc.result import Result, Row, columns
 
 DIGITS = 6
 
@@ -30,25 +30,52 @@ def render(
 
     The quantities' names are in the language, as far as it has them.
     """
+    below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
+    below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
+    if not remarks:
+        below = []
+    below += [line for result in results for line in derivation(result.steps)]
+    wide = _wide(results, precision, language)
+    if wide and sum(max(map(len, column)) + 3 for column in zip(*wide, strict=True)) <= width:
+        head, *lines = wide
+        said = [
+            f"{row.symbol}: {_quantity(row, language)}" for row in results[0].rows if row.symbol
+        ]
+        legend = ", ".join(dict.fromkeys(said))
+        return draw(head, lines, [legend, *below], width, color, right=head)
     rows = [row for result in results for row in result.rows]
     cases = any(row.case for row in rows)
     header = [*(["for"] if cases else []), "quantity", "symbol", "value", "unit"]
     lines = [
         [
             *([row.case] if cases else []),
-            translate(row.quantity, language) + (" (given)" if row.given else ""),
+            _quantity(row, language),
             row.symbol,
             number(row.value, precision or DIGITS),
             row.unit,
         ]
         for row in rows
     ]
-    below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
-    below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
-    if not remarks:
-        below = []
-    steps = [line for result in results for line in derivation(result.steps)]
-    return draw(header, lines, below + steps, width, color, right=("value",))
+    return draw(header, lines, below, width, color, right=("value",))
+
+
+def _quantity(row: Row, language: str) -> str:
+    """The name of a row's quantity, and whether it was given."""
+    return translate(row.quantity, language) + (" (given)" if row.given else "")
+
+
+def _wide(
+    results: Sequence[Result], precision: int | None, language: str
+) -> list[list[str]] | None:
+    """Several alike answers, a line each, under a line of their quantities and units."""
+    if not columns(results):
+        return None
+    heads = []
+    for row in results[0].rows:
+        unit = "" if row.unit == "1" else f" [{row.unit}]"
+        heads.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
+    digits = precision or DIGITS
+    return [heads, *([number(row.value, digits) for row in r.rows] for r in results)]
 
 
 def draw(
