@@ -143,9 +143,12 @@ class Quantities:
 
 
 def _decoded(text: bytes) -> str:
-    """The text of a number or a unit, which is UTF-8."""
+    """The text of a number or a unit, which is UTF-8 and has no blank but those around it."""
     try:
-        return text.decode()
+        decoded = text.decode()
+        if decoded != decoded.strip():  # a form feed, a no-break space: not ours to drop
+            raise NumberError(f"'{quote(decoded)}' is not a number", "blanks or tabs around it")
+        return decoded
     except UnicodeDecodeError:
         shown = quote(text.decode(errors="backslashreplace"))
         raise NumberError(f"'{shown}' is not text in UTF-8", "UTF-8") from None

@@ -22,7 +22,7 @@ OPTIONS = (
     click.option(
         "--tolerance",
         metavar="1%",
-        help="How near it must be: 1%, 0.5lx, or 3sf for significant digits (1%).",
+        help="How near it must be: 1% (the default), 0.5lx, or 3sf for significant digits.",
     ),
 )
 
@@ -77,6 +77,7 @@ def judge_conversion(
             made.apply(value) * target.factor,
             (target.dimension,),
             (target.text,),
+            also=name_of(target).replace(" ", "-"),
         )
         derivation = derive(made, value) if steps else []
         return [result], list(made.assumptions), list(made.notes), derivation

@@ -70,6 +70,8 @@ def command(
     band:LOW:HIGH, a file, or - for standard input.
     """
     if list_:
+        if words or asked != calculator.Asked((), False, None, None):
+            raise UsageError("--list lists the names, and nothing else", "radcalc spectrum --list")
         console.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
         return console.ANSWERED
     if len(words) != 1:

@@ -51,13 +51,13 @@ OPTIONS = (
         "--header",
         type=click.IntRange(1),
         metavar="[=N]",
-        help="Pass the first N lines through (default with --header or --column: 1).",
+        help="Pass the first line through, or the first N (--header=2); --column implies 1.",
     ),
     click.option(
         "--invalid",
         type=click.Choice(MODES),
         help="At a line that cannot be converted: stop (abort, the default), or pass it through "
-        "and fail at the end, warn, or ignore it.",
+        "and fail at the end (status 2), warn (status 0) or ignore it (status 0).",
     ),
 )
 

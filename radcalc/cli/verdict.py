@@ -18,6 +18,8 @@ def show(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str], out
     if output.format == JSON:
         import json  # costs as much as the judgement
 
+        if output.precision:
+            verdict = _rounded(verdict, output.precision)
         console.write(json.dumps(_object(verdict, assumptions, notes), ensure_ascii=False) + "\n")
         return status
     if output.format == CSV or output.number:
@@ -26,6 +28,12 @@ def show(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str], out
     said = [] if output.quiet else console.remarks(assumptions, notes)
     console.say(said + derivation(verdict.steps))
     return status
+
+
+def _rounded(verdict: Verdict, precision: int) -> Verdict:
+    """The right value and the ratio with so many digits."""
+    ratio = None if verdict.ratio is None else float(number(verdict.ratio, precision))
+    return verdict._replace(right=float(number(verdict.right, precision)), ratio=ratio)
 
 
 def _lines(verdict: Verdict, output: Output) -> list[str]:

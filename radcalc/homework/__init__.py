@@ -1,16 +1,17 @@
 """Checking an answer: whether it is right, and if not, what most likely went wrong."""
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from radcalc.asked import in_unit
+from radcalc.asked import held, in_unit
 from radcalc.conditions import Given
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.homework.claims import Claim, Tolerance, read_claim, read_tolerance
 from radcalc.homework.mistakes import Candidate, Problem, candidates, pairs
 from radcalc.quantities import describe
 from radcalc.result import Step, Value
-from radcalc.units.table import resolve
+from radcalc.units.table import Unit, divide, resolve
 
 
 class Diagnosis(NamedTuple):
@@ -50,18 +51,23 @@ class Question(NamedTuple):
 
 
 MOST = 5  # diagnoses
+COARSEST = 0.05  # how far a number of one digit may be off a mistake's
+REMARKS = ("error",)  # results that say how good another is
 
 
 def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf)."""
     said = read_claim(claim)
-    target, unit_text, wrong_unit = _target(question, said)
+    target, unit_text, wrong_unit = _target(question, said, tolerance)
     unit = resolve(unit_text)
     right = in_unit(target, unit)
     if not isinstance(right, float):
         raise ConditionError("--check takes one answer, and there are several", "one value a call")
     allowed = read_tolerance(tolerance, unit)
-    ratio = said.value / right if right else None
+    if target.name == "azimuth":  # a turn more or less is the same direction
+        turn = 2 * math.pi / divide(unit.top, unit.bottom)
+        said = said._replace(value=said.value + turn * round((right - said.value) / turn))
+    ratio = said.value / right if right and not wrong_unit else None
     verdict = Verdict(
         False,
         target.name,
@@ -84,43 +90,83 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     return verdict._replace(diagnoses=found)
 
 
-def _target(question: Question, said: Claim) -> tuple[Value, str, bool]:
-    """The result that is meant, the unit to compare in, and whether the unit is of another."""
-    derived = [v for v in question.values if v.given is None and v.units]
-    named = [v for v in question.values if said.name and said.name in (v.name, v.also)]
-    if said.name and not named:
-        names = ", ".join(dict.fromkeys(v.name for v in derived))
-        raise ConditionError(f"--check: there is no result '{quote(said.name)}'", names)
-    pool = [v for v in named if v.units] or named or derived
+def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str, bool]:
+    """The result that is meant, the unit to compare in, and whether the unit is of another.
+
+    Without a name it is the first that has that unit; where the number fits only another one,
+    nothing can be said before it is named.
+    """
+    pool = _named(question, said) if said.name else _unnamed(question)
     if not said.unit:
-        units = {u for v in pool[:1] for u in v.units}
-        if len({v.name for v in pool}) > 1 or len(units) != 1:
-            several = ", ".join(
-                f"--check {v.name}={said.number}{v.units[0].removeprefix('1')}" for v in pool[:3]
-            )
-            raise ConditionError(f"--check {quote(said.text)}: say which result is meant", several)
+        units = {unit for value in pool[:1] for unit in value.units}
+        if len({value.name for value in pool}) > 1 or len(units) != 1:
+            missing = "in which unit" if said.name else "which result is meant"
+            raise ConditionError(f"--check {quote(said.text)}: say {missing}", _ways(pool, said))
         return pool[0], pool[0].units[0], False
     unit = resolve(said.unit)
-    for value in pool:
-        if unit.dimension in value.dimensions or unit.dimension in value.reach:
-            return value, said.unit, False
-    if not pool:
-        raise ConditionError("--check: there is nothing to check", "less of it given")
+    spelled = [value for value in pool if said.unit in value.units]
+    fitting = spelled or [
+        value
+        for value in pool
+        if unit.dimension in value.dimensions or unit.dimension in value.reach
+    ]
+    if fitting:
+        holding = [v for v in fitting if _holds(v, unit, said, tolerance)]
+        if holding and fitting[0] not in holding:
+            raise ConditionError(
+                f"--check {quote(said.text)} would be right for {holding[0].name}: say which "
+                "result is meant",
+                _ways([fitting[0], *holding], said),
+            )
+        return fitting[0], said.unit, False
     for value in pool:  # the one that the number fits, if any
         for text in value.units:
-            right = in_unit(value, resolve(text))
-            if isinstance(right, float) and abs(said.value - right) <= 0.01 * abs(right):
+            if _holds(value, resolve(text), said, tolerance):
                 return value, text, True
     return pool[0], pool[0].units[0], True
+
+
+def _named(question: Question, said: Claim) -> list[Value]:
+    """The results of a name."""
+    named = [v for v in question.values if said.name in (v.name, v.also)]
+    shown = [v for v in named if v.units]
+    if shown:
+        return shown
+    for value in named:
+        held(value.name, value.si)  # which says what it lacks
+    names = ", ".join(dict.fromkeys(v.name for v in question.values if v.units))
+    raise ConditionError(f"--check: there is no result '{quote(said.name)}'", names)
+
+
+def _unnamed(question: Question) -> list[Value]:
+    """The results that a number alone may mean: what follows, then what was given."""
+    shown = [v for v in question.values if v.units and v.name not in REMARKS]
+    shown.sort(key=lambda value: value.given is not None)
+    if not shown:
+        raise ConditionError("--check: there is nothing to check", "less of it given")
+    return shown
+
+
+def _holds(value: Value, unit: Unit, said: Claim, tolerance: str) -> bool:
+    right = in_unit(value, unit)
+    return isinstance(right, float) and read_tolerance(tolerance, unit).holds(said.value, right)
+
+
+def _ways(values: list[Value], said: Claim) -> str:
+    """How the answer can be said clearly."""
+    ways = [
+        f"--check {value.name}={said.number}{unit.replace(' ', '.').removeprefix('1')}"
+        for value in values
+        for unit in ([said.unit] if said.unit else value.units)
+    ]
+    return ", ".join(list(dict.fromkeys(ways))[:4])
 
 
 def _unit_diagnosis(
     said: Claim, target: Value, unit: str, right: float, allowed: Tolerance
 ) -> Diagnosis:
     """The answer's unit measures something else than the result."""
-    number = "and the number with it"
-    if allowed.holds(said.value, right):
-        number = "the number would be right"
+    number = "the number would be right" if allowed.holds(said.value, right) else "check both"
     return Diagnosis(
         "wrong-unit",
         f"{describe(resolve(said.unit))} is not {target.label}; {number}",
@@ -151,7 +197,7 @@ def _matching(options: list[Candidate], said: Claim, scale: float) -> list[Candi
             off = abs(one.value / scale - said.value)
         except (OverflowError, RadcalcError):
             continue
-        if off <= said.half_unit * (1 + 1e-9):
+        if off <= min(said.half_unit, COARSEST * abs(said.value)) * (1 + 1e-9):
             close.append((one.rank, off, one))
     close.sort(key=lambda item: item[:2])
     return [one for _, _, one in close]

@@ -78,7 +78,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
             raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
         count = int(text[:-2])
-        digits = f"to {count} significant digit{'s' if count > 1 else ''}"
+        digits = f"within half a unit of digit {count}"
         return Tolerance(digits, "digits", count)
     option = Option("tolerance", "", (NUMBER, unit.dimension), "a part or a quantity", "1%", "")
     try:
@@ -89,6 +89,8 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         ) from None
     if given.value < 0:
         raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
+    if given.unit is None and given.value >= 1:
+        raise ConditionError(f"--tolerance {quote(text)} has no unit", hint)
     if given.dimension == NUMBER and unit.dimension != NUMBER:
         return Tolerance(f"within {text}", "relative", given.value)
     if given.unit is None or given.unit.text in ("%", "1"):

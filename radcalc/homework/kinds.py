@@ -7,7 +7,7 @@ from radcalc.conditions import LENGTH
 from radcalc.geometry import solid
 from radcalc.homework.mistakes import Problem, light_of, mistake
 from radcalc.laws.spreads import lobe_exponent
-from radcalc.quantities import AREA, DURATION, GRID, LUMINOUS, SOLID_ANGLE
+from radcalc.quantities import AREA, DURATION, GRID, SOLID_ANGLE
 from radcalc.spectra.observers import OBSERVERS
 
 
@@ -157,8 +157,7 @@ def _km(p: Problem) -> Iterator[float]:
 def _night(p: Problem) -> Iterator[float]:
     day, night = OBSERVERS["photopic"].maximum, OBSERVERS["scotopic"].maximum
     name = p.target.name
-    luminous = p.target.dimensions[0] in GRID and GRID[p.target.dimensions[0]][0] == LUMINOUS
-    if "efficacy" in name or luminous or p.facts.get("efficacy"):
+    if "efficacy" in name or p.facts.get("efficacy") or p.si("luminous-efficacy"):
         for ratio in (night / day, 1700 / 683):
             yield p.right * ratio
             yield p.right / ratio

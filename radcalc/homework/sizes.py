@@ -132,7 +132,7 @@ def _aside(p: Problem) -> tuple[float, float] | None:
 )
 def _quadrant(p: Problem) -> Iterator[float]:
     if p.target.name == "azimuth":
-        for turn in (math.pi, -math.pi, 2 * math.pi, -2 * math.pi):
+        for turn in (math.pi, -math.pi):
             yield p.right + turn
 
 

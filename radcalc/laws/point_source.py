@@ -100,7 +100,10 @@ def point_source(
 
 def _solve(sheet: Sheet, laws: list[AnyLaw], any_incidence: bool) -> None:
     """Work out what follows; light comes along the receiver's normal unless told otherwise."""
-    told = "incidence" in sheet.known or any_incidence
+    told = "incidence" in sheet.known
+    if any_incidence and not told:
+        sheet.solve(laws)
+        told = "incidence" in sheet.solution.values
     if told or not sheet.has("irradiance", "distance", "exposure"):
         sheet.solve(laws)
         return
