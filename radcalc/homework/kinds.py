@@ -157,7 +157,12 @@ def _km(p: Problem) -> Iterator[float]:
 def _night(p: Problem) -> Iterator[float]:
     day, night = OBSERVERS["photopic"].maximum, OBSERVERS["scotopic"].maximum
     name = p.target.name
-    if "efficacy" in name or p.facts.get("efficacy") or p.si("luminous-efficacy"):
+    if (
+        "efficacy" in name
+        or "scotopic" in name
+        or p.facts.get("efficacy")
+        or p.si("luminous-efficacy")
+    ):
         for ratio in (night / day, 1700 / 683):
             yield p.right * ratio
             yield p.right / ratio
