@@ -84,7 +84,7 @@ def command(
     \b
       for i in 100cd 250cd; do
         radcalc point-source --intensity $i --distance 2m -q -g irradiance:lx
-      done | paste -sd+ | bc
+      done | awk '{ sum += $1 } END { print sum }'
     """
     each = calculator.cases(typed, arrays=True)
     shape = spread(each[0][1], distribution)
