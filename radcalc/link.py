@@ -21,6 +21,7 @@ from radcalc.quantities import (
     NONE,
     PHOTON,
     RADIANT,
+    SOLID_ANGLE,
     WAVENUMBER,
     Reading,
     describe,
@@ -161,6 +162,12 @@ def _unlike(search: _Search) -> RadcalcError:
         return ConversionError(
             f"{search.heading()}: no condition links them, but a photon has both",
             f"radcalc photon 1{quote(search.source.text)}, with your number",
+        )
+    if {search.source.dimension, search.target.dimension} == {c.ANGLE, SOLID_ANGLE}:
+        option = "half-angle" if search.source.dimension == c.ANGLE else "solid-angle"
+        return ConversionError(
+            f"{search.heading()}: no condition links them, a solid angle depends on the shape",
+            f"radcalc solid-angle cone --{option} 1{quote(search.source.text)}, with your number",
         )
     hint = "radcalc units UNIT, which shows what a unit measures"
     if notes := search.source.notes + search.target.notes:

@@ -191,7 +191,7 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
 def far_field(
     source: Factor,
     distance: Given,
-    hint: str = "--radius R in place of --area, for the exact disc",
+    hint: str = "--radius R in place of --area, for the exact disc (or radcalc lambertian)",
     law: str = "the inverse square law",
 ) -> None:
     """Refuse an area seen from so near that the inverse square law is off."""
