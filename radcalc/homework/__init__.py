@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from radcalc.asked import held, in_unit
-from radcalc.conditions import Given
+from radcalc.conditions import Given, show
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.homework.claims import Claim, Tolerance, read_claim, read_tolerance
 from radcalc.homework.mistakes import Candidate, Problem, candidates, pairs
@@ -87,7 +87,20 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     if allowed.holds(said.value, right):
         return verdict._replace(is_right=True)
     found = _diagnoses(question, target, said, unit_text, right)
-    return verdict._replace(diagnoses=found)
+    steps = verdict.steps
+    if steps and found and ratio is not None:
+        steps += (_as_answered(verdict, found[0]),)
+    return verdict._replace(diagnoses=found, steps=steps)
+
+
+def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
+    """How the likeliest mistake leads from the right value to the answer."""
+    unit = "" if verdict.unit == "1" else f" {verdict.unit}"
+    return Step(
+        f"as it was answered: {found.done}",
+        "",
+        f"{show(verdict.right)}{unit} * {show(verdict.ratio)} = {show(verdict.claimed)}{unit}",
+    )
 
 
 def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str, bool]:
