@@ -137,6 +137,24 @@ def piecewise(
     return result
 
 
+CHUNK = 16_384  # elements whose intermediate values fit a processor's cache
+
+
+def in_chunks(function: Callable[..., Number], *xs: Number) -> Number:
+    """`function(*xs)`; of long rows of one length a part at a time, which is faster."""
+    sizes = {len(x) if is_column(x) and x.ndim == 1 else 0 for x in xs}
+    count = sizes.pop()
+    if sizes or count <= CHUNK:
+        return function(*xs)
+    import numpy
+
+    result = numpy.empty(count)
+    for start in range(0, count, CHUNK):
+        part = slice(start, start + CHUNK)
+        result[part] = function(*(x[part] for x in xs))
+    return result
+
+
 def each(function: Callable[..., float], *xs: Number) -> Number:
     """A function of floats for every element of arrays that are broadcast together."""
     for x in xs:

@@ -18,6 +18,7 @@ from radcalc.maths import (
     any_true,
     atan2,
     each,
+    in_chunks,
     is_array,
     larger,
     piecewise,
@@ -44,6 +45,11 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     float or array (...)
     """
     a, b, c = vector(a), vector(b), vector(c)
+    return in_chunks(_from_vertices, *a, *b, *c)
+
+
+def _from_vertices(*xs: Number) -> Number:
+    a, b, c = xs[:3], xs[3:6], xs[6:]
     return _triangle(a, b, c, minus(b, a), minus(c, a))
 
 
