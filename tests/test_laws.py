@@ -30,7 +30,6 @@ from radcalc.laws import sheet as sheet_module
 from radcalc.laws import spreads as spreads_module
 from radcalc.laws import surfaces as surfaces_module
 from radcalc.laws.law import Contradiction, Known, Law, Relation, rounding, solve
-from radcalc.units.registry import light_registry
 
 MODULES = (
     spreads_module,
