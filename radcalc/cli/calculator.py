@@ -11,7 +11,7 @@ from radcalc.asked import pick, rows
 from radcalc.cli import checking
 from radcalc.cli.output import PLAIN, TABLE, Output
 from radcalc.conditions import OPTIONS
-from radcalc.errors import ConditionError, UsageError
+from radcalc.errors import ConditionError, UsageError, nearest, quote
 from radcalc.laws import light
 from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.maths import is_array, is_column
@@ -159,13 +159,23 @@ def _parts(name: str, text: str, arrays: bool) -> Sequence[Any]:
     return [text] if name in light.REFINEMENTS else read_series(text)
 
 
+def shape(word: str, names: Sequence[str]) -> str:
+    """The name of a shape, in any case."""
+    if word.lower() in names:
+        return word.lower()
+    near = nearest(word.lower(), names, 1) or names
+    raise UsageError(f"there is no shape '{quote(word)}'", ", ".join(near))
+
+
 def finish(
     answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output, **facts: Any
 ) -> int:
     """Show answers that no input can be changed of, or judge one; return the exit status."""
-    cases = [(case, Inputs()) for case, _ in answers]
-    left = iter(answers)
-    return run(cases, lambda _: next(left)[1], asked, output, **facts)
+    cases: list[Case] = [(case, {}) for case, _ in answers]
+    if asked.check is not None:
+        return run(cases, lambda _: answers[0][1], asked, output, **facts)
+    show(answers, asked, output)
+    return console.ANSWERED
 
 
 def run(

@@ -4,7 +4,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.errors import UsageError, nearest, quote
+from radcalc.errors import UsageError, quote
 from radcalc.laws.lambertian import INPUTS, QUANTITIES, lambertian
 from radcalc.laws.surfaces import SHAPES
 
@@ -85,11 +85,7 @@ def command(
 
     The irradiance is that on the receiver, the incident one that on the reflector.
     """
-    names = [*SHAPES]
-    shape = words[0].lower() if words else "patch"
-    if shape not in SHAPES:
-        near = nearest(shape, names, 1) or names
-        raise UsageError(f"there is no shape '{quote(words[0])}'", ", ".join(near))
+    shape = calculator.shape(words[0] if words else "patch", [*SHAPES])
     if len(words) > 1:
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one shape")
     chosen = {"corner": corner, "perpendicular": perpendicular}

@@ -6,7 +6,7 @@ import click
 
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.errors import UsageError, nearest, quote
+from radcalc.errors import UsageError, quote
 from radcalc.laws.inputs import read_interval, read_point
 from radcalc.laws.solid_angle import ALIASES, SHAPES, solid_angle
 
@@ -128,9 +128,5 @@ def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
     names = [*SHAPES, *ALIASES]
     if not words:
         raise UsageError("a shape is missing", ", ".join(names))
-    word = words[0].lower()
-    name = ALIASES.get(word, word)
-    if name not in SHAPES:
-        near = nearest(word, names, 1) or names
-        raise UsageError(f"there is no shape '{quote(words[0])}'", ", ".join(near))
-    return name, words[1:]
+    name = calculator.shape(words[0], names)
+    return ALIASES.get(name, name), words[1:]

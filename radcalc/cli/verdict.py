@@ -57,6 +57,8 @@ def _lines(verdict: Verdict, output: Output) -> list[str]:
 
 def _object(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str]) -> dict[str, Any]:
     """The verdict for programs."""
+    from radcalc.render.json import steps
+
     return {
         "right": verdict.is_right,
         "name": verdict.name,
@@ -69,8 +71,5 @@ def _object(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str]) 
         "diagnoses": [one._asdict() for one in verdict.diagnoses],
         "assumptions": list(assumptions),
         "notes": list(notes),
-        "steps": [
-            {"law": s.law, "formula": s.formula, "numbers": s.numbers, "reference": s.reference}
-            for s in verdict.steps
-        ],
+        "steps": steps(verdict.steps),
     }

@@ -13,6 +13,7 @@ from radcalc.conditions import (
     show,
 )
 from radcalc.errors import ConditionError, quote
+from radcalc.geometry import lobes
 from radcalc.result import Step
 
 
@@ -75,8 +76,7 @@ def _lobe(given: Given) -> Factor:
     else:
         angle = positive(given)
         require(given, not maths.any_true(angle >= math.pi), "less than 180 deg")
-        # cos x as 1 - 2 sin^2(x/2), whose logarithm keeps its digits for narrow beams
-        exponent = math.log(0.5) / maths.log1p(-2 * maths.sin(angle / 4) ** 2)
+        exponent = lobes.exponent(angle, 0.5)
         steps = (
             Step(
                 "exponent of a lobe",
@@ -188,6 +188,16 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
 
 
+def size_of(area: Any) -> Any:
+    """The diameter of a circle of an area: how large a patch counts beside its distance."""
+    return 2 * (area / math.pi) ** 0.5
+
+
+def is_near(distance: Any, size: Any, slack: float = 1e-12) -> bool:
+    """Whether a distance is under five times a size, where the inverse square law is off."""
+    return maths.any_true(distance < 5 * size * (1 - slack))
+
+
 def far_field(
     source: Factor,
     distance: Given,
@@ -195,8 +205,8 @@ def far_field(
     law: str = "the inverse square law",
 ) -> None:
     """Refuse an area seen from so near that the inverse square law is off."""
-    size = 2 * (source.value / math.pi) ** 0.5
-    if maths.any_true(distance.value < 5 * size * (1 - 1e-12)):
+    size = size_of(source.value)
+    if is_near(distance.value, size):
         raise ConditionError(
             f"--distance {quote(distance.text)} is less than five times the size of the source "
             f"({show(size)} m): {law} does not hold",

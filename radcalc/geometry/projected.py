@@ -34,12 +34,6 @@ RIGHT = math.pi / 2
 UP = (0.0, 0.0, 1.0)
 
 
-def _check_tilt(tilt: Number) -> None:
-    solid.refuse(
-        abs(tilt) > math.pi * (1 + solid.SLACK), "that tilt is not possible", "from 0 to 180 deg"
-    )
-
-
 def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     """A cone whose axis is tilted from the receiver's normal; angles from 0 to pi.
 
@@ -48,7 +42,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     cone about the opposite direction leaves of the receiver's view.
     """
     solid.cone(half_angle)  # refuses what is no cone
-    _check_tilt(tilt)
+    solid.check_tilt(tilt)
     return each(_cone, half_angle, abs(tilt))
 
 
@@ -117,7 +111,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     """
     solid.refuse(radius < 0, "a negative radius is not possible", "0 or more")
     solid.check_height(height)
-    _check_tilt(tilt)
+    solid.check_tilt(tilt)
     scale = power_of_two(larger(larger(radius, height), abs(offset)))
     radius, height, offset = radius / scale, height / scale, abs(offset) / scale
     if not is_array(tilt) and tilt == 0:

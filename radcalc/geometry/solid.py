@@ -243,8 +243,13 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     """
     refuse(area < 0, "a negative area is not possible", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
-    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
+    check_tilt(tilt)
     return area / distance**2 * facing(tilt)
+
+
+def check_tilt(tilt: Number) -> None:
+    """Refuse an angle that is none from a normal."""
+    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
 
 
 def facing(tilt: Number) -> Number:

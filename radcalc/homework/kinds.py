@@ -4,9 +4,8 @@ import math
 from collections.abc import Iterator
 
 from radcalc.conditions import LENGTH
-from radcalc.geometry import solid
+from radcalc.geometry import lobes, solid
 from radcalc.homework.mistakes import Problem, light_of, mistake
-from radcalc.laws.spreads import lobe_exponent
 from radcalc.quantities import AREA, DURATION, GRID, SOLID_ANGLE
 from radcalc.spectra.observers import OBSERVERS
 
@@ -83,7 +82,7 @@ def _lobe(p: Problem) -> Iterator[float]:
 def _spot(p: Problem) -> Iterator[float]:
     omega, n, half = p.si("solid-angle"), p.si("exponent"), p.half_angle()
     if n is None and "beam-angle" in p.given:
-        n = lobe_exponent(p.given["beam-angle"].value, 0.5)
+        n = lobes.exponent(p.given["beam-angle"].value, 0.5)
     if omega is None and half:
         omega = solid.cone(half)
     if omega is None and n is not None:

@@ -162,8 +162,8 @@ def _patches(given: Inputs, away: Given, receiver: Given) -> Answer:
     size = positive(receiver)
     other = size if name == "receiver-area" else math.pi * i.radius(given, "receiver-") ** 2
     tilt, incidence = i.tilt(given), i.tilt(given, "incidence")
-    longest = max(2 * math.sqrt(max(area, other) / math.pi), *_sides(given), 0.0)
-    if positive(away) < 5 * longest * (1 - 1e-12):
+    longest = max(space.size_of(max(area, other)), *_sides(given), 0.0)
+    if space.is_near(positive(away), longest):
         hint = "more distance, or --radius and --receiver-radius for two discs exactly"
         if "tilt" in given or "incidence" in given:
             hint = "two discs without --tilt and --incidence, which are exact"

@@ -8,12 +8,13 @@ import math
 
 from radcalc.conditions import show
 from radcalc.errors import ConditionError, UsageError
+from radcalc.factors import space
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
 from radcalc.laws.sheet import Sheet
 from radcalc.laws.surfaces import LAWS, POSITION, SHAPES, SIZES
-from radcalc.maths import any_true, is_array, larger, sqrt
+from radcalc.maths import any_true, is_array, larger
 from radcalc.result import Answer
 
 QUANTITIES = (
@@ -125,11 +126,11 @@ def _judge(sheet: Sheet) -> None:
 def _refuse_near(sheet: Sheet) -> None:
     """Refuse a patch seen from nearer than five times its size, however that was found."""
     if sheet.has("distance") and sheet.has("area"):
-        longest = 2 * sqrt(sheet.at("area") / math.pi)
+        longest = space.size_of(sheet.at("area"))
         for name in ("width", "length"):
             if sheet.has(name):
                 longest = larger(longest, sheet.at(name))
-        if any_true(sheet.at("distance") < 5 * longest * (1 - 1e-9)):
+        if space.is_near(sheet.at("distance"), longest, 1e-9):
             raise ConditionError(
                 f"a distance of {show(sheet.at('distance'))} m is less than five times the size "
                 f"of the source ({show(longest)} m)",

@@ -245,5 +245,5 @@ def _number(value: Any, unit: str) -> str:
     if is_array(value):
         return show(value)
     if unit == "rad":
-        return f"{degrees(value)}"
+        return degrees(value)
     return show(value) if unit == "1" else f"({show(value)} {unit})"

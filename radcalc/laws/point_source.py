@@ -8,6 +8,7 @@ from typing import Any
 
 from radcalc.conditions import positive, require, show
 from radcalc.errors import ConditionError, UsageError
+from radcalc.factors import space
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
 from radcalc.laws.inputs import Inputs
@@ -101,12 +102,11 @@ def point_source(
 def _solve(sheet: Sheet, laws: list[AnyLaw], any_incidence: bool) -> None:
     """Work out what follows; light comes along the receiver's normal unless told otherwise."""
     told = "incidence" in sheet.known
-    if any_incidence and not told:
+    if told or any_incidence or not sheet.has("irradiance", "distance", "exposure"):
         sheet.solve(laws)
-        told = "incidence" in sheet.solution.values
-    if told or not sheet.has("irradiance", "distance", "exposure"):
-        sheet.solve(laws)
-        return
+        unplaced = not sheet.has("irradiance", "distance", "exposure")
+        if told or unplaced or "incidence" in sheet.solution.values:
+            return
     sheet.know("incidence", 0.0)
     sheet.said.append("light along the receiver's normal")
     try:
@@ -216,8 +216,8 @@ def _level(given: Inputs, sheet: Sheet, off: Any) -> None:
 def _refuse_near(given: Inputs, sheet: Sheet) -> None:
     """Refuse a receiver so large beside its distance that its irradiance is not uniform."""
     if "receiver-area" in given and sheet.has("distance"):
-        size = 2 * (given["receiver-area"].value / math.pi) ** 0.5
-        if any_true(sheet.at("distance") < 5 * size * (1 - 1e-12)):
+        size = space.size_of(given["receiver-area"].value)
+        if space.is_near(sheet.at("distance"), size):
             raise ConditionError(
                 f"--receiver-area {given['receiver-area'].text} is too large for its distance: "
                 "the irradiance on it is not uniform",

@@ -1,10 +1,9 @@
 """The worksheet of a calculator: what is given, the laws, and everything that follows."""
 
-import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from radcalc.conditions import Given, positive, require, show
+from radcalc.conditions import Given, degrees, positive, require, show
 from radcalc.errors import ConditionError, UsageError
 from radcalc.laws import inputs as i
 from radcalc.laws import light as q
@@ -239,5 +238,5 @@ def _is_number(value: Any) -> bool:
 
 def _with_unit(value: Any, unit: str) -> str:
     if unit == "rad":
-        return f"{show(value * (180 / math.pi))} deg"
+        return degrees(value)
     return show(value) if unit == "1" else f"{show(value)} {unit}"

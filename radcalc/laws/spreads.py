@@ -9,43 +9,14 @@ from collections.abc import Callable
 from typing import Any
 
 from radcalc.conditions import show
-from radcalc.geometry import solid
+from radcalc.geometry import lobes, solid
 from radcalc.laws.law import AnyLaw, Law, Relation
 from radcalc.laws.sheet import OVER_TIME
-from radcalc.maths import acos, asin, exp, expm1, hypot, log, log1p, piecewise, sin
+from radcalc.maths import acos, exp, hypot, log, piecewise, sin
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
 RIGHT = math.pi / 2
 At = Callable[[str], Any]
-
-
-def _ln_cos(angle: Any) -> Any:
-    """ln cos(angle), to full precision for small angles."""
-    return log1p(-2 * sin(angle / 2) ** 2)
-
-
-def lobe_exponent(full_angle: Any, share: float) -> Any:
-    """The exponent of a lobe that is down to a share of its peak at half of a full angle."""
-    return math.log(share) / _ln_cos(full_angle / 2)
-
-
-def lobe_angle(exponent: Any, share: float) -> Any:
-    """The full angle [rad] at whose edge a lobe is down to a share of its peak."""
-    fall = piecewise(
-        exponent > 0, lambda n: expm1(math.log(share) / n), lambda n: n - 1.0, exponent
-    )
-    return 4 * asin((-fall / 2) ** 0.5)  # 1 - cos(x) = 2 sin^2(x/2)
-
-
-def lobe_part(exponent: Any, within: Any) -> Any:
-    """The part of a lobe's flux within an angle from its axis: 1 - cos^(n+1)."""
-    return piecewise(
-        within < RIGHT,
-        lambda w, n: -expm1((n + 1) * _ln_cos(w)),
-        lambda w, n: 1.0 + 0 * (w + n),
-        within,
-        exponent,
-    )
 
 
 def _exponent_of(solid_angle: Any) -> Any:
@@ -131,8 +102,8 @@ LAWS: dict[str, list[AnyLaw]] = {
             "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
             ("exponent", "beam-angle"),
             {
-                "exponent": lambda at: lobe_exponent(at("beam-angle"), 0.5),
-                "beam-angle": lambda at: lobe_angle(at("exponent"), 0.5),
+                "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
+                "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
             },
         ),
         Relation(
@@ -140,21 +111,21 @@ LAWS: dict[str, list[AnyLaw]] = {
             "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
             ("exponent", "field-angle"),
             {
-                "exponent": lambda at: lobe_exponent(at("field-angle"), 0.1),
-                "field-angle": lambda at: lobe_angle(at("exponent"), 0.1),
+                "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
+                "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
             },
         ),
         Relation(
             "part of a lobe",
             "{part} = 1 - cos({within})^({exponent} + 1)",
             ("part", "within", "exponent"),
-            {"part": lambda at: lobe_part(at("exponent"), at("within"))},
+            {"part": lambda at: lobes.part(at("exponent"), at("within"))},
         ),
         Relation(
             "part of a lobe in its beam",
             "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
             ("beam-part", "beam-angle", "exponent"),
-            {"beam-part": lambda at: lobe_part(at("exponent"), at("beam-angle") / 2)},
+            {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
         ),
         Law(
             "flux in the beam",
@@ -257,7 +228,7 @@ FALL = Relation(
     "{share} = cos({off-axis})^{exponent}",
     ("share", "off-axis", "exponent"),
     {
-        "share": lambda at: exp(at("exponent") * _ln_cos(at("off-axis"))),
+        "share": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
         "exponent": lambda at: _exponent_at(at("share"), at("off-axis")),
     },
 )
@@ -270,4 +241,4 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
         "no lobe has that irradiance there: it is more than its peak would give, or nothing",
         "another intensity or irradiance",
     )
-    return abs(log(share) / _ln_cos(off_axis))
+    return abs(log(share) / lobes.ln_cos(off_axis))

@@ -302,15 +302,7 @@ def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
 
 def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [
-        FLAT,
-        Law(
-            "area of a rectangle",
-            "{area} = {width} {length}",
-            "area",
-            (("width", 1), ("length", 1)),
-        ),
-    ]
+    laws: list[AnyLaw] = [FLAT, RECTANGLE]
     height = _height(sheet)
     if height is None:
         useless = [f"--{flag}" for flag in flags]

@@ -1,10 +1,11 @@
 """Strict JSON at full precision: a conversion is one flat object, a calculator has results."""
 
 import json
+from collections.abc import Sequence
 from typing import Any
 
 from radcalc.render.plain import number
-from radcalc.result import Result, Row
+from radcalc.result import Result, Row, Step
 
 
 def render(
@@ -19,16 +20,21 @@ def render(
     answer: dict[str, Any] = rows[0] if flat else {"results": rows}
     answer["assumptions"] = list(result.assumptions)
     answer["notes"] = list(result.notes)
-    answer["steps"] = [
+    answer["steps"] = steps(result.steps)
+    return json.dumps({**(place or {}), **answer}, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def steps(derivation: Sequence[Step]) -> list[dict[str, str]]:
+    """The steps of a derivation, an object each."""
+    return [
         {
             "law": step.law,
             "formula": step.formula,
             "numbers": step.numbers,
             "reference": step.reference,
         }
-        for step in result.steps
+        for step in derivation
     ]
-    return json.dumps({**(place or {}), **answer}, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _row(row: Row, precision: int | None) -> dict[str, Any]:
