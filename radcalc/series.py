@@ -1,12 +1,14 @@
 """Several values in one word: a list `1m,2m,5m` or a range `START:STOP:STEP`."""
 
 import math
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, quote
 from radcalc.units.grammar import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
+T = TypeVar("T")
 MOST = 10_000
 LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
 
@@ -32,6 +34,26 @@ def _is_list_of_numbers(parts: list[str]) -> bool:
     if any(len(whole) > 1 and whole[0] == "0" for whole in wholes):
         return False
     return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
+
+
+def one_by_one(
+    given: dict[str, list[T]], long: Sequence[str] = ()
+) -> tuple[str, list[dict[str, T]]]:
+    """The option that is a list ('' where none is), and every case of all of them.
+
+    `long` are options that are a list already, as an array.
+    """
+    lists = [name for name, values in given.items() if len(values) > 1 or name in long]
+    if len(lists) > 1:
+        raise ConditionError(
+            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
+        )
+    count = max((len(values) for values in given.values()), default=1)
+    cases = [
+        {name: values[k if len(values) > 1 else 0] for name, values in given.items()}
+        for k in range(count)
+    ]
+    return lists[0] if count > 1 else "", cases
 
 
 def read_spectra(text: str) -> list[str]:

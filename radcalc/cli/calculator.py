@@ -11,14 +11,14 @@ from radcalc.asked import pick, rows
 from radcalc.cli import checking
 from radcalc.cli.output import PLAIN, TABLE, Output
 from radcalc.conditions import OPTIONS
-from radcalc.errors import ConditionError, UsageError, nearest, quote
+from radcalc.errors import UsageError, nearest, quote
 from radcalc.laws import light
 from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.maths import is_array, is_column
 from radcalc.quantities import LUMINOUS
 from radcalc.render.plain import DIGITS, number
 from radcalc.result import Answer, Result, Step, Value
-from radcalc.series import MOST, read_array, read_series, read_spectra
+from radcalc.series import MOST, one_by_one, read_array, read_series, read_spectra
 
 get_option = click.option(
     "-g",
@@ -135,19 +135,9 @@ def cases(typed: dict[str, str | None], arrays: bool = False) -> list[Case]:
         for name, text in ((name.replace("_", "-"), text) for name, text in typed.items())
         if text is not None
     }
-    lists = [n for n, values in given.items() if len(values) > 1 or is_array(values[0].value)]
-    if len(lists) > 1:
-        raise ConditionError(
-            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
-        )
-    count = len(given[lists[0]]) if lists else 1
-    return [
-        (
-            given[lists[0]][k].text if count > 1 else "",
-            {name: values[k if name in lists else 0] for name, values in given.items()},
-        )
-        for k in range(count)
-    ]
+    long = [name for name, values in given.items() if is_array(values[0].value)]
+    varied, each = one_by_one(given, long)
+    return [(case[varied].text if varied else "", case) for case in each]
 
 
 def _parts(name: str, text: str, arrays: bool) -> Sequence[Any]:

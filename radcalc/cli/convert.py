@@ -9,10 +9,10 @@ from radcalc.cli.sections import SectionedCommand
 from radcalc.conditions import OPTIONS, Given, give
 from radcalc.console import ANSWERED
 from radcalc.conversion import answer, plan
-from radcalc.errors import ConditionError, ConversionError, UsageError
+from radcalc.errors import ConversionError, UsageError
 from radcalc.operands import read_operands
 from radcalc.result import Result, Row
-from radcalc.series import read_series, read_spectra
+from radcalc.series import one_by_one, read_series, read_spectra
 from radcalc.units.table import Unit, resolve
 
 if TYPE_CHECKING:
@@ -161,16 +161,10 @@ def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
     given = {
         name: [give(name, part) for part in _parts(name, text)] for name, text in typed.items()
     }
-    lists = [name for name, values in given.items() if len(values) > 1]
-    if len(lists) > 1:
-        raise ConditionError(
-            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
-        )
-    fixed = {name: values[0] for name, values in given.items()}
-    if not lists:
-        return [("", list(fixed.values()))]
-    name = lists[0]
-    return [(f"{name} {one.text}", list({**fixed, name: one}.values())) for one in given[name]]
+    varied, each = one_by_one(given)
+    return [
+        (f"{varied} {case[varied].text}" if varied else "", list(case.values())) for case in each
+    ]
 
 
 def _parts(name: str, text: Any) -> list[Any]:

@@ -102,10 +102,10 @@ def point_source(
 def _solve(sheet: Sheet, laws: list[AnyLaw], any_incidence: bool) -> None:
     """Work out what follows; light comes along the receiver's normal unless told otherwise."""
     told = "incidence" in sheet.known
-    if told or any_incidence or not sheet.has("irradiance", "distance", "exposure"):
+    placed = sheet.has("irradiance", "distance", "exposure")
+    if told or any_incidence or not placed:
         sheet.solve(laws)
-        unplaced = not sheet.has("irradiance", "distance", "exposure")
-        if told or unplaced or "incidence" in sheet.solution.values:
+        if told or not placed or "incidence" in sheet.solution.values:
             return
     sheet.know("incidence", 0.0)
     sheet.said.append("light along the receiver's normal")
