@@ -36,14 +36,14 @@ def quick_lane(words: list[str]) -> int | None:
     operands = words[1:-1] if number else words[1:]
     if words[:1] != ["convert"] or any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
-    from radcalc import console
-    from radcalc.conversion import plan
+    from radcalc import stdio
+    from radcalc.conversion.plan import plan
     from radcalc.errors import RadcalcError
-    from radcalc.operands import read_operands
     from radcalc.render.plain import line
+    from radcalc.units.operands import read_operands
     from radcalc.units.table import resolve
 
-    if console.is_terminal():
+    if stdio.is_terminal():
         return None
     try:
         value, source, target = read_operands(operands)
@@ -54,11 +54,11 @@ def quick_lane(words: list[str]) -> int | None:
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None
     try:
-        console.write(text)
+        stdio.write(text)
     except RadcalcError as error:
-        return console.complain(error)
-    console.say(console.remarks(made.assumptions, made.notes))
-    return console.ANSWERED
+        return stdio.complain(error)
+    stdio.say(stdio.remarks(made.assumptions, made.notes))
+    return stdio.ANSWERED
 
 
 if __name__ == "__main__":

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from typing import Any
 
-from radcalc.conditions import OPTIONS, Given, give
-from radcalc.conversion import Plan, answer, plan
+from radcalc.answer import Answer, Result
+from radcalc.conversion.conditions import OPTIONS, Given, give
+from radcalc.conversion.plan import Plan, answer, plan
 from radcalc.errors import ConditionError, UnitError, nearest, quote
-from radcalc.result import Answer, Result
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
@@ -105,8 +105,8 @@ def point_source(
     >>> print(point_source(flux="800lm", distance="2m")["irradiance"].round(3))
     15.915 lux
     """
-    from radcalc.laws.point_source import DISTRIBUTIONS
-    from radcalc.laws.point_source import point_source as law
+    from radcalc.calculators.point_source import DISTRIBUTIONS
+    from radcalc.calculators.point_source import point_source as law
 
     if distribution not in (None, *DISTRIBUTIONS):
         message = f"there is no distribution '{quote(str(distribution))}'"
@@ -143,8 +143,8 @@ def lambertian(
     >>> print(lambertian(luminance="100cd/m2", area="0.1m2")["flux"].round(3))
     31.416 lumen
     """
-    from radcalc.laws.lambertian import lambertian as law
-    from radcalc.laws.surfaces import SHAPES
+    from radcalc.calculators.lambertian import lambertian as law
+    from radcalc.calculators.shapes import SHAPES
 
     if shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
@@ -175,7 +175,7 @@ def ev(**given: Any) -> dict[str, Any]:
     >>> print(ev(ev100=15)["luminance"])
     4096.0 candela / metre ** 2
     """
-    from radcalc.laws.ev import ev as law
+    from radcalc.calculators.ev import ev as law
 
     return _results(law, _inputs(given))
 
@@ -203,14 +203,14 @@ def calorimeter(**given: Any) -> dict[str, Any]:
     >>> print(calorimeter(energy="7.7J", mass="10g", specific_heat="385J/kg/K")["temperature_rise"])
     2.0 kelvin
     """
-    from radcalc.laws.calorimeter import calorimeter as law
+    from radcalc.calculators.calorimeter import calorimeter as law
 
     return _results(law, _inputs(given))
 
 
 def _inputs(given: dict[str, Any]) -> dict[str, Given]:
     """Read what a calculator is given."""
-    from radcalc.laws import inputs, light
+    from radcalc.calculators import inputs, light
 
     known = {*inputs.INPUTS, *light.INPUTS, *light.SPECIFIC, *light.LINKS, *light.REFINEMENTS}
     found = {}
@@ -229,7 +229,7 @@ def _inputs(given: dict[str, Any]) -> dict[str, Given]:
 
 def _results(law: Callable[..., Answer], *words: Any) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
-    from radcalc.asked import in_unit
+    from radcalc.calculators.results import in_unit
 
     try:
         answer = law(*words)

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.conditions import give
-from radcalc.conversion import answer, plan
+from radcalc.conversion.conditions import give
+from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConversionError
 from radcalc.units import compiled
 from radcalc.units.table import resolve
@@ -273,7 +273,7 @@ def test_steps_end_in_the_result():
 
 def test_the_dimension_of_every_factor_is_what_pint_says():
     """Omega0, 1 cycle and 1 photon written out: what a plan multiplies by, Pint multiplies out."""
-    from radcalc.quantities import coherent_unit
+    from radcalc.quantities.light import coherent_unit
     from radcalc.units.registry import light_registry
 
     q = light_registry().Quantity

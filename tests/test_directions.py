@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.geometry import directions
-from radcalc.geometry.cubature import over_directions
-from radcalc.geometry.expression import FUNCTIONS, NAMES, Expression
+from radcalc.geometry.numerics.cubature import over_directions
+from radcalc.geometry.numerics.expression import FUNCTIONS, NAMES, Expression
 
 PI = math.pi
 ALL, UPPER, ROUND = (0.0, PI), (0.0, PI / 2), (0.0, 2 * PI)

@@ -10,7 +10,8 @@ import pytest
 from mpmath import mpf
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import directions, etendue, projected, solid, special
+from radcalc.geometry import directions, etendue, projected, solid
+from radcalc.geometry.numerics import special
 
 DIGITS = 80  # the references may lose half of them
 

@@ -15,12 +15,12 @@ from homework_corpus import CORPUS, Wrong
 
 import radcalc.homework
 from radcalc import cli
-from radcalc.conditions import give
+from radcalc.calculators.solid_angle import solid_angle
+from radcalc.conversion.conditions import give
 from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.homework import Question, Verdict, check
-from radcalc.homework.claims import read_claim, read_tolerance
-from radcalc.homework.mistakes import SLIPS, Problem, candidates, pairs
-from radcalc.laws.solid_angle import solid_angle
+from radcalc.homework.answer import read_claim, read_tolerance
+from radcalc.homework.catalogue import SLIPS, Problem, candidates, pairs
 from radcalc.units.table import resolve
 
 LUX = "convert 500 lx cd/m2 --reflectance 0.7"  # 350/pi = 111.408

@@ -19,16 +19,16 @@ from mpmath import mpf
 
 import radcalc
 from radcalc import api, calorimeter, ev, lambertian, point_source
+from radcalc.calculators import calorimeter as calorimeter_module
+from radcalc.calculators import ev as ev_module
+from radcalc.calculators import inputs as inputs_module
+from radcalc.calculators import lambertian as lambertian_module
+from radcalc.calculators import light as light_module
+from radcalc.calculators import point_source as point_module
+from radcalc.calculators import shapes as surfaces_module
+from radcalc.calculators import worksheet as sheet_module
 from radcalc.errors import ConditionError, RadcalcError, UsageError
-from radcalc.laws import calorimeter as calorimeter_module
-from radcalc.laws import ev as ev_module
-from radcalc.laws import inputs as inputs_module
-from radcalc.laws import lambertian as lambertian_module
-from radcalc.laws import light as light_module
-from radcalc.laws import point_source as point_module
-from radcalc.laws import sheet as sheet_module
-from radcalc.laws import spreads as spreads_module
-from radcalc.laws import surfaces as surfaces_module
+from radcalc.laws import point as spreads_module
 from radcalc.laws.law import Contradiction, Known, Law, Relation, rounding, solve
 
 MODULES = (

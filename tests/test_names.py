@@ -8,10 +8,10 @@ from conftest import run
 
 from radcalc.cli.output import decide
 from radcalc.errors import RadcalcError
-from radcalc.names import LANGUAGES, language, translate
-from radcalc.names.data import LABELS, MISNOMERS, QUANTITIES
-from radcalc.names.search import search
-from radcalc.quantities import name_of, symbol_of
+from radcalc.quantities.language import LANGUAGES, language, translate
+from radcalc.quantities.light import name_of, symbol_of
+from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES
+from radcalc.quantities.search import search
 from radcalc.units.table import resolve
 
 # Typed from the vocabularies by hand, apart from the data: symbol, English, Czech, Russian.

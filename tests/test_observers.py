@@ -16,8 +16,8 @@ PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
 
 def test_the_committed_tables_are_colour_sciences():
     for file, text in (
-        ("observers_data.py", compile_observers()),
-        ("sources_data.py", compile_sources()),
+        ("observers.py", compile_observers()),
+        ("sources.py", compile_sources()),
     ):
         assert (HERE / file).read_text(encoding="utf-8") == text
 

@@ -196,7 +196,7 @@ def test_a_bug_is_reported_as_one(monkeypatch, capsys):
 
 def test_an_interrupt_exits_130_without_a_traceback():
     code = (
-        "import sys, time, radcalc.console as c\n"
+        "import sys, time, radcalc.stdio as c\n"
         "def wait(*a):\n    print('ready', flush=True)\n    time.sleep(30)\n"
         "c.write = wait\n"
         "sys.argv = ['radcalc', 'convert', '250', 'cd/m2']\n"

@@ -1,4 +1,4 @@
-from radcalc.quantities import (
+from radcalc.quantities.light import (
     AXIS,
     FLUX,
     GEOMETRIES,

@@ -2,8 +2,8 @@
 
 import pytest
 
-from radcalc.conditions import give
-from radcalc.conversion import plan
+from radcalc.conversion.conditions import give
+from radcalc.conversion.plan import plan
 from radcalc.errors import ConditionError, ConversionError, RadcalcError
 from radcalc.units.table import resolve
 

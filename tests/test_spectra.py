@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc import spectra
+from radcalc.calculators.mesopic import solve
+from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
-from radcalc.laws.mesopic import solve
-from radcalc.laws.spectrum import spectrum as describe
 from radcalc.spectra import planck
 from radcalc.spectra.files import read_file
 from radcalc.spectra.integrals import clip, integral, weighted

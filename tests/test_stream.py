@@ -15,15 +15,15 @@ from conftest import entry_point
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from radcalc import bulk
-from radcalc.bulk import Bulk
-from radcalc.columns import Cut, Fields, read_delimiter
-from radcalc.conversion import plan
+from radcalc.conversion.plan import plan
 from radcalc.errors import LineError, RadcalcError, UsageError
-from radcalc.operands import read_operands
 from radcalc.render.plain import number
-from radcalc.stream import LONGEST, Stream, run
-from radcalc.texts import Numbers, Quantities
+from radcalc.streams import blocks
+from radcalc.streams.blocks import Bulk
+from radcalc.streams.fields import Cut, Fields, read_delimiter
+from radcalc.streams.readers import Numbers, Quantities
+from radcalc.streams.stream import LONGEST, Stream, run
+from radcalc.units.operands import read_operands
 from radcalc.units.table import resolve
 
 LX_FC = plan(resolve("lx"), resolve("fc"))
@@ -465,7 +465,7 @@ def test_a_decimal_ratio_has_room_for_so_many_digits():
     assert Bulk(plan(resolve("fc"), resolve("lx")), 12).digits == 0
     assert Bulk(plan(resolve("W"), resolve("mW")), 12).digits == 11
     assert Bulk(LX_FC, 15).digits == 0
-    assert bulk.plain_digits(1, 1, 12) == 11
+    assert blocks.plain_digits(1, 1, 12) == 11
 
 
 def test_a_block_is_not_taken_where_a_line_is_unusual():

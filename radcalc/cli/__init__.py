@@ -5,7 +5,7 @@ import sys
 
 import click
 
-from radcalc import console
+from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
@@ -95,19 +95,19 @@ def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
     try:
         status = commands.main(protect_negatives(words), "radcalc", standalone_mode=False)
-        console.write("")
-        return status if isinstance(status, int) else console.ANSWERED
+        stdio.write("")
+        return status if isinstance(status, int) else stdio.ANSWERED
     except RadcalcError as error:
-        return console.complain(error)
+        return stdio.complain(error)
     except click.UsageError as error:
-        return console.complain(_usage(error, words))
+        return stdio.complain(_usage(error, words))
     except (KeyboardInterrupt, click.Abort):
-        return console.INTERRUPTED
+        return stdio.INTERRUPTED
     except (BrokenPipeError, SystemExit):  # Click's help exits when its reader has gone
-        console.discard_output()
-        return console.ANSWERED
+        stdio.discard_output()
+        return stdio.ANSWERED
     except OSError as error:
-        return console.complain(console.not_written(error))
+        return stdio.complain(stdio.not_written(error))
     except Exception as error:
         return _bug(error)
 
@@ -147,10 +147,10 @@ def _bug(error: Exception) -> int:
         import traceback
 
         traceback.print_exc(file=sys.stderr)
-    console.say(
+    stdio.say(
         [
             f"radcalc: this is a bug in radcalc {__version__}: {type(error).__name__}",
             "try: the same with RADCALC_DEBUG=1, and report what it prints with the command",
         ]
     )
-    return console.BUG
+    return stdio.BUG

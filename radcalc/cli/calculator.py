@@ -6,19 +6,19 @@ from typing import Any, NamedTuple
 
 import click
 
-from radcalc import console
-from radcalc.asked import pick, rows
+from radcalc import stdio
+from radcalc.answer import Answer, Result, Step, Value
+from radcalc.calculators import light
+from radcalc.calculators.inputs import INPUTS, Inputs
+from radcalc.calculators.results import pick, rows
 from radcalc.cli import checking
 from radcalc.cli.output import PLAIN, TABLE, Output
-from radcalc.conditions import OPTIONS
+from radcalc.conversion.conditions import OPTIONS
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.laws import light
-from radcalc.laws.inputs import INPUTS, Inputs
 from radcalc.maths import is_array, is_column
-from radcalc.quantities import LUMINOUS
+from radcalc.quantities.light import LUMINOUS
 from radcalc.render.plain import DIGITS, number
-from radcalc.result import Answer, Result, Step, Value
-from radcalc.series import MOST, one_by_one, read_array, read_series, read_spectra
+from radcalc.units.ranges import MOST, one_by_one, read_array, read_series, read_spectra
 
 get_option = click.option(
     "-g",
@@ -165,7 +165,7 @@ def finish(
     if asked.check is not None:
         return run(cases, lambda _: answers[0][1], asked, output, **facts)
     show(answers, asked, output)
-    return console.ANSWERED
+    return stdio.ANSWERED
 
 
 def run(
@@ -186,7 +186,7 @@ def run(
             each[0][1], work_out, asked.check, asked.tolerance, asked.steps, output, **facts
         )
     show([(case, work_out(given)) for case, given in each], asked, output)
-    return console.ANSWERED
+    return stdio.ANSWERED
 
 
 def show(answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output) -> None:
@@ -204,7 +204,7 @@ def show(answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output) ->
             _lines([pick(values, name) for name in wanted], output.precision)
             for _, (values, _, _, _) in answers
         ]
-        console.write("".join(lines))
+        stdio.write("".join(lines))
         output.remark([_result("", [], *answer[1:]) for _, answer in answers])
         return
     if output.number:

@@ -2,10 +2,10 @@
 
 import click
 
+from radcalc.calculators.calorimeter import INPUTS, QUANTITIES, calorimeter
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.calorimeter import INPUTS, QUANTITIES, calorimeter
-from radcalc.quantities import RADIANT
+from radcalc.quantities.light import RADIANT
 
 
 @click.command(

@@ -8,9 +8,9 @@ import click
 from radcalc.errors import UsageError
 
 if TYPE_CHECKING:
+    from radcalc.answer import Answer
     from radcalc.cli.output import Output
-    from radcalc.conditions import Given
-    from radcalc.result import Answer
+    from radcalc.conversion.conditions import Given
     from radcalc.units.table import Unit
 
 OPTIONS = (
@@ -64,9 +64,9 @@ def judge_conversion(
     shown: "Output",
 ) -> int:
     """The same of a conversion."""
-    from radcalc.conversion import derive, plan
-    from radcalc.quantities import name_of, symbol_of
-    from radcalc.result import Value
+    from radcalc.answer import Value
+    from radcalc.conversion.plan import derive, plan
+    from radcalc.quantities.light import name_of, symbol_of
 
     def work_out(conditions: "dict[str, Given]") -> "Answer":
         made = plan(source, target, list(conditions.values()))
@@ -93,24 +93,24 @@ PER_PI = ("lambert", "apostilb", "skot", "blondel", "bril")
 
 def _facts(source: "Unit", target: "Unit", given: "dict[str, Given]") -> dict[str, Any]:
     """What the usual mistakes of a conversion depend on."""
-    from radcalc.factors import kinds
-    from radcalc.quantities import LUMINOUS, RADIANT, read
+    from radcalc.conversion import spectral
+    from radcalc.quantities.light import LUMINOUS, RADIANT, read
     from radcalc.spectra.observers import luminous_efficacy
 
     facts: dict[str, Any] = {"command": "convert"}
     names = [name for unit in (source, target) for name, _ in unit.atoms]
     facts["per_pi"] = any(word in name for name in names for word in PER_PI)
     if "wavelength" in given:
-        light = kinds.light(given["wavelength"], given.get("observer"))
+        light = spectral.light(given["wavelength"], given.get("observer"))
         facts["efficacy"] = luminous_efficacy(light.table, light.observer)
         start, end = read(source), read(target)
         if start and end and start.axis != end.axis and start.axis and end.axis:
-            facts["jacobian"] = kinds.jacobian(light, start.axis, end.axis).value
+            facts["jacobian"] = spectral.jacobian(light, start.axis, end.axis).value
     elif "spectrum" in given:
         refined = given.get("range"), given.get("photon-range"), given.get("observer")
-        factor = kinds.spectral_factor(given["spectrum"], LUMINOUS, RADIANT, *refined)
+        factor = spectral.spectral_factor(given["spectrum"], LUMINOUS, RADIANT, *refined)
         facts["efficacy"] = factor.value
     elif "efficacy" in given:
-        ratio = kinds.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
+        ratio = spectral.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
         facts["efficacy"] = ratio.value if ratio else None
     return facts

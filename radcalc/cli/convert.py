@@ -4,15 +4,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from radcalc.answer import Result, Row
 from radcalc.cli import checking, output, streams
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import OPTIONS, Given, give
-from radcalc.console import ANSWERED
-from radcalc.conversion import answer, plan
+from radcalc.conversion.conditions import OPTIONS, Given, give
+from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConversionError, UsageError
-from radcalc.operands import read_operands
-from radcalc.result import Result, Row
-from radcalc.series import one_by_one, read_series, read_spectra
+from radcalc.stdio import ANSWERED
+from radcalc.units.operands import read_operands
+from radcalc.units.ranges import one_by_one, read_series, read_spectra
 from radcalc.units.table import Unit, resolve
 
 if TYPE_CHECKING:
@@ -182,8 +182,8 @@ def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) 
         raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
     if number:
         raise UsageError("-n prints one number, and there is no target unit", "a TARGET unit")
-    from radcalc.listing import units_of
-    from radcalc.quantities import name_of, symbol_of
+    from radcalc.quantities.light import name_of, symbol_of
+    from radcalc.quantities.units import units_of
 
     targets = [source, *(resolve(text) for text in units_of(source) if text != source.text)]
     if len(targets) == 1 and not name_of(source):

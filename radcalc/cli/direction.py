@@ -2,13 +2,13 @@
 
 import click
 
+from radcalc.answer import Answer
+from radcalc.calculators.direction import of_angles, of_vector
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import LENGTH
+from radcalc.conversion.conditions import LENGTH
 from radcalc.errors import ConditionError, UsageError, quote
-from radcalc.laws.direction import of_angles, of_vector
-from radcalc.quantities import describe
-from radcalc.result import Answer
+from radcalc.quantities.light import describe
 from radcalc.units.grammar import split_quantity
 from radcalc.units.table import resolve
 

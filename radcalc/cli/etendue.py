@@ -2,9 +2,9 @@
 
 import click
 
+from radcalc.calculators.etendue import etendue
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.etendue import etendue
 
 SECTIONS = {
     "Source": ("area", "radius", "diameter", "width", "length", "tilt", "radiance"),

@@ -2,9 +2,9 @@
 
 import click
 
+from radcalc.calculators.ev import INPUTS, ev
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.ev import INPUTS, ev
 
 
 @click.command(

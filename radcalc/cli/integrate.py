@@ -4,14 +4,14 @@ import math
 
 import click
 
+from radcalc.answer import Answer
+from radcalc.calculators.inputs import Inputs, read_interval, take
+from radcalc.calculators.inputs import half_angle as half_angle_of
+from radcalc.calculators.integrate import integrate
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import positive
+from radcalc.conversion.conditions import positive
 from radcalc.errors import ConditionError, UsageError
-from radcalc.laws.inputs import Inputs, read_interval, take
-from radcalc.laws.inputs import half_angle as half_angle_of
-from radcalc.laws.integrate import integrate
-from radcalc.result import Answer
 
 WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
 

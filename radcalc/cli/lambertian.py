@@ -2,11 +2,11 @@
 
 import click
 
+from radcalc.calculators.lambertian import INPUTS, QUANTITIES, lambertian
+from radcalc.calculators.shapes import SHAPES
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.errors import UsageError, quote
-from radcalc.laws.lambertian import INPUTS, QUANTITIES, lambertian
-from radcalc.laws.surfaces import SHAPES
 
 SECTIONS = {
     "Light": (*(name.replace("-", "_") for name in QUANTITIES), "reflectance", "time"),

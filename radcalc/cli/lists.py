@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from radcalc import console
+from radcalc import stdio
 from radcalc.cli import output
 from radcalc.errors import UsageError
 
@@ -29,7 +29,7 @@ def show(
     if shown.format == output.JSON:
         import json
 
-        console.write(json.dumps(list(rows), ensure_ascii=False, allow_nan=False) + "\n")
+        stdio.write(json.dumps(list(rows), ensure_ascii=False, allow_nan=False) + "\n")
         return
     if shown.format == output.TABLE:
         from radcalc.render.table import draw
@@ -37,7 +37,7 @@ def show(
         below = [] if shown.quiet else [f"note: {note}" for note in dict.fromkeys(notes)]
         header = [name for name in table[0] if name != "note"]
         lines = [[row[name] for name in header] for row in table]
-        console.write(draw(header, lines, below, output.width(), shown.color, right))
+        stdio.write(draw(header, lines, below, output.width(), shown.color, right))
         return
     texts = [[", ".join(v) if isinstance(v, list) else str(v) for v in r.values()] for r in rows]
     if shown.format == output.CSV:
@@ -46,6 +46,6 @@ def show(
 
         text = io.StringIO()
         csv.writer(text, lineterminator="\n").writerows([list(rows[0]), *texts])
-        console.write(text.getvalue())
+        stdio.write(text.getvalue())
     else:
-        console.write("".join("\t".join(row) + "\n" for row in texts))
+        stdio.write("".join("\t".join(row) + "\n" for row in texts))

@@ -2,16 +2,16 @@
 
 import click
 
+from radcalc.calculators.mesopic import LUMINANCE, mesopic
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.errors import ConditionError, UsageError, quote
-from radcalc.laws.mesopic import LUMINANCE, mesopic
-from radcalc.quantities import describe
-from radcalc.series import read_series
+from radcalc.quantities.light import describe
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Spectrum
 from radcalc.units.grammar import parse_number, split_quantity
+from radcalc.units.ranges import read_series
 from radcalc.units.table import resolve
 
 

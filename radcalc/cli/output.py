@@ -8,10 +8,10 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from radcalc import console
+from radcalc import stdio
+from radcalc.answer import Result
 from radcalc.errors import UsageError
-from radcalc.names import ENGLISH, language
-from radcalc.result import Result
+from radcalc.quantities.language import ENGLISH, language
 
 T = TypeVar("T")  # what a command returns: its exit status, or nothing
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
@@ -33,23 +33,23 @@ class Output(NamedTuple):
             from radcalc.render import table
 
             said = not self.quiet
-            console.write(
+            stdio.write(
                 table.render(results, width(), self.color, self.precision, said, self.language)
             )
         elif self.format == JSON:
             from radcalc.render import json
 
-            console.write("".join(json.render(result, self.precision) for result in results))
+            stdio.write("".join(json.render(result, self.precision) for result in results))
         else:
             if self.format == CSV:
                 from radcalc.render import csv
 
-                console.write(csv.render(results, self.precision))
+                stdio.write(csv.render(results, self.precision))
             else:
                 from radcalc.render import plain
 
                 number, precision = self.number, self.precision
-                console.write("".join(plain.render(r, precision, number) for r in results))
+                stdio.write("".join(plain.render(r, precision, number) for r in results))
             self.remark(results)
 
     def remark(self, results: Sequence[Result]) -> None:
@@ -58,9 +58,9 @@ class Output(NamedTuple):
 
         lines: list[str] = []
         if not self.quiet:
-            said = [line for r in results for line in console.remarks(r.assumptions, r.notes)]
+            said = [line for r in results for line in stdio.remarks(r.assumptions, r.notes)]
             lines = list(dict.fromkeys(said))
-        console.say(lines + [line for r in results for line in derivation(r.steps)])
+        stdio.say(lines + [line for r in results for line in derivation(r.steps)])
 
 
 def width() -> int:
@@ -126,7 +126,7 @@ def decide(
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number is plain text, and contradicts another format", "-n alone")
     chosen = JSON if json_ else PLAIN if number else format_
-    terminal = console.is_terminal()
+    terminal = stdio.is_terminal()
     if chosen is None:
         chosen = TABLE if terminal else PLAIN
     spoken = language() if chosen == TABLE else ENGLISH

@@ -2,12 +2,12 @@
 
 import click
 
+from radcalc.calculators.photon import photon
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import OPTIONS, Given, give, positive
+from radcalc.conversion.conditions import OPTIONS, Given, give, positive
 from radcalc.errors import ConditionError, RadcalcError, UsageError
-from radcalc.laws.photon import photon
-from radcalc.series import read_series
+from radcalc.units.ranges import read_series
 
 
 @click.command(

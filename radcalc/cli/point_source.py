@@ -2,9 +2,9 @@
 
 import click
 
+from radcalc.calculators.point_source import DISTRIBUTIONS, INPUTS, QUANTITIES, point_source, spread
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.laws.point_source import DISTRIBUTIONS, INPUTS, QUANTITIES, point_source, spread
 
 SECTIONS = {
     "Light": tuple(QUANTITIES),

@@ -4,8 +4,8 @@ import click
 
 from radcalc.cli import lists, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.names import ENGLISH, LANGUAGES, language
-from radcalc.names.search import search
+from radcalc.quantities.language import ENGLISH, LANGUAGES, language
+from radcalc.quantities.search import search
 
 
 @click.command(

@@ -4,11 +4,11 @@ from typing import Any
 
 import click
 
+from radcalc.calculators.inputs import read_interval, read_point
+from radcalc.calculators.solid_angle import ALIASES, SHAPES, solid_angle
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.errors import UsageError, quote
-from radcalc.laws.inputs import read_interval, read_point
-from radcalc.laws.solid_angle import ALIASES, SHAPES, solid_angle
 
 SECTIONS = {
     "Cone": ("half_angle", "apex_angle", "projected_solid_angle", "solid_angle"),

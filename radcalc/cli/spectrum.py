@@ -2,14 +2,14 @@
 
 import click
 
-from radcalc import console
+from radcalc import stdio
+from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.cli import calculator, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.conditions import OPTIONS, give
+from radcalc.conversion.conditions import OPTIONS, give
 from radcalc.errors import UsageError
-from radcalc.laws.spectrum import spectrum as describe
-from radcalc.series import read_spectra
 from radcalc.spectra.sources import names, spectrum
+from radcalc.units.ranges import read_spectra
 
 FORMS = (
     "blackbody:T",
@@ -72,8 +72,8 @@ def command(
     if list_:
         if words or asked != calculator.Asked((), False, None, None):
             raise UsageError("--list lists the names, and nothing else", "radcalc spectrum --list")
-        console.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
-        return console.ANSWERED
+        stdio.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
+        return stdio.ANSWERED
     if len(words) != 1:
         problem = "a source is missing" if not words else "one source a call"
         raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")

@@ -5,12 +5,12 @@ from typing import Any, NamedTuple
 
 import click
 
-from radcalc import console
+from radcalc import stdio
 from radcalc.cli import output
-from radcalc.conditions import Given
-from radcalc.conversion import Plan, answer, plan
+from radcalc.conversion.conditions import Given
+from radcalc.conversion.plan import Plan, answer, plan
 from radcalc.errors import RadcalcError, UsageError
-from radcalc.operands import read_stream_operands
+from radcalc.units.operands import read_stream_operands
 from radcalc.units.table import resolve
 
 MODES = ("abort", "fail", "warn", "ignore")
@@ -91,9 +91,9 @@ def convert(
     shown: output.Output,
 ) -> int:
     """Convert standard input; return the exit status."""
-    from radcalc.columns import Cut, Fields, read_delimiter
-    from radcalc.stream import Stream, run
-    from radcalc.texts import Numbers, Quantities
+    from radcalc.streams.fields import Cut, Fields, read_delimiter
+    from radcalc.streams.readers import Numbers, Quantities
+    from radcalc.streams.stream import Stream, run
 
     source_text, target_text = read_stream_operands(words)
     given = _given(cases, steps)
@@ -107,8 +107,8 @@ def convert(
     def planned(unit: str) -> Plan:
         made = plan(resolve(unit), target, given)
         if not (shown.quiet or as_json):
-            lines = console.remarks(made.assumptions, made.notes)
-            console.say([line for line in dict.fromkeys(lines) if line not in said])
+            lines = stdio.remarks(made.assumptions, made.notes)
+            stdio.say([line for line in dict.fromkeys(lines) if line not in said])
             said.update(lines)
         return made
 
@@ -141,8 +141,8 @@ def convert(
 
     header = asked.header or (1 if asked.column is not None else 0)
     stream = Stream(texts, cut, fields, asked.column or "", header, record if as_json else None)
-    good = run(stream, console.read, console.pour, asked.invalid or "abort", _complain)
-    return console.ANSWERED if good else console.FAILED
+    good = run(stream, stdio.read, stdio.pour, asked.invalid or "abort", _complain)
+    return stdio.ANSWERED if good else stdio.FAILED
 
 
 def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]:
@@ -156,4 +156,4 @@ def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]
 
 def _complain(error: RadcalcError) -> None:
     """Say what is wrong with a line, and nothing more: there may be many."""
-    console.say([f"radcalc: {error.message}"])
+    stdio.say([f"radcalc: {error.message}"])

@@ -4,8 +4,8 @@ import click
 
 from radcalc.cli import lists, output
 from radcalc.cli.sections import SectionedCommand
-from radcalc.names import translate
-from radcalc.typical import search
+from radcalc.quantities.language import translate
+from radcalc.quantities.typical import search
 
 
 @click.command(

@@ -5,8 +5,8 @@ import click
 from radcalc.cli import lists, output
 from radcalc.cli.sections import SectionedCommand
 from radcalc.errors import UnitError, nearest, quote
-from radcalc.listing import Entry, entry, quantity_names, search
-from radcalc.names import translate
+from radcalc.quantities.language import translate
+from radcalc.quantities.units import Entry, entry, quantity_names, search
 
 
 @click.command(
@@ -40,8 +40,8 @@ def command(
 
 def _same_quantity(text: str) -> list[Entry]:
     """Read the search as a unit, and list the units of its quantity; raise where it is none."""
-    from radcalc.listing import named
-    from radcalc.quantities import describe
+    from radcalc.quantities.light import describe
+    from radcalc.quantities.units import named
     from radcalc.units.table import resolve
 
     try:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from radcalc import console
+from radcalc import stdio
 from radcalc.cli.output import CSV, JSON, TABLE, Output
 from radcalc.errors import UsageError
 from radcalc.homework import Verdict
@@ -14,19 +14,19 @@ IN_TABLES = 6  # digits
 
 def show(verdict: Verdict, assumptions: Sequence[str], notes: Sequence[str], output: Output) -> int:
     """Write what is said of an answer; return 0 where it is right and 1 where it is wrong."""
-    status = console.ANSWERED if verdict.is_right else console.WRONG
+    status = stdio.ANSWERED if verdict.is_right else stdio.WRONG
     if output.format == JSON:
         import json  # costs as much as the judgement
 
         if output.precision:
             verdict = _rounded(verdict, output.precision)
-        console.write(json.dumps(_object(verdict, assumptions, notes), ensure_ascii=False) + "\n")
+        stdio.write(json.dumps(_object(verdict, assumptions, notes), ensure_ascii=False) + "\n")
         return status
     if output.format == CSV or output.number:
         raise UsageError("--check says right or wrong, in words or as JSON", "--json, or neither")
-    console.write("\n".join(_lines(verdict, output)) + "\n")
-    said = [] if output.quiet else console.remarks(assumptions, notes)
-    console.say(said + derivation(verdict.steps))
+    stdio.write("\n".join(_lines(verdict, output)) + "\n")
+    said = [] if output.quiet else stdio.remarks(assumptions, notes)
+    stdio.say(said + derivation(verdict.steps))
     return status
 
 

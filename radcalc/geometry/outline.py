@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.vectors import cross, dot, length, minus, plus, times
+from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, times
 from radcalc.maths import power_of_two
 
 Point = tuple[float, float, float]

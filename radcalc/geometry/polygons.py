@@ -10,9 +10,9 @@ from itertools import pairwise
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.special import arc_excess
-from radcalc.geometry.strips import over_triangle
-from radcalc.geometry.vectors import Vector, cross, dot, length, minus, plus, times, vector
+from radcalc.geometry.numerics.special import arc_excess
+from radcalc.geometry.numerics.strips import over_triangle
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times, vector
 from radcalc.maths import (
     Number,
     any_true,

@@ -11,10 +11,10 @@ import math
 from typing import Any
 
 from radcalc.geometry import solid
+from radcalc.geometry.numerics.quadrature import adaptive, integral
+from radcalc.geometry.numerics.special import less_arctangent
+from radcalc.geometry.numerics.vectors import dot, length, times, vector
 from radcalc.geometry.polygons import above, projected, split
-from radcalc.geometry.quadrature import adaptive, integral
-from radcalc.geometry.special import less_arctangent
-from radcalc.geometry.vectors import dot, length, times, vector
 from radcalc.maths import (
     Number,
     atan2,

@@ -10,8 +10,8 @@ import math
 from typing import Any
 
 from radcalc.errors import ConditionError
+from radcalc.geometry.numerics.special import cel
 from radcalc.geometry.polygons import polygon, triangle
-from radcalc.geometry.special import cel
 from radcalc.maths import (
     Number,
     any_true,

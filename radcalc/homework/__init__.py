@@ -4,13 +4,13 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from radcalc.asked import held, in_unit
-from radcalc.conditions import Given, show
+from radcalc.answer import Step, Value
+from radcalc.calculators.results import held, in_unit
+from radcalc.conversion.conditions import Given, show
 from radcalc.errors import ConditionError, RadcalcError, quote
-from radcalc.homework.claims import Claim, Tolerance, read_claim, read_tolerance
-from radcalc.homework.mistakes import Candidate, Problem, candidates, pairs
-from radcalc.quantities import describe
-from radcalc.result import Step, Value
+from radcalc.homework.answer import Claim, Tolerance, read_claim, read_tolerance
+from radcalc.homework.catalogue import Candidate, Problem, candidates, pairs
+from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, divide, resolve
 
 

@@ -8,10 +8,10 @@ be solved for.  All values are in coherent SI units, floats or arrays.
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from radcalc.conditions import degrees, show
+from radcalc.answer import Step
+from radcalc.conversion.conditions import degrees, show
 from radcalc.errors import ConditionError, NumberError
 from radcalc.maths import any_true, is_array
-from radcalc.result import Step
 from radcalc.units.grammar import read_number
 
 LOGARITHMIC = {"ev": 0.1, "ev100": 0.1}  # steps, by which marked values differ from exact ones

@@ -4,8 +4,8 @@ import csv
 import io
 from collections.abc import Sequence
 
+from radcalc.answer import Result, columns
 from radcalc.render.plain import number
-from radcalc.result import Result, columns
 
 
 def render(results: Sequence[Result], precision: int | None = None) -> str:

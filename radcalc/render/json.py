@@ -4,8 +4,8 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
+from radcalc.answer import Result, Row, Step
 from radcalc.render.plain import number
-from radcalc.result import Result, Row, Step
 
 
 def render(

@@ -2,7 +2,7 @@
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from radcalc.result import Result, Step
+    from radcalc.answer import Result, Step
 
 DIGITS = 12
 

@@ -11,9 +11,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from radcalc.names import ENGLISH, translate
+from radcalc.answer import Result, Row, columns
+from radcalc.quantities.language import ENGLISH, translate
 from radcalc.render.plain import derivation, number
-from radcalc.result import Result, Row, columns
 
 DIGITS = 6
 

@@ -1,7 +1,7 @@
 """Print the tables of observers and light sources as package data.
 
-`python -m radcalc.spectra.compile` writes `observers_data.py` and `sources_data.py` from
-colour-science, and `suns_data.py` from the ASTM G173-03 table that pvlib ships.
+`python -m radcalc.spectra.compile` writes `data/observers.py` and `data/sources.py` from
+colour-science, and `data/suns.py` from the ASTM G173-03 table that pvlib ships.
 """
 
 import csv
@@ -12,7 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).parent / "data"
 HEAD = '"""Printed by `python -m radcalc.spectra.compile` from {}; do not edit."""\n'
 TABLES = {
     "PHOTOPIC": ("SDS_LEFS_PHOTOPIC", "CIE 1924 Photopic Standard Observer"),
@@ -106,7 +106,7 @@ def lines(values: Iterable[float], indent: int = 8) -> str:
 
 
 def compile_observers() -> str:
-    """The text of `observers_data.py`, with the colour-matching functions of 1931."""
+    """The text of `data/observers.py`, with the colour-matching functions of 1931."""
     parts = [HEAD.format("colour-science")]
     for constant, (group, name) in TABLES.items():
         start, values = observer(group, name)
@@ -117,7 +117,7 @@ def compile_observers() -> str:
 
 
 def compile_sources() -> str:
-    """The text of `sources_data.py`."""
+    """The text of `data/sources.py`."""
     parts = [
         HEAD.format("colour-science"),
         "\n# name: (start [nm], step [nm], values)\nSOURCES = {\n",
@@ -139,7 +139,7 @@ def compile_sources() -> str:
 
 
 def compile_suns() -> str:
-    """The text of `suns_data.py`."""
+    """The text of `data/suns.py`."""
     names = ("WAVELENGTHS", "AM0", "AM1_5G", "AM1_5D")
     parts = [HEAD.format("ASTM G173-03, as pvlib ships it")]
     parts += [f"\n{name} = (\n{lines(v, 4)})\n" for name, v in zip(names, suns(), strict=True)]
@@ -147,9 +147,9 @@ def compile_suns() -> str:
 
 
 FILES = {
-    "observers_data.py": compile_observers,
-    "sources_data.py": compile_sources,
-    "suns_data.py": compile_suns,
+    "observers.py": compile_observers,
+    "sources.py": compile_sources,
+    "suns.py": compile_suns,
 }
 
 

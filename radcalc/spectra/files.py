@@ -12,7 +12,7 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, quote
-from radcalc.quantities import RADIANT, WAVELENGTH, read
+from radcalc.quantities.light import RADIANT, WAVELENGTH, read
 from radcalc.spectra.spectrum import Table
 from radcalc.units.table import resolve
 

@@ -6,7 +6,7 @@ Tables at 1 nm, linear interpolation between, 0 outside.  The tables are in stan
 from typing import NamedTuple
 
 from radcalc.maths import Number
-from radcalc.spectra.observers_data import (
+from radcalc.spectra.data.observers import (
     CIE_1964,
     CIE_2008_2,
     CIE_2008_10,

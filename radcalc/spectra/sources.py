@@ -4,7 +4,7 @@ import math
 import os
 
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
-from radcalc.quantities import powers
+from radcalc.quantities.light import powers
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT
 from radcalc.spectra.spectrum import BlackBody, Lines, Range, Spectrum, Table
@@ -64,7 +64,7 @@ def fold(name: str) -> str:
 
 def names() -> list[str]:
     """The names of all named sources."""
-    from radcalc.spectra.sources_data import SOURCES
+    from radcalc.spectra.data.sources import SOURCES
 
     return [*SOURCES, *SUNS]
 
@@ -74,19 +74,19 @@ def find_named(text: str) -> Table | None:
     folded = fold(text)
     sun = ALIASES.get(folded, folded)
     if sun in SUNS:
-        from radcalc.spectra import suns_data
+        from radcalc.spectra.data import suns
 
         label = f"{sun} (ASTM G173-03)"
         notes = (f"'{quote(text)}' is taken as AM1.5G, the sun on a tilted plane",)
-        values = getattr(suns_data, SUNS[sun])
+        values = getattr(suns, SUNS[sun])
         return Table(
             label,
-            suns_data.WAVELENGTHS,
+            suns.WAVELENGTHS,
             values,
             notes=notes if folded == "SUN" else (),
             absolute="irradiance",
         )
-    from radcalc.spectra.sources_data import SOURCES
+    from radcalc.spectra.data.sources import SOURCES
 
     spellings = {fold(name): name for name in SOURCES}
     spellings |= {fold("F" + name[2:]): name for name in SOURCES if name.startswith("FL")}
@@ -105,7 +105,7 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
         return BlackBody(_temperature(parameters, text))
     if kind == "daylight":
         from radcalc.spectra import daylight
-        from radcalc.spectra.sources_data import S0, S1, S2
+        from radcalc.spectra.data.sources import S0, S1, S2
 
         temperature = _temperature(parameters, text)
         values = daylight.combine(temperature, S0, S1, S2)

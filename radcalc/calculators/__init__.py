@@ -1,0 +1,1 @@
+"""One module a command: which symbols it takes, which laws, what it assumes."""

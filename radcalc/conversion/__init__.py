@@ -1,0 +1,1 @@
+"""Converting a value to another unit or quantity: plans, bridges and the factors of conditions."""

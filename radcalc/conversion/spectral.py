@@ -1,0 +1,292 @@
+"""Factors between kinds and between spectral densities: wavelengths, spectra, efficacies."""
+
+from typing import Any, NamedTuple
+
+from radcalc import maths
+from radcalc.answer import Step
+from radcalc.conversion.conditions import LENGTH, Factor, Given, positive, require, show
+from radcalc.errors import ConditionError, quote
+from radcalc.quantities.light import (
+    AXIS,
+    FREQUENCY,
+    LUMINOUS,
+    NONE,
+    PHOTON,
+    RADIANT,
+    RATIOS,
+    WAVELENGTH,
+    WAVENUMBER,
+)
+from radcalc.spectra.observers import (
+    OBSERVERS,
+    Observer,
+    luminous_efficacy,
+    standard_air_wavelength,
+)
+from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
+from radcalc.spectra.spectrum import PAR, Spectrum, range_text
+
+
+class Light(NamedTuple):
+    """Light of one wavelength: in vacuum for photons, in standard air for the eye's table."""
+
+    given: Given
+    vacuum: Any
+    table: Any
+    observer: Observer
+
+    @property
+    def photon_energy(self) -> Any:
+        """The energy of a photon [J]."""
+        return PLANCK * LIGHT / self.vacuum
+
+
+def light(given: Given, observer: Given | None) -> Light:
+    """Turn a wavelength, frequency, wavenumber or photon energy into a wavelength."""
+    value = positive(given)
+    seen_by = OBSERVERS[observer.value if observer else "photopic"]
+    if given.dimension == LENGTH:
+        return Light(given, value, value, seen_by)
+    if given.dimension == AXIS[FREQUENCY]:
+        vacuum = LIGHT / value
+    elif given.dimension == AXIS[WAVENUMBER]:
+        vacuum = 1 / value
+    else:
+        vacuum = PLANCK * LIGHT / value
+    return Light(given, vacuum, standard_air_wavelength(vacuum), seen_by)
+
+
+VACUUM = "{} is taken as the wavelength in vacuum (in air it differs by 3e-4)"
+
+
+def kind_factor(of: Light, over: str, under: str) -> Factor:
+    """The ratio of two kinds, over / under, at one wavelength."""
+    given, energy = of.given, of.photon_energy
+    is_length = given.dimension == LENGTH
+    assumption = ""
+    notes: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
+    efficacy: Any = None
+    if LUMINOUS in (over, under):
+        efficacy = luminous_efficacy(of.table, of.observer)
+        assumption = of.observer.assumption
+        if not is_length:
+            assumption += f"; {given.text} is {show(of.table * 1e9)} nm in standard air"
+        if maths.any_true(efficacy == 0):
+            notes = (
+                f"nothing is seen at {given.text}: the table spans "
+                f"{of.observer.start}-{of.observer.end} nm",
+            )
+        steps = (
+            Step(
+                "luminous efficacy of one wavelength",
+                f"K = {of.observer.constant} {of.observer.label.split()[0]}",
+                f"K = {of.observer.maximum:g} lm/W * {show(efficacy / of.observer.maximum)}"
+                f" = {show(efficacy)} lm/W",
+                "CIE 018:2019",
+            ),
+        )
+    if PHOTON in (over, under):
+        steps += (
+            Step(
+                "photon energy",
+                "Q = h c / lambda",
+                f"Q = h c / {show(of.vacuum * 1e9)} nm = {show(energy)} J",
+                "SI Brochure: exact h and c",
+            ),
+        )
+        photons = f"{given.text} is {show(of.vacuum * 1e9)} nm in vacuum"
+        said = VACUUM.format(given.text) if is_length else photons
+        assumption = "; ".join(filter(None, [assumption, said]))
+        low, high = (end * 1e-9 for end in PAR)
+        outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
+        if maths.any_true(outside):
+            notes += (f"{given.text} lies outside 400-700 nm, where PPFD is counted",)
+    unit = KIND_UNITS[over, under]
+    if LUMINOUS not in (over, under):
+        symbol, value = "Q", energy
+        forward = over == RADIANT
+    elif PHOTON not in (over, under):
+        symbol, value = "K", efficacy
+        forward = over == LUMINOUS
+    else:
+        symbol, value = "(K Q)", efficacy * energy
+        forward = over == LUMINOUS
+    if not forward:
+        if maths.any_true(value == 0):
+            raise ConditionError(
+                f"nothing is seen at {quote(given.text)}: nothing follows from a luminous quantity",
+                f"a wavelength from {of.observer.start}nm to {of.observer.end}nm",
+            )
+        symbol, value = f"(1/{symbol})", 1 / value
+    return Factor(symbol, value, unit, assumption, steps, notes)
+
+
+def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) -> None:
+    """Refuse watts of so small a part that all the lumens would come from too few of them."""
+    if efficacy > eye.maximum * (1 + 1e-9):
+        raise ConditionError(
+            f"{range_text(watts_in)} leaves out most of the watts that are seen: "
+            f"{efficacy:.6g} lm/W is more than any light gives",
+            "a wider --range",
+        )
+
+
+def spectral_factor(
+    given: Given,
+    over: str,
+    under: str,
+    limits: Given | None,
+    photon_limits: Given | None,
+    observer: Given | None,
+) -> Factor:
+    """The ratio of two kinds, over / under, of a whole spectrum."""
+    source: Spectrum = given.value
+    seen_by = OBSERVERS[observer.value if observer else "photopic"]
+    watts_in, photons_in = source.counted(
+        limits.value if limits else None, photon_limits.value if photon_limits else None
+    )
+    amounts: dict[str, float] = {}
+    said = [f"spectrum {source.label}"]
+    for kind in (over, under):
+        if kind == RADIANT:
+            amounts[kind] = source.power(watts_in)
+            said.append(f"watts counted over {range_text(watts_in)}")
+        elif kind == PHOTON:
+            amounts[kind] = source.photons(photons_in)
+            said.append(f"photons counted over {range_text(photons_in)}")
+        else:
+            amounts[kind] = seen_by.maximum * source.seen(seen_by)
+            said.append(seen_by.assumption)
+    if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
+        raise ConditionError(
+            f"--spectrum {quote(given.text)} has nothing that counts there: {'; '.join(said[1:])}",
+            "another spectrum or range",
+        )
+    if {over, under} == {RADIANT, LUMINOUS}:
+        too_narrow(amounts[LUMINOUS] / amounts[RADIANT], seen_by, watts_in)
+    value = amounts[over] / amounts[under]
+    watts, lumens, photons = (amounts.get(kind, 1.0) for kind in (RADIANT, LUMINOUS, PHOTON))
+    if PHOTON not in amounts:
+        shown = f"{show(lumens / watts)} lm/W"
+    elif LUMINOUS not in amounts:
+        shown = f"{show(photons / AVOGADRO * 1e6 / watts)} umol/J"
+    else:
+        shown = f"{show(lumens / photons * AVOGADRO * 1e-6)} lm s/umol"
+    names = {
+        RADIANT: "int(S)",
+        LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
+        PHOTON: "int(S lambda/(h c))",
+    }
+    step = Step(
+        "ratio of kinds in a spectrum",
+        f"K = {names[over]} / {names[under]}",
+        f"K = {show(amounts[over])} / {show(amounts[under])} = {show(value)}; that is {shown}",
+        "trapezoid on the union of the data's and the observer's grids",
+    )
+    said.insert(1, shown)
+    notes = source.notes
+    if lumens == 0:
+        notes += ("nothing of this spectrum is seen",)
+    return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
+
+
+KIND_UNITS = {
+    (LUMINOUS, RADIANT): "lm/W",
+    (RADIANT, LUMINOUS): "W/lm",
+    (PHOTON, RADIANT): "photon/J",
+    (RADIANT, PHOTON): "J/photon",
+    (LUMINOUS, PHOTON): "lm s/photon",
+    (PHOTON, LUMINOUS): "photon/(lm s)",
+}
+
+
+def _most_lumens_per_photon() -> float:
+    """The most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
+    eye = OBSERVERS["photopic"]
+    places = range(eye.start, eye.end + 1)
+    shares = (v / nm for v, nm in zip(eye.values, places, strict=True))
+    return eye.maximum * max(shares) * 1e9 * PLANCK * LIGHT
+
+
+def given_ratio(given: Given, over: str, under: str) -> Factor | None:
+    """A given efficacy as over / under, or None where it links two other kinds."""
+    value = positive(given)
+    pairs = {dimension: pair for pair, dimension in RATIOS.items()}
+    pair = pairs[given.dimension]
+    if LUMINOUS in pair:
+        if RADIANT in pair:
+            most, shown = OBSERVERS["photopic"].maximum, "{:g} lm/W"
+            scale, advice = 1.0, "683lm/W"
+        else:
+            most, shown = _most_lumens_per_photon(), "{:.4g} lm s/umol"
+            scale, advice = AVOGADRO * 1e-6, "147lm.s/umol"
+        lumens_per = value if pair[0] == LUMINOUS else 1 / value
+        if maths.any_true(lumens_per > most * (1 + 1e-12)):
+            raise ConditionError(
+                f"--efficacy {quote(given.text)} is not possible: no light gives more than "
+                f"{shown.format(most * scale)}",
+                f"an efficacy of up to {advice}",
+            )
+    text = f"an efficacy of {given.text}, as given"
+    if pair == (over, under):
+        return Factor("K", value, KIND_UNITS[over, under], text)
+    if pair == (under, over):
+        return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text)
+    return None
+
+
+AXIS_UNITS = {WAVELENGTH: "m", FREQUENCY: "Hz", WAVENUMBER: "cycle/m"}
+
+
+def jacobian(of: Light | None, start: str, end: str) -> Factor:
+    """From a density on one axis to the density on another.
+
+    `of` may be None between frequency and wavenumber, where only c stands between.
+    """
+    if of is None:
+        value = LIGHT if end == WAVENUMBER else 1 / LIGHT
+        formula = "J = d nu / d sigma = c" if end == WAVENUMBER else "J = d sigma / d nu = 1/c"
+        step = Step("density", formula, f"J = {show(value)}", "SI Brochure: exact c")
+        said = "wavenumber in vacuum, 1 cycle per wavelength"
+        return Factor("J", value, _per_axis(start, end), said, (step,))
+    per_frequency = {WAVELENGTH: of.vacuum**2 / LIGHT, FREQUENCY: 1.0, WAVENUMBER: 1 / LIGHT}
+    value = per_frequency[start] / per_frequency[end]
+    greek = {WAVELENGTH: "lambda", FREQUENCY: "nu", WAVENUMBER: "sigma"}
+    forms = {
+        (WAVELENGTH, FREQUENCY): "lambda^2 / c",
+        (FREQUENCY, WAVELENGTH): "c / lambda^2",
+        (WAVELENGTH, WAVENUMBER): "lambda^2",
+        (WAVENUMBER, WAVELENGTH): "1 / lambda^2",
+    }
+    step = Step(
+        "density",
+        f"J = |d {greek[start]} / d {greek[end]}| = {forms[start, end]}",
+        f"J = {show(value)} at {show(of.vacuum * 1e9)} nm",
+        "E_nu = E_lambda lambda^2 / c",
+    )
+    assumption = f"spectral density at {of.given.text}"
+    if of.given.dimension == LENGTH:
+        assumption += "; " + VACUUM.format(of.given.text)
+    return Factor("J", value, _per_axis(start, end), assumption, (step,))
+
+
+def _per_axis(start: str, end: str) -> str:
+    return f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})"
+
+
+def bandwidth(given: Given, of_kind: Given | None) -> Factor:
+    """The width of a band [m, Hz or cycle/m], in which a kind may be taken at one wavelength."""
+    axis = band_axis(given)
+    width = positive(given)
+    if axis == WAVELENGTH:
+        require(given, not maths.any_true(width > 1e-3), "at most 1 mm: a band of wavelengths")
+    said = f"constant over a band of {given.text}"
+    if of_kind is not None and of_kind.option.name == "wavelength":
+        said += f", in which everything is taken as at {of_kind.text}"
+    return Factor("B", width, AXIS_UNITS[axis], said)
+
+
+def band_axis(given: Given) -> str:
+    """Whether a band's width is in wavelength, frequency or wavenumber."""
+    return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)

@@ -1,1 +1,0 @@
-"""What a condition supplies: a factor with a dimension, its assumption and its derivation."""

@@ -1,0 +1,142 @@
+"""Solid angles of splinters: triangles whose closed forms lose their digits.
+
+The triangle lies on its longest side and is cut into strips across it.  In the sinh of a
+parameter, lengths along and across are evenly spread over all decades, so few strips do; each
+term is positive, so none loses digits.
+"""
+
+import math
+
+from radcalc.geometry.numerics.quadrature import adaptive, integral
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times
+
+FAR = 15.0  # past it sech^3 has fallen by 1e-19
+
+
+def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = None) -> float:
+    """The solid angle of a triangle, or its projected one; signed as a, b, c turn.
+
+    Parameters
+    ----------
+    a : triple of floats
+        A vertex, from the observer.
+    ab, ac : triple of floats
+        The other two, from there.
+    normal : triple of floats, optional
+        The unit normal of the plane projected onto, below which the triangle does not reach.
+    """
+    plane = cross(ab, ac)
+    double_area = length(plane)
+    height = dot(a, plane) / double_area if double_area else 0.0
+    if height == 0:
+        return 0.0
+    bc = minus(ac, ab)
+    # The base p-q is the longest side, the apex r is over it.
+    longest = max(((length(ab), 0), (length(bc), 1), (length(ac), 2)))[1]
+    p, pq, pr = (
+        (a, ab, ac),
+        (plus(a, ab), bc, times(ab, -1.0)),
+        (plus(a, ac), times(ac, -1.0), minus(ab, ac)),
+    )[longest]
+    base = length(pq)
+    along = times(pq, 1 / base)
+    across = times(cross(plane, along), 1 / double_area)
+    start, level = dot(along, p), dot(across, p)
+    foot, top = dot(along, pr), double_area / base
+    left, right = None, None
+    if normal is not None:
+        foot_up, x, y = (
+            dot(normal, plane) / double_area * height,
+            dot(normal, along),
+            dot(normal, across),
+        )
+        low = dot(normal, p)
+        left, right = (foot_up, low, x, y), (foot_up, low + dot(normal, pq), -x, y)
+    h = abs(height)
+    halves = (
+        _half(h, start, foot, level, top, left),
+        _half(h, -start - base, base - foot, level, top, right),
+    )
+    return math.copysign(sum(halves), height)
+
+
+Seen = tuple[float, float, float, float]
+
+
+def _half(
+    h: float, start: float, width: float, level: float, top: float, seen: Seen | None
+) -> float:
+    """The right triangle from one end of the base to the foot of the apex.
+
+    Along the base it starts at `start` from the observer's foot and is `width` wide; the base is
+    at `level` across, the apex `top` above it.  `seen` is how high the observer's foot and the
+    end of the base are above the receiver's plane, and how that grows along the base and across.
+    """
+    if width <= 0:
+        return 0.0
+    u0 = math.asinh(start / h)
+    # Heights are counted from the foot, or from the end where all is near that one.
+    from_end = False
+    if seen:
+        up, low, x, y = seen
+        reach = abs(x) * (abs(start) + width) + abs(y) * (abs(level) + top)
+        from_end = abs(low) + abs(x) * width + abs(y) * top < 1e-3 * (abs(up) + reach)
+
+    def strip(du: float) -> float:
+        u = u0 + du
+        q = h * math.cosh(u)
+        run = 2 * h * math.cosh(u0 + du / 2) * math.sinh(du / 2)
+        rise = top * run / width
+        if seen is None:
+            return _strip(h, q, level, rise) * q
+        height = low + x * run if from_end else up + x * h * math.sinh(u)
+        return _projected_strip(h, q, level, rise, height, y, from_end) * q
+
+    return adaptive(strip, 0.0, _sinh_step(start / h, width / h))
+
+
+def _sinh_step(x: float, dx: float) -> float:
+    """asinh(x + dx) - asinh(x), to full precision for a small step too."""
+    y = x + dx
+    if x * y <= 0:
+        return math.asinh(y) - math.asinh(x)
+    root_x, root_y = math.hypot(1, x), math.hypot(1, y)
+    return math.asinh(dx * (x + y) / (y * root_x + x * root_y))
+
+
+def _strip(h: float, q: float, level: float, rise: float) -> float:
+    """The integral of h/r^3 across, from `level` over `rise`, at q from the observer."""
+    end = level + rise
+    r, s = math.hypot(q, level), math.hypot(q, end)
+    if level * end > 0:
+        return h * rise / r / s * ((level + end) / (end * r + level * s))
+    return h / q / q * (end / s - level / r)
+
+
+def _projected_strip(
+    h: float, q: float, level: float, rise: float, up: float, slope: float, from_end: bool
+) -> float:
+    """The integral of h z/r^4 across.
+
+    z, which is never below 0, is `up` at the observer's foot, or at `level` (`from_end`), and
+    grows with `slope`.
+    """
+    v0 = math.asinh(level / q)
+    whole = _sinh_step(level / q, rise / q)
+    start, end = 0.0, whole
+    if v0 + whole <= 0:  # all on the far side: the near end counts
+        start = max(0.0, whole - FAR)
+    elif v0 >= 0:
+        end = min(whole, FAR)
+    else:
+        start, end = max(0.0, -FAR - v0), min(whole, FAR - v0)
+
+    def part(dv: float) -> float:
+        v = v0 + dv
+        y = 2 * math.cosh(v0 + dv / 2) * math.sinh(dv / 2) if from_end else math.sinh(v)
+        return max(0.0, up + slope * q * y) / math.cosh(v) ** 3
+
+    panels = max(1, math.ceil(end - start))
+    step = (end - start) / panels
+    sums = (integral(part, start + k * step, start + (k + 1) * step, 12) for k in range(panels))
+    return h / q**3 * math.fsum(sums)

@@ -1,0 +1,99 @@
+"""An answer as a learner types it, and how near to the right value it must be."""
+
+import math
+from typing import NamedTuple
+
+from radcalc.conversion.conditions import Option, read
+from radcalc.errors import ConditionError, NumberError, RadcalcError, quote
+from radcalc.units.grammar import read_number
+from radcalc.units.table import NUMBER, Unit, divide
+
+
+class Claim(NamedTuple):
+    """NAME=VALUE UNIT: the parts, and what the digits typed leave open."""
+
+    text: str
+    name: str
+    value: float
+    unit: str
+    number: str
+    digits: int
+    half_unit: float
+
+
+def read_claim(text: str) -> Claim:
+    """Read `[NAME=]VALUE[UNIT]`."""
+    name, equals, rest = text.partition("=")
+    if not equals:
+        name, rest = "", text
+    elif not name.strip():
+        raise ConditionError(
+            f"--check {quote(text)} has no name before =", "--check illuminance=25lx"
+        )
+    rest = rest.strip().replace("\u2212", "-")
+    try:
+        value, end = read_number(rest)
+    except NumberError as error:
+        raise NumberError(f"--check: {error.message}", f"--check 25lx; {error.hint}") from None
+    number = rest[:end]
+    digits, half = _digits(number, value)
+    return Claim(text, name.strip(), value, rest[end:].strip(), number, digits, half)
+
+
+def _digits(number: str, value: float) -> tuple[int, float]:
+    """How many digits a number was typed with, and half a unit of the last."""
+    mantissa, _, exponent = number.lower().lstrip("+-").partition("e")
+    whole, _, part = mantissa.partition(".")
+    if not (whole + part).isdigit():  # pi/6, 2*pi
+        return 15, abs(value) * 1e-9
+    digits = (whole + part).lstrip("0")
+    power = (int(exponent) if exponent else 0) - len(part)
+    return max(1, len(digits)), 0.5 * 10.0**power
+
+
+class Tolerance(NamedTuple):
+    """Relative, absolute in the answer's unit, or in significant digits."""
+
+    text: str
+    kind: str
+    size: float
+
+    def holds(self, value: float, right: float) -> bool:
+        """Whether a value is as near to the right one as that."""
+        if self.kind == "relative":
+            allowed = self.size * abs(right)
+        elif self.kind == "absolute":
+            allowed = self.size
+        else:
+            first = math.floor(math.log10(abs(right))) if right else 0
+            allowed = 0.5 * 10.0 ** (first - self.size + 1)
+        return abs(value - right) <= allowed * (1 + 1e-9) + 1e-300
+
+
+def read_tolerance(text: str, unit: Unit) -> Tolerance:
+    """Read 1%, 0.01, 0.5lx or 3sf."""
+    text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
+    hint = "--tolerance 1%, 0.5lx (in the answer's unit) or 3sf (significant digits)"
+    if text.endswith("sf"):
+        if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
+            raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
+        count = int(text[:-2])
+        digits = f"within half a unit of digit {count}"
+        return Tolerance(digits, "digits", count)
+    option = Option("tolerance", "", (NUMBER, unit.dimension), "a part or a quantity", "1%", "")
+    try:
+        given = read(option, text)
+    except RadcalcError as error:
+        raise ConditionError(
+            f"--tolerance: {error.message.removeprefix('--tolerance: ')}", hint
+        ) from None
+    if given.value < 0:
+        raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
+    if given.unit is None and given.value >= 1:
+        raise ConditionError(f"--tolerance {quote(text)} has no unit", hint)
+    if given.dimension == NUMBER and unit.dimension != NUMBER:
+        return Tolerance(f"within {text}", "relative", given.value)
+    if given.unit is None or given.unit.text in ("%", "1"):
+        return Tolerance(f"within {text}", "relative", given.value)
+    size = given.value * divide(unit.bottom, unit.top)
+    return Tolerance(f"within {text}", "absolute", size)

@@ -1,0 +1,1 @@
+"""The usual mistakes, one module a family."""

@@ -1,0 +1,244 @@
+"""How a small source spreads its light: the laws of each distribution, and those of all.
+
+The light goes evenly into all directions, or into a cone, or falls off from its axis as a power
+of the cosine (a lobe).
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from radcalc.calculators.worksheet import OVER_TIME
+from radcalc.conversion.conditions import show
+from radcalc.geometry import lobes, solid
+from radcalc.laws.law import AnyLaw, Law, Relation
+from radcalc.maths import acos, exp, hypot, log, piecewise, sin
+
+ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
+RIGHT = math.pi / 2
+At = Callable[[str], Any]
+
+
+def _exponent_of(solid_angle: Any) -> Any:
+    found = 2 * math.pi / solid_angle - 1
+    solid.refuse(
+        found < -1e-9,
+        "no lobe sends that flux at that intensity: it would fill more than a hemisphere",
+        "more intensity or less flux, or --distribution cone",
+    )
+    return piecewise(found < 0, lambda n: 0.0 * n, lambda n: n, found)
+
+
+LAWS: dict[str, list[AnyLaw]] = {
+    ISOTROPIC: [
+        Law(
+            "isotropic source",
+            "{flux} = 4 pi Omega0 {intensity}",
+            "flux",
+            (("intensity", 1),),
+            4 * math.pi,
+            "sr",
+            "ISO 80000-7, intensity",
+        ),
+        Relation(
+            "part of an isotropic source",
+            "{part} = sin^2({within}/2)",
+            ("part", "within"),
+            {"part": lambda at: sin(at("within") / 2) ** 2},
+        ),
+    ],
+    CONICAL: [
+        Law(
+            "uniform cone",
+            "{flux} = {intensity} {solid-angle}",
+            "flux",
+            (("intensity", 1), ("solid-angle", 1)),
+            reference="ISO 80000-7, intensity",
+        ),
+        Relation(
+            "solid angle of a cone",
+            "{solid-angle} = 4 pi sin^2({half-angle}/2) Omega0",
+            ("solid-angle", "half-angle"),
+            {
+                "solid-angle": lambda at: solid.cone(at("half-angle")),
+                "half-angle": lambda at: solid.cone_of(at("solid-angle")),
+            },
+            "ISO 80000-3, solid angle",
+        ),
+        Law("apex angle", "{apex-angle} = 2 {half-angle}", "apex-angle", (("half-angle", 1),), 2.0),
+        Relation(
+            "part of a cone",
+            "{part} = sin^2({within}/2) / sin^2({half-angle}/2), at most 1",
+            ("part", "within", "half-angle"),
+            {
+                "part": lambda at: piecewise(
+                    at("within") < at("half-angle"),
+                    lambda w, a: (sin(w / 2) / sin(a / 2)) ** 2,
+                    lambda w, a: 1.0 + 0 * (w + a),
+                    at("within"),
+                    at("half-angle"),
+                )
+            },
+        ),
+    ],
+    LOBED: [
+        Law(
+            "flux of a lobe",
+            "{flux} = {intensity} {solid-angle}",
+            "flux",
+            (("intensity", 1), ("solid-angle", 1)),
+        ),
+        Relation(
+            "flux of a lobe over its peak",
+            "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
+            ("solid-angle", "exponent"),
+            {
+                "solid-angle": lambda at: 2 * math.pi / (at("exponent") + 1),
+                "exponent": lambda at: _exponent_of(at("solid-angle")),
+            },
+        ),
+        Relation(
+            "beam angle of a lobe",
+            "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
+            ("exponent", "beam-angle"),
+            {
+                "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
+                "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
+            },
+        ),
+        Relation(
+            "field angle of a lobe",
+            "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
+            ("exponent", "field-angle"),
+            {
+                "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
+                "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
+            },
+        ),
+        Relation(
+            "part of a lobe",
+            "{part} = 1 - cos({within})^({exponent} + 1)",
+            ("part", "within", "exponent"),
+            {"part": lambda at: lobes.part(at("exponent"), at("within"))},
+        ),
+        Relation(
+            "part of a lobe in its beam",
+            "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
+            ("beam-part", "beam-angle", "exponent"),
+            {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
+        ),
+        Law(
+            "flux in the beam",
+            "{beam-flux} = {flux} {beam-part}",
+            "beam-flux",
+            (("flux", 1), ("beam-part", 1)),
+        ),
+    ],
+}
+INVERSE_SQUARE = Law(
+    "inverse square law",
+    "{irradiance} = {intensity} {cosine} Omega0 / {distance}^2",
+    "irradiance",
+    (("intensity", 1), ("cosine", 1), ("distance", -2)),
+    1.0,
+    "sr",
+    "ISO 80000-7, intensity and irradiance",
+)
+OFF_AXIS = Law(
+    "inverse square law, off the source's axis",
+    "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
+    "irradiance",
+    (("intensity", 1), ("share", 1), ("cosine", 1), ("distance", -2)),
+    1.0,
+    "sr",
+    "ISO 80000-7, intensity and irradiance",
+)
+ANY_LAWS: list[AnyLaw] = [
+    Relation(
+        "cosine of the incidence",
+        "{cosine} = cos({incidence})",
+        ("cosine", "incidence"),
+        {
+            "cosine": lambda at: solid.facing(at("incidence")),
+            "incidence": lambda at: _incidence_of(at("cosine")),
+        },
+    ),
+    Relation(
+        "straight line to the source",
+        "{distance}^2 = {height}^2 + {lateral}^2",
+        ("distance", "height", "lateral"),
+        {
+            "distance": lambda at: hypot(at("height"), at("lateral")),
+            "height": lambda at: _height_of(at("distance"), at("lateral")),
+        },
+    ),
+    Law("flux within", "{flux-within} = {flux} {part}", "flux-within", (("flux", 1), ("part", 1))),
+    *OVER_TIME,
+    Law(
+        "flux on a receiver",
+        "{received-flux} = {irradiance} {receiver-area}",
+        "received-flux",
+        (("irradiance", 1), ("receiver-area", 1)),
+    ),
+]
+
+
+def _incidence_of(cosine: Any) -> Any:
+    solid.refuse(
+        cosine > 1 + 1e-9,
+        f"more light than that intensity sends to that distance (the cosine of the incidence "
+        f"would be {show(cosine)})",
+        "another irradiance, intensity or distance",
+    )
+    return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
+
+
+def _height_of(distance: Any, lateral: Any) -> Any:
+    solid.refuse(
+        distance <= lateral,
+        "the distance is less than the offset",
+        "--distance is the straight line to the source",
+    )
+    return (distance - lateral) ** 0.5 * (distance + lateral) ** 0.5
+
+
+INTERNAL = {
+    "cosine": "cos(theta)",
+    "share": "f",
+    "lateral": "x",
+    "part": "k",
+    "beam-part": "k_b",
+}
+INSIDE = Relation(
+    "inside the cone",
+    "{share} = 1 where {off-axis} is within {half-angle}, else 0",
+    ("share", "off-axis", "half-angle"),
+    {
+        "share": lambda at: piecewise(
+            at("off-axis") <= at("half-angle") * (1 + 1e-12),
+            lambda a, b: 1.0 + 0 * (a + b),
+            lambda a, b: 0.0 * (a + b),
+            at("off-axis"),
+            at("half-angle"),
+        )
+    },
+)
+FALL = Relation(
+    "fall of a lobe",
+    "{share} = cos({off-axis})^{exponent}",
+    ("share", "off-axis", "exponent"),
+    {
+        "share": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
+        "exponent": lambda at: _exponent_at(at("share"), at("off-axis")),
+    },
+)
+
+
+def _exponent_at(share: Any, off_axis: Any) -> Any:
+    """The exponent of a lobe from how much is left of its peak at an angle."""
+    solid.refuse(
+        (share > 1 + 1e-9) | (share <= 0),
+        "no lobe has that irradiance there: it is more than its peak would give, or nothing",
+        "another intensity or irradiance",
+    )
+    return abs(log(share) / lobes.ln_cos(off_axis))

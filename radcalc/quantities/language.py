@@ -1,0 +1,32 @@
+"""The quantities' names in the user's language: which language that is, and a label in it."""
+
+import os
+
+ENGLISH = "en"
+LANGUAGES = (ENGLISH, "cs", "ru")
+
+
+def language() -> str:
+    """The language of the locale's messages; English where it is not one of `LANGUAGES`."""
+    for variable in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        if locale := os.environ.get(variable):
+            spoken = locale.replace(".", "_").replace("@", "_").partition("_")[0]
+            return spoken if spoken in LANGUAGES else ENGLISH
+    return ENGLISH
+
+
+def translate(label: str, language: str) -> str:
+    """A quantity's English name in a language; as it is where there is no other.
+
+    What stands in brackets, the axis of a spectral density, is translated by itself.
+    """
+    if language == ENGLISH:
+        return label
+    stem, bracket, rest = label.partition(" (")
+    if bracket:
+        return f"{translate(stem, language)} ({translate(rest.removesuffix(')'), language)})"
+    from radcalc.quantities.names import LABELS, QUANTITIES
+
+    if label in LABELS:
+        return LABELS[label][LANGUAGES.index(language) - 1]
+    return next((q.name(language) for q in QUANTITIES if q.name(ENGLISH) == label), label)

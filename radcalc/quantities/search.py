@@ -1,0 +1,163 @@
+"""Finding a quantity by what people call it: a name, a symbol, a unit, or a misnomer."""
+
+import unicodedata
+from collections.abc import Callable
+from typing import NamedTuple
+
+from radcalc.errors import RadcalcError, UsageError, nearest, quote
+from radcalc.quantities.language import LANGUAGES
+from radcalc.quantities.light import GEOMETRIES, NONE, is_exitance, is_per_length, name_of, read
+from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
+from radcalc.units.table import NUMBER, Unit, resolve
+
+KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
+GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
+BRACKETS = str.maketrans("[]()", "    ")
+LONGEST = 200  # characters of a search
+
+
+class Found(NamedTuple):
+    """A quantity that was searched for; `note` says why, where it is known by another name."""
+
+    quantity: Quantity
+    note: str = ""
+
+
+def fold(text: str) -> str:
+    """A text as it is compared: no case, no diacritics, words parted by one blank."""
+    bare = "".join(c for c in unicodedata.normalize("NFKD", text) if not unicodedata.combining(c))
+    return " ".join("".join(c if c.isalnum() else " " for c in bare.casefold()).split())
+
+
+def search(text: str) -> list[Found]:
+    """Find quantities by name, misnomer, symbol, unit or parts of a name; all, without a text.
+
+    The first of these that finds anything decides; raises UsageError where none does.
+    """
+    text = text.strip()
+    if not text:
+        return [Found(q) for q in QUANTITIES]
+    if len(text) > LONGEST:
+        raise UsageError(f"no quantity is called '{quote(text)}'", "a name of a few words")
+    unit = _unit(text.strip("[]()"))
+    found = (
+        called(text)
+        or _by_symbol(text, str)
+        or _by_words(text, str.__eq__)
+        or _by_name_and_unit(text)
+        or _by_unit(unit)
+        or _by_symbol(text, str.casefold)
+        or _by_words(text, str.startswith)
+        or (_by_words(text, str.__contains__) if len(fold(text)) > 2 else [])
+    )
+    if found:
+        return found
+    if unit and (measured := name_of(unit)):
+        raise UsageError(
+            f"'{quote(text)}' measures {measured}, no quantity of light", "radcalc quantities"
+        )
+    known = {fold(name): name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)}
+    near = [known[name] for name in nearest(fold(text), known, 3)]
+    raise UsageError(
+        f"no quantity is called '{quote(text)}'",
+        ", ".join(near) or "radcalc quantities, which lists them all",
+    )
+
+
+def called(text: str) -> list[Found]:
+    """The quantities of that full name in any language, then those of which it is a misnomer."""
+    wanted = fold(text)
+    exact = [
+        Found(q)
+        for q in QUANTITIES
+        if wanted in {fold(name) for lang in LANGUAGES for name in q.names(lang)}
+    ]
+    meant = {s: note for terms, s, note in MISNOMERS if wanted in map(fold, terms)}
+    if meant and not exact:  # "intensity" is part of some right names, too
+        exact = _by_words(text, str.__eq__)
+    found = [f for f in exact if f.quantity.symbol not in meant]
+    return found + [Found(q, meant[q.symbol]) for q in QUANTITIES if q.symbol in meant]
+
+
+def _key(symbol: str) -> str:
+    """A symbol as it is compared: E_v, Ev, $E_{v}$ and Eᵥ are one, and so are Φ and Phi."""
+    text = unicodedata.normalize("NFKC", symbol)
+    for name, letter in GREEK.items():
+        text = text.replace(name, letter)
+    return "".join(c for c in text if c.isalnum())
+
+
+def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
+    """The quantities of that symbol, or of that letter without what stands below it."""
+    wanted = case(_key(case(text)))
+    found = []
+    for q in QUANTITIES:
+        letter, _, below = q.symbol.partition("_")
+        keys = {_key(q.symbol), _key(q.symbol.replace("_e,", "_"))}
+        if below in KINDS or "(" in letter:
+            keys.add(letter[0])
+        if wanted in map(case, keys):
+            found.append(Found(q))
+    return found
+
+
+def _by_words(text: str, alike: Callable[[str, str], bool]) -> list[Found]:
+    """The quantities in one of whose names, or kinds, every word of the text is found."""
+    words = fold(text).split()
+    found = []
+    for q in QUANTITIES:
+        kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]
+        names = [fold(name).split() + kind for lang in LANGUAGES for name in q.names(lang)]
+        if words and any(all(any(alike(n, w) for n in name) for w in words) for name in names):
+            found.append(Found(q))
+    return found
+
+
+def _unit(text: str) -> Unit | None:
+    """The text as a unit; None where it is none."""
+    try:
+        unit = resolve(text)
+    except RadcalcError:
+        return None
+    return None if unit.dimension == NUMBER else unit
+
+
+def _by_unit(unit: Unit | None) -> list[Found]:
+    """The quantities that a unit measures; of a density that is not listed, what it is of."""
+    if unit is None:
+        return []
+    found = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
+    if is_per_length(unit):  # the lm/m of a strip has the dimension of a spectral density
+        found = []
+    if is_exitance(unit):
+        found = [q for q in found if q.symbol.startswith("M")]
+    elif name_of(unit) == "illuminance" and not any(n.endswith("lumen") for n, _ in unit.atoms):
+        found = [q for q in found if not q.symbol.startswith("M")]  # an exitance is not in lux
+    if found:
+        return [Found(q) for q in found]
+    reading = read(unit)
+    if reading is None or reading.axis == NONE:
+        return []
+    whole = GEOMETRIES[reading.geometry][0]["evp".index(reading.kind)]
+    note = f"{quote(unit.text)} measures {name_of(unit)}"
+    return [Found(q, note) for q in QUANTITIES if whole in q.names("en")]
+
+
+def _by_name_and_unit(text: str) -> list[Found]:
+    """A name with a unit behind it, which may be the unit of another quantity."""
+    words = text.translate(BRACKETS).split()
+    for cut in range(1, len(words)):
+        name, rest = " ".join(words[:cut]), words[cut:]
+        unit = _unit(" ".join(rest[1:] if rest[0] in ("in", "v", "в") else rest))
+        if unit is None or not (named := called(name)):
+            continue
+        fitting = [f for f in named if resolve(f.quantity.unit).dimension == unit.dimension]
+        if fitting:
+            return fitting
+        right = named[0].quantity
+        note = f"{right.name('en')} is measured in {right.unit}, not in {quote(unit.text)}"
+        measured = [f for f in _by_unit(unit) if not f.note]
+        if measured:
+            note += f", which measures {measured[0].quantity.name('en')}"
+        return [Found(f.quantity, note) for f in (measured or named)]
+    return []

@@ -1,0 +1,136 @@
+"""Which units measure a quantity: for `convert` without a target, and for `units`."""
+
+from typing import NamedTuple
+
+from radcalc.quantities.light import (
+    FREQUENCY,
+    LUMINOUS,
+    NONE,
+    PHOTON,
+    RADIANT,
+    WAVELENGTH,
+    WAVENUMBER,
+    is_per_length,
+    name_of,
+    read,
+)
+from radcalc.units.catalogue import CATALOGUE
+from radcalc.units.compiled import NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.table import Dimension, Unit, resolve
+
+# Derived units that have no name of their own are products: a head for kind and time, then
+# what it is per.  Candelas already are per steradian.
+HEADS = {
+    (RADIANT, 0): ("W", "kW", "mW", "uW"),
+    (RADIANT, 1): ("J", "kJ", "mJ", "uJ"),
+    (LUMINOUS, 0): ("lm", "klm"),
+    (LUMINOUS, 1): ("lm.s", "lm.h"),
+    (PHOTON, 0): ("umol", "mol", "photon"),
+    (PHOTON, 1): ("umol", "mol", "photon"),
+}
+CANDELAS = {0: ("cd", "kcd", "mcd"), 1: ("cd.s",)}
+AREAS = {0: ("",), 1: ("/m2", "/cm2")}
+CUSTOMARY_AREAS = {0: (), 1: ("/ft2", "/in2")}
+AXES = {
+    NONE: ("",),
+    WAVELENGTH: ("/nm", "/um"),
+    FREQUENCY: ("/Hz", "/THz"),
+    WAVENUMBER: ("/cm-1",),
+}
+PER_LENGTH = ("/m", "/cm", "/ft")
+PREFIXES = "km"
+COMPOSED = {
+    "length": ("m", "cm", "um", "nm"),
+    "area": ("m2", "cm2", "mm2", "ft2", "in2"),
+    "volume": ("m3", "cm3", "ft3"),
+    "solid angle": ("sr", "msr", "deg2", "arcmin2", "arcsec2"),
+    "wavenumber": ("cm-1", "m-1"),
+    "etendue": ("m2.sr", "mm2.sr", "cm2.sr"),
+    "luminous efficacy": ("lm/W",),
+    "photon efficacy": ("umol/J", "mol/J", "photon/J"),
+    "luminous efficacy per photon": ("lm.s/umol", "lm.s/photon"),
+    "photon energy": ("J/photon", "eV/photon", "kJ/mol"),
+    "speed": ("m/s",),
+}
+
+
+def composed(unit: Unit) -> list[str]:
+    """Products of units that measure the same as `unit`."""
+    reading = read(unit)
+    if reading is None or reading.retinal:
+        return list(COMPOSED.get(name_of(unit), ()))
+    heads: tuple[str, ...] = HEADS[reading.kind, reading.time]
+    per_angle = "/sr" if reading.solid_angle else ""
+    per_time = "/s" if reading.kind == PHOTON and not reading.time else ""
+    if reading.kind == LUMINOUS and reading.solid_angle:
+        heads, per_angle = CANDELAS[reading.time], ""
+    areas = [(head, area) for head in heads for area in AREAS[reading.area]]
+    areas += [(heads[0], area) for area in CUSTOMARY_AREAS[reading.area]]
+    axes = PER_LENGTH if is_per_length(unit) else AXES[reading.axis]
+    return [head + area + per_angle + per_time + axis for head, area in areas for axis in axes]
+
+
+def units_of(unit: Unit) -> list[str]:
+    """The spellings of every unit that measures the same as `unit`."""
+    found = composed(unit)
+    for name in named(unit.dimension):
+        symbols = CATALOGUE[name][0]
+        found.append((symbols or (name,))[0])
+        allowed = UNITS[name][3]
+        if symbols:
+            found += [p + symbols[0] for p in PREFIXES if PREFIX_SYMBOLS[p] in allowed]
+    return list(dict.fromkeys(found))
+
+
+def named(dimension: Dimension) -> list[str]:
+    """The named units of a dimension, in the order of the definitions."""
+    return [name for name, (_, _, powers, _) in UNITS.items() if powers == dimension]
+
+
+class Entry(NamedTuple):
+    """What `radcalc units` shows of one unit."""
+
+    name: str
+    symbols: str
+    quantity: str
+    definition: str
+    source: str
+    note: str
+
+
+def entry(name: str) -> Entry:
+    """Everything that the definitions say of one unit."""
+    symbols, _, definition, source = CATALOGUE[name]
+    prefixes = UNITS[name][3]
+    allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
+    every = len(allowed) == len(PREFIX_NAMES)
+    takes = f" (prefixes: {'all' if every else ' '.join(allowed)})" if allowed else ""
+    shown = ", ".join(symbols) + takes
+    return Entry(
+        name, shown.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
+    )
+
+
+def search(words: str) -> list[Entry]:
+    """Find units by the quantity they measure, else by any part of a name, else by a unit."""
+    wanted = words.strip().lower().replace("-", "_")
+    entries = [entry(name) for name in UNITS]
+    if not wanted:
+        return entries
+    by_quantity = [e for e in entries if e.quantity == words.strip().lower()]
+    by_quantity = by_quantity or [e for e in entries if wanted in e.quantity.split()]
+    if by_quantity:
+        return by_quantity
+    exact = [e for e in entries if words.strip() in CATALOGUE[e.name][0]]
+    if exact and len(wanted) < 3:
+        return exact
+    return exact + [e for e in entries if e not in exact and _is_part(wanted, e.name)]
+
+
+def _is_part(wanted: str, name: str) -> bool:
+    return any(wanted in known for known in CATALOGUE[name][1])
+
+
+def quantity_names() -> list[str]:
+    """The names of the quantities that named units measure."""
+    return sorted({e.quantity for e in map(entry, UNITS)})

@@ -1,0 +1,1 @@
+"""Standard input, line by line, through a plan."""

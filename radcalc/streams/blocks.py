@@ -1,0 +1,115 @@
+"""Blocks of numbers through a plan: the answers of `Plan.apply`, many at a time.
+
+A plan between two units is an exact fraction, applied with one rounding.  Here floats alone
+have to give the same, and there are two ways to know that they do:
+
+- Where the fraction is a decimal of few digits (1 lx = 0.09290304 fc) and so are the numbers,
+  their product is a decimal of at most 15 digits.  Either it lies halfway between two numbers
+  of the precision asked for, which the factors of 2 in it exclude, or it is further from that
+  than three roundings can carry it: a plain product prints the same digits.
+- Otherwise the product is taken in two parts, with a bound on what is lost.  Where both ends of
+  the interval round to one float, that is the exact answer; where not, the fraction decides.
+"""
+
+from math import gcd
+
+from radcalc.conversion.plan import Plan
+from radcalc.errors import ConversionError
+from radcalc.units.table import divide
+
+SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # any digit is 0, to look for long numbers
+SIGNS = b".+-"
+SPLITTER = 134217729.0  # 2^27 + 1 halves a float's 53 bits (Veltkamp)
+LOST = 2.0**-75  # more than what the parts of a product lose, relative to it
+SMALL, LARGE = 1e-100, 1e100  # between these no part of a product leaves the range of a float
+LONGEST = 99  # digits of a number that is surely between them, or 0
+MOST_DIGITS, MOST_PRECISION = 15, 14  # of decimals that three roundings do not confuse
+
+
+class Bulk:
+    """A plan made ready for blocks of numbers, shown with `precision` digits."""
+
+    def __init__(self, made: Plan, precision: int) -> None:
+        """Choose the way: see the module."""
+        self.made = made
+        self.factor = made.factor
+        self.line = b"%%.%dg\n" % precision
+        self.able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
+        self.digits = LONGEST  # numbers of so many digits are multiplied as they are
+        if not made.links:
+            over = made.source.top * made.target.bottom
+            under = made.source.bottom * made.target.top
+            self.digits = plain_digits(over, under, precision)
+            if self.able:
+                self._split(over, under)
+
+    def _split(self, over: int, under: int) -> None:
+        """Cut the factor into a part of 26 bits and the rest."""
+        scaled = SPLITTER * self.factor
+        self.high = scaled - (scaled - self.factor)
+        top, bottom = self.high.as_integer_ratio()
+        self.low = divide(over * bottom - top * under, under * bottom)
+
+    def lines(self, block: bytes) -> bytes | None:
+        """Convert lines of one decimal number each; None where anything is unusual.
+
+        What is not taken here (blanks, an empty line, `1/3`, a number out of range) is not
+        wrong: it has to be read by the grammar.
+        """
+        shape = block.translate(SHAPE, SIGNS)
+        if not self.able or shape.translate(None, b"0e\n") or b"0" * (LONGEST + 1) in shape:
+            return None
+        texts = block.split(b"\n")
+        texts.pop()
+        exponents = b"e" in shape
+        try:
+            if exponents and not _in_range(texts):
+                return None
+            if b"0" * (self.digits + 1) not in shape:
+                factor = self.factor
+                values = [value * factor for value in map(float, texts)]
+            else:
+                values = self.exact(texts)
+        except (ValueError, ConversionError):
+            return None
+        if b"-" in block:
+            values = [value + 0.0 for value in values]  # no -0
+        return self.line * len(values) % tuple(values)
+
+    def exact(self, texts: list[bytes]) -> list[float]:
+        """The product with the exact fraction, rounded once."""
+        high, low, factor, splitter, lost = self.high, self.low, self.factor, SPLITTER, LOST
+        answers = []
+        for value in map(float, texts):
+            scaled = splitter * value
+            head = scaled - (scaled - value)
+            product = head * high
+            rest = head * low + (value - head) * factor
+            bound = product * lost
+            answer = product + (rest - bound)
+            if answer != product + (rest + bound):
+                answer = self.made.apply(value)
+            answers.append(answer)
+        return answers
+
+
+def _in_range(texts: list[bytes]) -> bool:
+    sizes = list(map(abs, map(float, texts)))
+    return max(sizes) < LARGE and min(sizes) > SMALL
+
+
+def plain_digits(over: int, under: int, precision: int) -> int:
+    """How long numbers may be so that their plain product with over/under prints right.
+
+    0 where the fraction is no decimal of few digits.  With T the digits of the fraction as a
+    whole number, a number N of n digits gives N T of at most n + digits(T) digits.  Only where
+    N T has L digits and is 5 * 10^(L - precision - 1) times an odd number does it lie halfway,
+    and then 2 divides it exactly L - precision - 1 times; but it does so at least as often as T.
+    """
+    under //= gcd(over, under)
+    tens = next((power for power in range(23) if 10**power % under == 0), None)
+    if tens is None or precision > MOST_PRECISION:
+        return 0
+    digits = str(over * 10**tens // under).rstrip("0")
+    twos = (int(digits) & -int(digits)).bit_length() - 1
+    return max(0, min(MOST_DIGITS, precision + twos) - len(digits))

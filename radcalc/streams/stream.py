@@ -1,0 +1,190 @@
+"""Standard input converted line by line: one line out for every line in.
+
+Everything is bytes, and only the numbers change.  A block of lines in which every number is a
+plain decimal is converted at once (`bulk.py`); any other goes line by line through the grammar.
+"""
+
+from collections.abc import Callable, Iterator
+from io import BytesIO
+
+from radcalc.conversion.plan import Plan
+from radcalc.errors import LineError, RadcalcError, UsageError
+from radcalc.streams.fields import BLANKS, Cut, Fields, Span
+from radcalc.streams.readers import Numbers, Quantities
+
+ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
+BLOCK = 1 << 16
+FEW = 200  # bytes that are not cut further
+LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
+BOM = b"\xef\xbb\xbf"
+
+Read = Callable[[int], bytes]
+Record = Callable[[int, int | None, Plan, float], str]  # line, field, plan, number given
+
+
+class Stream:
+    """What is done with every line: which texts of it are converted, and how they are shown."""
+
+    def __init__(
+        self,
+        texts: Numbers | Quantities,
+        cut: Cut | None = None,
+        fields: Fields | None = None,
+        name: str = "",
+        header: int = 0,
+        record: Record | None = None,
+    ) -> None:
+        """Take whole lines where `cut` is None; `name` is a column's in the header.
+
+        With a `record` every number becomes a line of its own, and nothing else is shown.
+        """
+        self.texts = texts
+        self.cut = cut
+        self.fields = fields or Fields()
+        self.name = name
+        self.header = header
+        self.record = record
+
+    def head(self, line: bytes) -> None:
+        """Find the column in the last line of the header."""
+        if self.name and self.cut:
+            self.fields = self.cut.find(_body(line), self.name)
+
+    def block(self, block: bytes) -> bytes | None:
+        """Convert a block of whole lines at once; None where any of them is unusual."""
+        if block[-1:] != b"\n":
+            return None
+        crlf = b"\r" in block
+        if crlf:
+            ends = block.count(b"\r\n")
+            if not ends == block.count(b"\r") == block.count(b"\n"):
+                return None
+            block = block.replace(b"\r\n", b"\n")
+        if self.cut:
+            shown = self.cut.convert(block, self.fields, self.texts.column)
+        else:
+            shown = self.texts.lines(block)
+        return shown.replace(b"\n", b"\r\n") if shown and crlf else shown
+
+    def line(self, line: bytes, count: int) -> bytes:
+        """Convert one line, its end included; raise LineError where it cannot be."""
+        body = _body(line)
+        text = body.lstrip(BLANKS)
+        if not text or text[:1] == b"#":
+            return b"" if self.record else line
+        parts: list[bytes] = []
+        done, field = 0, None
+        try:
+            for field, (start, end) in self._spans(body):
+                made, value = self.texts.read(body[start:end])
+                if self.record:
+                    parts.append(self.record(count, field, made, value).encode())
+                else:
+                    parts += [body[done:start], self.texts.show(made, value)]
+                done = end
+        except RadcalcError as error:
+            where = f"stdin, line {count}" + (f", field {field}" if field else "")
+            raise LineError(f"{where}: {error.message}", error.hint) from None
+        return b"".join(parts if self.record else [*parts, line[done:]])
+
+    def _spans(self, body: bytes) -> list[tuple[int | None, Span]]:
+        """The texts to be converted: the number of the field, and where it is."""
+        if self.cut is None:
+            start = len(body) - len(body.lstrip(BLANKS))
+            return [(None, (start, len(body.rstrip(BLANKS))))]
+        spans = self.cut.spans(body)
+        return [(i + 1, self.cut.inner(body, spans[i])) for i in self.fields.of(len(spans))]
+
+
+def run(
+    stream: Stream,
+    read: Read,
+    write: Callable[[bytes], object],
+    invalid: str = ABORT,
+    complain: Callable[[RadcalcError], object] = lambda error: None,
+) -> bool:
+    """Convert all that is read; whether every line could be, or it does not matter.
+
+    What stands before a bad line is written before anything is said about it.
+    """
+    count, good = 0, True
+    for block in _blocks(read):
+        if not count and block.startswith(BOM):
+            if not stream.record:
+                write(BOM)
+            block = block[len(BOM) :]
+        while block and count < stream.header:
+            line, block = _first(block)
+            count += 1
+            if count == stream.header:
+                stream.head(line)
+            if not stream.record:
+                write(line)
+        if not block:
+            continue
+        lines: list[bytes] = []
+        for part, shown in _parts(stream, block):
+            if shown is not None:
+                count += part.count(b"\n")
+                lines.append(shown)
+                continue
+            for line in BytesIO(part):  # unlike splitlines, at newlines alone
+                count += 1
+                try:
+                    lines.append(stream.line(line, count))
+                except LineError as error:
+                    if invalid != IGNORE:
+                        write(b"".join(lines))
+                        lines.clear()
+                    if invalid == ABORT:
+                        raise
+                    if invalid != IGNORE:
+                        complain(error)
+                    good = good and invalid != FAIL
+                    if not stream.record:
+                        lines.append(line)
+        write(b"".join(lines))
+    if count < stream.header and stream.name:
+        raise UsageError("stdin has no header", "a line with the names of the columns")
+    return good
+
+
+def _parts(stream: Stream, block: bytes) -> Iterator[tuple[bytes, bytes | None]]:
+    """Cut a block until its parts are converted at once, or are a few lines, with None."""
+    shown = None if stream.record else stream.block(block)
+    middle = block.find(b"\n", len(block) // 2) + 1
+    if shown is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
+        yield block, shown
+    else:
+        yield from _parts(stream, block[:middle])
+        yield from _parts(stream, block[middle:])
+
+
+def _blocks(read: Read) -> Iterator[bytes]:
+    """Whole lines, as many as there are; the last may lack its end."""
+    parts: list[bytes] = []
+    size = 0
+    while data := read(BLOCK):
+        end = data.rfind(b"\n") + 1
+        if end:
+            yield b"".join([*parts, data[:end]])
+            parts, size = [], 0
+        rest = data[end:]
+        if rest:
+            parts.append(rest)
+            size += len(rest)
+        if size > LONGEST:
+            raise LineError(f"stdin has a line of more than {LONGEST} bytes", "shorter lines")
+    if parts:
+        yield b"".join(parts)
+
+
+def _first(block: bytes) -> tuple[bytes, bytes]:
+    """The first line and the rest."""
+    line, end, rest = block.partition(b"\n")
+    return line + end, rest
+
+
+def _body(line: bytes) -> bytes:
+    """A line without its end."""
+    return line.removesuffix(b"\n").removesuffix(b"\r")
