@@ -1,9 +1,22 @@
 """Solid angles [sr] of shapes, seen from a point.
 
-Lengths are all in one unit, angles in radians; every argument is a float or an array, and
-arrays are broadcast together.  The forms are those that keep their digits for small and for
-large arguments, so a disc a thousand million radii away is as exact as one at hand.  What no
-observer can see (a sphere from within, a disc from its own plane) is a `ConditionError`.
+The solid angle of a shape is the area that the shape covers on the unit sphere round the
+observer (CIE e-ILV 17-21-109).  All directions together are 4 pi sr, those above a plane
+2 pi sr.  It is what an intensity is multiplied by to give a flux; what a radiance is
+multiplied by to give an irradiance is the *projected* solid angle of `radcalc.geometry.projected`.
+
+Shapes: `cone`, `zone`, `sphere`, `disc`, `rectangle`, `pyramid`, `patch`; `triangle` and
+`polygon` come from `radcalc.geometry.polygons`.  `cone_of`, `sphere_distance` and
+`sphere_radius` solve for a size.  The functions whose names start with `check` refuse
+arguments out of range, for this module and for `projected`.
+
+Units: angles are in radians, solid angles in steradians.  The lengths of one call are in any
+one unit, as only their ratios matter.  Every argument is a float or a NumPy array; arrays are
+broadcast together, and the result has their shape.  A NaN is not refused: it gives NaN.
+
+Precision: the closed forms are written so that no digits are lost where two nearly equal
+numbers would be subtracted (narrow cones, distant discs, spheres seen from close by).  The
+tests hold them to a relative 1e-12 of references that are computed with 80 digits.
 """
 
 import math
@@ -44,21 +57,94 @@ __all__ = [
     "zone",
 ]
 
-FULL = 4 * math.pi
-HEMISPHERE = 2 * math.pi
-SLACK = 1e-12  # 12.566370614359 sr and 3.14159265359 rad, as typed, are still within the sphere
+FULL = 4 * math.pi  # [sr] all directions
+HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
+# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
+# as somebody types them, are still within the sphere.
+SLACK = 1e-12
 
 
 def refuse(bad: Any, message: str, hint: str) -> None:
-    """Raise a `ConditionError` where a comparison holds for any element."""
+    """Raise a `ConditionError` where a comparison holds.
+
+    All range checks of this package go through here, for floats and arrays alike.
+
+    Parameters
+    ----------
+    bad : bool or ndarray of bool
+        The comparison that must not hold, such as ``radius < 0``.  A comparison with NaN is
+        false, so NaN passes.
+    message : str
+        What is wrong.
+    hint : str
+        What would be right, shown after ``try:``.
+
+    Raises
+    ------
+    ConditionError
+        If `bad` is true, or true for any element of an array.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import refuse
+    >>> refuse(2.0 < 0, "a negative radius is not possible", "0 or more")
+    >>> refuse(-1.0 < 0, "a negative radius is not possible", "0 or more")
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: a negative radius is not possible
+    try: 0 or more
+    """
     if any_true(bad):
         raise ConditionError(message, hint)
 
 
 def cone(half_angle: Number) -> Number:
-    """A cone (a spherical cap) of a half angle from 0 to pi: 4 pi sin^2(alpha/2).
+    """Solid angle of a circular cone, which is that of the spherical cap it cuts out.
 
-    ISO 80000-3 defines the solid angle; the form with the sine keeps the digits of narrow cones.
+    Parameters
+    ----------
+    half_angle : float or ndarray [rad]
+        Angle alpha between the axis and the side, from 0 (nothing) through pi/2 (a hemisphere)
+        to pi (all directions).  The apex angle of a data sheet is twice this.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 4 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a half angle is negative or above pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - cos(alpha)) = 4 pi sin^2(alpha/2)
+
+    Exact for every half angle.  The second form is the one computed: for a narrow cone cos(alpha)
+    rounds to 1 and the difference loses its digits (below 1e-8 rad all of them).  The flux of a
+    source of uniform intensity I within the cone is I Omega.
+
+    References
+    ----------
+    .. [1] ISO 80000-3, solid angle.
+    .. [2] CIE e-ILV 17-21-109, solid angle.
+
+    Examples
+    --------
+    A cone of half angle 60 degrees is a quarter of all directions, pi sr:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.cone(math.radians(60)) / math.pi, 12)
+    1.0
+
+    A narrow cone has the area of a small flat disc, pi alpha^2:
+
+    >>> solid.cone(1e-9)
+    3.141592653589793e-18
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
     refuse(bad, "a cone of that half angle is not possible", "from 0 to 180 deg")
@@ -66,7 +152,47 @@ def cone(half_angle: Number) -> Number:
 
 
 def cone_of(solid_angle: Number) -> Number:
-    """The half angle [rad] of the cone of a solid angle [sr]: 2 arcsin sqrt(Omega / 4 pi)."""
+    """Half angle of the circular cone of a given solid angle; the inverse of `cone`.
+
+    Parameters
+    ----------
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega of the cone, from 0 to 4 pi.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        Half angle, from 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is negative or above 4 pi.  A relative excess of 1e-12 is taken as
+        4 pi, so that 12.566370614360 sr, as somebody types it, is accepted.
+
+    Notes
+    -----
+    ::
+
+        alpha = 2 arcsin(sqrt(Omega / (4 pi)))
+
+    Exact.  Small solid angles keep their digits.  Close to 4 pi the problem itself is badly
+    conditioned: the angle of the cone left out is as the square root of the solid angle left out,
+    so a rounding of 1e-16 in Omega is 1e-8 rad in alpha.
+
+    References
+    ----------
+    .. [1] ISO 80000-3, solid angle.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(math.degrees(solid.cone_of(math.pi)), 10)
+    60.0
+    >>> round(math.degrees(solid.cone_of(solid.HEMISPHERE)), 10)
+    90.0
+    """
     part = solid_angle / FULL
     bad = (part < 0) | (part > 1 + SLACK)
     refuse(bad, "a cone of that solid angle is not possible", "from 0 to 4pi sr")
@@ -74,9 +200,57 @@ def cone_of(solid_angle: Number) -> Number:
 
 
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
-    """A zone between two polar angles, over a width in azimuth.
+    """Solid angle of a spherical zone between two polar angles, or of a part of it in azimuth.
 
-    2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2), for 0 <= t0 <= t1 <= pi and 0 <= dphi <= 2 pi.
+    With a part in azimuth it is a patch between two circles of latitude and two meridians.
+
+    Parameters
+    ----------
+    lower, upper : float or ndarray [rad]
+        Polar angles t0 and t1, from the zone's axis (not elevations), 0 <= t0 <= t1 <= pi.
+    azimuth : float or ndarray [rad], optional
+        Width dphi in azimuth, from 0 to 2 pi; the whole turn by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 4 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
+        0 to 2 pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = dphi (cos(t0) - cos(t1)) = 2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)
+
+    Exact.  The product is computed, not the difference of cosines, which loses digits in narrow
+    zones and next to the poles.  The sine of the mean angle is expanded into the sines and cosines
+    of t0/2 and t1/2, because rounding the sum t0 + t1 would cost digits next to the pole at pi.
+
+    References
+    ----------
+    .. [1] ISO 80000-3, solid angle.
+
+    Examples
+    --------
+    From 30 to 60 degrees: 2 pi (cos 30 - cos 60) = pi (sqrt(3) - 1).
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> band = solid.zone(math.radians(30), math.radians(60))
+    >>> round(band / (math.pi * (math.sqrt(3) - 1)), 12)
+    1.0
+
+    One degree by one degree at the equator is close to the square degree, (pi/180)^2 sr:
+
+    >>> cell = solid.zone(math.radians(89.5), math.radians(90.5), math.radians(1))
+    >>> f"{cell:.6e}", f"{math.radians(1) ** 2:.6e}"
+    ('3.046136e-04', '3.046174e-04')
     """
     check_zone(lower, upper, azimuth)
     # sin((t0 + t1)/2), from halves: no digit is lost near either pole
@@ -85,7 +259,31 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
 
 def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
-    """Refuse what is no zone."""
+    """Refuse polar angles and azimuths that bound no zone.
+
+    Parameters
+    ----------
+    lower, upper : float or ndarray [rad]
+        Polar angles, to be 0 <= lower <= upper <= pi.
+    azimuth : float or ndarray [rad]
+        Width in azimuth, to be from 0 to 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
+        0 to 2 pi.  Upper limits may be exceeded by a relative 1e-12.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import check_zone
+    >>> check_zone(0.0, 1.0, 2.0)
+    >>> check_zone(1.0, 0.5, 2.0)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: the zone ends before it starts
+    try: the smaller polar angle first
+    """
     refuse(
         (lower < 0) | (upper > math.pi * (1 + SLACK)),
         "a zone beyond the poles is not possible",
@@ -100,7 +298,50 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
 
 
 def angular_radius(radius: Number, distance: Number) -> Number:
-    """The half angle [rad] of a sphere's cone of sight: sin alpha = R/D, D to the centre."""
+    """Angular radius of a sphere: the half angle of the cone that touches it.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, above `radius`.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to below pi/2.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or the observer is on the sphere or inside it.
+
+    Notes
+    -----
+    ::
+
+        sin(alpha) = R / D,  computed as  alpha = atan2(R, sqrt((D - R)(D + R)))
+
+    Exact.  It is the sine, not the tangent: the line of sight touches the sphere at a right angle
+    to the radius there, in front of the centre.  (A flat disc of the same radius and distance has
+    tan(alpha) = R/D.)  Close to the surface the arcsine of a number next to 1 would lose half of
+    the digits; D - R, and with it the arctangent, keeps them.
+
+    Examples
+    --------
+    At two radii from the centre, sin(alpha) = 1/2:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(math.degrees(solid.angular_radius(1.0, 2.0)), 12)
+    30.0
+
+    The sun (radius 695 700 km) from a distance of one astronomical unit, in minutes of arc:
+
+    >>> round(60 * math.degrees(solid.angular_radius(695_700e3, 149_597_870_700.0)), 2)
+    15.99
+    """
     refuse((radius < 0), "a negative radius is not possible", "0 or more")
     refuse(
         distance <= radius,
@@ -112,12 +353,58 @@ def angular_radius(radius: Number, distance: Number) -> Number:
 
 
 def sphere(radius: Number, distance: Number) -> Number:
-    """A sphere, its centre at a distance: the cone whose half angle is `angular_radius`."""
+    """Solid angle of a sphere, seen from outside.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, above `radius`.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to below 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or the observer is on the sphere or inside it.
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - sqrt(1 - (R/D)^2)) = 4 pi sin^2(alpha/2),  sin(alpha) = R/D
+
+    Exact; the second form is computed, through `angular_radius` and `cone`, as the first one loses
+    the digits of small and distant spheres.  Far away it tends to pi R^2/D^2; at the surface to
+    2 pi, half of all directions.
+
+    Examples
+    --------
+    At two radii from the centre: 2 pi (1 - sqrt(3)/2).
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.sphere(1.0, 2.0), 6), round(2 * math.pi * (1 - math.sqrt(3) / 2), 6)
+    (0.841787, 0.841787)
+
+    The sun at its mean distance (radius 695 700 km, 1 au) fills 6.794e-5 sr:
+
+    >>> f"{solid.sphere(695_700e3, 149_597_870_700.0):.3e}"
+    '6.794e-05'
+    """
     return cone(angular_radius(radius, distance))
 
 
 def _sine(solid_angle: Number) -> Number:
-    """The sine of the half angle of a sphere's cone of sight, from its solid angle."""
+    """Sine of the half angle of a sphere's cone, from its solid angle.
+
+    With p = Omega/(4 pi) = sin^2(alpha/2) it is sin(alpha) = 2 sqrt(p (1 - p)), which needs no
+    inverse function.
+    """
     part = solid_angle / FULL
     refuse(
         (part <= 0) | (part >= 0.5),
@@ -128,17 +415,108 @@ def _sine(solid_angle: Number) -> Number:
 
 
 def sphere_distance(radius: Number, solid_angle: Number) -> Number:
-    """How far the centre of a sphere is that fills a solid angle."""
+    """Distance of the centre of a sphere that fills a given solid angle.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere (or any other unit of length).
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega that it fills, above 0 and below 2 pi: a sphere seen from outside
+        fills less than half of all directions.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Distance from the observer to the *centre*, in the unit of `radius`.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is not between 0 and 2 pi, both excluded.
+
+    Notes
+    -----
+    ::
+
+        D = R / sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact; the inverse of `sphere` for the distance.
+
+    Examples
+    --------
+    A cone of half angle 30 degrees touches a sphere whose centre is two radii away:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.sphere_distance(1.0, solid.cone(math.radians(30))), 12)
+    2.0
+    """
     return radius / _sine(solid_angle)
 
 
 def sphere_radius(distance: Number, solid_angle: Number) -> Number:
-    """The radius of a sphere that fills a solid angle, its centre at a distance."""
+    """Radius of a sphere at a given distance that fills a given solid angle.
+
+    Parameters
+    ----------
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere (or any other unit of length).
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega that it fills, above 0 and below 2 pi.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Radius, in the unit of `distance`.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is not between 0 and 2 pi, both excluded.
+
+    Notes
+    -----
+    ::
+
+        R = D sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact; the inverse of `sphere` for the radius.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.sphere_radius(2.0, solid.cone(math.radians(30))), 12)
+    1.0
+    """
     return distance * _sine(solid_angle)
 
 
 def check_height(height: Number) -> None:
-    """Refuse an observer in the plane of a flat shape."""
+    """Refuse an observer in or behind the plane of a flat shape.
+
+    Parameters
+    ----------
+    height : float or ndarray
+        Distance of the observer from the shape's plane, in any unit, to be above 0.
+
+    Raises
+    ------
+    ConditionError
+        If a height is 0 or negative.  From its own plane a flat shape is seen edge-on, and from
+        a point on the shape the solid angle jumps between 2 pi and 0.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import check_height
+    >>> check_height(0.5)
+    >>> check_height(0.0)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: the observer is not above the shape's plane
+    try: a height above 0 (edge-on, a flat shape fills no solid angle)
+    """
     refuse(
         height <= 0,
         "the observer is not above the shape's plane",
@@ -147,11 +525,69 @@ def check_height(height: Number) -> None:
 
 
 def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
-    """A disc, from a height above its plane and an offset from its axis.
+    """Solid angle of a circular disc, from a point on its axis or off it.
 
-    On the axis 2 pi (1 - h / sqrt(h^2 + R^2)).  Elsewhere the integral round the rim, of
-    which far away the trapezoidal rule takes every digit, and which near by is complete
-    elliptic (F. Paxton, Rev. Sci. Instrum. 30 (1959) 254, has it with other functions).
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the disc, 0 or more (any one unit of length for all arguments).
+    height : float or ndarray [m]
+        Distance h of the observer from the disc's *plane*, above 0.
+    offset : float or ndarray [m], optional
+        Distance x of the observer from the disc's axis; the sign does not matter.  0, on the
+        axis, by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or a height is not above 0.
+
+    Notes
+    -----
+    On the axis::
+
+        Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) = 4 pi sin^2(alpha/2),  tan(alpha) = R/h
+
+    Off the axis it is a sum of complete elliptic integrals of the first and third kind [1]_; with
+    r1 and r2 the distances to the nearest and the farthest point of the rim::
+
+        Omega = turn - 4 (h / r2) cel(r1/r2, p, a, b)
+        p = ((R - x) / (R + x))^2,  a = R / (R + x),  b = a (R - x) / (R + x)
+
+    `cel` is Bulirsch's integral [2]_, and turn is how far the rim turns about the foot of the
+    observer's perpendicular: 2 pi for x < R, pi for x = R and 0 for x > R.  For x = R, where p and
+    b are 0, the integral is that of p = 1 and b = a.
+
+    Beyond four radii from the centre that is a difference of nearly equal numbers.  There the mean
+    of a positive function over 32 points of the rim is taken instead: the function is smooth and
+    periodic, so the trapezoidal rule converges geometrically, and 26 points would give every digit.
+    Both are exact but for rounding.
+
+    References
+    ----------
+    .. [1] F. Paxton, Solid Angle Calculation for a Circular Disk, Rev. Sci. Instrum. 30 (1959)
+       254, doi:10.1063/1.1716590.  Its form has Heuman's lambda function.
+    .. [2] R. Bulirsch, Numerical Calculation of Elliptic Integrals and Elliptic Functions III,
+       Numer. Math. 13 (1969) 305, doi:10.1007/BF02165405.
+
+    Examples
+    --------
+    On the axis, where the rim is seen at 60 degrees, the disc fills the cone of 60 degrees, pi sr:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.disc(math.sqrt(3), 1.0) / math.pi, 12)
+    1.0
+
+    Just above a point of the rim it fills half of the hemisphere below the observer, also pi sr:
+
+    >>> round(solid.disc(1.0, 1e-9, 1.0) / math.pi, 6)
+    1.0
     """
     refuse(radius < 0, "a negative radius is not possible", "0 or more")
     check_height(height)
@@ -162,13 +598,13 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     return piecewise(far, _disc_from_afar, _disc_from_near, radius, height, offset)
 
 
-RIM = 32  # points on the rim; from four radii on, 26 give every digit
+RIM = 32  # points on a disc's rim; from four radii on, 26 give every digit
 
 
 def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
-    """The mean over the rim of the solid angle per turn about the line to the disc's centre.
+    """Far from the disc: the mean over the rim of a positive function, by the trapezoidal rule.
 
-    All terms are positive, whatever the offset.
+    The function is the solid angle per turn about the line from the observer to the disc's centre.
     """
     away = hypot(height, offset)
     total = 0.0
@@ -180,7 +616,11 @@ def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
 
 
 def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
-    """The turn about the axis, less what the cosine of the polar angle of the rim takes of it."""
+    """Near the disc: the rim's turn about the axis, less an elliptic integral.
+
+    In polar coordinates about the observer's perpendicular, the disc is the integral of
+    1 - cos(polar angle of the rim) over the azimuth; the turn is the integral of the 1.
+    """
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
     inside, outside = radius - offset, radius + offset
     # The rim's turn about the observer's foot is all of it, half of it or none; on the rim
@@ -200,10 +640,57 @@ def rectangle(
     offset: Number = 0.0,
     offset_y: Number = 0.0,
 ) -> Number:
-    """A rectangle, from a height above its plane and offsets from its axis along its sides.
+    """Solid angle of a rectangle, from a point on its axis or off it.
 
-    On the axis 4 arctan(a b / (h sqrt(a^2 + b^2 + h^2))) with half sides a, b; elsewhere the
-    same through its two triangles.
+    Parameters
+    ----------
+    width, length : float or ndarray [m]
+        Whole sides along x and y, 0 or more (any one unit of length for all arguments).
+    height : float or ndarray [m]
+        Distance h of the observer from the rectangle's *plane*, above 0.
+    offset, offset_y : float or ndarray [m], optional
+        How far aside of the rectangle's axis the observer is, along x and along y; 0 by
+        default.  Half a side each puts the observer above a corner.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a side is negative, or a height is not above 0.
+
+    Notes
+    -----
+    On the axis, with the half sides a and b::
+
+        Omega = 4 arctan(a b / (h sqrt(a^2 + b^2 + h^2)))
+
+    Exact everywhere.  Off the axis the rectangle is the sum of its two triangles (see
+    `radcalc.geometry.polygons.triangle`); the textbook's four rectangles that meet below the
+    observer are added and subtracted, and of a distant rectangle all digits would cancel.
+
+    References
+    ----------
+    .. [1] A. Khadjavi, Calculation of solid angle subtended by rectangular apertures,
+       J. Opt. Soc. Am. 58 (1968) 1417.
+
+    Examples
+    --------
+    From the centre of a cube each of the six faces fills 4 pi/6 sr:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.rectangle(2.0, 2.0, 1.0) / (4 * math.pi / 6), 12)
+    1.0
+
+    The part of a point source's light that falls on a rectangle of 1 m by 2 m, 0.5 m from the
+    source above one of its corners, is published as 0.0836 (EES heat transfer library, FDiff_5):
+
+    >>> round(solid.rectangle(1.0, 2.0, 0.5, 0.5, 1.0) / solid.FULL, 4)
+    0.0836
     """
     from radcalc.geometry.polygons import fan
 
@@ -211,7 +698,43 @@ def rectangle(
 
 
 def corners(width: Number, length: Number, height: Number, offset: Number, offset_y: Number) -> Any:
-    """A rectangle as `polygons` takes it: its first corner, and the corners from there."""
+    """Corners of a rectangle as `radcalc.geometry.polygons` takes them: a point, and sides from it.
+
+    Parameters
+    ----------
+    width, length : float or ndarray [m]
+        Whole sides along x and y, 0 or more (any one unit of length for all arguments).
+    height : float or ndarray [m]
+        Distance of the observer from the rectangle's plane, which is at z = height; above 0.
+    offset, offset_y : float or ndarray [m]
+        How far aside of the rectangle's axis the observer is, along x and along y.
+
+    Returns
+    -------
+    first : tuple of 3 floats or ndarrays [m]
+        The corner of the smallest x and y, from the observer.
+    sides : list of 4 such tuples [m]
+        All four corners from that one, counted from +x to +y; the first is zero.
+
+    Raises
+    ------
+    ConditionError
+        If a side is negative, or a height is not above 0.
+
+    Notes
+    -----
+    The corners are handed over as differences from the first one, because these are known exactly
+    while the corners of a small and distant rectangle agree in most of their digits.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import solid
+    >>> first, sides = solid.corners(2.0, 4.0, 1.0, 0.0, 0.0)
+    >>> first
+    (-1.0, -2.0, 1.0)
+    >>> sides
+    [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 4.0, 0.0), (0.0, 4.0, 0.0)]
+    """
     refuse((width < 0) | (length < 0), "a negative side is not possible", "0 or more")
     check_height(height)
     corner = (-offset - width / 2, -offset_y - length / 2, height)
@@ -219,9 +742,47 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
 
 
 def pyramid(horizontal: Number, vertical: Number) -> Number:
-    """A right rectangular pyramid of two full apex angles, face to face, from 0 to pi.
+    """Solid angle of a right rectangular pyramid, from its two apex angles.
 
-    4 arcsin(sin(a/2) sin(b/2)), through the arc tangent, which keeps its digits near pi.
+    Parameters
+    ----------
+    horizontal, vertical : float or ndarray [rad]
+        Full apex angles a and b, each between two opposite *faces* (such as a camera's
+        horizontal and vertical field of view), from 0 to pi.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If an angle is outside 0 to pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = 4 arcsin(sin(a/2) sin(b/2))
+
+    Exact.  The arcsine loses digits where its argument is next to 1; the arctangent of the same
+    angle keeps them, atan2(sin(a/2) sin(b/2), sqrt(cos^2(a/2) + sin^2(a/2) cos^2(b/2))).  The
+    angles between opposite *edges* would be smaller, and have another formula.
+
+    Examples
+    --------
+    The pyramid of 90 by 90 degrees is the face of a cube seen from its centre, 4 pi/6 sr:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.pyramid(math.pi / 2, math.pi / 2) / (4 * math.pi / 6), 12)
+    1.0
+
+    With one angle open to 180 degrees it is a wedge, whose solid angle is twice the other angle:
+
+    >>> round(solid.pyramid(0.5, math.pi), 12)
+    1.0
     """
     check_pyramid(horizontal, vertical)
     a, b = horizontal / 2, vertical / 2
@@ -229,17 +790,77 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
 
 def check_pyramid(horizontal: Number, vertical: Number) -> None:
-    """Refuse angles that no pyramid has."""
+    """Refuse apex angles that no pyramid has.
+
+    Parameters
+    ----------
+    horizontal, vertical : float or ndarray [rad]
+        Full apex angles, to be from 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If an angle is negative or above pi.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import check_pyramid
+    >>> check_pyramid(1.0, 0.5)
+    >>> check_pyramid(-1.0, 0.5)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: a pyramid of those angles is not possible
+    try: from 0 to 180 deg, face to face
+    """
     top = math.pi * (1 + SLACK)
     bad = (horizontal < 0) | (vertical < 0) | (horizontal > top) | (vertical > top)
     refuse(bad, "a pyramid of those angles is not possible", "from 0 to 180 deg, face to face")
 
 
 def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
-    """A small flat patch, tilted from the line of sight: A cos(theta) / d^2.
+    """Solid angle of a small flat patch of any outline, to first order in its size.
 
-    The first term of a series in size over distance: at five times the size a disc is 1 % off.
-    Past 90 degrees it is seen from behind, and fills nothing.
+    Parameters
+    ----------
+    area : float or ndarray [m^2]
+        Area A of the patch, 0 or more.
+    distance : float or ndarray [m]
+        Distance d from the observer to the patch, above 0.
+    tilt : float or ndarray [rad], optional
+        Angle theta between the patch's normal and the line of sight, from -pi to pi; 0, facing
+        the observer, by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        0 or more; 0 from pi/2 on, where the patch is seen edge-on or from behind.
+
+    Raises
+    ------
+    ConditionError
+        If an area is negative, a distance is not above 0, or a tilt is beyond pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = A cos(theta) / d^2
+
+    It is the first term of a series in size over distance, and no bound: close to a patch it
+    exceeds 2 pi.  Of a disc of radius R that faces the observer it is too large by the relative
+    3/4 (R/d)^2, which is 0.75 % at a distance of five diameters.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(solid.patch(2.0, 10.0, math.radians(60)), 12)
+    0.01
+
+    A disc of radius 1 m from 10 m, against the exact solid angle:
+
+    >>> round(solid.patch(math.pi, 10.0) / solid.disc(1.0, 10.0) - 1, 4)
+    0.0075
     """
     refuse(area < 0, "a negative area is not possible", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
@@ -248,10 +869,58 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
 
 def check_tilt(tilt: Number) -> None:
-    """Refuse an angle that is none from a normal."""
+    """Refuse an angle that is too large to be one from a normal.
+
+    Parameters
+    ----------
+    tilt : float or ndarray [rad]
+        Angle from a normal, to be from -pi to pi.
+
+    Raises
+    ------
+    ConditionError
+        If the size of an angle is above pi, as when degrees are taken for radians.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import check_tilt
+    >>> check_tilt(-1.0)
+    >>> check_tilt(45.0)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: that tilt is not possible
+    try: from 0 to 180 deg
+    """
     refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
 
 
 def facing(tilt: Number) -> Number:
-    """cos(theta) for light from the front, 0 for light from the side or behind."""
+    """Cosine factor of a flat surface: the cosine of the incidence, 0 for light from behind.
+
+    Parameters
+    ----------
+    tilt : float or ndarray [rad]
+        Angle theta between the surface's normal and the light; the sign does not matter.
+
+    Returns
+    -------
+    float or ndarray [1]
+        From 0 to 1: cos(theta) below pi/2, 0 from there on.
+
+    Notes
+    -----
+    ::
+
+        max(cos(theta), 0)
+
+    The projected area of a surface, over its area.  It is 0 at exactly pi/2, where the rounded
+    cosine would be 6e-17.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry.solid import facing
+    >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
+    (0.5, 0.0)
+    """
     return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * t, tilt)
