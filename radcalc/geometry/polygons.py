@@ -1,8 +1,17 @@
 """Solid angles of triangles and polygons, and what of them lies above a horizon.
 
+`triangle` and `polygon` give solid angles [sr] from vertices; `projected` weights each direction
+by its cosine to a normal; `above` cuts away what is below a receiver's horizon.  They are what
+`radcalc.geometry.solid` and `radcalc.geometry.projected` offer for rectangles and polygons.
+
 A point is a triple of coordinates: a tuple of floats, of arrays, or the last axis of an array.
-The vertices are taken from the observer; inside, a polygon is its first vertex and all
-vertices *from that one*, whose differences keep their digits however far the polygon is.
+All points are seen from the observer, who is at the origin, and in any one unit of length.
+`split` turns a list of vertices into the form that the other functions here work on: the first
+vertex, and all vertices *from that one* (the first of these is zero).  Of a small polygon far
+away, the vertices agree in most of their digits, and only these differences keep them all.
+
+The observer must not be in the polygon's plane; `radcalc.geometry.outline.read` refuses that,
+the functions here do not look for it.
 """
 
 from collections.abc import Sequence
@@ -26,35 +35,69 @@ from radcalc.maths import (
     smaller,
 )
 
-POOR = 1e-2  # of the largest term: below it a sum has lost too many digits
+POOR = 1e-2  # [1] of the terms' sizes: a sum below it has lost too many digits
 
 
 def triangle(a: Any, b: Any, c: Any) -> Number:
-    """The solid angle of a triangle, positive where a, b, c turn left as the observer sees them.
-
-    tan(Omega/2) = [a b c] / (abc + (a.b)c + (a.c)b + (b.c)a), of A. van Oosterom and
-    J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125; from -2 pi to 2 pi.
+    """Signed solid angle of a plane triangle, by Van Oosterom and Strackee's formula.
 
     Parameters
     ----------
-    a, b, c : triple of floats, or array (..., 3)
-        The vertices, from the observer.
+    a, b, c : tuple of 3 floats or ndarrays, or ndarray of shape (..., 3) [m]
+        The vertices, from the observer, in any one unit of length.
 
     Returns
     -------
-    float or array (...)
+    float or ndarray of shape (...) [sr]
+        From -2 pi to 2 pi, with the sign of the triple product [a b c]: positive where a, b, c
+        are clockwise as the observer sees them, which is anticlockwise from the far side.
+
+    Raises
+    ------
+    ConditionError
+        If a vertex has not three coordinates, or the integral of a splinter does not converge.
+
+    Notes
+    -----
+    ::
+
+        tan(Omega/2) = [a b c] / (|a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
+
+    with [a b c] = a . (b x c).  Exact.  It is solved with atan2, as the denominator is negative of
+    triangles that fill more than pi sr, where arctan would give a wrong branch.  The triple
+    product is taken from the differences b - a and c - a.  Of a splinter seen from close by the
+    denominator itself is a small difference; these triangles are integrated strip by strip
+    (`radcalc.geometry.numerics.strips`).
+
+    References
+    ----------
+    .. [1] A. van Oosterom and J. Strackee, The Solid Angle of a Plane Triangle, IEEE Trans.
+       Biomed. Eng. BME-30 (1983) 125, doi:10.1109/TBME.1983.325207.
+
+    Examples
+    --------
+    Three directions at right angles bound an eighth of all directions, 4 pi/8 sr:
+
+    >>> import math
+    >>> from radcalc.geometry.polygons import triangle
+    >>> x, y, z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    >>> round(triangle(x, y, z) / (math.pi / 2), 12)
+    1.0
+    >>> round(triangle(x, z, y) / (math.pi / 2), 12)
+    -1.0
     """
     a, b, c = vector(a), vector(b), vector(c)
     return in_chunks(_from_vertices, *a, *b, *c)
 
 
 def _from_vertices(*xs: Number) -> Number:
+    """The triangle of nine coordinates, as `in_chunks` hands them over."""
     a, b, c = xs[:3], xs[3:6], xs[6:]
     return _triangle(a, b, c, minus(b, a), minus(c, a))
 
 
 def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number:
-    """The same, where the sides from a are known with all their digits."""
+    """The triangle of `triangle`, where the sides from a are known with all their digits."""
     la, lb, lc = length(a), length(b), length(c)
     whole = la * lb * lc
     under = whole + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
@@ -77,7 +120,33 @@ def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number
 
 
 def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]]:
-    """A polygon made so small or large that no square of a length leaves the floats."""
+    """Scale a polygon so that no square or cube of a length overflows or underflows.
+
+    Parameters
+    ----------
+    first : tuple of 3 floats or ndarrays [m]
+        The first vertex, from the observer.
+    sides : sequence of such tuples [m]
+        All vertices from the first one.
+
+    Returns
+    -------
+    first : tuple of 3 floats or ndarrays [1]
+        The first vertex in the new unit, in which no coordinate reaches 1.
+    sides : list of such tuples [1]
+        All vertices from the first one, in that unit.
+
+    Notes
+    -----
+    The unit is the power of two above the largest coordinate: a division by it rounds nothing.
+    Solid angles depend on directions only, so they stay the same.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.polygons import scaled
+    >>> scaled((0.0, 0.0, 4.0), [(0.0, 0.0, 0.0), (4.0, 0.0, 0.0), (0.0, 2.0, 0.0)])
+    ((0.0, 0.0, 0.5), [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.0, 0.25, 0.0)])
+    """
     size = abs(first[0])
     for x in (*first[1:], *(x for side in sides for x in side)):
         size = larger(size, abs(x))
@@ -86,7 +155,41 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
 
 
 def fan(first: Vector, sides: Sequence[Vector]) -> Number:
-    """The signed solid angle of a polygon, as the sum of the triangles of its first vertex."""
+    """Signed solid angle of a plane polygon, as the sum of the triangles from its first vertex.
+
+    Parameters
+    ----------
+    first : tuple of 3 floats or ndarrays [m]
+        The first vertex, from the observer, in any one unit of length.
+    sides : sequence of such tuples [m]
+        All vertices in their order round the polygon, from the first one; the first of these is
+        zero.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From -2 pi to 2 pi; positive where the vertices are clockwise as the observer sees them.
+
+    Raises
+    ------
+    ConditionError
+        If the integral of a splinter does not converge.
+
+    Notes
+    -----
+    Exact for convex and concave polygons: triangles that reach out of a notch are counted once
+    positively and once negatively.
+
+    Examples
+    --------
+    The face of a cube, from the cube's centre, fills 4 pi/6 sr:
+
+    >>> import math
+    >>> from radcalc.geometry.polygons import fan
+    >>> sides = [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 2.0, 0.0), (0.0, 2.0, 0.0)]
+    >>> round(fan((-1.0, -1.0, 1.0), sides) / (4 * math.pi / 6), 12)
+    1.0
+    """
     first, sides = scaled(first, sides)
     points = [plus(first, side) for side in sides]
     total = 0.0
@@ -96,7 +199,31 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
 
 
 def split(vertices: Any) -> tuple[Vector, list[Vector]]:
-    """A polygon's first vertex, and every vertex from there."""
+    """First vertex of a polygon, and every vertex from there.
+
+    Parameters
+    ----------
+    vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
+        At least three vertices, in their order round the polygon, from the observer.
+
+    Returns
+    -------
+    first : tuple of 3 floats or ndarrays [m]
+        The first vertex.
+    sides : list of n such tuples [m]
+        Every vertex less the first one; the first of these is zero.
+
+    Raises
+    ------
+    ConditionError
+        If there are fewer than three vertices, or one has not three coordinates.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.polygons import split
+    >>> split([(1.0, 0.0, 5.0), (3.0, 0.0, 5.0), (1.0, 4.0, 5.0)])
+    ((1.0, 0.0, 5.0), [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 4.0, 0.0)])
+    """
     if is_array(vertices) and hasattr(vertices, "shape"):
         points = [vector(vertices[..., i, :]) for i in range(vertices.shape[-2])]
     else:
@@ -107,27 +234,97 @@ def split(vertices: Any) -> tuple[Vector, list[Vector]]:
 
 
 def polygon(vertices: Any) -> Number:
-    """The solid angle of a flat polygon, positive where it turns left as the observer sees it.
+    """Signed solid angle of a plane polygon.
 
     Parameters
     ----------
-    vertices : sequence of points, or array (..., n, 3)
-        In their order, from the observer.
+    vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
+        At least three vertices in one plane, in their order round the polygon, from the observer
+        and in any one unit of length.  The polygon may be concave; its sides must not cross.
 
     Returns
     -------
-    float or array (...)
+    float or ndarray of shape (...) [sr]
+        From -2 pi to 2 pi; positive where the vertices are clockwise as the observer sees them,
+        which is anticlockwise from the far side.
+
+    Raises
+    ------
+    ConditionError
+        If there are fewer than three vertices, one has not three coordinates, or the integral of
+        a splinter does not converge.
+
+    Notes
+    -----
+    The sum of the triangles from the first vertex, each by `triangle`.  Exact.  Whether the
+    vertices are in one plane is not tested here but in `radcalc.geometry.outline.read`.
+
+    Examples
+    --------
+    The face of a cube, from the cube's centre, fills 4 pi/6 sr:
+
+    >>> import math
+    >>> from radcalc.geometry.polygons import polygon
+    >>> face = [(-1.0, -1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0, 1.0), (-1.0, 1.0, 1.0)]
+    >>> round(polygon(face) / (4 * math.pi / 6), 12)
+    1.0
     """
     return fan(*split(vertices))
 
 
 def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
-    """The signed projected solid angle of a polygon that is wholly above the horizon.
+    """Signed projected solid angle of a polygon, by Lambert's contour formula.
 
-    J. H. Lambert's contour formula: half the sum of the angles that the sides subtend, each
-    times the cosine between the normal and that of the side's plane.  The vector area of the
-    directions to the vertices is taken apart from what the sides' arcs add to it: of a small
-    polygon the sides' terms all but cancel.
+    Parameters
+    ----------
+    first : tuple of 3 floats or ndarrays [m]
+        The first vertex, from the observer, in any one unit of length.
+    sides : sequence of such tuples [m]
+        All vertices in their order round the polygon, from the first one; the first of these is
+        zero.
+    normal : tuple of 3 floats or ndarrays [1]
+        The receiver's normal, of length 1.  The whole polygon must be above its horizon: `above`
+        cuts away the rest.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From -pi to pi; positive where the vertices are clockwise as the observer sees them.
+
+    Raises
+    ------
+    ConditionError
+        If the observer is on a side of the polygon, or the integral of a splinter does not
+        converge.
+
+    Notes
+    -----
+    ::
+
+        Omega_p = 1/2 sum over the sides of  beta n . (p x q) / |p x q|
+
+    where the side from p to q is seen under the angle beta.  Exact.  Of a small polygon the terms
+    all but cancel.  Therefore the vector area of the polygon whose vertices are the unit vectors
+    p/|p| is summed first, from differences that keep their digits, and the sides add only what
+    their arcs have beyond their chords, beta/sin(beta) - 1.  Where even that cancels (a splinter,
+    or a polygon along the horizon) the triangles are integrated strip by strip.
+
+    References
+    ----------
+    .. [1] J. H. Lambert, Photometria (1760).
+    .. [2] D. R. Baum, H. E. Rushmeier and J. M. Winget, Improving Radiosity Solutions Through the
+       Use of Analytically Determined Form-Factors, Computer Graphics 23 (1989) 325.
+
+    Examples
+    --------
+    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, whose projected solid angle
+    is pi:
+
+    >>> import math
+    >>> from radcalc.geometry.polygons import projected, split
+    >>> octant = split([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)])
+    >>> round(projected(*octant, (0.0, 0.0, 1.0)) / (math.pi / 4), 12)
+    1.0
     """
     first, sides = scaled(first, sides)
     far = length(first)
@@ -186,7 +383,48 @@ def _wide(sine: Number, cosine: Number) -> Number:
 
 
 def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vector, list[Vector]]:
-    """The part of a polygon above the horizon of a normal (floats only); [] where none is."""
+    """Part of a polygon that is above the horizon of a normal, its crossings with it included.
+
+    Parameters
+    ----------
+    first : tuple of 3 floats [m]
+        The first vertex, from the observer, in any one unit of length.  Floats only: of an array
+        each element would keep another number of vertices.
+    sides : sequence of such tuples [m]
+        All vertices in their order round the polygon, from the first one; the first of these is
+        zero.
+    normal : tuple of 3 floats [1]
+        The receiver's normal; its horizon is the plane through the observer at right angles to
+        it.
+
+    Returns
+    -------
+    first : tuple of 3 floats [m]
+        The first vertex of what is left.
+    sides : list of such tuples [m]
+        All vertices of what is left, from its first one; empty where nothing is.
+
+    Notes
+    -----
+    One step of Sutherland and Hodgman's clipping: vertices above the plane are kept, and where a
+    side crosses it, the point of crossing is added.  What is left of a concave polygon may have
+    edges along the horizon that are passed there and back, which cancel.
+
+    References
+    ----------
+    .. [1] I. E. Sutherland and G. W. Hodgman, Reentrant Polygon Clipping, Commun. ACM 17 (1974)
+       32, doi:10.1145/360767.360802.
+
+    Examples
+    --------
+    A square in the plane x = 1, of which half is above z = 0:
+
+    >>> from radcalc.geometry.polygons import above, split
+    >>> square = split([(1.0, -1.0, -1.0), (1.0, 1.0, -1.0), (1.0, 1.0, 1.0), (1.0, -1.0, 1.0)])
+    >>> first, sides = above(*square, (0.0, 0.0, 1.0))
+    >>> [tuple(f + s for f, s in zip(first, side)) for side in sides]
+    [(1.0, -1.0, 0.0), (1.0, 1.0, 0.0), (1.0, 1.0, 1.0), (1.0, -1.0, 1.0)]
+    """
     base = dot(normal, first)
     heights = [base + dot(normal, side) for side in sides]
     kept: list[Vector] = []

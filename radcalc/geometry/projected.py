@@ -1,10 +1,21 @@
-"""Projected solid angles [sr]: each direction weighted by its cosine to the receiver's normal.
+"""Projected solid angles [sr] of shapes, seen from a point on a receiving surface.
 
-Divided by pi they are the configuration factors from a surface element to the shape; times a
-uniform radiance, the irradiance.  What is below the receiver's horizon does not count.
-Arguments are those of `solid`, floats or arrays; a `tilt` turns the receiver.  J. R. Howell's
-catalogue of configuration factors has most of the formulas, in forms that lose their digits
-for small shapes; here they keep them.
+The projected solid angle weights each direction by the cosine of its angle to the receiver's
+normal, and counts only what is above the receiver's horizon::
+
+    Omega_p = integral of cos(theta) dOmega,  theta < pi/2
+
+The whole hemisphere has pi sr, not 2 pi.  A uniform radiance (or luminance) L gives the
+irradiance (illuminance) E = L Omega_p.  Omega_p / pi is the configuration factor from the
+surface element to the shape (CIE e-ILV 17-29-093), also called view factor.
+
+The arguments are those of `radcalc.geometry.solid`: angles in radians, the lengths of one call
+in any one unit, floats or NumPy arrays that are broadcast together.  In addition a `tilt` turns
+the receiver away from the shape, or a `normal` says where it faces.  What the horizon cuts is
+computed element by element, which is slower for arrays than the closed forms.
+
+J. R. Howell's Catalog of Radiation Heat Transfer Configuration Factors has most of the formulas
+in forms that lose their digits for small shapes; the forms here keep them.
 """
 
 import math
@@ -29,17 +40,64 @@ from radcalc.maths import (
     smaller,
 )
 
-HEMISPHERE = math.pi  # and of all directions too: a surface sees one half of them
-RIGHT = math.pi / 2
-UP = (0.0, 0.0, 1.0)
+HEMISPHERE = math.pi  # [sr] and of all directions too: a surface sees one half of them
+RIGHT = math.pi / 2  # [rad] a right angle
+UP = (0.0, 0.0, 1.0)  # [1] the normal of a receiver that faces a flat shape's plane
 
 
 def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
-    """A cone whose axis is tilted from the receiver's normal; angles from 0 to pi.
+    """Projected solid angle of a circular cone whose axis is tilted from the receiver's normal.
 
-    pi sin^2(alpha) cos(tilt) while all of it is above the horizon.  Of a cone that the horizon
-    cuts, the formula of a sphere partly below it; a cone wider than a hemisphere is what the
-    cone about the opposite direction leaves of the receiver's view.
+    Parameters
+    ----------
+    half_angle : float or ndarray [rad]
+        Half angle alpha of the cone, from 0 to pi.
+    tilt : float or ndarray [rad], optional
+        Angle t between the cone's axis and the receiver's normal, from -pi to pi; the sign does
+        not matter.  0 by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a half angle is outside 0 to pi, or a tilt beyond pi.
+
+    Notes
+    -----
+    While all of it is above the horizon, alpha + t <= pi/2::
+
+        Omega_p = pi sin^2(alpha) cos(t)
+
+    Where the horizon cuts it, with u = cos(t)/sin(alpha), from 1 (all above) to -1 (all below)::
+
+        Omega_p = arctan(w) - w cos^2(alpha) + sin^2(alpha) cos(t) arccos(-u cos(alpha)/sin(t))
+        w = tan(alpha) sqrt(1 - u^2)
+
+    Both are exact.  Of a narrow cone arctan(w) - w cos^2(alpha) is taken as w sin^2(alpha) less
+    w - arctan(w), which has a function of its own.  Where hardly anything is left above the
+    horizon (u below -0.9) all terms cancel and the rest is integrated numerically, zone by zone.
+    A cone wider than a hemisphere is what the cone about the opposite direction leaves of the
+    receiver's pi.
+
+    Examples
+    --------
+    A cone of half angle 30 degrees about the normal has pi/4 sr; all the sky has pi:
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.cone(math.radians(30)) / math.pi, 12)
+    0.25
+    >>> round(projected.cone(math.pi / 2) / math.pi, 12)
+    1.0
+
+    A surface tilted by t sees (1 + cos(t))/2 of a uniform sky:
+
+    >>> round(projected.cone(math.pi / 2, math.radians(60)) / math.pi, 12)
+    0.75
     """
     solid.cone(half_angle)  # refuses what is no cone
     solid.check_tilt(tilt)
@@ -47,6 +105,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
 
 
 def _cone(half_angle: float, tilt: float) -> Number:
+    """The closed forms for one cone; `tilt` is not negative."""
     if half_angle > RIGHT:
         return math.pi - _cone(math.pi - half_angle, math.pi - tilt)
     sine, cosine = math.sin(half_angle), math.cos(tilt)
@@ -69,7 +128,11 @@ def _cone(half_angle: float, tilt: float) -> Number:
 
 
 def _crescent(half_angle: float, tilt: float) -> float:
-    """The upper rim of a cone that all but disappears below the horizon, zone by zone."""
+    """What is left above the horizon of a cone that all but disappears, zone by zone below its top.
+
+    The zones' heights grow as the square of the variable, which takes the square root at the top
+    out of the integrand.
+    """
     # From the cosine: pi/2 - tilt would lose the digits of a small angle.
     highest = math.asin(math.cos(tilt)) + half_angle  # of its rim, above the horizon
 
@@ -84,9 +147,46 @@ def _crescent(half_angle: float, tilt: float) -> float:
 
 
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
-    """A zone between two polar angles about the receiver's normal, over a width in azimuth.
+    """Projected solid angle of a spherical zone about the receiver's normal, or of a part of it.
 
-    dphi (sin^2 t1 - sin^2 t0) / 2, up to 90 degrees.
+    Parameters
+    ----------
+    lower, upper : float or ndarray [rad]
+        Polar angles t0 and t1, from the receiver's normal, 0 <= t0 <= t1 <= pi.  What is past
+        pi/2 is below the horizon and does not count.
+    azimuth : float or ndarray [rad], optional
+        Width dphi in azimuth, from 0 to 2 pi; the whole turn by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a polar angle is outside 0 to pi, `lower` is above `upper`, or `azimuth` is outside
+        0 to 2 pi.
+
+    Notes
+    -----
+    ::
+
+        Omega_p = dphi (sin^2(t1) - sin^2(t0)) / 2 = (dphi/2) sin(t0 + t1) sin(t1 - t0)
+
+    with t0 and t1 at most pi/2.  Exact; the product is computed, as the difference of squares loses
+    the digits of narrow zones.
+
+    Examples
+    --------
+    The zones from 0 to 45 and from 45 to 90 degrees send the same illuminance from a uniform sky:
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.zone(0.0, math.pi / 4) / math.pi, 12)
+    0.5
+    >>> round(projected.zone(math.pi / 4, math.pi / 2) / math.pi, 12)
+    0.5
     """
     solid.check_zone(lower, upper, azimuth)
     lower, upper = smaller(lower, RIGHT + 0 * lower), smaller(upper, RIGHT + 0 * upper)
@@ -95,19 +195,117 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
 
 def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
-    """A sphere, its centre at a distance and tilted from the receiver's normal.
+    """Projected solid angle of a sphere, seen from a receiver outside it.
 
-    pi (R/D)^2 cos(tilt) while it is wholly above the horizon.
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more (any one unit of length for both lengths).
+    distance : float or ndarray [m]
+        Distance D from the receiver to the *centre* of the sphere, above `radius`.
+    tilt : float or ndarray [rad], optional
+        Angle t between the receiver's normal and the direction of the centre, from -pi to pi;
+        0, facing the sphere, by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, the receiver is on the sphere or inside it, or a tilt is beyond
+        pi.
+
+    Notes
+    -----
+    While the sphere is wholly above the horizon::
+
+        Omega_p = pi (R/D)^2 cos(t)
+
+    Exact at every distance: the inverse square law holds for a uniform sphere as for a point.
+    Where the horizon cuts the sphere, the formula of `cone` for sin(alpha) = R/D.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.sphere(1.0, 2.0) / math.pi, 12)
+    0.25
+
+    Edge-on (t = 90 degrees) half of the sphere counts, alpha - sin(alpha) cos(alpha); here alpha
+    is 30 degrees:
+
+    >>> alpha = math.radians(30)
+    >>> round(projected.sphere(1.0, 2.0, math.pi / 2), 6)
+    0.090586
+    >>> round(alpha - math.sin(alpha) * math.cos(alpha), 6)
+    0.090586
     """
     return cone(solid.angular_radius(radius, distance), tilt)
 
 
 def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.0) -> Number:
-    """A disc, from a height above its plane and an offset from its axis.
+    """Projected solid angle of a circular disc, for a receiver parallel to it or tilted.
 
-    Without tilt the receiver faces the disc's plane; with one it is turned by that angle towards
-    the disc's axis (away from it, where negative), in the plane of the offset.  On the axis
-    pi R^2 / (R^2 + h^2) cos(tilt).
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the disc, 0 or more (any one unit of length for all lengths).
+    height : float or ndarray [m]
+        Distance h of the receiver from the disc's *plane*, above 0.
+    offset : float or ndarray [m], optional
+        Distance x of the receiver from the disc's axis; the sign does not matter.  0 by default.
+    tilt : float or ndarray [rad], optional
+        Angle t, from -pi to pi, by which the receiver is turned in the plane of the offset, from
+        facing the disc's plane: positive towards the disc's axis, negative away from it.  0,
+        parallel to the disc, by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, a height is not above 0, a tilt is beyond pi, or the integral of
+        a disc that the horizon cuts does not converge.
+
+    Notes
+    -----
+    On the axis, while the disc is wholly above the horizon::
+
+        Omega_p = pi R^2 / (R^2 + h^2) cos(t)
+
+    Off the axis and facing the disc's plane, with Z = h^2 + x^2 + R^2::
+
+        Omega_p = (pi/2) (1 - (Z - 2 R^2) / sqrt(Z^2 - 4 R^2 x^2))
+
+    Both are exact.  The second is computed without its differences.  A tilted receiver above whose
+    horizon the whole disc is takes cos(t) times that and sin(t) times the component of the light
+    vector towards the axis, for which there is a closed form as well.  A disc that the horizon
+    cuts is integrated numerically, strip by strip.
+
+    References
+    ----------
+    .. [1] J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-13 (on the
+       axis, tilted).
+
+    Examples
+    --------
+    On the axis at a height of one radius, pi/2 sr:
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.disc(1.0, 1.0) / math.pi, 12)
+    0.5
+
+    Below a point of the rim, at the same height, Z = 3 and Omega_p = (pi/2) (1 - 1/sqrt(5)):
+
+    >>> round(projected.disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
+    (0.868315, 0.868315)
     """
     solid.refuse(radius < 0, "a negative radius is not possible", "0 or more")
     solid.check_height(height)
@@ -120,7 +318,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
 
 
 def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number, Number]:
-    """The light vector of a whole disc: towards its axis, and along it."""
+    """Light vector of a whole disc: its components towards the disc's axis, and along it."""
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
     both, square = nearest * farthest, height**2 + offset**2
     more = height**2 + (offset - radius) * (offset + radius)
@@ -138,6 +336,7 @@ def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number
 
 
 def _tilted_disc(radius: float, height: float, offset: float, tilt: float) -> Number:
+    """One disc, from the receiver: whole, below the horizon, or cut by it."""
     sine, cosine = math.sin(tilt), math.cos(tilt)
     centre = sine * offset + cosine * height  # the heights above the receiver's plane
     if centre >= abs(sine) * radius:
@@ -182,17 +381,111 @@ def rectangle(
     offset_y: Number = 0.0,
     normal: Any = UP,
 ) -> Number:
-    """A rectangle, from a height above its plane and offsets from its axis.
+    """Projected solid angle of a rectangle, for a receiver that faces its plane or any direction.
 
-    The receiver's normal has coordinates along the width, along the length and towards the
-    rectangle's plane; without one it faces that plane.
+    Parameters
+    ----------
+    width, length_ : float or ndarray [m]
+        Whole sides along x and y, 0 or more (any one unit of length for all lengths).
+    height : float or ndarray [m]
+        Distance h of the receiver from the rectangle's *plane*, above 0.
+    offset, offset_y : float or ndarray [m], optional
+        How far aside of the rectangle's axis the receiver is, along x and along y; 0 by
+        default.
+    normal : tuple of 3 floats or ndarrays, optional
+        The direction the receiver faces: its components along the width, along the length and
+        towards the rectangle's plane, of any length but 0.  (0, 0, 1), facing the plane, by
+        default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a side is negative, a height is not above 0, or the normal is zero or has not three
+        components.
+
+    Notes
+    -----
+    For a receiver below a corner that faces the plane, with X = width/h and Y = length/h::
+
+        Omega_p = 1/2 (X / sqrt(1 + X^2) arctan(Y / sqrt(1 + X^2))
+                       + Y / sqrt(1 + Y^2) arctan(X / sqrt(1 + Y^2)))
+
+    Exact everywhere.  Computed as a polygon, by Lambert's contour formula (see `polygon`), for
+    every place and normal; the textbooks' sum over four corners cancels for distant rectangles.
+
+    References
+    ----------
+    .. [1] J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-3
+       (parallel) and B-4 (perpendicular).
+
+    Examples
+    --------
+    From the middle, a square at a height of half its side is four corners with X = Y = 1, each
+    arctan(1/sqrt(2)) / sqrt(2):
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.rectangle(2.0, 2.0, 1.0), 6)
+    1.74084
+    >>> round(4 * math.atan(1 / math.sqrt(2)) / math.sqrt(2), 6)
+    1.74084
+
+    A wide ceiling fills the hemisphere of a receiver that looks up, and half of that of one that
+    looks sideways:
+
+    >>> round(projected.rectangle(1e9, 1e9, 1.0) / math.pi, 6)
+    1.0
+    >>> round(projected.rectangle(1e9, 1e9, 1.0, normal=(1.0, 0.0, 0.0)) / math.pi, 6)
+    0.5
     """
     first, sides = solid.corners(width, length_, height, offset, offset_y)
     return _clipped(first, sides, normal)
 
 
 def pyramid(horizontal: Number, vertical: Number) -> Number:
-    """A right rectangular pyramid of two full apex angles, about the receiver's normal."""
+    """Projected solid angle of a right rectangular pyramid about the receiver's normal.
+
+    Parameters
+    ----------
+    horizontal, vertical : float or ndarray [rad]
+        Full apex angles a and b, each between two opposite *faces*, from 0 to pi.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If an angle is outside 0 to pi.
+
+    Notes
+    -----
+    ::
+
+        Omega_p = 2 (sin(a/2) arctan(tan(b/2) cos(a/2)) + sin(b/2) arctan(tan(a/2) cos(b/2)))
+
+    Exact; it is Lambert's contour formula for the four faces.  The arctangents are taken with
+    atan2, as the tangents have poles at pi.
+
+    Examples
+    --------
+    The pyramid of 90 by 90 degrees is a square at a height of half its side; both angles open, it
+    is the hemisphere:
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> round(projected.pyramid(math.pi / 2, math.pi / 2), 6)
+    1.74084
+    >>> round(projected.pyramid(math.pi, math.pi) / math.pi, 12)
+    1.0
+    """
     solid.check_pyramid(horizontal, vertical)
     a, b = horizontal / 2, vertical / 2
     one = sin(a) * atan2(sin(b) * cos(a), cos(b))
@@ -200,25 +493,57 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
 
 def polygon(vertices: Any, normal: Any) -> Number:
-    """A flat polygon, what of it is above the horizon of a normal.
+    """Projected solid angle of a plane polygon: of what is above the horizon of a normal.
 
     Parameters
     ----------
-    vertices : sequence of points, or array (..., n, 3)
-        In their order, from the receiver.
-    normal : point
-        The direction the receiver faces, of any length.
+    vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
+        At least three vertices in one plane, in their order round the polygon, from the receiver
+        and in any one unit of length.
+    normal : tuple of 3 floats or ndarrays, or ndarray of shape (..., 3)
+        The direction the receiver faces, of any length but 0.
 
     Returns
     -------
-    float or array (...)
-        Not negative, whichever way the polygon turns.
+    float or ndarray of shape (...) [sr]
+        From 0 to pi; not negative, whichever way the vertices go round.
+
+    Raises
+    ------
+    ConditionError
+        If there are fewer than three vertices, one has not three coordinates, the normal is zero,
+        or the receiver is on a side of the polygon.
+
+    Notes
+    -----
+    What is below the horizon is cut away; the rest is given by Lambert's contour formula, half the
+    sum over the sides of the angle that a side subtends times the cosine between the normal and
+    that of the plane through the side and the receiver.  Exact.  See
+    `radcalc.geometry.polygons.above` and `radcalc.geometry.polygons.projected`.
+
+    Examples
+    --------
+    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, pi/4 sr.  Of its mirror image
+    below the horizon nothing counts:
+
+    >>> import math
+    >>> from radcalc.geometry import projected
+    >>> octant = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
+    >>> round(projected.polygon(octant, (0.0, 0.0, 1.0)) / (math.pi / 4), 12)
+    1.0
+    >>> projected.polygon([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)], (0.0, 0.0, 1.0))
+    0.0
     """
     first, sides = split(vertices)
     return _clipped(first, sides, normal)
 
 
 def _clipped(first: Any, sides: Any, normal: Any) -> Number:
+    """A polygon above the horizon of a normal that is scaled to length 1 first.
+
+    Arrays of polygons that are all wholly above it are done at once; others one by one, as each
+    keeps another number of vertices.
+    """
     n = vector(normal)
     largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
     solid.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
