@@ -1,7 +1,8 @@
-"""Directions: spherical coordinates and Cartesian ones.
+"""Directions in space: spherical coordinates and Cartesian ones.
 
-The polar angle is counted from +z, the azimuth from +x towards +y, as in ISO 80000-2; the
-elevation is what the polar angle lacks of a right angle.
+As in ISO 80000-2, the polar angle theta is counted from +z, from 0 to pi, and the azimuth phi
+from +x towards +y, from 0 to 2 pi.  Elevation (altitude over the plane z = 0) is pi/2 - theta,
+and is not used here.  Angles are in radians; floats or NumPy arrays, broadcast together.
 """
 
 import math
@@ -9,23 +10,54 @@ import math
 from radcalc.errors import ConditionError
 from radcalc.maths import Number, any_true, atan2, cos, hypot, piecewise, sin
 
-TURN = 2 * math.pi
+TURN = 2 * math.pi  # [rad]
 
 
 def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
-    """Polar angle [rad], azimuth [rad] from 0 to below 2 pi, and length of a vector.
-
-    On the poles, where every azimuth would do, it is 0.
+    """Spherical coordinates of a vector: polar angle, azimuth and length.
 
     Parameters
     ----------
-    x, y, z : float or array
-        In any one unit, which is the length's.
+    x, y, z : float or ndarray
+        Cartesian components, in any one unit; not all 0.
+
+    Returns
+    -------
+    polar : float or ndarray [rad]
+        Angle theta from +z, from 0 to pi.
+    azimuth : float or ndarray [rad]
+        Angle phi from +x towards +y, from 0 to below 2 pi; 0 on the z axis, where every azimuth
+        would do.
+    length : float or ndarray
+        Length r of the vector, in the unit of its components.
 
     Raises
     ------
     ConditionError
-        A vector of length 0 has no direction.
+        If a vector has the length 0, and so no direction.
+
+    Notes
+    -----
+    ::
+
+        theta = arccos(z / r),  phi = atan2(y, x),  r = sqrt(x^2 + y^2 + z^2)
+
+    The polar angle is computed as atan2(sqrt(x^2 + y^2), z): next to the z axis the arccosine
+    loses half of the digits.  The lengths are taken with hypot, which does not overflow.
+
+    References
+    ----------
+    .. [1] ISO 80000-2, spherical coordinates.
+
+    Examples
+    --------
+    The vector (1, 1, sqrt(2)) of length 2 is at 45 degrees from +z, at an azimuth of 45 degrees:
+
+    >>> import math
+    >>> from radcalc.geometry.directions import spherical
+    >>> polar, azimuth, length = spherical(1.0, 1.0, math.sqrt(2))
+    >>> round(math.degrees(polar), 10), round(math.degrees(azimuth), 10), round(length, 10)
+    (45.0, 45.0, 2.0)
     """
     across = hypot(x, y)
     length = hypot(across, z)
@@ -39,7 +71,44 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
 
 
 def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
-    """The unit vector of a polar angle from 0 to pi and an azimuth [rad]."""
+    """Unit vector of a direction that is given by its polar angle and azimuth.
+
+    Parameters
+    ----------
+    polar : float or ndarray [rad]
+        Angle theta from +z, from 0 to pi.
+    azimuth : float or ndarray [rad]
+        Angle phi from +x towards +y; any number of turns.
+
+    Returns
+    -------
+    x, y, z : float or ndarray [1]
+        Components of a vector of length 1.
+
+    Raises
+    ------
+    ConditionError
+        If a polar angle is negative or above pi (by more than a relative 1e-12).
+
+    Notes
+    -----
+    ::
+
+        x = sin(theta) cos(phi),  y = sin(theta) sin(phi),  z = cos(theta)
+
+    References
+    ----------
+    .. [1] ISO 80000-2, spherical coordinates.
+
+    Examples
+    --------
+    60 degrees from +z, towards +y: (0, sqrt(3)/2, 1/2).
+
+    >>> import math
+    >>> from radcalc.geometry.directions import cartesian
+    >>> [round(x, 6) for x in cartesian(math.radians(60), math.radians(90))]
+    [0.0, 0.866025, 0.5]
+    """
     if any_true((polar < 0) | (polar > math.pi * (1 + 1e-12))):
         raise ConditionError(
             "a polar angle is from 0 to 180 deg", "an elevation is from -90 to 90 deg"

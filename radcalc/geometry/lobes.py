@@ -1,6 +1,13 @@
-"""A lobe: an intensity that falls off from its axis as a power of the cosine.
+"""Lobes: intensity distributions that fall off as a power of the cosine from their axis.
 
-Angles in radians; floats or arrays.
+A lobe of exponent n has the intensity I(theta) = I0 cos^n(theta) up to 90 degrees from its axis
+and none beyond.  n = 1 is a Lambertian surface, n = 0 a uniform hemisphere; a spotlight with a
+beam angle of 30 degrees has n = 20.  Its flux is 2 pi I0 / (n + 1).
+
+`exponent` and `angle` turn a beam angle (share 1/2 of the peak) or a field angle (share 1/10)
+into n and back; `part` is the share of the flux within an angle from the axis.
+
+Angles are in radians; arguments are floats or NumPy arrays, which are broadcast together.
 """
 
 import math
@@ -9,17 +16,131 @@ from radcalc.maths import Number, asin, expm1, log1p, piecewise, sin
 
 
 def ln_cos(angle: Number) -> Number:
-    """ln cos(angle), to full precision for small angles."""
+    """Natural logarithm of the cosine of an angle.
+
+    Parameters
+    ----------
+    angle : float or ndarray [rad]
+        From -pi/2 to pi/2, both excluded.
+
+    Returns
+    -------
+    float or ndarray [1]
+        0 or less.
+
+    Raises
+    ------
+    ValueError
+        If the cosine of a float is negative; of an array such an element gives NaN.
+
+    Notes
+    -----
+    ::
+
+        ln cos(x) = log1p(-2 sin^2(x/2))
+
+    The cosine of a small angle rounds to 1, and its logarithm would have no digits left.  Next to
+    pi/2 it is no more exact than the logarithm of the cosine.
+
+    Examples
+    --------
+    For a small angle it tends to -x^2/2:
+
+    >>> from radcalc.geometry import lobes
+    >>> lobes.ln_cos(1e-9)
+    -5e-19
+    """
     return log1p(-2 * sin(angle / 2) ** 2)
 
 
 def exponent(full_angle: Number, share: float) -> Number:
-    """The exponent of a lobe that is down to a share of its peak at half of a full angle."""
+    """Exponent of the lobe that is down to a share of its peak at a given full angle.
+
+    Parameters
+    ----------
+    full_angle : float or ndarray [rad]
+        Full angle between the two directions of that share, above 0 and below pi: the beam angle
+        where `share` is 1/2.
+    share : float [1]
+        Share of the peak intensity that is left there, above 0 and below 1.
+
+    Returns
+    -------
+    float or ndarray [1]
+        Exponent n, above 0.
+
+    Raises
+    ------
+    ZeroDivisionError
+        If the angle, a float, is 0.
+
+    Notes
+    -----
+    ::
+
+        n = ln(share) / ln(cos(full_angle / 2))
+
+    References
+    ----------
+    .. [1] CIE e-ILV 17-27-077, beam angle: a full angle, to 50 % of the centre beam intensity.
+    .. [2] J. M. Kahn and J. R. Barry, Wireless Infrared Communications, Proc. IEEE 85 (1997) 265,
+       doi:10.1109/5.554222.  "Generalized Lambertian" with the order n.
+
+    Examples
+    --------
+    A Lambertian surface, n = 1, is down to cos(60 deg) = 1/2 at a full angle of 120 degrees:
+
+    >>> import math
+    >>> from radcalc.geometry import lobes
+    >>> round(lobes.exponent(math.radians(120), 0.5), 12)
+    1.0
+
+    A lamp of 1000 cd with a beam angle of 30 degrees sends 299 lm:
+
+    >>> n = lobes.exponent(math.radians(30), 0.5)
+    >>> round(n, 2), round(2 * math.pi * 1000 / (n + 1))
+    (19.99, 299)
+    """
     return math.log(share) / ln_cos(full_angle / 2)
 
 
 def angle(exponent: Number, share: float) -> Number:
-    """The full angle at whose edge a lobe is down to a share of its peak."""
+    """Full angle at whose edge a lobe is down to a share of its peak; the inverse of `exponent`.
+
+    Parameters
+    ----------
+    exponent : float or ndarray [1]
+        Exponent n of the lobe, 0 or more.
+    share : float [1]
+        Share of the peak intensity, above 0 and below 1: 1/2 for the beam angle.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to pi, which is the answer for n = 0: the intensity is uniform up to the edge of
+        the hemisphere.
+
+    Notes
+    -----
+    ::
+
+        full_angle = 2 arccos(share^(1/n)) = 4 arcsin(sqrt((1 - share^(1/n)) / 2))
+
+    The second form, with expm1 for the difference, keeps the digits of narrow lobes.
+
+    References
+    ----------
+    .. [1] CIE e-ILV 17-27-077, beam angle.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import lobes
+    >>> round(math.degrees(lobes.angle(1.0, 0.5)), 10)
+    120.0
+    >>> round(math.degrees(lobes.angle(0.0, 0.5)), 10)
+    180.0
+    """
     fall = piecewise(
         exponent > 0, lambda n: expm1(math.log(share) / n), lambda n: n - 1.0, exponent
     )
@@ -27,7 +148,39 @@ def angle(exponent: Number, share: float) -> Number:
 
 
 def part(exponent: Number, within: Number) -> Number:
-    """The part of a lobe's flux within an angle from its axis: 1 - cos^(n+1)."""
+    """Part of a lobe's flux within an angle from its axis.
+
+    Parameters
+    ----------
+    exponent : float or ndarray [1]
+        Exponent n of the lobe, 0 or more.
+    within : float or ndarray [rad]
+        Angle from the axis (a half angle), from 0 to pi.
+
+    Returns
+    -------
+    float or ndarray [1]
+        From 0 to 1; 1 from pi/2 on.
+
+    Notes
+    -----
+    ::
+
+        Phi(within) / Phi = 1 - cos^(n+1)(within)
+
+    Exact; computed as -expm1((n + 1) ln cos(within)), which keeps the digits of small angles.
+
+    Examples
+    --------
+    A Lambertian surface sends sin^2(30 deg) = 1/4 of its flux within 30 degrees from its normal:
+
+    >>> import math
+    >>> from radcalc.geometry import lobes
+    >>> round(lobes.part(1.0, math.radians(30)), 12)
+    0.25
+    >>> lobes.part(1.0, math.pi / 2)
+    1.0
+    """
     return piecewise(
         within < math.pi / 2,
         lambda w, n: -expm1((n + 1) * ln_cos(w)),

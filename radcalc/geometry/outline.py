@@ -1,4 +1,9 @@
-"""A polygon as somebody typed it: whether it is one, flat and seen from off its plane."""
+"""Polygons as somebody typed them: checked, and taken from the observer.
+
+`read` refuses what is no plane polygon (too few vertices, sides that cross, vertices off one
+plane, a viewpoint in that plane) and gives an `Outline` that `radcalc.geometry.polygons` and
+`radcalc.geometry.projected` can work on.  Lengths are in any one unit; floats only.
+"""
 
 import math
 from collections.abc import Sequence
@@ -9,33 +14,113 @@ from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, t
 from radcalc.maths import power_of_two
 
 Point = tuple[float, float, float]
-FLAT = 1e-6  # of the polygon's size: how far a vertex, as typed, may be off the plane
-NOTED = 1e-12
-MOST = 1000
+FLAT = 1e-6  # [1] of the polygon's size: how far a vertex, as typed, may be off the plane
+NOTED = 1e-12  # [1] of the polygon's size: how far off it may be without a note
+MOST = 1000  # vertices; every side is checked against every other one
 
 
 class Outline:
-    """A polygon's vertices from the observer, and the normal of its plane, away from him."""
+    """A plane polygon seen from a viewpoint, as `read` found it to be.
+
+    Parameters
+    ----------
+    vertices : list of tuples of 3 floats
+        Vertices in their order, from the observer.  `read` gives them in a unit that is a power
+        of two times the typed one, so that no square of a length overflows: good for solid
+        angles, not for lengths.
+    normal : tuple of 3 floats [1]
+        Normal of the polygon's plane, of length 1, on the side away from the observer.
+    notes : list of str
+        What the user should know, such as that the vertices are not quite in one plane.
+
+    Attributes
+    ----------
+    vertices, normal, notes
+        As given.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.outline import read
+    >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
+    >>> outline = read(square, (0.0, 0.0, 0.0))
+    >>> outline.normal, outline.notes
+    ((0.0, 0.0, 1.0), [])
+    """
 
     def __init__(self, vertices: list[Point], normal: Point, notes: list[str]) -> None:
-        """Hold what `read` found."""
         self.vertices = vertices
         self.normal = normal
         self.notes = notes
 
     def dips_below(self, normal: Point) -> bool:
-        """Whether a vertex is below the horizon of a normal."""
+        """Whether a vertex is below the horizon of a receiver.
+
+        Parameters
+        ----------
+        normal : tuple of 3 floats
+            The receiver's normal, of any length.
+
+        Returns
+        -------
+        bool
+            True if any vertex is on the side that the normal points away from; a vertex on the
+            horizon is not below it.
+
+        Examples
+        --------
+        >>> from radcalc.geometry.outline import read
+        >>> outline = read([(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0)], (0.0, 0.0, 0.0))
+        >>> outline.dips_below((1.0, 0.0, 0.0)), outline.dips_below((-1.0, 0.0, 0.0))
+        (False, True)
+        """
         return any(dot(normal, vertex) < 0 for vertex in self.vertices)
 
 
 def read(points: Sequence[Point], viewpoint: Point) -> Outline:
-    """Check a polygon's vertices, and take them from a viewpoint.
+    """Check the vertices of a polygon, and take them from a viewpoint.
+
+    Parameters
+    ----------
+    points : sequence of tuples of 3 floats [m]
+        The vertices in their order round the polygon, from 3 to 1000, without the first one
+        again at the end; in any one unit of length.
+    viewpoint : tuple of 3 floats [m]
+        Where the observer is, in the same coordinates.
+
+    Returns
+    -------
+    Outline
+        Vertices and normal, seen from the viewpoint, with a note if the vertices are off one
+        plane by more than the rounding.
 
     Raises
     ------
     ConditionError
-        Fewer than three vertices, a vertex twice, no area, vertices off one plane, sides that
-        cross, a viewpoint in the polygon's plane.
+        If there are fewer than 3 or more than 1000 vertices, a vertex is given twice, the polygon
+        has no area, a vertex is off the plane by more than 1e-6 of the polygon's size, sides
+        cross or touch, or the viewpoint is in the polygon's plane.
+
+    Notes
+    -----
+    The normal is Newell's: the sum of the vector products of successive vertices, which is twice
+    the vector area and takes all vertices alike.
+
+    References
+    ----------
+    .. [1] F. Tampieri, Newell's Method for Computing the Plane Equation of a Polygon, in D. Kirk
+       (ed.), Graphics Gems III (Academic Press, 1992).
+
+    Examples
+    --------
+    >>> from radcalc.geometry.outline import read
+    >>> square = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
+    >>> read(square, (0.0, 0.0, 0.0)).normal
+    (0.0, 0.0, 1.0)
+    >>> read([square[0], square[2], square[1], square[3]], (0.0, 0.0, 0.0))
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: the polygon's sides cross or touch
+    try: the vertices in order round it
     """
     if not 3 <= len(points) <= MOST:
         raise ConditionError(
