@@ -1,6 +1,8 @@
-"""A function of direction, as a text: read by Python's own parser, and by nothing evaluated.
+"""Functions of direction that a user types, such as ``100*cos(theta)**10``.
 
-Only numbers, the names and functions below, + - * / ** and brackets are let through.
+The text is parsed by Python's own parser but never evaluated by it: the syntax tree is turned
+into NumPy calls, and only numbers, the names and functions below, + - * / ** and brackets are
+let through.  Angles are in radians; ``30*deg`` is 30 degrees.
 """
 
 import ast
@@ -14,8 +16,8 @@ import numpy
 
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 
-NAMES = ("theta", "phi", "x", "y", "z")
-CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180}
+NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
+CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180}  # deg [rad]: 30*deg is 30 degrees
 FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
     "sin": (1, numpy.sin),
     "cos": (1, numpy.cos),
@@ -53,10 +55,53 @@ Function = Callable[[dict[str, Any]], Any]
 
 
 class Expression:
-    """A function of the arrays theta, phi, x, y, z, and the names of those that it uses."""
+    """A function of direction, read from a text.
+
+    Parameters
+    ----------
+    text : str
+        The expression, of at most 1000 characters, in the names theta and phi [rad], x, y, z
+        (components of the unit vector), the constants pi, e and deg, and the functions in
+        `FUNCTIONS`.  ``^`` is read as ``**``, and the Greek letters for theta, phi and pi as names.
+
+    Attributes
+    ----------
+    text : str
+        The text as given.
+    uses : set of str
+        Those of theta, phi, x, y, z that the expression depends on.
+
+    Raises
+    ------
+    ConditionError
+        If the text is no expression, has an unknown name or an operation that is not let through,
+        or is too long or nested too deeply.
+
+    Notes
+    -----
+    An object is called with a dict of arrays by name, as `over_directions` of
+    `radcalc.geometry.numerics.cubature` calls it.  Values outside a function's domain are NaN, not
+    an error.
+
+    Examples
+    --------
+    A spot of 100 cd along +z, at 60 degrees from it, 100/2^10 cd:
+
+    >>> import math
+    >>> from radcalc.geometry.numerics.expression import Expression
+    >>> spot = Expression("100*cos(theta)^10")
+    >>> sorted(spot.uses)
+    ['theta']
+    >>> round(float(spot({"theta": math.radians(60)})), 9) == round(100 / 2**10, 9)
+    True
+    >>> Expression("__import__('os')")
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: '_' cannot stand in an expression
+    try: an expression such as '100*cos(theta)**10', with * between factors
+    """
 
     def __init__(self, text: str) -> None:
-        """Read a text; `RadcalcError` where it is not an expression."""
         self.text = text
         self.uses: set[str] = set()
         self._source = _prepared(text)
@@ -72,7 +117,18 @@ class Expression:
         self._function = self._read(tree.body, DEEPEST)
 
     def __call__(self, at: dict[str, Any]) -> Any:
-        """The values at arrays by name."""
+        """Values of the function.
+
+        Parameters
+        ----------
+        at : dict of str to float or ndarray
+            The names in `uses` with their values, at least; arrays are broadcast together.
+
+        Returns
+        -------
+        float or ndarray
+            The function's values; a number if the expression has none of the names.
+        """
         return self._function(at)
 
     def _read(self, node: ast.expr, depth: int) -> Function:
@@ -106,6 +162,7 @@ class Expression:
         )
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
+        """The call of one of `FUNCTIONS`, with the number of its arguments checked."""
         if name not in FUNCTIONS:
             raise _unknown(name)
         count, function = FUNCTIONS[name]
@@ -134,6 +191,7 @@ def _prepared(text: str) -> str:
 
 
 def _finite(value: float) -> float:
+    """A number in the text as a float; Python's parser reads integers of any size."""
     try:
         number = float(value)
     except OverflowError:
@@ -144,6 +202,7 @@ def _finite(value: float) -> float:
 
 
 def _unknown(name: str) -> RadcalcError:
+    """The refusal of a name, with those most like it."""
     known = (*NAMES, *CONSTANTS, *FUNCTIONS)
     near = nearest(name, known)
     message = f"'{quote(name)}' is not known in an expression"

@@ -1,8 +1,13 @@
 """Solid angles of splinters: triangles whose closed forms lose their digits.
 
-The triangle lies on its longest side and is cut into strips across it.  In the sinh of a
-parameter, lengths along and across are evenly spread over all decades, so few strips do; each
-term is positive, so none loses digits.
+`over_triangle` gives the solid angle or the projected solid angle [sr] of one triangle as a
+numerical integral.  `radcalc.geometry.polygons` falls back on it where Van Oosterom and
+Strackee's formula or Lambert's contour formula is a small difference of large terms.
+
+The triangle lies on its longest side and is cut into strips across it.  With the hyperbolic sine
+of a parameter for the lengths along and across, all decades of length get the same share of
+points, so few strips do even for triangles that pass close by the observer and reach far away.
+Every term is positive, so no digits cancel.  Floats only; lengths in any one unit.
 """
 
 import math
@@ -10,20 +15,55 @@ import math
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times
 
-FAR = 15.0  # past it sech^3 has fallen by 1e-19
+FAR = 15.0  # of the parameter of a strip: past it sech^3 has fallen by 1e-19
 
 
 def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = None) -> float:
-    """The solid angle of a triangle, or its projected one; signed as a, b, c turn.
+    """Signed solid angle of a plane triangle, or its projected one, by numerical integration.
 
     Parameters
     ----------
-    a : triple of floats
-        A vertex, from the observer.
-    ab, ac : triple of floats
-        The other two, from there.
-    normal : triple of floats, optional
-        The unit normal of the plane projected onto, below which the triangle does not reach.
+    a : tuple of 3 floats [m]
+        A vertex, from the observer, in any one unit of length.
+    ab, ac : tuple of 3 floats [m]
+        The other two vertices, from a.
+    normal : tuple of 3 floats [1], optional
+        The receiver's normal, of length 1: then the result is the projected solid angle.  No part
+        of the triangle may be below its horizon.  Without one, the solid angle.
+
+    Returns
+    -------
+    float [sr]
+        With the sign of the triple product [a b c]: positive where a, b, c are clockwise as the
+        observer sees them.  0 if the observer is in the triangle's plane.
+
+    Raises
+    ------
+    ConditionError
+        If the integral does not converge.
+
+    Notes
+    -----
+    ::
+
+        Omega = integral of  h / r^3 dA,    Omega_p = integral of  h z / r^4 dA
+
+    over the triangle, with h the observer's distance from its plane, r the distance of a point of
+    it and z that point's height over the receiver's horizon.  The integral across a strip is
+    elementary for Omega; along the strips, and across them for Omega_p, Gauss-Legendre rules are
+    used.
+
+    Examples
+    --------
+    The octant of all directions, 4 pi/8 sr, of which a receiver along z sees pi/4 projected:
+
+    >>> import math
+    >>> from radcalc.geometry.numerics.strips import over_triangle
+    >>> octant = (1.0, 0.0, 0.0), (-1.0, 1.0, 0.0), (-1.0, 0.0, 1.0)
+    >>> round(over_triangle(*octant) / (math.pi / 2), 12)
+    1.0
+    >>> round(over_triangle(*octant, normal=(0.0, 0.0, 1.0)) / (math.pi / 4), 12)
+    1.0
     """
     plane = cross(ab, ac)
     double_area = length(plane)

@@ -1,4 +1,8 @@
-"""Triples of coordinates, each a float or an array."""
+"""Vector algebra on triples of coordinates, each a float or an array.
+
+A vector is a plain tuple (x, y, z), so that floats need no NumPy; where coordinates are arrays,
+every function works element by element.  Units are those of the arguments.
+"""
 
 from typing import Any
 
@@ -9,7 +13,31 @@ Vector = tuple[Number, Number, Number]
 
 
 def vector(point: Any) -> Vector:
-    """The coordinates of a point; those of an array are on its last axis."""
+    """Coordinates of a point, as a tuple.
+
+    Parameters
+    ----------
+    point : tuple or list of 3 floats or ndarrays, or array_like of shape (..., 3)
+        A triple is taken as it is; of an array (or nested lists) the coordinates are on the last
+        axis.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays of shape (...)
+
+    Raises
+    ------
+    ConditionError
+        If there are not three coordinates.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import vector
+    >>> vector([1.0, 2.0, 3.0])
+    (1.0, 2.0, 3.0)
+    >>> [x.tolist() for x in vector([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])]
+    [[1.0, 4.0], [2.0, 5.0], [3.0, 6.0]]
+    """
     if isinstance(point, (tuple, list)) and not any(isinstance(x, (tuple, list)) for x in point):
         coordinates = tuple(point)
     else:
@@ -23,30 +51,131 @@ def vector(point: Any) -> Vector:
 
 
 def dot(a: Vector, b: Vector) -> Number:
-    """The scalar product."""
+    """Scalar product of two vectors.
+
+    Parameters
+    ----------
+    a, b : tuple of 3 floats or ndarrays
+
+    Returns
+    -------
+    float or ndarray
+        a . b = |a| |b| cos(angle between them)
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import dot
+    >>> dot((1.0, 2.0, 3.0), (4.0, 5.0, 6.0))
+    32.0
+    """
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
+    """Vector product of two vectors.
+
+    Parameters
+    ----------
+    a, b : tuple of 3 floats or ndarrays
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        a x b, at right angles to both, right-handed; its length is the area of the parallelogram
+        of a and b.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import cross
+    >>> cross((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    (0.0, 0.0, 1.0)
+    """
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
-    """a + factor b."""
+    """Sum of a vector and a multiple of another.
+
+    Parameters
+    ----------
+    a, b : tuple of 3 floats or ndarrays
+    factor : float or ndarray, optional
+        What b is multiplied by; 1 by default.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        a + factor b
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import plus
+    >>> plus((1.0, 0.0, 0.0), (0.0, 1.0, 2.0), 0.5)
+    (1.0, 0.5, 1.0)
+    """
     return (a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2])
 
 
 def minus(a: Vector, b: Vector) -> Vector:
-    """a - b."""
+    """Difference of two vectors: from b to a.
+
+    Parameters
+    ----------
+    a, b : tuple of 3 floats or ndarrays
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        a - b
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import minus
+    >>> minus((1.0, 2.0, 3.0), (1.0, 1.0, 1.0))
+    (0.0, 1.0, 2.0)
+    """
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
 def times(a: Vector, factor: Number) -> Vector:
-    """A vector times a number."""
+    """Product of a vector and a number.
+
+    Parameters
+    ----------
+    a : tuple of 3 floats or ndarrays
+    factor : float or ndarray
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        factor a
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import times
+    >>> times((1.0, 2.0, 3.0), 2.0)
+    (2.0, 4.0, 6.0)
+    """
     return (a[0] * factor, a[1] * factor, a[2] * factor)
 
 
 def length(a: Vector) -> Number:
-    """The length of a vector."""
+    """Length of a vector.
+
+    Parameters
+    ----------
+    a : tuple of 3 floats or ndarrays
+
+    Returns
+    -------
+    float or ndarray
+        |a| = sqrt(a . a); the squares overflow from 1e154 on and vanish below 1e-162, so polygons
+        are scaled first (`radcalc.geometry.polygons.scaled`).
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import length
+    >>> length((2.0, 3.0, 6.0))
+    7.0
+    """
     return sqrt(dot(a, a))
