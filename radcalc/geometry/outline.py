@@ -186,8 +186,10 @@ def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
 
 
 def _crossing() -> ConditionError:
+    """The refusal of sides that cross; of two places, as a bow tie may also have no vector area."""
     return ConditionError("the polygon's sides cross or touch", "the vertices in order round it")
 
 
 def _write(point: Point) -> str:
+    """A point as the user would type it."""
     return ",".join(f"{x:g}" for x in point)

@@ -1,0 +1,163 @@
+"""The docstrings of the geometry: complete, and with examples that run."""
+
+import ast
+import doctest
+import importlib
+import inspect
+import pkgutil
+import re
+import textwrap
+from collections.abc import Callable, Iterator
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.MULTILINE)
+ROOM = "radcalc.geometry"
+
+
+def modules(package: str) -> Iterator[ModuleType]:
+    """A package and all modules in it, however deep."""
+    root = importlib.import_module(package)
+    yield root
+    for found in pkgutil.walk_packages(root.__path__, f"{package}."):
+        yield importlib.import_module(found.name)
+
+
+def public() -> Iterator[tuple[str, Any]]:
+    """Every public function, class and public method that the geometry defines, by its name."""
+    for module in modules(ROOM):
+        for name, found in vars(module).items():
+            if name.startswith("_") or getattr(found, "__module__", "") != module.__name__:
+                continue
+            if inspect.isfunction(found) or inspect.isclass(found):
+                yield f"{module.__name__}.{name}", found
+            if inspect.isclass(found):
+                for part, method in vars(found).items():
+                    if inspect.isfunction(method) and not part.startswith("_"):
+                        yield f"{module.__name__}.{name}.{part}", method
+
+
+PUBLIC = dict(public())
+FUNCTIONS = {name: found for name, found in PUBLIC.items() if inspect.isfunction(found)}
+CLASSES = {name: found for name, found in PUBLIC.items() if inspect.isclass(found)}
+MODULES = {m.__name__: m for package in (ROOM, "radcalc.laws") for m in modules(package)}
+EXAMPLES = {
+    found.name: found
+    for module in MODULES.values()
+    for found in doctest.DocTestFinder().find(module)
+    if found.examples
+}
+
+
+def sections(documented: Any) -> dict[str, str]:
+    """The sections of a docstring by their headings; the text before them under ''."""
+    first, *rest = SECTION.split(inspect.cleandoc(documented.__doc__ or ""))
+    return {"": first} | dict(zip(rest[::2], rest[1::2], strict=True))
+
+
+def entries(text: str) -> set[str]:
+    """The names that a section explains: one or more to a line that is not indented."""
+    lines = [line for line in text.splitlines() if line and not line.startswith(" ")]
+    return {name.strip() for line in lines for name in line.partition(":")[0].split(",")}
+
+
+def errors_of(function: Callable[..., Any], seen: set[Any] | None = None) -> set[str]:
+    """The names of the errors that a function raises, itself or by what it uses of the geometry."""
+    seen = set() if seen is None else seen
+    if function in seen:
+        return set()
+    seen.add(function)
+    tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    scope = dict(inspect.getmodule(function).__dict__)
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):  # imported where it is used
+            module = importlib.import_module(node.module or "")
+            scope |= {
+                alias.asname or alias.name: getattr(module, alias.name) for alias in node.names
+            }
+    for node in ast.walk(tree):
+        used: Any = None
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            used = scope.get(node.func.id)
+            if inspect.isclass(used) and issubclass(used, Exception):
+                found.add(used.__name__)
+        elif isinstance(node, ast.Name):  # called, or handed over to be called
+            used = scope.get(node.id)
+        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            used = getattr(scope.get(node.value.id), node.attr, None)
+        if inspect.isfunction(used) and used.__module__.startswith(ROOM):
+            found |= errors_of(used, seen)
+    caught = {
+        name.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ExceptHandler) and node.type
+        for name in ast.walk(node.type)
+        if isinstance(name, ast.Name)
+    }
+    return found - caught
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_every_module_says_what_is_in_it(name):
+    assert (MODULES[name].__doc__ or "").strip()
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_examples_run(name):
+    report: list[str] = []
+    failed, tried = doctest.DocTestRunner(verbose=False).run(EXAMPLES[name], out=report.append)
+    assert tried
+    assert not failed, "".join(report)
+
+
+@pytest.mark.parametrize("name", sorted(PUBLIC))
+def test_a_summary_of_one_sentence_and_an_example(name):
+    documented = sections(PUBLIC[name])
+    summary = documented[""].split("\n\n")[0]
+    assert summary.endswith(".")
+    assert "\n" not in summary
+    assert ">>> " in documented.get("Examples", "")
+    order = ["Parameters", "Attributes", "Returns", "Raises", "Notes", "References", "Examples"]
+    headings = [heading for heading in documented if heading]
+    assert headings == [heading for heading in order if heading in headings]
+
+
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+def test_every_parameter_and_what_is_returned_are_explained(name):
+    function, documented = FUNCTIONS[name], sections(FUNCTIONS[name])
+    signature = inspect.signature(function)
+    assert entries(documented.get("Parameters", "")) == set(signature.parameters) - {"self"}
+    if signature.return_annotation is None:
+        assert "Returns" not in documented
+    else:
+        assert documented["Returns"].strip()
+
+
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+def test_every_error_that_is_raised_is_named(name):
+    assert errors_of(FUNCTIONS[name]) <= entries(sections(FUNCTIONS[name]).get("Raises", ""))
+
+
+@pytest.mark.parametrize("name", sorted(CLASSES))
+def test_what_a_class_takes_and_keeps_is_explained(name):
+    documented = sections(CLASSES[name])
+    fields = set(getattr(CLASSES[name], "_fields", ()))
+    assert entries(documented["Attributes"]) >= fields
+    if not fields:
+        taken = set(inspect.signature(CLASSES[name]).parameters)
+        assert entries(documented["Parameters"]) == taken
+        assert errors_of(CLASSES[name]) <= entries(documented.get("Raises", ""))
+
+
+def test_what_these_tests_look_for_is_found():
+    from radcalc.geometry import directions, projected, solid
+
+    assert len(FUNCTIONS) > 50
+    assert errors_of(directions.spherical) == {"ConditionError"}  # its own
+    assert errors_of(solid.cone) == {"ConditionError"}  # by `refuse`
+    assert errors_of(projected.sphere) == {"ConditionError"}  # by another module
+    assert errors_of(solid.rectangle) == {"ConditionError"}  # by an import of its own
+    assert errors_of(solid.facing) == set()
