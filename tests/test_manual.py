@@ -62,6 +62,15 @@ def test_every_command_and_every_option_has_help(called):
     assert [option.opts for option in options(context) if not option.help] == []
 
 
+@pytest.mark.parametrize("width", [20, 40, 80, 100])
+def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
+    ours, clicks = (click.HelpFormatter(width=width) for _ in range(2))
+    commands.format_commands(CONTEXTS["radcalc"], ours)
+    click.Group.format_commands(commands, CONTEXTS["radcalc"], clicks)
+    assert ours.getvalue() == clicks.getvalue()
+    assert "convert" in ours.getvalue()
+
+
 def described(page: str, title: str) -> set[str]:
     """The options that are items of a list in one section of the page."""
     section = re.search(rf"^ *{title}\n(.*?)^ {{0,3}}\S", page, re.M | re.S)

@@ -6,6 +6,8 @@ import json
 import pytest
 from conftest import ROOT, python
 
+from radcalc.cli import COMMANDS
+
 PACKAGE = ROOT / "radcalc"
 MODULES = {
     ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path
@@ -168,6 +170,27 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich(words
     loaded = loaded_by(*words)
     assert "click" in loaded
     assert not loaded & (HEAVY - {"click"})
+
+
+OF_COMMANDS = {f"radcalc.cli.{name.replace('-', '_')}" for name in COMMANDS}
+
+
+@pytest.mark.parametrize(
+    "words", [("--help",), ("-h",), ("--version",), (), ("covnert",), ("covnert", "1"), ("--hlep",)]
+)
+def test_the_help_and_a_wrong_command_import_no_command(words):
+    assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})
+
+
+@pytest.mark.parametrize("word", ["", "co", "--"])
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_completing_the_name_of_a_command_imports_no_command(shell, word, monkeypatch):
+    monkeypatch.setenv("_RADCALC_COMPLETE", f"{shell}_complete")
+    monkeypatch.setenv("COMP_WORDS", f"radcalc {word}")
+    monkeypatch.setenv("COMP_CWORD", "1")
+    done = python(PROBE)
+    assert {"": "typical", "co": "convert", "--": "--version"}[word] in done.stdout
+    assert not set(json.loads(done.stderr.splitlines()[-1])) & (OF_COMMANDS | HEAVY - {"click"})
 
 
 def test_import_radcalc_costs_nothing():

@@ -10,28 +10,33 @@ from radcalc._version import __version__
 from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.grammar import read_number
 
-COMMANDS = (
-    "convert",
-    "solid-angle",
-    "direction",
-    "etendue",
-    "point-source",
-    "lambertian",
-    "ev",
-    "calorimeter",
-    "integrate",
-    "photon",
-    "spectrum",
-    "mesopic",
-    "units",
-    "quantities",
-    "typical",
-)
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+# The commands in the order of the help, each with its line there.
+COMMANDS = {
+    "convert": "Convert units, and quantities under a condition.",
+    "solid-angle": "Solid angles of shapes, plain and projected.",
+    "direction": "Spherical coordinates and unit vectors.",
+    "etendue": "Etendues, and the flux of a radiance.",
+    "point-source": "Sources that are small beside their distance.",
+    "lambertian": "Diffuse sources and reflectors.",
+    "ev": "Exposure values and the light meter.",
+    "calorimeter": "Radiant flux from the heat it leaves.",
+    "integrate": "Integrals over directions.",
+    "photon": "Wavelength, frequency and energy of a photon.",
+    "spectrum": "Peak, efficacies and colour of a spectrum.",
+    "mesopic": "Mesopic luminance by CIE 191:2010.",
+    "units": "Units, their definitions and sources.",
+    "quantities": "Names of the quantities, in three languages.",
+    "typical": "Typical values: sun, sky, moon and lamps.",
+}
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
 class Commands(click.Group):
-    """The subcommands, each imported when it is called."""
+    """The subcommands, each imported when it is called and not for the help that lists them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Name them all, in the order of the help."""
@@ -44,7 +49,21 @@ class Commands(click.Group):
         from importlib import import_module
 
         command: click.Command = import_module(f"radcalc.cli.{cmd_name.replace('-', '_')}").command
+        command.short_help = COMMANDS[cmd_name]
         return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the table of the commands."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
+        """Complete the name of a command, or an option of radcalc itself."""
+        from click.shell_completion import CompletionItem
+
+        named = [(name, line) for name, line in COMMANDS.items() if name.startswith(incomplete)]
+        options = click.Command.shell_complete(self, ctx, incomplete)
+        return [CompletionItem(name, help=line) for name, line in named] + options
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

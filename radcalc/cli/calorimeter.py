@@ -11,7 +11,6 @@ from radcalc.quantities.light import RADIANT
 @click.command(
     "calorimeter",
     cls=SectionedCommand,
-    short_help="Radiant flux from the heat it leaves.",
     sections={
         "Light": tuple(QUANTITIES),
         "Body": (

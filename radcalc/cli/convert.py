@@ -80,7 +80,6 @@ class ConvertCommand(SectionedCommand):
 @click.command(
     "convert",
     cls=ConvertCommand,
-    short_help="Convert units, and quantities under a condition.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

@@ -16,7 +16,6 @@ from radcalc.units.table import resolve
 @click.command(
     "direction",
     cls=SectionedCommand,
-    short_help="Spherical coordinates and unit vectors.",
     sections={"Angles": ("polar", "elevation", "azimuth"), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )

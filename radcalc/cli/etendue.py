@@ -23,7 +23,6 @@ SECTIONS = {
 @click.command(
     "etendue",
     cls=SectionedCommand,
-    short_help="Etendues, and the flux of a radiance.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

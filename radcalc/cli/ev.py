@@ -10,7 +10,6 @@ from radcalc.cli.sections import SectionedCommand
 @click.command(
     "ev",
     cls=SectionedCommand,
-    short_help="Exposure values and the light meter.",
     sections={
         "Light": ("ev100", "luminance", "illuminance"),
         "Camera": ("ev", "f_number", "time", "iso"),

@@ -19,7 +19,6 @@ WHERE = "--sphere, --hemisphere, --half-angle 30deg or --polar 30deg:60deg"
 @click.command(
     "integrate",
     cls=SectionedCommand,
-    short_help="Integrals over directions.",
     sections={
         "Directions": ("sphere", "hemisphere", "half_angle", "polar", "azimuth"),
         "Results": ("accuracy", *calculator.RESULTS),

@@ -28,7 +28,6 @@ SECTIONS = {
 @click.command(
     "lambertian",
     cls=SectionedCommand,
-    short_help="Diffuse sources and reflectors.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

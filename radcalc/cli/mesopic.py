@@ -18,7 +18,6 @@ from radcalc.units.table import resolve
 @click.command(
     "mesopic",
     cls=SectionedCommand,
-    short_help="Mesopic luminance by CIE 191:2010.",
     sections={"Light": ("luminance", "sp_ratio", "spectrum_"), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )

@@ -13,7 +13,6 @@ from radcalc.units.ranges import read_series
 @click.command(
     "photon",
     cls=SectionedCommand,
-    short_help="Wavelength, frequency and energy of a photon.",
     sections={"Light": ("observer",), "Results": calculator.RESULTS},
     context_settings={"max_content_width": 100},
 )

@@ -35,7 +35,6 @@ SECTIONS = {
 @click.command(
     "point-source",
     cls=SectionedCommand,
-    short_help="Sources that are small beside their distance.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

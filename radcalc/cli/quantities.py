@@ -11,7 +11,6 @@ from radcalc.quantities.search import search
 @click.command(
     "quantities",
     cls=SectionedCommand,
-    short_help="Names of the quantities, in three languages.",
     sections={"Names": ("lang",)},
     context_settings={"max_content_width": 100},
 )

@@ -35,7 +35,6 @@ SECTIONS = {
 @click.command(
     "solid-angle",
     cls=SectionedCommand,
-    short_help="Solid angles of shapes, plain and projected.",
     sections=SECTIONS,
     context_settings={"max_content_width": 100},
 )

@@ -25,7 +25,6 @@ FORMS = (
 @click.command(
     "spectrum",
     cls=SectionedCommand,
-    short_help="Peak, efficacies and colour of a spectrum.",
     sections={
         "Source": ("column", "list_"),
         "Light": ("observer", "range", "photon_range"),

@@ -11,7 +11,6 @@ from radcalc.quantities.typical import search
 @click.command(
     "typical",
     cls=SectionedCommand,
-    short_help="Typical values: sun, sky, moon and lamps.",
     context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="[SEARCH]")

@@ -12,7 +12,6 @@ from radcalc.quantities.units import Entry, entry, quantity_names, search
 @click.command(
     "units",
     cls=SectionedCommand,
-    short_help="Units, their definitions and sources.",
     context_settings={"max_content_width": 100},
 )
 @click.argument("words", nargs=-1, metavar="[SEARCH]")
