@@ -9,7 +9,7 @@ import sys
 import time
 
 import pytest
-from conftest import entry_point, run
+from conftest import ROOT, entry_point, python, run
 
 
 def on_terminal(*words: str, columns: int = 80, **environment: str) -> str:
@@ -212,3 +212,58 @@ def test_an_interrupt_exits_130_without_a_traceback():
     process.send_signal(signal.SIGINT)
     _, err = process.communicate(timeout=30)
     assert (process.returncode, err.strip()) == (130, "")
+
+
+LAUNCHER = str(ROOT / "bin" / "radcalc")  # hatch_build.py says where it is installed
+
+
+def launched(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-X", "importtime", *words], capture_output=True, text=True, timeout=60
+    )
+
+
+def test_the_launcher_answers_without_the_modules_that_start_slowly():
+    bare, done = launched("-c", "pass"), launched(LAUNCHER, "convert", "100", "lx", "fc")
+    assert done.stdout == "9.290304\tfc\n"
+    before, loaded = (
+        {line.rpartition("|")[2].strip() for line in each.stderr.splitlines()}
+        for each in (bare, done)
+    )
+    assert "radcalc.__main__" in loaded
+    assert not (loaded - before) & {"re", "enum", "functools", "collections", "signal", "typing"}
+
+
+@pytest.mark.parametrize(
+    ("words", "status"),
+    [
+        ("convert 100 lx fc", 0),
+        ("convert 100 lx fc --json", 0),
+        ("convert 100 lx fc --check 9", 1),
+        ("convert 800 lm cd", 2),
+        ("covnert", 2),
+        ("--help", 0),
+    ],
+)
+def test_the_launcher_passes_the_exit_status_on(words, status):
+    done = subprocess.run([sys.executable, LAUNCHER, *words.split()], capture_output=True)
+    assert done.returncode == status
+    assert b"Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("module", ["radcalc", "radcalc.__main__", "radcalc.units.table"])
+def test_an_interrupt_while_the_launcher_imports_exits_130_without_a_traceback(module):
+    code = """
+import os, signal, sys
+class Interrupting:
+    def find_spec(self, name, *rest):
+        if name == wanted:
+            os.kill(os.getpid(), signal.SIGINT)
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job ignores it
+sys.meta_path.insert(0, Interrupting())
+script, wanted = sys.argv[1:]
+sys.argv = ["radcalc", "convert", "100", "lx", "fc"]
+exec(compile(open(script).read(), script, "exec"))
+"""
+    done = python(code, LAUNCHER, module)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
