@@ -8,13 +8,26 @@ from measure import RADCALC, command, report
 RUNS = 60
 PASS, CLICK = (sys.executable, "-c", "pass"), (sys.executable, "-c", "import click")
 QALC = ("qalc", "-t", "100 lux to fc")
+CALCULATORS = [
+    "solid-angle cone --half-angle 30deg",
+    "solid-angle sphere --radius 695700km --distance 1au",
+    "solid-angle zone --polar 30deg:60deg",
+    "point-source --flux 800lm --distance 2m",
+    "point-source --intensity 1000cd --beam-angle 30deg --json",
+    "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm --offset 10cm",
+    "ev --ev100 15",
+    "calorimeter --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K --time 30s",
+    "photon 555nm",
+]
 CASES = [
-    ("plain conversion / python -c pass", "100 lx fc", PASS, 1.8),
-    ("plain conversion / qalc", "100 lx fc", QALC, 0.4),
-    ("--wavelength / import click", "5 mW lm --wavelength 632.8nm", CLICK, 1.3),
-    ("--isotropic / import click", "800 lm cd --isotropic", CLICK, 1.3),
-    ("--json / import click", "100 lx fc --json", CLICK, 1.3),
-    ("refusal / import click", "800 lm cd", CLICK, 1.3),
+    ("plain conversion / python -c pass", "convert 100 lx fc", PASS, 1.2),
+    ("plain conversion / qalc", "convert 100 lx fc", QALC, 0.4),
+    ("--wavelength / import click", "convert 5 mW lm --wavelength 632.8nm", CLICK, 1.2),
+    ("--isotropic / import click", "convert 800 lm cd --isotropic", CLICK, 1.2),
+    ("--json / import click", "convert 100 lx fc --json", CLICK, 1.2),
+    ("refusal / import click", "convert 800 lm cd", CLICK, 1.2),
+    *((f"{words} / import click", words, CLICK, 1.2) for words in CALCULATORS),
+    ("--help / import click", "--help", CLICK, 1.3),
 ]
 
 
@@ -26,7 +39,7 @@ def main() -> int:
             print(f"{name}: {other[0]} is not installed")
             met = False
             continue
-        ours = command(RADCALC, "convert", *words.split())
+        ours = command(RADCALC, *words.split())
         met &= report(name, ours, command(*other), aim, RUNS)
     return 0 if met else 1
 
