@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from conftest import run
-from homework_corpus import CORPUS, Wrong
+from homework.corpus import CORPUS, Wrong
 
 import radcalc.homework
 from radcalc import cli
