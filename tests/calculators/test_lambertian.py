@@ -234,7 +234,7 @@ FORWARD: dict[str, tuple[dict[str, Any], str, Any]] = {
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{law.name}: {law.result}")
 @given(data=st.data())
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 def test_every_symbol_of_a_law_comes_back(law, data):
     values = {name: data.draw(SIZE, name) for name, _ in law.powers}
     product = mpf(law.constant)
@@ -249,7 +249,7 @@ def test_every_symbol_of_a_law_comes_back(law, data):
 
 @pytest.mark.parametrize("law", RELATIONS, ids=lambda law: f"{law.name}: {law.names}")
 @given(data=st.data())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_every_symbol_of_a_relation_comes_back(law, data):
     drawn, result, formula = FORWARD[law.name]
     names = {"height": "distance"} if law.name == "disc on its axis" else {}

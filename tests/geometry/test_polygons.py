@@ -7,7 +7,7 @@ from itertools import pairwise
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mpf
 
@@ -312,7 +312,6 @@ def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
     assert 0 <= part <= whole * (1 + 1e-12)
 
 
-@settings(deadline=1000)
 @given(angles, tilts, lengths, lengths, lengths, st.floats(1.0, 3.0))
 def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
     bigger = min(a * factor, 1.57)

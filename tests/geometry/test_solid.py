@@ -2,7 +2,6 @@
 
 import math
 import random
-import signal
 
 import mpmath
 import numpy as np
@@ -20,21 +19,6 @@ def close(got, reference, rel=1e-12) -> None:
     """A float within a relative bound of a reference of many digits; 0 only for exactly 0."""
     with mpmath.workdps(DIGITS):
         assert abs(mpf(got) - reference) <= rel * abs(reference), (got, mpmath.nstr(reference, 20))
-
-
-@pytest.fixture
-def _in_time():
-    """A closed form takes microseconds; one that takes a second has lost its way."""
-
-    def stop(*_):
-        raise AssertionError("no answer within 2 s")
-
-    if hasattr(signal, "SIGALRM"):
-        signal.signal(signal.SIGALRM, stop)
-        signal.setitimer(signal.ITIMER_REAL, 2)
-    yield
-    if hasattr(signal, "SIGALRM"):
-        signal.setitimer(signal.ITIMER_REAL, 0)
 
 
 def exact(reference):
@@ -290,7 +274,7 @@ def test_the_references_of_rectangles_are_the_defining_integrals():
     close(rectangle_mp(*at), whole, 1e-15)
 
 
-@pytest.mark.usefixtures("_in_time")
+@pytest.mark.usefixtures("_few_calls")
 @pytest.mark.parametrize(("width", "length"), SIDES)
 @pytest.mark.parametrize("height", [1e-6, 1e-3, 0.5, 20.0, 1e9])
 def test_a_rectangle_is_its_four_corners(width, length, height):
@@ -441,7 +425,7 @@ def tilted_discs():
     yield from ((0.5, 0.0, 1.4), (0.5, 0.0, -1.4), (1e-6, 0.5, 1.5), (1e-6, 1.0, -1.5))
 
 
-@pytest.mark.usefixtures("_in_time")
+@pytest.mark.usefixtures("_few_calls")
 @pytest.mark.parametrize(("height", "offset", "tilt"), list(tilted_discs()))
 def test_a_disc_that_the_horizon_cuts(height, offset, tilt):
     got = projected.disc(1.0, height, offset, tilt)
@@ -520,7 +504,7 @@ ARRAYS = [
 ]
 
 
-@pytest.mark.usefixtures("_in_time")
+@pytest.mark.usefixtures("_few_calls")
 @pytest.mark.parametrize(("function", "axes"), [(f, axes) for f, *axes in ARRAYS])
 def test_arrays_give_what_floats_give(function, axes):
     grids = np.meshgrid(*axes, indexing="ij")

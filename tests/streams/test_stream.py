@@ -355,7 +355,7 @@ def tables(draw):
     return mark, column, rows, draw(st.booleans())
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=400)
 @given(tables(), st.sampled_from([("lx", "fc"), ("fc", "lx"), ("fL", "nit"), ("W", "mW")]),
        st.integers(1, 17))  # fmt: skip
 @example((b",", 1, [([b"\xff", b"1"], b"\n")] * 3, True), ("lx", "fc"), 12)
@@ -389,7 +389,7 @@ CELLS = st.sampled_from(
 )  # fmt: skip
 
 
-@settings(max_examples=1000, deadline=None)
+@settings(max_examples=1000)
 @given(st.lists(st.lists(CELLS, min_size=1, max_size=4), min_size=1, max_size=5),
        st.sampled_from([b";", b"", b"\t", b" ", "·".encode()]),
        st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans())  # fmt: skip
@@ -405,7 +405,7 @@ def test_many_lines_at_once_are_the_same_as_one_by_one(rows, mark, fields, own):
     assert shown in (None, b"".join([made.line(line, 1) for line in lines] if shown else [b""]))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(st.lists(st.tuples(NUMBERS, st.sampled_from(["lx", " klx", " fc", "  ph", " lm m-2", " zork",
                                                     "", " cd", " mlx "])), max_size=12),
        st.sampled_from(["\n", "\r\n"]))  # fmt: skip
@@ -426,7 +426,7 @@ SOURCES = [("lx", "fc"), ("fc", "lx"), ("lx", "klx"), ("klx", "lx"), ("fL", "nit
            ("deg", "rad"), ("in", "nm"), ("erg", "J"), ("lx", "lx"), ("Btu", "J")]  # fmt: skip
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=500)
 @given(st.sampled_from(SOURCES),
        st.lists(st.one_of(st.floats(1e-99, 1e99), st.floats(-1e6, 1e6),
                           st.integers(-(2**60), 2**60).map(float)), min_size=1))  # fmt: skip
@@ -436,7 +436,7 @@ def test_the_product_in_two_parts_is_the_exact_one(units, values):
     assert Bulk(made, 12).exact(texts) == [made.apply(float(text)) for text in texts]
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=500)
 @given(st.sampled_from([("lx", "fc"), ("lx", "klx"), ("in", "cm"), ("ft", "m"), ("W", "mW")]),
        st.integers(1, 14), st.data())  # fmt: skip
 def test_a_plain_product_prints_right_where_it_is_used(units, precision, data):

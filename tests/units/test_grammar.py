@@ -1,8 +1,8 @@
 import contextlib
 import math
-import time
 
 import pytest
+from helpers import at_most
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -160,9 +160,8 @@ def test_every_float_is_read_back_as_it_is_written(value):
     ["m" * 10_000_000, "(" * 10_000_000, "9" * 10_000_000, "m/" * 5_000_000, "\0" * 10_000_000],
 )
 def test_ten_megabytes_are_refused_without_reading_them(hostile):
-    started = time.process_time()
-    with pytest.raises(UnitError):
-        parse_unit(hostile)
-    with pytest.raises(NumberError):
-        split_quantity(hostile)
-    assert time.process_time() - started < 5  # a hang, not a benchmark
+    with at_most(100):
+        with pytest.raises(UnitError):
+            parse_unit(hostile)
+        with pytest.raises(NumberError):
+            split_quantity(hostile)
