@@ -1,5 +1,8 @@
 """What several tests share."""
 
+import os
+import pty
+import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -33,3 +36,30 @@ def at_most(calls: int) -> Iterator[None]:
         yield
     finally:
         sys.setprofile(before)
+
+
+@contextmanager
+def started(*words: str, **streams: Any) -> Iterator[subprocess.Popen[Any]]:
+    """A process that ends with the test, whether that passes or fails.
+
+    One that is left running would add a ResourceWarning of its own to another test's failure.
+    """
+    with subprocess.Popen(words, **streams) as process:
+        try:
+            yield process
+        except BaseException:
+            process.kill()
+            raise
+
+
+@contextmanager
+def on_terminal(*words: str, **more: Any) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
+    """A process whose output is a pseudo-terminal, and the descriptor to read the screen from."""
+    leader, follower = pty.openpty()
+    try:
+        streams = {"stdin": follower, "stdout": follower, "stderr": follower} | more
+        with started(*words, **streams) as process:
+            os.close(follower)
+            yield process, leader
+    finally:
+        os.close(leader)

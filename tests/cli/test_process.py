@@ -1,7 +1,6 @@
 """radcalc as a process: terminals, pipes, full disks, bytes that are no text, signals."""
 
 import os
-import pty
 import select
 import signal
 import subprocess
@@ -10,33 +9,29 @@ import time
 
 import pytest
 from conftest import ROOT, entry_point, python, run
+from helpers import on_terminal, started
 
 
-def on_terminal(*words: str, columns: int = 80, **environment: str) -> str:
+def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
     """Run on a pseudo-terminal of a given width and return the screen."""
-    leader, follower = pty.openpty()
     env = os.environ | {"COLUMNS": str(columns), "TERM": "xterm"} | environment
-    process = subprocess.Popen(
-        [entry_point(), *words], stdin=follower, stdout=follower, stderr=follower, env=env
-    )
-    os.close(follower)
     screen = b""
-    while True:
-        ready, _, _ = select.select([leader], [], [], 60)
-        try:
-            part = os.read(leader, 65536) if ready else b""
-        except OSError:
-            part = b""
-        if not part:
-            break
-        screen += part
-    process.wait(60)
-    os.close(leader)
+    with on_terminal(entry_point(), *words, env=env) as (process, leader):
+        while True:
+            ready, _, _ = select.select([leader], [], [], 60)
+            try:
+                part = os.read(leader, 65536) if ready else b""
+            except OSError:
+                part = b""
+            if not part:
+                break
+            screen += part
+        process.wait(60)
     return screen.decode().replace("\r\n", "\n")
 
 
 def test_a_terminal_gets_a_table_with_what_was_assumed_below():
-    screen = on_terminal("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
+    screen = screen_of("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
     assert "\x1b" not in screen
     assert "quantity" in screen
     assert "luminous intensity" in screen
@@ -53,7 +48,7 @@ def test_a_pipe_gets_plain_text():
 @pytest.mark.parametrize("columns", [20, 40, 60])
 def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
     words = ("convert", "800", "lm", "cd", "--isotropic", "--steps")
-    screen = on_terminal(*words, columns=columns, NO_COLOR="1")
+    screen = screen_of(*words, columns=columns, NO_COLOR="1")
     assert "…" not in screen
     letters = "".join(screen.split())
     assert "63.662" in letters
@@ -73,19 +68,19 @@ def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
     ],
 )
 def test_colour_is_decided_by_option_then_environment_then_terminal(words, environment, coloured):
-    screen = on_terminal("convert", "100", "lx", "fc", *words, **environment)
+    screen = screen_of("convert", "100", "lx", "fc", *words, **environment)
     assert ("\x1b[" in screen) == coloured
 
 
 def test_markup_in_what_a_user_typed_is_no_markup():
-    screen = on_terminal("convert", "1", "lx", "[bold]", NO_COLOR="1")
+    screen = screen_of("convert", "1", "lx", "[bold]", NO_COLOR="1")
     assert "[bold]" in screen
 
 
 def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
     assert "illuminance" in run("convert", "1", "lx", "fc", "--format", "table").stdout
-    assert on_terminal("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
-    assert on_terminal("convert", "100", "lx", "fc", "-n") == "9.290304\n"
+    assert screen_of("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
+    assert screen_of("convert", "100", "lx", "fc", "-n") == "9.290304\n"
 
 
 @pytest.mark.parametrize(
@@ -203,14 +198,13 @@ def test_an_interrupt_exits_130_without_a_traceback():
         "from radcalc.__main__ import main\n"
         "main()"
     )
-    process = subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout is not None
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(0.1)
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=30)
+    words = (sys.executable, "-c", code)
+    with started(*words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.1)  # asleep, as a user who interrupts it finds it
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
     assert (process.returncode, err.strip()) == (130, "")
 
 

@@ -3,7 +3,6 @@
 import io
 import json
 import os
-import pty
 import re
 import select
 import signal
@@ -12,6 +11,7 @@ import time
 
 import pytest
 from conftest import entry_point
+from helpers import on_terminal, started
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
@@ -523,12 +523,16 @@ def test_no_standard_input_or_output_is_an_error():
 
 
 def test_standard_input_is_left_alone_without_a_dash():
-    reader, writer = os.pipe()  # nobody ever writes: reading it would hang
+    reader, writer = os.pipe()
+    os.write(writer, b"1\n")
+    os.close(writer)
     done = subprocess.run(
         [entry_point(), "convert", "100", "lx", "fc"], stdin=reader, capture_output=True, timeout=60
     )
-    os.close(reader), os.close(writer)
+    left = os.read(reader, 2)
+    os.close(reader)
     assert done.stdout == b"9.290304\tfc\n"
+    assert left == b"1\n"
 
 
 def _read(descriptor: int, until: bytes) -> bytes:
@@ -543,33 +547,28 @@ def _read(descriptor: int, until: bytes) -> bytes:
 
 @pytest.mark.parametrize("words", [(), ("--field", "1"), ("--json",)])
 def test_a_terminal_sees_each_line_as_it_comes(words):
-    leader, follower = pty.openpty()
-    process = subprocess.Popen(
-        [entry_point(), "convert", "-", "lx", "fc", *words],
-        stdin=subprocess.PIPE, stdout=follower, stderr=follower,
-    )  # fmt: skip
-    os.close(follower)
-    assert process.stdin is not None
-    for text, answer in ((b"1", b"0.09290304"), (b"2", b"0.18580608"), (b"3", b"0.27870912")):
-        process.stdin.write(text + b"\n")
-        process.stdin.flush()
-        assert answer in _read(leader, b"\r\n")
-    process.stdin.close()
-    assert process.wait(60) == 0
-    os.close(leader)
+    command = (entry_point(), "convert", "-", "lx", "fc", *words)
+    with on_terminal(*command, stdin=subprocess.PIPE) as (process, leader):
+        assert process.stdin is not None
+        for text, answer in ((b"1", b"0.09290304"), (b"2", b"0.18580608"), (b"3", b"0.27870912")):
+            process.stdin.write(text + b"\n")
+            process.stdin.flush()
+            assert answer in _read(leader, b"\r\n")
+        process.stdin.close()
+        assert process.wait(60) == 0
 
 
 def test_an_interrupt_exits_130_without_a_traceback():
-    process = subprocess.Popen(
-        [entry_point(), "convert", "-", "lx", "fc"],
+    with started(
+        entry_point(), "convert", "-", "lx", "fc",
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-    )  # fmt: skip
-    assert process.stdin is not None
-    assert process.stdout is not None
-    process.stdin.write(b"1\n")
-    process.stdin.flush()
-    assert process.stdout.readline() == b"0.09290304\n"
-    time.sleep(0.1)  # back to reading
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=30)
+    ) as process:  # fmt: skip
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(b"1\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == b"0.09290304\n"
+        time.sleep(0.1)  # back to reading
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
     assert (process.returncode, err.strip()) == (130, b"")
