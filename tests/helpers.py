@@ -11,8 +11,48 @@ from types import FrameType
 from typing import Any
 
 import radcalc
+from radcalc import lambertian
 
 PACKAGE = str(Path(radcalc.__file__).parent)
+Q = radcalc.Quantity
+KINDS = {  # coherent SI; a photon and the candela's lumen are units of their own
+    "e": ("W", "J"),
+    "v": ("lm", "lm s"),
+    "p": ("photon/s", "photon"),
+}
+LIGHT = {
+    "flux": "{0}", "intensity": "{0}/sr", "irradiance": "{0}/m2", "exitance": "{0}/m2",
+    "radiance": "{0}/m2/sr", "exposure": "{1}/m2", "energy": "{1}", "received-flux": "{0}",
+    "incident-irradiance": "{0}/m2", "flux-within": "{0}", "beam-flux": "{0}",
+    "far-field-irradiance": "{0}/m2",
+}  # fmt: skip
+OTHER = {
+    "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",
+    "length": "m", "area": "m2", "apparent-area": "m2", "receiver-area": "m2", "time": "s",
+    "half-angle": "rad", "apex-angle": "rad", "beam-angle": "rad", "field-angle": "rad",
+    "within": "rad", "off-axis": "rad", "incidence": "rad", "solid-angle": "sr",
+    "projected-solid-angle": "sr", "cosine": "1", "cosine-of-source": "1", "share": "1",
+    "part": "1", "beam-part": "1", "exponent": "1", "configuration-factor": "1",
+    "reflectance": "1", "absorptance": "1", "mass": "kg", "specific-heat": "J/kg/K",
+    "temperature-rise": "K", "heat": "J", "light": "1/s", "f-number": "1",
+    "ev": "1", "ev100": "1", "iso": "1", "luminance": "cd/m2", "k": "cd s/m2",
+    "illuminance": "lx", "c": "lx s", "saturation-luminance": "cd/m2",
+}  # fmt: skip
+
+
+def unit_of(name: str, kind: str) -> Any:
+    if name in LIGHT:
+        return Q(1, LIGHT[name].format(*KINDS[kind]))
+    return Q(1, OTHER[name])
+
+
+def number(answer: dict[str, Any], name: str, unit: str) -> float:
+    return float(answer[name].to(unit).magnitude)
+
+
+def flagged(shape, *flags, **given):
+    """A Lambertian source with the flags of a rectangle."""
+    return lambertian(shape, **dict.fromkeys(flags, True), **given)
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """What has no answer without more is refused, in both directions, and says what would do."""
 
 import pytest
+from conftest import run
 
 from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import plan
@@ -143,3 +144,78 @@ def test_a_refusal_says_what_and_what_to_do(source, target, conditions, message,
 def test_a_refusal_of_a_condition_is_a_condition_error():
     with pytest.raises(ConditionError):
         plan(resolve("lm"), resolve("cd"), [give("isotropic", True), give("time", "1s")])
+
+
+def refused(words: str) -> str:
+    done = run(*words.split())
+    assert done.returncode == 2, done.stdout
+    assert done.stdout == ""
+    assert "\ntry: " in done.stderr
+    return done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        # too little: which quantities would do
+        ("point-source --flux 800lm -g irradiance:lx", ["irradiance", "--distance"]),
+        ("point-source --intensity 100cd -g exposure:lx.s", ["exposure"]),
+        ("point-source --flux 800lm -g energy:lm.s", ["energy", "--time"]),
+        ("point-source --distance 2m", ["--flux, --intensity or --irradiance"]),
+        ("point-source --flux 800lm --offset 2m", ["--height"]),
+        ("point-source --illuminance 25lx -g distance:m", ["distance", "--flux", "--intensity"]),
+        ("lambertian --luminance 100cd/m2 -g flux:lm", ["flux", "--area"]),
+        ("lambertian --incident-illuminance 500lx -g radiance:cd/m2", ["--reflectance"]),
+        ("lambertian disc --luminance 9cd/m2 --radius 1m -g irradiance:lx", ["--distance"]),
+        ("ev --iso 100", ["--ev100, --luminance, --illuminance or --f-number"]),
+        ("calorimeter --mass 10g", ["--mass 10g", "without --mass"]),
+        # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
+        ("point-source --flux 800lm --distance 2m --illuminance 20lx",
+         ["--illuminance 20lx", "15.9155 lx", "ratio 1.25664"]),
+        ("point-source --flux 800lm --intensity 100cd",
+         ["--flux 800lm", "1256.64 lm", "ratio 0.63662"]),
+        ("lambertian --luminance 100cd/m2 --exitance 200lm/m2",
+         ["--exitance 200lm/m2", "314.159 lm/m2", "ratio 0.63662"]),
+        ("ev --ev100 15 --luminance 1000cd/m2", ["4096", "1000cd/m2"]),
+        ("calorimeter --flux 5W --time 2s --energy 20J", ["10", "ratio 2"]),
+        # impossible: the limit
+        ("lambertian --luminance 400cd/m2 --incident-illuminance 500lx", ["2.51327"]),
+        ("lambertian --incident-illuminance 500lx --reflectance 1.2", ["from 0 to 1"]),
+        ("lambertian disc --luminance 10cd/m2 --radius 1m --illuminance 40lx",
+         ["whole hemisphere"]),
+        ("lambertian sphere --luminance 10cd/m2 --radius 1m --illuminance 40lx",
+         ["whole hemisphere"]),
+        ("calorimeter --energy 1J --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K",
+         ["absorptance above 1"]),
+        ("calorimeter --energy 1J --absorptance 1.5", ["from 0 to 1"]),
+        ("point-source --intensity 1cd --beam-angle 180deg", ["180 deg"]),
+        ("point-source --intensity 1cd --half-angle 181deg", ["180 deg"]),
+        ("point-source --intensity 1cd --apex-angle 361deg", ["360 deg"]),
+        ("point-source --intensity 1cd --flux 7lm --distribution lobe", ["hemisphere"]),
+        ("point-source --intensity 1cd --flux 13lm --distribution cone", ["sr"]),
+        ("point-source --intensity 1cd --distance 1m --illuminance 2lx", ["contradicts", "ratio"]),
+        ("point-source --intensity 1cd --distance -1m", ["more than 0"]),
+        ("point-source --intensity 1cd --distance 1m --receiver-area 1m2",
+         ["too large", "5.6419 m"]),
+        ("lambertian --luminance 1cd/m2 --area 1m2 --distance 1m", ["five times", "1.12838 m"]),
+        ("lambertian sphere --luminance 1cd/m2 --radius 1m --distance 50cm", ["radius"]),
+        # of another calculator, kind or shape
+        ("point-source --luminous-flux 5W", ["luminous flux"]),
+        ("point-source --illuminance 5W/m2 --distance 1m", ["illuminance"]),
+        ("point-source --flux 5W --illuminance 20lx", ["--wavelength, --spectrum or --efficacy"]),
+        ("point-source --flux 5lm --luminous-flux 5lm", ["the same quantity"]),
+        ("calorimeter --flux 5lm --time 1s", ["watts"]),
+        ("point-source --flux 5lm --half-angle 9deg --exponent 3", ["--half-angle", "--exponent"]),
+        ("point-source --flux 5lm --half-angle 9deg --distribution lobe", ["--half-angle"]),
+        ("lambertian disc --luminance 9cd/m2 --width 1m", ["--width"]),
+        ("lambertian disc --luminance 9cd/m2 --corner --radius 1m", ["--corner"]),
+        ("lambertian cube --luminance 9cd/m2", ["cube"]),
+        ("lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
+         ["--radius and --diameter"]),
+        ("point-source --flux 1lm,2lm --distance 1m,2m", ["both lists"]),
+    ],
+)  # fmt: skip
+def test_what_has_no_answer_is_refused_and_says_why(words, parts):
+    said = refused(words)
+    for part in parts:
+        assert part in said, said

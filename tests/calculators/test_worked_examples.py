@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers import number
 
 import radcalc
 from radcalc import calorimeter, ev, lambertian, point_source
@@ -39,17 +40,13 @@ def strip(f: Callable[[float], Any], low: float, high: float) -> float:
     return float(sum(w * f(float(x)) for w, x in zip(weights, at, strict=True))) / 2
 
 
-def of(answer: dict[str, Any], name: str, unit: str) -> float:
-    return float(answer[name].to(unit).magnitude)
-
-
 def beside_rectangle(x: float) -> float:
     """An element c = 0.5 m below the edge of a parallel rectangle of 3 m by 2 m."""
     found = lambertian(
         "rectangle", width="3m", length="2m", height="0.5m", offset="1.5m", offset_y=f"{x!r}m",
         luminance="1cd/m2",
     )  # fmt: skip
-    return of(found, "configuration_factor", "1")
+    return number(found, "configuration_factor", "1")
 
 
 def across_rectangle(x: float) -> float:
@@ -58,7 +55,7 @@ def across_rectangle(x: float) -> float:
         "rectangle", perpendicular=True, width="2m", length="1m", height="0.5m", offset_y="0.5m",
         offset=f"{x!r}m", luminance="1cd/m2",
     )  # fmt: skip
-    return of(found, "configuration_factor", "1")
+    return number(found, "configuration_factor", "1")
 
 
 def under_sphere(r: float) -> float:
@@ -67,7 +64,7 @@ def under_sphere(r: float) -> float:
         "sphere", radius="1m", distance=f"{math.hypot(1, r)!r}m",
         incidence=f"{math.degrees(math.atan(r))!r}deg", luminance="1cd/m2",
     )  # fmt: skip
-    return of(found, "configuration_factor", "1") * 2 * r
+    return number(found, "configuration_factor", "1") * 2 * r
 
 
 def drop_of_water() -> dict[str, Any]:
@@ -238,7 +235,7 @@ EXAMPLES: list[tuple[str, list[tuple[Callable[[], Any], str, str, str]]]] = [
 )
 def test_a_printed_example_comes_out_to_its_digits(call, name, unit, printed):
     half = Decimal((0, (5,), Decimal(printed).as_tuple().exponent - 1))
-    value = Decimal(of(call(), name, unit))
+    value = Decimal(number(call(), name, unit))
     assert abs(value - Decimal(printed)) <= half, (value, printed)
 
 

@@ -1,0 +1,85 @@
+"""Watts, lumens and photons side by side, and the names of each kind."""
+
+import itertools
+import math
+
+import pytest
+from helpers import KINDS, LIGHT, Q, number
+
+import radcalc
+from radcalc import api, point_source
+from radcalc.calculators import lambertian as lambertian_module
+from radcalc.calculators import light as light_module
+from radcalc.calculators import point_source as point_module
+from radcalc.errors import RadcalcError
+
+PI = math.pi
+
+
+@pytest.mark.parametrize(
+    "link", [{"wavelength": "632.8nm"}, {"spectrum": "D65"}, {"efficacy": "93lm/W"}]
+)
+@pytest.mark.parametrize(
+    ("law", "typed"),
+    [
+        (point_module.point_source, {"flux": "800lm", "distance": "2m", "time": "3s"}),
+        (point_module.point_source, {"intensity": "8W/sr", "beam_angle": "30deg"}),
+        (point_module.point_source, {"photon_irradiance": "8umol/m2/s", "distance": "2m"}),
+        (lambda v: lambertian_module.lambertian("disc", v), {
+            "luminance": "9cd/m2", "radius": "1m", "distance": "3m", "reflectance": "0.5"}),
+        (lambda v: lambertian_module.lambertian("patch", v), {
+            "radiance": "9W/m2/sr", "area": "1cm2", "distance": "3m"}),
+    ],
+)  # fmt: skip
+def test_all_kinds_are_what_convert_makes_of_them(law, typed, link):
+    if "photon_irradiance" in typed and "efficacy" in link:
+        link = {"efficacy": "2.1umol/J"}
+    values, *_ = law(api._inputs({**typed, **link}))
+    table: dict[str, dict[str, float]] = {}
+    for value in values:
+        for name, kind in itertools.product(light_module.GEOMETRY, "evp"):
+            if value.units and value.also == light_module.specific(name, kind):
+                table.setdefault(name, {})[kind] = value.si
+    assert len(table) >= 3
+    for name, row in table.items():
+        assert len(row) == (2 if "efficacy" in link else 3), name
+        own, *others = row  # the kind that was given comes first
+        start = Q(row[own], LIGHT[name].format(*KINDS[own]))
+        for kind in others:
+            expected = radcalc.convert(start, LIGHT[name].format(*KINDS[kind]), **link)
+            assert row[kind] == pytest.approx(expected.magnitude, rel=1e-12), (name, kind)
+
+
+@pytest.mark.parametrize("quantity", ["flux", "irradiance", "intensity"])
+def test_the_api_has_every_kind_too(quantity):
+    found = point_source(flux="800lm", distance="2m", wavelength="555nm")
+    for kind in "evp":
+        unit = Q(1, LIGHT[quantity].format(*KINDS[kind]))
+        assert any(one.check(unit.dimensionality) for one in found.values()), kind
+
+
+def test_another_kind_may_be_given_for_what_is_solved():
+    # at 555 nm of 540 THz 683 lm/W: 1 W isotropic gives 683.002 / (4 pi) lx at 1 m
+    watts = point_source(flux="1W", illuminance=Q(683.002 / 4 / PI, "lx"), wavelength="555nm")
+    assert number(watts, "distance", "m") == pytest.approx(1, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("generic", "own", "value"),
+    [
+        ("flux", "luminous_flux", "5lm"), ("flux", "radiant_flux", "5W"),
+        ("flux", "photon_flux", "5umol/s"), ("intensity", "luminous_intensity", "5cd"),
+        ("intensity", "radiant_intensity", "5W/sr"),
+        ("intensity", "photon_intensity", "5umol/s/sr"),
+        ("irradiance", "illuminance", "5lx"), ("irradiance", "photon_irradiance", "5umol/m2/s"),
+        ("exposure", "luminous_exposure", "5lx.s"), ("exposure", "radiant_exposure", "5J/m2"),
+        ("energy", "radiant_energy", "5J"), ("energy", "photon_number", "5umol"),
+    ],
+)  # fmt: skip
+def test_generic_and_specific_names_are_the_same(generic, own, value):
+    more = {"time": "2s", "distance": "2m"}
+    one, other = point_source(**{generic: value}, **more), point_source(**{own: value}, **more)
+    assert {n: str(q) for n, q in one.items()} == {n: str(q) for n, q in other.items()}
+    wrong = {"lm": "5W", "W": "5lm"}.get(value[1:3].strip("/"), "5m")
+    with pytest.raises(RadcalcError):
+        point_source(**{own: wrong}, **more)

@@ -1,0 +1,133 @@
+"""Point sources against integrals over their light, and in closed form."""
+
+import math
+
+import mpmath
+import pytest
+from helpers import number
+from mpmath import mpf
+
+from radcalc import point_source
+
+PI = math.pi
+
+
+@pytest.mark.parametrize("n", [0.3, 1, 3, 20, 150.5])
+def test_the_flux_of_a_lobe_is_the_integral_over_its_hemisphere(n):
+    with mpmath.workdps(30):
+        whole = (
+            2
+            * mpmath.pi
+            * mpmath.quad(
+                lambda t: mpmath.cos(t) ** mpf(n) * mpmath.sin(t), [0, 0.1, 0.5, mpmath.pi / 2]
+            )
+        )
+        within = (
+            2
+            * mpmath.pi
+            * mpmath.quad(
+                lambda t: mpmath.cos(t) ** mpf(n) * mpmath.sin(t), [0, 0.1, mpmath.pi / 9]
+            )
+        )
+    found = point_source(intensity="7cd", exponent=n, within="20deg")
+    assert number(found, "flux", "lm") == pytest.approx(7 * float(whole), rel=1e-12)
+    assert number(found, "flux_within", "lm") == pytest.approx(7 * float(within), rel=1e-12)
+    back = point_source(intensity="7cd", flux=found["flux"], distribution="lobe")
+    assert number(back, "exponent", "1") == pytest.approx(n, rel=1e-9)
+    beam, field = (number(found, f"{name}_angle", "rad") / 2 for name in ("beam", "field"))
+    assert math.cos(beam) ** n == pytest.approx(1 / 2, rel=1e-12)
+    assert math.cos(field) ** n == pytest.approx(1 / 10, rel=1e-12)
+    with mpmath.workdps(30):
+        inside = (
+            2
+            * mpmath.pi
+            * mpmath.quad(lambda t: mpmath.cos(t) ** mpf(n) * mpmath.sin(t), [0, beam / 2, beam])
+        )
+    assert number(found, "beam_flux", "lm") == pytest.approx(7 * float(inside), rel=1e-12)
+
+
+@pytest.mark.parametrize("half", [1, 12.5, 60, 90, 135, 180])
+@pytest.mark.parametrize("within", [0.5, 10, 100])
+def test_the_flux_of_a_cone_is_the_integral_over_it(half, within):
+    found = point_source(intensity="3cd", half_angle=f"{half}deg", within=f"{within}deg")
+    for name, end in (("flux", half), ("flux_within", min(within, half))):
+        with mpmath.workdps(30):
+            part = 2 * mpmath.pi * mpmath.quad(mpmath.sin, [0, mpf(end) * mpmath.pi / 180])
+        assert number(found, name, "lm") == pytest.approx(3 * float(part), rel=1e-12)
+    back = point_source(intensity="3cd", flux=found["flux"], distribution="cone")
+    # at 180 deg the solid angle hardly depends on the angle
+    assert number(back, "half_angle", "deg") == pytest.approx(
+        half, rel=1e-6 if half > 179 else 1e-9
+    )
+
+
+@pytest.mark.parametrize("within", [1, 60, 90, 170])
+def test_the_part_of_an_isotropic_source_within_an_angle(within):
+    found = point_source(intensity="3W/sr", within=f"{within}deg")
+    part = 2 * PI * (1 - math.cos(math.radians(within)))
+    assert number(found, "flux_within", "W") == pytest.approx(3 * part, rel=1e-12)
+    assert number(found, "flux", "W") == pytest.approx(12 * PI, rel=1e-14)
+
+
+@pytest.mark.parametrize("n", [0.5, 1, 4, 40])
+@pytest.mark.parametrize(("height", "x", "y"), [(2, 1, 0), (2, 0, 0.3), (1, 3, -4), (5, -1, 2)])
+def test_the_light_of_a_lobe_aside_of_its_axis(n, height, x, y):
+    """E = I0 (h/d)^n (h/d) / d^2 on the floor, and turned to the lamp without the last cosine."""
+    place = {"height": f"{height}m", "offset": f"{x}m", "offset_y": f"{y}m"}
+    d = math.sqrt(height**2 + x**2 + y**2)
+    expected = 900 * (height / d) ** n / d**2
+    found = point_source(intensity="900cd", exponent=n, **place)
+    assert number(found, "irradiance", "lx") == pytest.approx(expected * height / d, rel=1e-12)
+    turned = point_source(intensity="900cd", exponent=n, incidence="0deg", **place)
+    assert number(turned, "irradiance", "lx") == pytest.approx(expected, rel=1e-12)
+    back = point_source(illuminance=found["irradiance"], exponent=n, **place)
+    assert number(back, "intensity", "cd") == pytest.approx(900, rel=1e-12)
+
+
+def test_a_cone_ends_at_its_edge():
+    # at 3 m height the edge of a cone of 30 deg is at 3 tan(30 deg) = 1.73 m
+    def at(offset):
+        found = point_source(intensity="1cd", half_angle="30deg", height="3m", offset=offset)
+        return number(found, "irradiance", "lx")
+
+    assert at("1.73m") == pytest.approx(3 / (9 + 1.73**2) ** 1.5, rel=1e-12)
+    assert at("1.74m") == 0
+
+
+def test_the_flux_of_the_cosine_spot():
+    # I0 cos^n over a hemisphere: 2 pi I0 / (n + 1), n = ln 2 / -ln cos 15 deg for 30 deg FWHM
+    n = math.log(2) / -math.log(math.cos(math.radians(15)))
+    found = point_source(intensity="1000cd", beam_angle="30deg")
+    assert number(found, "exponent", "1") == pytest.approx(n, rel=1e-12)
+    assert number(found, "flux", "lm") == pytest.approx(2000 * PI / (n + 1), rel=1e-12)
+    assert round(number(found, "flux", "lm")) == 299
+
+
+def test_the_flux_of_the_cone_spot():
+    found = point_source(flux="4.5klm", half_angle="12.5deg", distance="2m")
+    candela = 4500 / (2 * PI * (1 - math.cos(math.radians(12.5))))
+    assert number(found, "intensity", "cd") == pytest.approx(candela, rel=1e-12)
+    assert number(found, "irradiance", "lx") == pytest.approx(candela / 4, rel=1e-12)
+
+
+def test_the_isotropic_source():
+    found = point_source(flux="800lm", distance="2m")
+    assert number(found, "intensity", "cd") == pytest.approx(200 / PI, rel=1e-14)
+    assert number(found, "irradiance", "lx") == pytest.approx(50 / PI, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("call", "name", "unit", "expected"),
+    [
+        (lambda: point_source(illuminance="500lx", distance="2m"), "flux", "lm", 8000 * PI),
+        (lambda: point_source(intensity="100cd", illuminance="25lx"), "distance", "m", 2),
+        (lambda: point_source(intensity="250cd", height="6m", offset="8m"), "irradiance", "lx",
+         1.5),
+        (lambda: point_source(intensity="100cd", exponent=3, within="45deg"), "flux_within", "lm",
+         50 * PI * 0.75),
+        (lambda: point_source(flux="500lm", intensity="900cd", distribution="cone"), "half_angle",
+         "rad", math.acos(1 - 500 / 900 / 2 / PI)),
+    ],
+)  # fmt: skip
+def test_each_answer_about_a_point_source_is_its_formula(call, name, unit, expected):
+    assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)

@@ -1,0 +1,97 @@
+"""What follows from what is known, in any order of the laws, and what contradicts the rest."""
+
+import math
+import random
+
+import pytest
+from helpers import number
+
+from radcalc import point_source
+from radcalc.calculators import calorimeter as calorimeter_module
+from radcalc.calculators import ev as ev_module
+from radcalc.calculators import shapes as surfaces_module
+from radcalc.errors import ConditionError
+from radcalc.laws import point as spreads_module
+from radcalc.laws.law import Contradiction, Known, rounding, solve
+
+PI = math.pi
+
+LOBE = [*spreads_module.LAWS["lobe"], *spreads_module.ANY_LAWS, spreads_module.INVERSE_SQUARE]
+CONE = [*spreads_module.LAWS["cone"], *spreads_module.ANY_LAWS, spreads_module.INVERSE_SQUARE]
+SURFACE = [*surfaces_module.LAWS, surfaces_module.FLAT, surfaces_module.CIRCLE]
+
+
+def known(**values: float) -> dict[str, Known]:
+    return {name.replace("_", "-"): Known(value) for name, value in values.items()}
+
+
+@pytest.mark.parametrize(
+    ("laws", "values"),
+    [
+        (LOBE, known(flux=900, beam_angle=0.5, distance=3, incidence=0.2, time=60, within=0.1)),
+        (LOBE, known(irradiance=20, exponent=3, distance=3, cosine=0.5, receiver_area=0.01)),
+        (LOBE, known(flux=500, intensity=900, height=3, lateral=1, incidence=0.3)),
+        (CONE, known(flux=900, apex_angle=0.5, exposure=90, time=6, incidence=0.2)),
+        (SURFACE, known(exposure=60, time=2, projected_solid_angle=0.3, radius=0.2)),
+        (SURFACE, known(energy=60, time=2, radius=0.2, incident_irradiance=900)),
+        (ev_module.LAWS, known(luminance=512, k=12.5, c=250, iso=400, f_number=8)),
+        (calorimeter_module.LAWS, known(mass=0.1, specific_heat=385, temperature_rise=2,
+                                        absorptance=0.9, time=30, receiver_area=0.01)),
+    ],
+)  # fmt: skip
+def test_what_follows_does_not_depend_on_the_order_of_the_laws(laws, values):
+    first = solve(laws, values)
+    assert len(first.values) > len(values) + 2
+    for seed in range(20):
+        mixed = random.Random(seed).sample(laws, len(laws))
+        other = solve(mixed, values)
+        assert set(other.values) == set(first.values)
+        for name, one in first.values.items():
+            assert other.values[name].value == pytest.approx(one.value, rel=1e-9), name
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_surplus_value_is_checked_in_any_order_of_the_laws(seed):
+    laws = random.Random(seed).sample(LOBE, len(LOBE))
+    # 100 cd and n = 3: flux 2 pi 100 / 4 = 50 pi lm
+    good = known(intensity=100, exponent=3, flux=50 * PI)
+    assert solve(laws, good).values["solid-angle"].value == pytest.approx(PI / 2, rel=1e-12)
+    for off in (1.001, 0.999, 2):
+        bad = known(intensity=100, exponent=3, flux=50 * PI * off)
+        with pytest.raises(Contradiction):
+            solve(laws, bad)
+
+
+@pytest.mark.parametrize(
+    ("text", "off"),
+    [  # half a unit of the last digit, over the number; fewer than three digits count as three
+        ("2m", 0.005 / 2), ("2.00m", 0.005 / 2), ("2.000m", 0.0005 / 2), ("10cm", 0.05 / 10),
+        ("15", 0.05 / 15), ("-15", 0.05 / 15), ("+1.5", 0.005 / 1.5), ("0.5", 0.0005 / 0.5),
+        ("0.0012m", 0.000005 / 0.0012), ("12.5deg", 0.05 / 12.5), ("4.5klm", 0.005 / 4.5),
+        ("1e3lx", 0.005), ("1.2345e-7W", 0.00005 / 1.2345), ("999", 0.5 / 999),
+        ("1000lx", 0.5 / 1000), ("0", 1e-9), ("0.0", 1e-9), ("1/100s", 1e-9), ("1/3", 1e-9),
+        ("pi", 1e-9), ("2pi", 1e-9), ("4π", 1e-9),
+    ],
+)  # fmt: skip
+def test_the_rounding_of_a_number_as_typed(text, off):
+    assert rounding(text) == pytest.approx(off, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("given_values", "fits"),
+    [  # 800/(16 pi) = 15.9155 lx
+        ({"illuminance": "15.9lx"}, True), ({"illuminance": "16lx"}, True),
+        ({"illuminance": "15.92lx"}, True), ({"illuminance": "15.5lx"}, False),
+        ({"illuminance": "17lx"}, False), ({"intensity": "63.7cd"}, True),
+        ({"intensity": "63.66cd"}, True), ({"intensity": "64.5cd"}, False),
+    ],
+)  # fmt: skip
+def test_what_is_typed_twice_is_compared_to_its_digits(given_values, fits):
+    def call():
+        return point_source(flux="800lm", distance="2m", incidence="0deg", **given_values)
+
+    if fits:
+        assert number(call(), "intensity", "cd") == pytest.approx(200 / PI, rel=5e-3)
+    else:
+        with pytest.raises(ConditionError, match=r"contradicts .*\(ratio "):
+            call()
