@@ -219,3 +219,40 @@ def test_what_has_no_answer_is_refused_and_says_why(words, parts):
     said = refused(words)
     for part in parts:
         assert part in said, said
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),
+        ("solid-angle polygon 0,0,1 1,0,1 1,1,1.1 0,1,1", "not flat"),
+        ("solid-angle polygon 0,0,1 1,0,1 1,0,1 0,1,1", "twice"),
+        ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
+        ("solid-angle polygon 0,0 1,0,1 0,1,1", "2 coordinates"),
+        ("solid-angle polygon 0,0,1,2 1,0,1 0,1,1", "4 coordinates"),
+        ("solid-angle polygon nan,0,1 1,0,1 0,1,1", "nan"),
+        ("solid-angle polygon 1,0,0 0,1,0 0,0,1 --normal 0,0,0", "normal"),
+        ("solid-angle polygon 1,0,0 0,1,0 0,0,1 --viewpoint 1,0,0", "plane"),
+        ("solid-angle sphere --radius 1m --distance 1m", "on or inside the sphere"),
+        ("solid-angle disc --radius 1m --height 0m", "not possible"),
+        ("solid-angle cone --half-angle nandeg", "nan"),
+        ("solid-angle cone --half-angle 181deg", "not possible"),
+        ("direction 1 1", "three coordinates"),
+        ("direction 1 1 1 1", "three coordinates"),
+        ("direction nan 0 1", "nan"),
+        ("direction 0 0 0", "no direction"),
+        ("etendue --area 1mm2 --na 1.5", "not possible"),
+        ("etendue --area nanm2 --half-angle 10deg", "nan"),
+        ("integrate x-x --sphere", "is 0"),
+        ("integrate 1/(x-x) --sphere", "no value"),
+        ("integrate x.real --sphere", "cannot stand"),
+        ("integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),
+        ("integrate nan --sphere", "nan"),
+    ],
+)
+def test_bad_input_ends_in_one_refusal(words, message):
+    done = run(*words.split())
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert message in done.stderr
+    assert "Traceback" not in done.stderr

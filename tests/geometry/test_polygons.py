@@ -7,60 +7,14 @@ from itertools import pairwise
 import mpmath
 import numpy as np
 import pytest
+from geometry.references import DIGITS, close, cross, dot, excess, lambert
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mpf
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import outline, projected, solid
+from radcalc.geometry import projected
 from radcalc.geometry.polygons import polygon, triangle
-
-DIGITS = 80
-
-
-def close(got, reference, rel=1e-12) -> None:
-    with mpmath.workdps(DIGITS):
-        assert abs(mpf(got) - reference) <= rel * abs(reference), (got, mpmath.nstr(reference, 20))
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def unit(a):
-    size = mpmath.sqrt(dot(a, a))
-    return tuple(x / size for x in a)
-
-
-def excess(vertices):
-    """Girard's theorem for a convex polygon: its dihedral angles above those of a flat one."""
-    with mpmath.workdps(DIGITS):
-        points = [tuple(map(mpf, p)) for p in vertices]
-        total = -(len(points) - 2) * mpmath.pi
-        for i, p in enumerate(points):
-            before, after = points[i - 1], points[(i + 1) % len(points)]
-            total += mpmath.acos(dot(unit(cross(p, before)), unit(cross(p, after))))
-        return total
-
-
-def lambert(vertices, normal):
-    """The signed component of the light vector, by Lambert's contour formula with 80 digits.
-
-    All of the polygon counts, what is below the horizon negatively.
-    """
-    with mpmath.workdps(DIGITS):
-        points = [unit(tuple(map(mpf, p))) for p in vertices]
-        total = mpf(0)
-        for a, b in zip(points, points[1:] + points[:1], strict=True):
-            side = cross(a, b)
-            sine = mpmath.sqrt(dot(side, side))
-            total += dot(side, tuple(map(mpf, normal))) / sine * mpmath.atan2(sine, dot(a, b))
-        size = mpmath.sqrt(dot(normal, tuple(map(mpf, normal))))
-        return total / 2 / size
 
 
 def integral(vertices, weight):
@@ -285,49 +239,6 @@ def test_a_cube_closes_round_those_inside_and_not_those_outside(place, matrix):
     assert abs(total) == pytest.approx(4 * math.pi if inside else 0.0, rel=1e-12, abs=1e-12)
 
 
-angles = st.floats(1e-6, 1.5)
-tilts = st.floats(-math.pi, math.pi)
-lengths = st.floats(1e-2, 1e2)
-PAIRS = {
-    "cone": lambda a, t, x, y, z: (solid.cone(a), projected.cone(a, t)),
-    "zone": lambda a, t, x, y, z: (
-        solid.zone(a, a + abs(t) / 4),
-        projected.zone(a, a + abs(t) / 4),
-    ),
-    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
-    "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
-    "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
-    "rectangle": lambda a, t, x, y, z: (
-        solid.rectangle(x, y, z, t, a),
-        projected.rectangle(x, y, z, t, a, (math.sin(t), 0.1, math.cos(t))),
-    ),
-    "pyramid": lambda a, t, x, y, z: (solid.pyramid(a, abs(t)), projected.pyramid(a, abs(t))),
-}
-
-
-@pytest.mark.parametrize("shape", PAIRS)
-@given(angles, tilts, lengths, lengths, lengths)
-def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
-    whole, part = PAIRS[shape](a, t, x, y, z)
-    assert 0 <= part <= whole * (1 + 1e-12)
-
-
-@given(angles, tilts, lengths, lengths, lengths, st.floats(1.0, 3.0))
-def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
-    bigger = min(a * factor, 1.57)
-    for one, two in (
-        (solid.cone(bigger), solid.cone(a)),
-        (projected.cone(bigger, t), projected.cone(a, t)),
-        (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
-        (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
-        (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
-        (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),
-        (projected.rectangle(x, y * factor, z, t, a), projected.rectangle(x, y, z, t, a)),
-        (solid.pyramid(bigger, a), solid.pyramid(a, a)),
-    ):
-        assert one >= two * (1 - 1e-12)
-
-
 def test_arrays_of_polygons_give_what_floats_give():
     draw = random.Random(14)
     one = [convex(draw, 5, 10 ** draw.uniform(-3, 0), 1.0, 0.1) for _ in range(12)]
@@ -346,60 +257,3 @@ def test_arrays_of_polygons_give_what_floats_give():
         [projected.polygon(p, tuple(normals[k % 4])) for k, p in enumerate(one)], (3, 4)
     )
     np.testing.assert_allclose(projected.polygon(array, normals), want, rtol=1e-13)
-
-
-# --- Outlines, as somebody typed them.
-
-SQUARE = [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)]
-HERE = (0.0, 0.0, 0.0)
-
-
-@pytest.mark.parametrize(
-    ("vertices", "viewpoint", "message"),
-    [
-        (SQUARE[:2], HERE, "2 vertices"),
-        ([(math.cos(k / 200), math.sin(k / 200), 1.0) for k in range(1001)], HERE, "1001 vertices"),
-        ([*SQUARE, SQUARE[0]], HERE, "given twice"),
-        ([SQUARE[0], SQUARE[1], SQUARE[1], SQUARE[2]], HERE, "given twice"),
-        ([(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (3.0, 0.0, 1.0)], HERE, "no area"),
-        ([*SQUARE[:3], (0.0, 1.0, 1.01)], HERE, "not flat"),
-        ([SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]], HERE, "area|cross"),
-        ([(0.0, 0.0, 1.0), (4.0, 3.0, 1.0), (4.0, 0.0, 1.0), (0.0, 2.0, 1.0)], HERE, "cross"),
-        # a vertex on another side
-        ([(0.0, 0.0, 1.0), (4.0, 0.0, 1.0), (4.0, 2.0, 1.0), (2.0, 0.0, 1.0), (0.0, 2.0, 1.0)],
-         HERE, "cross or touch"),
-        (SQUARE, (5.0, 5.0, 1.0), "in the polygon's plane"),
-        (SQUARE, (0.5, 0.5, 1.0), "in the polygon's plane"),
-    ],
-)  # fmt: skip
-def test_what_is_no_polygon_is_refused(vertices, viewpoint, message):
-    with pytest.raises(ConditionError, match=message) as caught:
-        outline.read(vertices, viewpoint)
-    assert caught.value.hint
-
-
-def test_a_polygon_with_a_notch_is_what_its_triangles_are():
-    notched = [(-2.0, -2.0, 0.0), (2.0, -2.0, 0.0), (0.0, -1.0, 0.0), (2.0, 2.0, 0.0)]
-    viewpoint = (0.3, 0.2, -1.5)
-    found = outline.read(notched, viewpoint)
-    moved = [tuple(x - v for x, v in zip(p, viewpoint, strict=True)) for p in notched]
-    # the notch is at the third vertex: two triangles of the diagonal from it
-    want = sum(excess([moved[2], *pair]) for pair in ((moved[0], moved[1]), (moved[0], moved[3])))
-    close(abs(polygon(found.vertices)), want)
-    assert found.notes == []
-    assert not found.dips_below((0.0, 0.0, 1.0))
-    assert found.dips_below((0.0, 0.0, -1.0))
-    assert found.normal == pytest.approx((0.0, 0.0, 1.0), abs=1e-15)
-    away = outline.read(notched, (0.3, 0.2, 1.5))
-    assert away.normal == pytest.approx((0.0, 0.0, -1.0), abs=1e-15)
-    # seen facing its plane, the part with the normal is all of it
-    close(projected.polygon(found.vertices, found.normal), abs(lambert(moved, (0, 0, 1))))
-
-
-def test_a_thousand_vertices_make_a_circle():
-    ring = [(math.cos(k * math.pi / 500), math.sin(k * math.pi / 500), 1.0) for k in range(1000)]
-    found = outline.read(ring, HERE)
-    # a regular pyramid's apex: 2 pi - 2 n arctan(tan(pi/n) / sqrt(1 + r^2/h^2))
-    want = 2 * math.pi - 2000 * math.atan(math.tan(math.pi / 1000) / math.sqrt(2))
-    assert polygon(found.vertices) == pytest.approx(want, rel=1e-12)
-    close(polygon(found.vertices), excess(ring))

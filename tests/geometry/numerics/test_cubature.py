@@ -1,0 +1,109 @@
+"""Integrals over directions whose values are known: by definition, or by hand."""
+
+import math
+
+import mpmath
+import pytest
+
+from radcalc.errors import ConditionError
+from radcalc.geometry.numerics.cubature import over_directions
+from radcalc.geometry.numerics.expression import Expression
+
+PI = math.pi
+ALL, UPPER, ROUND = (0.0, PI), (0.0, PI / 2), (0.0, 2 * PI)
+
+
+def integrate(text, polar=ALL, azimuth=ROUND, accuracy=1e-9):
+    return over_directions(Expression(text), polar, azimuth, accuracy)
+
+
+KNOWN = [
+    ("cos(theta)", UPPER, ROUND, PI),
+    ("1", ALL, ROUND, 4 * PI),
+    ("1", (0.3, 0.7), (1.0, 2.5), 1.5 * (math.cos(0.3) - math.cos(0.7))),
+    ("x**2", ALL, ROUND, 4 * PI / 3),
+    ("x^2*y^2", ALL, ROUND, 4 * PI / 15),
+    ("x**2*y**2*z**2", ALL, ROUND, 4 * PI / 105),
+    ("100*cos(theta)**10", (0.0, PI / 4), ROUND, 200 * PI / 11 * (1 - math.cos(PI / 4) ** 11)),
+    ("cos(theta)**3", (0.0, 1.0), ROUND, PI / 2 * (1 - math.cos(1.0) ** 4)),
+    ("(3*z**2 - 1)**2", ALL, ROUND, 16 * PI / 5),  # norms of spherical harmonics
+    ("(x**2 - y**2)**2", ALL, ROUND, 16 * PI / 15),
+    ("(5*z**3 - 3*z)**2", ALL, ROUND, 16 * PI / 7),
+    ("exp(z)", ALL, ROUND, 4 * PI * math.sinh(1)),
+    ("cos(theta)**1000000", UPPER, ROUND, 2 * PI / 1000001),
+    ("phi", ALL, ROUND, 4 * PI**2),
+    ("theta", ALL, ROUND, 2 * PI**2),
+    ("1/sqrt(1.25 - z)", ALL, ROUND, 4 * PI * (1.5 - 0.5)),
+    ("1/sin(theta)", ALL, ROUND, 2 * PI**2),  # a pole that the area takes away
+    # kinks and edges
+    ("abs(x)", ALL, ROUND, 2 * PI),
+    ("max(x, 0)", ALL, ROUND, PI),
+    ("max(z - 0.5, 0)", ALL, ROUND, PI / 4),
+    ("max(x - 0.5, 0)", ALL, ROUND, PI / 4),
+    ("abs(x - y)", ALL, ROUND, 2 * PI * math.sqrt(2)),
+    ("sqrt(abs(z))", ALL, ROUND, 8 * PI / 3),
+    ("sqrt(abs(y))", ALL, ROUND, 8 * PI / 3),
+    ("abs(phi - 1)", ALL, ROUND, 1 + (2 * PI - 1) ** 2),
+    ("max(z - 0.9, 0)**0.5", ALL, ROUND, 2 * PI * 0.1**1.5 / 1.5),
+    ("atan(1000*z)**2", ALL, ROUND, None),
+    ("exp(-(theta/0.01)**2)", ALL, ROUND, None),
+    ("abs(theta - 1)", ALL, ROUND, None),
+    ("(z - 0.3)/abs(z - 0.3)", ALL, ROUND, -1.2 * PI),  # steps
+    ("(y - 0.3)/abs(y - 0.3)", ALL, ROUND, -1.2 * PI),
+]  # fmt: skip
+POLAR_ONLY = {
+    "atan(1000*z)**2": (lambda t: mpmath.atan(1000 * mpmath.cos(t)) ** 2, [0, 1.5, 1.57, PI / 2]),
+    "exp(-(theta/0.01)**2)": (
+        lambda t: mpmath.exp(-((t / mpmath.mpf("0.01")) ** 2)),
+        [0, 0.01, 0.1],
+    ),
+    "abs(theta - 1)": (lambda t: abs(t - 1), [0, 1, 2, PI]),
+}
+STEEP = ("abs", "max", "(z", "(y", "sqrt(abs")
+
+
+@pytest.mark.parametrize(("text", "polar", "azimuth", "value"), KNOWN)
+def test_known_integrals_are_within_their_bound(text, polar, azimuth, value):
+    if value is None:
+        function, cuts = POLAR_ONLY[text]
+        value = mpmath.quad(lambda t: 2 * mpmath.pi * mpmath.sin(t) * function(t), cuts)
+        value = float(value) * (2 if text.startswith("atan") else 1)  # even in z
+    accuracy = 1e-4 if text.startswith(STEEP) else 1e-9
+    got = integrate(text, polar, azimuth, accuracy)
+    assert abs(got.value - value) <= got.error
+    assert got.error <= accuracy * (abs(value) if value > 0 else 4 * PI) * (1 + 1e-3)
+
+
+@pytest.mark.parametrize("text", ["x*y*(3*z**2 - 1)", "x*z", "y", "(3*z**2 - 1)*(5*z**3 - 3*z)"])
+def test_spherical_harmonics_are_orthogonal(text):
+    got = integrate(text)
+    assert abs(got.value) <= got.error <= 1e-7
+
+
+def test_a_needle_is_right_or_refused():
+    # 2 pi times the integral of t exp(-1e9 t^2), less t^3/6 of the sine: pi/1e9 (1 - 1/6e9)
+    value = PI / 1e9 * (1 - 1 / 6e9)
+    try:
+        got = integrate("exp(-1e9*theta**2)", UPPER)
+    except ConditionError:
+        return
+    assert abs(got.value - value) <= got.error <= 1e-9 * value * 1.001
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-12])
+def test_the_accuracy_is_kept(accuracy):
+    got = integrate("exp(3*x)*z**2", accuracy=accuracy)
+    # by parts: the mean of e^(3x) z^2 is (cosh 3 - sinh(3)/3)/9, z^2 sharing 1 - x^2 with y^2
+    value = 4 * PI * (math.cosh(3) - math.sinh(3) / 3) / 9
+    assert abs(got.value - value) <= got.error <= accuracy * value * 1.001
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["0", "0*x", "1/x", "1/z", "1/theta**2", "1/(x*x)", "1/0", "0/0*x", "log(0)", "log(z)",
+     "sqrt(x)", "10**10**10", "1e999", "exp(1000)", "asin(2*z)", "1/(z - 0.3)", "z**0.5"],
+)  # fmt: skip
+def test_what_has_no_integral_is_refused(text):
+    with pytest.raises(ConditionError) as caught:
+        integrate(text)
+    assert caught.value.hint

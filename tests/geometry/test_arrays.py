@@ -1,0 +1,78 @@
+"""What every function of the geometry refuses, and that arrays give what floats give."""
+
+import numpy as np
+import pytest
+
+from radcalc.errors import ConditionError
+from radcalc.geometry import directions, etendue, projected, solid
+from radcalc.geometry.numerics import special
+
+REFUSED = [
+    (solid.cone, (-1e-9,)), (solid.cone, (3.15,)), (solid.cone_of, (-1.0,)),
+    (solid.cone_of, (12.6,)), (solid.zone, (1.0, 0.5)), (solid.zone, (-0.1, 0.5)),
+    (solid.zone, (0.1, 3.2)), (solid.zone, (0.1, 1.0, 6.4)), (solid.sphere, (1.0, 1.0)),
+    (solid.sphere, (2.0, 1.0)), (solid.sphere, (-1.0, 1.0)), (solid.sphere_distance, (1.0, 6.3)),
+    (solid.sphere_radius, (1.0, 0.0)), (solid.disc, (1.0, 0.0)), (solid.disc, (-1.0, 1.0)),
+    (solid.rectangle, (1.0, -1.0, 1.0)), (solid.rectangle, (1.0, 1.0, 0.0)),
+    (solid.pyramid, (3.2, 1.0)), (solid.patch, (1.0, 0.0)), (solid.patch, (-1.0, 1.0)),
+    (projected.cone, (1.0, 3.2)), (projected.sphere, (1.0, 1.0)), (projected.disc, (1.0, -1.0)),
+    (projected.zone, (1.0, 0.5)), (projected.pyramid, (-1.0, 1.0)),
+    (projected.rectangle, (1.0, 1.0, 1.0, 0.0, 0.0, (0.0, 0.0, 0.0))),
+    (etendue.patch_and_cone, (1.0, 1.6)), (etendue.patch_and_aperture, (1.0, 1.1)),
+    (etendue.patch_and_lens, (1.0, 0.4)), (etendue.two_patches, (1.0, 1.0, 0.0)),
+    (etendue.coaxial_discs, (1.0, 1.0, 0.0)), (directions.spherical, (0.0, 0.0, 0.0)),
+    (directions.cartesian, (-0.1, 0.0)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("function", "arguments"), REFUSED)
+def test_what_no_observer_sees_is_refused(function, arguments):
+    with pytest.raises(ConditionError) as caught:
+        function(*arguments)
+    assert caught.value.hint
+    with pytest.raises(ConditionError):
+        function(np.array([arguments[0]] * 2), *arguments[1:])
+
+
+ARRAYS = [
+    (solid.cone, [0.0, 1e-9, 1.0, 3.0]),
+    (solid.cone_of, [0.0, 1e-9, 1.0, 12.566370614360]),
+    (solid.zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
+    (solid.angular_radius, [0.1, 1.0], [1.5, 1e9]),
+    (solid.sphere, [0.0, 0.1, 1.0], [1.0000001, 2.0, 1e9]),
+    (solid.sphere_distance, [0.1, 1.0], [1e-9, 1.0, 6.0]),
+    (solid.sphere_radius, [0.1, 1.0], [1e-9, 1.0, 6.0]),
+    (solid.disc, [0.0, 1.0, 2.0], [1e-3, 0.5, 100.0], [-3.0, 0.0, 1.0, 2.0]),
+    (solid.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
+    (solid.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
+    (solid.patch, [0.0, 1.0], [1.0, 2.0], [0.0, 1.0, 2.0]),
+    (projected.cone, [1e-9, 0.5, 1.5, 2.5], [0.0, 0.4, -1.4, 2.0, 3.1]),
+    (projected.zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
+    (projected.sphere, [0.1, 1.0], [1.1, 2.0], [0.0, 1.0, 2.0]),
+    (projected.disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0], [0.0, 0.5, 1.5, -1.5, 3.0]),
+    (projected.disc, [0.1, 1.0], [1e-3, 0.5], [0.0, 1.0, 2.0]),
+    (projected.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
+    (projected.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
+    (etendue.patch_and_cone, [1.0, 2.0], [0.0, 1.0, 1.5]),
+    (etendue.patch_and_aperture, [1.0, 2.0], [0.1, 1.0]),
+    (etendue.patch_and_lens, [1.0, 2.0], [0.5, 4.0]),
+    (etendue.two_patches, [1.0, 2.0], [1.0, 3.0], [1.0, 9.0], [0.0, 2.0], [0.0, 1.0]),
+    (etendue.coaxial_discs, [0.1, 1.0], [0.2, 1.0], [1e-3, 1.0, 1e6]),
+    (special.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
+    (special.less_arctangent, [0.0, 0.1, 0.25, 2.0]),
+    (special.arc_excess, [0.0, 0.1, 0.25, 1.0]),
+]
+
+
+@pytest.mark.usefixtures("_few_calls")
+@pytest.mark.parametrize(("function", "axes"), [(f, axes) for f, *axes in ARRAYS])
+def test_arrays_give_what_floats_give(function, axes):
+    grids = np.meshgrid(*axes, indexing="ij")
+    floats = [function(*map(float, at)) for at in zip(*(g.ravel() for g in grids), strict=True)]
+    want = np.reshape(floats, grids[0].shape)
+    np.testing.assert_allclose(function(*grids), want, rtol=2e-13, atol=0)
+    # open axes, which broadcast, and a float for the last one
+    np.testing.assert_allclose(function(*np.ix_(*axes)), want, rtol=2e-13, atol=0)
+    if len(axes) > 1:
+        part = function(*np.ix_(*axes[:-1]), float(axes[-1][-1]))
+        np.testing.assert_allclose(part, want[..., -1], rtol=2e-13, atol=0)

@@ -1,0 +1,51 @@
+"""No projection is larger than what it projects, and what is larger is seen larger."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.geometry import projected, solid
+
+angles = st.floats(1e-6, 1.5)
+tilts = st.floats(-math.pi, math.pi)
+lengths = st.floats(1e-2, 1e2)
+PAIRS = {
+    "cone": lambda a, t, x, y, z: (solid.cone(a), projected.cone(a, t)),
+    "zone": lambda a, t, x, y, z: (
+        solid.zone(a, a + abs(t) / 4),
+        projected.zone(a, a + abs(t) / 4),
+    ),
+    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
+    "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
+    "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
+    "rectangle": lambda a, t, x, y, z: (
+        solid.rectangle(x, y, z, t, a),
+        projected.rectangle(x, y, z, t, a, (math.sin(t), 0.1, math.cos(t))),
+    ),
+    "pyramid": lambda a, t, x, y, z: (solid.pyramid(a, abs(t)), projected.pyramid(a, abs(t))),
+}
+
+
+@pytest.mark.parametrize("shape", PAIRS)
+@given(angles, tilts, lengths, lengths, lengths)
+def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
+    whole, part = PAIRS[shape](a, t, x, y, z)
+    assert 0 <= part <= whole * (1 + 1e-12)
+
+
+@given(angles, tilts, lengths, lengths, lengths, st.floats(1.0, 3.0))
+def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
+    bigger = min(a * factor, 1.57)
+    for one, two in (
+        (solid.cone(bigger), solid.cone(a)),
+        (projected.cone(bigger, t), projected.cone(a, t)),
+        (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
+        (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
+        (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
+        (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),
+        (projected.rectangle(x, y * factor, z, t, a), projected.rectangle(x, y, z, t, a)),
+        (solid.pyramid(bigger, a), solid.pyramid(a, a)),
+    ):
+        assert one >= two * (1 - 1e-12)
