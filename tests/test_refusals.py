@@ -256,3 +256,49 @@ def test_bad_input_ends_in_one_refusal(words, message):
     assert done.stdout == ""
     assert message in done.stderr
     assert "Traceback" not in done.stderr
+
+
+MISTAKES = [
+    ((), "a unit to convert to is missing"),
+    (("lx", "to"), "a unit to convert to is missing"),
+    (("", "fc"), "a unit to convert to is missing"),
+    (("lx", "fc", "nit"), "too many words"),
+    (("lx", "in", "fc"), "does not separate units"),
+    (("a", "to", "b", "to", "c"), "more than once"),
+    (("-", "fc"), "more than one -"),
+    (("lx", "W/m2", "--spectrum", "-"), "more than one -"),
+    (("lx", "W/m2", "--spectrum", "-:2"), "more than one -"),
+    (("lx", "cd"), "a distance is missing"),
+    (("lx", "fc", "--distance", "1m"), "has no use"),
+    (("cd", "lx", "--distance", "1m,2m"), "a list of conditions"),
+    (("lx", "zork"), "unknown unit"),
+    (("zork",), "unknown unit"),
+    (("lx", "fc", "--steps"), "--steps is not for a stream"),
+    (("lx", "fc", "--format", "csv"), "--format csv is not for a stream"),
+    (("lx", "fc", "--format", "table"), "--format table is not for a stream"),
+    (("lx", "fc", "--field", "0"), "not possible"),
+    (("lx", "fc", "--field", "-0"), "not possible"),
+    (("lx", "fc", "--field", "3-2"), "decreasing"),
+    (("lx", "fc", "--field", "1,,2"), "not a list of fields"),
+    (("lx", "fc", "--field", "x"), "not a list of fields"),
+    (("lx", "fc", "--field", "9" * 99), "not possible"),
+    (("lx", "fc", "-d", "ab"), "not one character"),
+    (("lx", "fc", "-d", '"'), "not one character"),
+    (("lx", "fc", "-d", "\n"), "not one character"),
+    (("lx", "fc", "--field", "1", "--column", "E"), "contradict"),
+    (("lx", "fc", "--column", "E"), "has no column 'E'"),
+    (("fc", "--field", "1"), "--field needs --delimiter"),
+    (("fc", "--column", "E"), "--column needs --delimiter"),
+    (("lx", "fc", "--header=0"), "--header"),
+    (("lx", "fc", "--header=x"), "--header"),
+    (("lx", "fc", "--invalid", "stop"), "--invalid"),
+]
+
+
+@pytest.mark.parametrize(("words", "message"), MISTAKES, ids=[" ".join(w) for w, _ in MISTAKES])
+def test_a_wrong_call_gets_one_clear_message(words, message):
+    done = run("convert", "-", *words, input="5 zork\n" if words == ("zork",) else "a\n1\n")
+    assert (done.stdout, done.returncode) == ("", 2)
+    assert message in done.stderr
+    assert done.stderr.startswith("radcalc: ")
+    assert done.stderr.splitlines()[1].startswith("try: ")
