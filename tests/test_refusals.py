@@ -2,6 +2,7 @@
 
 import pytest
 from conftest import run
+from homework.questions import CONE, LUX
 
 from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import plan
@@ -302,3 +303,27 @@ def test_a_wrong_call_gets_one_clear_message(words, message):
     assert message in done.stderr
     assert done.stderr.startswith("radcalc: ")
     assert done.stderr.splitlines()[1].startswith("try: ")
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        (f"{CONE} --tolerance 3sf", "--tolerance has no use without --check"),
+        (f"{LUX} --tolerance 3sf", "--tolerance has no use without --check"),
+        (f"{CONE} --check 0.6sr -g solid-angle", "--check and --get contradict each other"),
+        (f"{CONE},26deg --check 0.6sr", "--check takes one answer"),
+        ("convert 100 cd lx --distance 1m,2m --check 25lx", "--check takes one answer"),
+        ("point-source --intensity 9cd --distance 1m:3m:1m --check 1lx", "--check takes one"),
+        ("spectrum blackbody:3000K,4000K --check x=0.4", "--check takes one answer"),
+        ("photon 400nm,500nm --check 2eV", "--check takes one answer"),
+        ("ev --ev100 1:400:1 --check 25lx", "--check takes one answer"),
+        ("mesopic --luminance 0.1cd/m2,1cd/m2 --sp-ratio 2 --check 1cd/m2", "--check takes one"),
+        ("convert 130 cd/m2 --check 5", "--check needs a unit to convert to"),
+        ("convert 130 cd lx --check 5lx", "a distance is missing"),
+    ],
+)
+def test_what_goes_not_with_check(words, part):
+    done = run(*words.split())
+    assert done.returncode == 2, done.stdout
+    assert done.stdout == ""
+    assert part in done.stderr
