@@ -1,9 +1,10 @@
+"""Observers on, between and outside the points of their tables."""
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.spectra.compile import HERE, compile_observers, compile_sources
 from radcalc.spectra.observers import (
     OBSERVERS,
     luminous_efficacy,
@@ -12,14 +13,6 @@ from radcalc.spectra.observers import (
 )
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
-
-
-def test_the_committed_tables_are_colour_sciences():
-    for file, text in (
-        ("observers.py", compile_observers()),
-        ("sources.py", compile_sources()),
-    ):
-        assert (HERE / file).read_text(encoding="utf-8") == text
 
 
 @pytest.mark.parametrize(

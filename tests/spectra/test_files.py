@@ -1,0 +1,155 @@
+"""Files of spectra, as people write them and as they get them wrong."""
+
+import numpy as np
+import pytest
+
+from radcalc.errors import RadcalcError
+from radcalc.spectra.files import read_file
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.spectrum import WHOLE, Table
+
+PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+
+FILES = {
+    "commas": "400,1\n500,3\n700,2\n",
+    "blanks": "400 1\n500   3\n700 2\n",
+    "tabs": "400\t1\n500\t3\n700\t2\n",
+    "semicolons and decimal commas": "400,0;1,0\n500,0;3,0\n700,0;2,0\n",
+    "a header": "wavelength,value\n400,1\n500,3\n700,2\n",
+    "comments and blank lines": "# a lamp\n\n400 1\n500 3\n# more\n700 2\n",
+    "a byte order mark and CRLF": "\ufeff400,1\r\n500,3\r\n700,2\r\n",
+    "micrometres by their size": "0.4 1\n0.5 3\n0.7 2\n",
+    "angstroms by the header": "wavelength (angstrom),value\n4000,1\n5000,3\n7000,2\n",
+    "metres": "4e-7 1\n5e-7 3\n7e-7 2\n",
+    "falling": "700 2\n500 3\n400 1\n",
+    "out of order": "500 3\n400 1\n700 2\n",
+    "quotes": '"400","1"\n"500","3"\n"700","2"\n',
+}
+
+
+@pytest.mark.parametrize("text", FILES.values(), ids=FILES.keys())
+def test_a_spectrum_is_read_however_it_is_written(text, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_bytes(text.encode())
+    table = read_file(str(path))
+    assert list(table.grid) == pytest.approx([400, 500, 700])
+    assert list(table.values) == [1, 3, 2]
+    assert table.power(table.limits) == pytest.approx(100 * 2 + 200 * 2.5)
+
+
+def test_a_column_is_chosen_by_name_or_number(tmp_path):
+    path = tmp_path / "lamps.csv"
+    path.write_text("nm,red,blue\n400,1,9\n700,2,8\n", encoding="utf-8")
+    assert list(read_file(str(path), "blue").values) == [9, 8]
+    assert list(read_file(str(path), "2").values) == [1, 2]
+    with pytest.raises(RadcalcError, match="2 columns of values"):
+        read_file(str(path))
+
+
+def test_a_unit_in_the_header_makes_a_spectrum_absolute(tmp_path):
+    path = tmp_path / "sun.csv"
+    path.write_text("wavelength (nm),E (W/m2/um)\n400,1000\n700,1000\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert table.absolute == "irradiance"
+    assert table.power(table.limits) == pytest.approx(300)  # 1 W/m2/nm over 300 nm
+
+
+BROKEN = {
+    "nothing": ("", "no data"),
+    "one row": ("400 1\n", "1 row"),
+    "one column": ("400\n500\n", "line 1: one column"),
+    "a missing value": ("400,1\n500,\n600,2\n", "line 2: a value is missing"),
+    "a word": ("400,1\n500,x\n600,2\n", "line 2: 'x' is not a number"),
+    "not a number": ("400,1\n500,nan\n600,2\n", "line 2: 'nan' is not a number"),
+    "a short row": ("400 1\n500\n600 2\n", "line 2: 1 columns"),
+    "a long row": ("400 1\n500 2 3\n600 2\n", "line 2: 3 columns"),
+    "twice the same": ("400 1\n500 2\n\n400 2\n", "line 4: the wavelength 400 nm stands in line 1"),
+    "darkness": ("400 0\n500 0\n", "every value is 0"),
+    "a negative wavelength": ("-400 1\n500 2\n", "a wavelength of -400"),
+    "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is no wavelength"),
+    "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "no unit of length"),
+    "wavelengths last": ("value,wavelength (nm)\n1,400\n1,700\n", "not in the first column"),
+    "photons": ("nm,J (umol/m2/s/nm)\n400,1\n700,1\n", "no radiant power per wavelength"),
+    "per hertz": ("nm,K (W/m2/Hz)\n400,1\n700,1\n", "no radiant power per wavelength"),
+    "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
+    "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
+    "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
+    "an unknown unit": ("4000 1\n7000 2\n", "not declared"),
+    "no text": (b"400 1\n500 \xff\n", "line 2: not UTF-8"),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), BROKEN.values(), ids=BROKEN.keys())
+def test_what_is_wrong_with_a_file_is_said_with_its_line(text, message, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(RadcalcError) as caught:
+        read_file(str(path))
+    assert message in caught.value.message
+    assert caught.value.hint
+
+
+def test_an_unreadable_file_is_an_error(tmp_path):
+    with pytest.raises(RadcalcError, match="cannot read"):
+        read_file(str(tmp_path))
+
+
+@pytest.mark.parametrize(
+    ("head", "scale"),
+    [
+        ("wavelength [um],x", 1e-3),
+        ("Wavelength (Angstroms),x", 10),
+        ("nm,x", 1),
+        ("# wavelength in nm\nw,x", 1),
+        ("# a wavelength sweep at 3 m\nw,x", 1),
+        ("wavelength_nm,x", 1),
+        ("wavelength (nanometers),x", 1),
+        ("µm,x", 1e-3),
+    ],
+)
+def test_the_unit_of_wavelengths_is_declared_in_many_ways(head, scale, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{head}\n{400 * scale},1\n{700 * scale},2\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert list(table.grid) == pytest.approx([400, 700])
+    assert any("wavelengths are" in note for note in table.notes)
+
+
+def test_repairs_are_said(tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("500 3\n450 -0.1\n600 2\n", encoding="utf-8")
+    notes = " ".join(read_file(str(path)).notes)
+    for said in ("sorted", "negative", "nanometres", "not all of the visible"):
+        assert said in notes
+
+
+def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
+    grid = np.linspace(300, 1100, 20001)
+    values = np.exp(-(((grid - 550) / 80) ** 2))
+    path = tmp_path / "large.csv"
+    header = "wavelength (nm),E (W/m2/nm)"
+    np.savetxt(path, np.c_[grid, values], fmt="%.10g", delimiter=",", header=header, comments="")
+    assert path.stat().st_size > 2**18
+    large = read_file(str(path))
+    small = Table("", grid.tolist(), values.tolist())
+    assert large.absolute == "irradiance"
+    for limits in (WHOLE, (400, 700), (555.5, 555.6), (2000, 3000)):
+        assert large.power(limits) == pytest.approx(small.power(limits), rel=1e-8)
+        assert large.photons(limits) == pytest.approx(small.photons(limits), rel=1e-8)
+    assert large.seen(PHOTOPIC) == pytest.approx(small.seen(PHOTOPIC), rel=1e-8)
+    assert large.peak() == pytest.approx(small.peak(), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [("nan,1", "'nan' is not a number"), ("300,1", "stands in line"), ("700", "1 columns"),
+     ("700,x", "'x' is not a number")],
+)  # fmt: skip
+def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tmp_path):
+    path = tmp_path / "large.csv"
+    rows = [f"{300 + i / 50},1.000000001" for i in range(20000)]
+    path.write_text("\n".join([*rows, line]) + "\n", encoding="utf-8")
+    with pytest.raises(RadcalcError) as caught:
+        read_file(str(path))
+    assert "line 20001" in caught.value.message
+    assert message in caught.value.message
