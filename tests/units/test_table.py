@@ -1,86 +1,13 @@
-import logging
+"""Units as people spell them, and as they misspell them."""
+
 from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError
 from radcalc.units import compiled
-from radcalc.units.compile import (
-    BASE_UNITS,
-    HERE,
-    compile_units,
-    every_spelling,
-    read,
-    refuse_collisions,
-)
-from radcalc.units.registry import DEFINITIONS, exact_registry
-from radcalc.units.table import BASES, lookup, resolve
-
-TEXT = DEFINITIONS.read_text(encoding="utf-8")
-FOUND = read(TEXT)
-SPELLINGS = every_spelling(FOUND)
-
-
-@pytest.fixture(scope="module")
-def pint_registry():
-    return exact_registry()
-
-
-def test_the_committed_table_is_what_pint_says_today():
-    table, catalogue = compile_units(TEXT)
-    assert (HERE / "compiled.py").read_text(encoding="utf-8") == table
-    assert (HERE / "catalogue.py").read_text(encoding="utf-8") == catalogue
-
-
-def test_every_spelling_with_every_prefix_is_worth_what_pint_says(pint_registry):
-    assert len(SPELLINGS) > 1500
-    for spelling, [(prefix, unit)] in SPELLINGS.items():
-        ours = resolve(spelling)
-        container = UnitsContainer({pint_registry.get_name(prefix + unit): 1})
-        factor, _ = pint_registry.get_root_units(container)
-        powers = pint_registry.get_dimensionality(container)
-        mass = int(powers.get("[mass]", 0))
-        assert Fraction(ours.top, ours.bottom) == factor / Fraction(1000) ** mass, spelling
-        expected = [0] * len(BASES)
-        for base, power in powers.items():
-            expected[BASE_UNITS[base]] = int(power)
-        assert ours.dimension == tuple(expected), spelling
-
-
-def test_pint_reads_every_spelling_as_the_same_unit(pint_registry):
-    for spelling, [(prefix, unit)] in SPELLINGS.items():
-        known = pint_registry.parse_unit_name(spelling)
-        plural = pint_registry.parse_unit_name(spelling.removesuffix("s"))
-        assert prefix + unit in [p + u for p, u, _ in (*known, *plural)], spelling
-
-
-def test_no_two_spellings_collide():
-    refuse_collisions(FOUND)
-    assert all(len(readings) == 1 for readings in SPELLINGS.values())
-    full = {prefix + n for u in FOUND.units for n in u.names for prefix in ("", *u.prefixes)}
-    for spelling in SPELLINGS:  # a symbol that is also a full name, which has no case
-        if spelling.lower() in full:
-            assert SPELLINGS[spelling.lower()] == SPELLINGS[spelling]
-
-
-def test_a_second_definition_is_fatal(tmp_path, monkeypatch):
-    from radcalc.units import compile as compiler
-    from radcalc.units import registry
-
-    twice = tmp_path / "twice.txt"
-    twice.write_text(TEXT + "\nlux = 2 * lumen / metre**2 = _\n", encoding="utf-8")
-    monkeypatch.setattr(registry, "DEFINITIONS", twice)
-    logging.getLogger("pint").setLevel(logging.NOTSET)
-    with pytest.raises(ValueError, match="lux"):
-        compiler.compile_units(twice.read_text(encoding="utf-8"))
-
-
-def test_there_are_about_a_hundred_units_and_each_names_its_source():
-    assert len(FOUND.units) > 100
-    bare = [u.name for u in FOUND.units if not u.source]
-    assert bare == ["percent"]
+from radcalc.units.table import lookup, resolve
 
 
 @pytest.mark.parametrize(
