@@ -2,6 +2,7 @@
 
 import os
 import pty
+import select
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -9,6 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 from typing import Any
+
+from conftest import entry_point
 
 import radcalc
 from radcalc import lambertian
@@ -103,3 +106,21 @@ def on_terminal(*words: str, **more: Any) -> Iterator[tuple[subprocess.Popen[byt
             yield process, leader
     finally:
         os.close(leader)
+
+
+def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
+    """Run on a pseudo-terminal of a given width and return the screen."""
+    env = os.environ | {"COLUMNS": str(columns), "TERM": "xterm"} | environment
+    screen = b""
+    with on_terminal(entry_point(), *words, env=env) as (process, leader):
+        while True:
+            ready, _, _ = select.select([leader], [], [], 60)
+            try:
+                part = os.read(leader, 65536) if ready else b""
+            except OSError:
+                part = b""
+            if not part:
+                break
+            screen += part
+        process.wait(60)
+    return screen.decode().replace("\r\n", "\n")

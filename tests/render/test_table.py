@@ -1,0 +1,52 @@
+"""Tables on a terminal: their width, their colours, and what stands below them."""
+
+import pytest
+from conftest import run
+from helpers import screen_of
+
+
+def test_a_terminal_gets_a_table_with_what_was_assumed_below():
+    screen = screen_of("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
+    assert "\x1b" not in screen
+    assert "quantity" in screen
+    assert "luminous intensity" in screen
+    assert "63.662" in screen
+    assert "assumed: uniform over 4 pi sr (isotropic)" in screen
+
+
+@pytest.mark.parametrize("columns", [20, 40, 60])
+def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
+    words = ("convert", "800", "lm", "cd", "--isotropic", "--steps")
+    screen = screen_of(*words, columns=columns, NO_COLOR="1")
+    assert "…" not in screen
+    letters = "".join(screen.split())
+    assert "63.662" in letters
+    assert "isotropic" in letters
+
+
+@pytest.mark.parametrize(
+    ("words", "environment", "coloured"),
+    [
+        ((), {}, True),
+        ((), {"NO_COLOR": "1"}, False),
+        ((), {"TERM": "dumb"}, False),
+        (("--color", "always"), {"NO_COLOR": "1"}, True),
+        (("--color", "never"), {"FORCE_COLOR": "1"}, False),
+        ((), {"NO_COLOR": "1", "FORCE_COLOR": "1"}, False),
+        ((), {"TERM": "dumb", "FORCE_COLOR": "1"}, True),
+    ],
+)
+def test_colour_is_decided_by_option_then_environment_then_terminal(words, environment, coloured):
+    screen = screen_of("convert", "100", "lx", "fc", *words, **environment)
+    assert ("\x1b[" in screen) == coloured
+
+
+def test_markup_in_what_a_user_typed_is_no_markup():
+    screen = screen_of("convert", "1", "lx", "[bold]", NO_COLOR="1")
+    assert "[bold]" in screen
+
+
+def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
+    assert "illuminance" in run("convert", "1", "lx", "fc", "--format", "table").stdout
+    assert screen_of("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
+    assert screen_of("convert", "100", "lx", "fc", "-n") == "9.290304\n"
