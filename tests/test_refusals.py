@@ -1,4 +1,4 @@
-"""What has no answer without more is refused, in both directions, and says what would do."""
+"""What has no answer is refused, and says why and what would do."""
 
 import pytest
 from conftest import run
@@ -6,52 +6,9 @@ from homework.questions import CONE, LUX
 
 from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import plan
-from radcalc.errors import ConditionError, ConversionError, RadcalcError
+from radcalc.errors import ConditionError, RadcalcError
+from radcalc.quantities.search import search
 from radcalc.units.table import resolve
-
-HEADS = {"e": ("W", "J"), "v": ("lm", "lm.s"), "p": ("photon/s", "photon")}
-SHAPES = ("", "/sr", "/m2", "/m2/sr")
-AXES = ("", "/nm", "/THz", "/cm-1")
-# One unit for each quantity of the grid: kind x time x area x solid angle x axis of density.
-GRID = [
-    head + shape + axis
-    for heads in HEADS.values()
-    for head in heads
-    for shape in SHAPES
-    for axis in AXES
-]
-OTHERS = ["td", "lm/W", "umol/J", "lm.s/umol", "1", "sr", "deg", "m2.sr", "nm", "m2", "THz", "cm-1",
-          "s", "eV/photon", "K", "kg"]  # fmt: skip
-
-
-def _only_c_between(one: str, other: str) -> bool:
-    for a, b in (("/THz", "/cm-1"), ("/cm-1", "/THz")):
-        if one.endswith(a) and one.removesuffix(a) == other.removesuffix(b) and other.endswith(b):
-            return True
-    return False
-
-
-@pytest.mark.parametrize("source", [*GRID, *OTHERS])
-def test_no_two_different_quantities_convert_without_a_condition(source):
-    for target in [*GRID, *OTHERS]:
-        if source == target or _only_c_between(source, target):
-            continue
-        with pytest.raises(ConversionError) as caught:
-            plan(resolve(source), resolve(target))
-        error = caught.value
-        assert error.message.startswith("cannot convert "), target
-        assert "missing" in error.message or "no condition links them" in error.message, target
-        assert error.hint, target
-
-
-def test_a_density_per_hertz_and_one_per_kayser_differ_by_c_alone():
-    # c = 299 792 458 m/s exactly; a kayser is 1/cm
-    for shape in SHAPES:
-        made = plan(resolve(f"W{shape}/Hz"), resolve(f"W{shape}/cm-1"))
-        assert made.factor == pytest.approx(29979245800, rel=1e-15)
-        back = plan(resolve(f"W{shape}/cm-1"), resolve(f"W{shape}/Hz"))
-        assert back.factor == pytest.approx(1 / 29979245800, rel=1e-15)
-
 
 # source, target, conditions, part of the message, part of the hint
 CORPUS = [
@@ -327,3 +284,26 @@ def test_what_goes_not_with_check(words, part):
     assert done.returncode == 2, done.stdout
     assert done.stdout == ""
     assert part in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("luminanse", "no quantity is called 'luminanse'", "luminance"),
+        ("svitivsot", "no quantity is called", "svítivost"),
+        ("яркасть", "no quantity is called", "яркость"),
+        ("zork", "no quantity is called 'zork'", "radcalc quantities, which lists them all"),
+        ("kg", "'kg' measures mass", "radcalc quantities"),
+        ("%", "no quantity is called '%'", "radcalc quantities"),
+        ("[]", "no quantity is called", "radcalc quantities"),
+        ("[/bold]", "no quantity is called", ""),
+        ("x" * 100_000, "no quantity is called", ""),
+        ("lx " * 66, "no quantity is called", ""),
+    ],
+)
+def test_what_is_not_found_is_refused_with_the_nearest_names(text, message, hint):
+    with pytest.raises(RadcalcError) as refused:
+        search(text)
+    assert message in refused.value.message
+    assert hint in refused.value.hint
+    assert refused.value.hint

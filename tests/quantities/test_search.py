@@ -1,16 +1,12 @@
-"""The names of the quantities: the grid, the search, the language."""
+"""The names of the quantities, and what a search for one finds."""
 
-import os
 import unicodedata
 
 import pytest
-from conftest import run
 
-from radcalc.cli.output import decide
-from radcalc.errors import RadcalcError
-from radcalc.quantities.language import LANGUAGES, language, translate
+from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import name_of, symbol_of
-from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES
+from radcalc.quantities.names import MISNOMERS, QUANTITIES
 from radcalc.quantities.search import search
 from radcalc.units.table import resolve
 
@@ -184,144 +180,3 @@ def test_every_misnomer_is_found_and_explained():
     for terms, symbol, note in MISNOMERS:
         for term in terms:
             assert note in {f.note for f in search(term) if f.quantity.symbol == symbol}
-
-
-@pytest.mark.parametrize(
-    ("text", "message", "hint"),
-    [
-        ("luminanse", "no quantity is called 'luminanse'", "luminance"),
-        ("svitivsot", "no quantity is called", "svítivost"),
-        ("яркасть", "no quantity is called", "яркость"),
-        ("zork", "no quantity is called 'zork'", "radcalc quantities, which lists them all"),
-        ("kg", "'kg' measures mass", "radcalc quantities"),
-        ("%", "no quantity is called '%'", "radcalc quantities"),
-        ("[]", "no quantity is called", "radcalc quantities"),
-        ("[/bold]", "no quantity is called", ""),
-        ("x" * 100_000, "no quantity is called", ""),
-        ("lx " * 66, "no quantity is called", ""),
-    ],
-)
-def test_what_is_not_found_is_refused_with_the_nearest_names(text, message, hint):
-    with pytest.raises(RadcalcError) as refused:
-        search(text)
-    assert message in refused.value.message
-    assert hint in refused.value.hint
-    assert refused.value.hint
-
-
-def test_the_command_exits_2_where_nothing_is_found():
-    done = run("quantities", "luminanse")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.splitlines()[1].startswith("try: luminance")
-    done = run("quantities", "-n")
-    assert done.returncode == 2
-    assert "-n has no use with quantities" in done.stderr
-
-
-@pytest.mark.parametrize(
-    ("variables", "expected"),
-    [
-        ({}, "en"),
-        ({"LANG": "cs_CZ.UTF-8"}, "cs"),
-        ({"LANG": "ru_RU"}, "ru"),
-        ({"LANG": "cs"}, "cs"),
-        ({"LANG": "ru@latin"}, "ru"),
-        ({"LANG": "cs.UTF-8"}, "cs"),
-        ({"LANG": "en_GB.UTF-8"}, "en"),
-        ({"LANG": "de_DE.UTF-8"}, "en"),
-        ({"LANG": "csb_PL.UTF-8"}, "en"),
-        ({"LANG": "C"}, "en"),
-        ({"LANG": "C.UTF-8"}, "en"),
-        ({"LANG": "POSIX"}, "en"),
-        ({"LANG": ""}, "en"),
-        ({"LANG": "cs_CZ.UTF-8", "LC_MESSAGES": "ru_RU.UTF-8"}, "ru"),
-        ({"LANG": "cs_CZ.UTF-8", "LC_MESSAGES": "en_US.UTF-8"}, "en"),
-        ({"LANG": "cs_CZ.UTF-8", "LC_MESSAGES": ""}, "cs"),
-        ({"LANG": "cs_CZ.UTF-8", "LC_ALL": "C"}, "en"),
-        ({"LANG": "C", "LC_MESSAGES": "C", "LC_ALL": "ru_RU.UTF-8"}, "ru"),
-        ({"LANG": "C", "LC_CTYPE": "cs_CZ.UTF-8"}, "en"),
-    ],
-)
-def test_the_language_is_that_of_the_locales_messages(variables, expected, monkeypatch):
-    for name in ("LC_ALL", "LC_MESSAGES", "LC_CTYPE", "LANG"):
-        monkeypatch.delenv(name, raising=False)
-    for name, value in variables.items():
-        monkeypatch.setenv(name, value)
-    assert language() == expected
-
-
-def test_only_tables_follow_the_locale(monkeypatch):
-    monkeypatch.setenv("LC_ALL", "cs_CZ.UTF-8")
-    spoken = [decide(f, False, False, None, "auto", False).language
-              for f in ("table", "plain", "json", "csv")]  # fmt: skip
-    assert spoken == ["cs", "en", "en", "en"]
-
-
-@pytest.mark.parametrize(
-    ("label", "cs", "ru"),
-    [
-        ("luminous flux", "světelný tok", "световой поток"),
-        ("illuminance", "osvětlenost", "освещённость"),
-        ("solid angle", "prostorový úhel", "телесный угол"),
-        ("distance", "vzdálenost", "расстояние"),
-        (
-            "spectral irradiance (per wavelength)",
-            "spektrální ozářenost (podle vlnové délky)",
-            "спектральная плотность энергетической освещённости (по длине волны)",
-        ),
-        ("photon exitance", "photon exitance", "photon exitance"),
-        ("sphere fraction", "sphere fraction", "sphere fraction"),
-        ("", "", ""),
-    ],
-)
-def test_a_label_is_translated_where_there_is_a_name(label, cs, ru):
-    assert [translate(label, one) for one in LANGUAGES] == [label, cs, ru]
-
-
-def test_every_label_has_both_translations():
-    for label, names in LABELS.items():
-        assert len(names) == 2
-        assert all(names), label
-        assert label not in {name for q in QUANTITIES for name in q.names("en")}
-
-
-TABLES = {
-    ("convert", "100", "lx", "fc"): ("illuminance", "osvětlenost", "освещённость"),
-    ("convert", "250", "cd/m2"): ("luminance", "jas", "яркость"),
-    ("point-source", "--flux", "800lm", "--distance", "2m"): (
-        "luminous intensity", "svítivost", "сила света",
-    ),
-    ("solid-angle", "cone", "--half-angle", "30deg"): (
-        "solid angle", "prostorový úhel", "телесный угол",
-    ),
-    ("photon", "555nm"): ("wavelength", "vlnová délka", "длина волны"),
-    ("units", "lambert"): ("luminance", "jas", "яркость"),
-    ("typical", "sky"): ("luminance", "jas", "яркость"),
-}  # fmt: skip
-LOCALES = {"C": 0, "en_GB.UTF-8": 0, "cs_CZ.UTF-8": 1, "ru_RU.UTF-8": 2}
-
-
-@pytest.mark.parametrize("words", TABLES, ids=" ".join)
-def test_the_names_in_tables_follow_the_locale_and_nothing_else_does(words):
-    english = {}
-    for locale, place in LOCALES.items():
-        env = os.environ | {"LC_ALL": locale, "PYTHONIOENCODING": "utf-8"}
-        table = run(*words, "--format", "table", env=env)
-        assert table.returncode == 0
-        rows = table.stdout.split("assumed:")[0]
-        assert TABLES[words][place] in rows
-        assert all(name not in rows for name in TABLES[words] if name != TABLES[words][place])
-        for form in ("plain", "json", "csv"):
-            answer = run(*words, "--format", form, env=env)
-            assert english.setdefault(form, answer.stdout) == answer.stdout
-        if place == 0:
-            assert english.setdefault("table", table.stdout) == table.stdout
-
-
-def test_the_command_puts_the_names_of_one_language_first():
-    env = os.environ | {"LC_ALL": "cs_CZ.UTF-8", "PYTHONIOENCODING": "utf-8"}
-    assert run("quantities", "lx", env=env).stdout.startswith("osvětlenost\tE_v\tlx\t")
-    assert run("quantities", "lx", "--lang", "ru", env=env).stdout.startswith("освещённость\t")
-    assert run("quantities", "lx", "--lang", "en", env=env).stdout.startswith("illuminance\t")
-    done = run("quantities", "M_p", "--lang", "ru")
-    assert done.stdout.startswith("photon exitance\t")

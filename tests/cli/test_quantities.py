@@ -1,0 +1,21 @@
+import os
+
+from conftest import run
+
+
+def test_the_command_exits_2_where_nothing_is_found():
+    done = run("quantities", "luminanse")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.splitlines()[1].startswith("try: luminance")
+    done = run("quantities", "-n")
+    assert done.returncode == 2
+    assert "-n has no use with quantities" in done.stderr
+
+
+def test_the_command_puts_the_names_of_one_language_first():
+    env = os.environ | {"LC_ALL": "cs_CZ.UTF-8", "PYTHONIOENCODING": "utf-8"}
+    assert run("quantities", "lx", env=env).stdout.startswith("osvětlenost\tE_v\tlx\t")
+    assert run("quantities", "lx", "--lang", "ru", env=env).stdout.startswith("освещённость\t")
+    assert run("quantities", "lx", "--lang", "en", env=env).stdout.startswith("illuminance\t")
+    done = run("quantities", "M_p", "--lang", "ru")
+    assert done.stdout.startswith("photon exitance\t")

@@ -1,0 +1,50 @@
+"""One unit for each quantity of the grid: none becomes another without a condition."""
+
+import pytest
+
+from radcalc.conversion.plan import plan
+from radcalc.errors import ConversionError
+from radcalc.units.table import resolve
+
+HEADS = {"e": ("W", "J"), "v": ("lm", "lm.s"), "p": ("photon/s", "photon")}
+SHAPES = ("", "/sr", "/m2", "/m2/sr")
+AXES = ("", "/nm", "/THz", "/cm-1")
+# One unit for each quantity of the grid: kind x time x area x solid angle x axis of density.
+GRID = [
+    head + shape + axis
+    for heads in HEADS.values()
+    for head in heads
+    for shape in SHAPES
+    for axis in AXES
+]
+OTHERS = ["td", "lm/W", "umol/J", "lm.s/umol", "1", "sr", "deg", "m2.sr", "nm", "m2", "THz", "cm-1",
+          "s", "eV/photon", "K", "kg"]  # fmt: skip
+
+
+def _only_c_between(one: str, other: str) -> bool:
+    for a, b in (("/THz", "/cm-1"), ("/cm-1", "/THz")):
+        if one.endswith(a) and one.removesuffix(a) == other.removesuffix(b) and other.endswith(b):
+            return True
+    return False
+
+
+@pytest.mark.parametrize("source", [*GRID, *OTHERS])
+def test_no_two_different_quantities_convert_without_a_condition(source):
+    for target in [*GRID, *OTHERS]:
+        if source == target or _only_c_between(source, target):
+            continue
+        with pytest.raises(ConversionError) as caught:
+            plan(resolve(source), resolve(target))
+        error = caught.value
+        assert error.message.startswith("cannot convert "), target
+        assert "missing" in error.message or "no condition links them" in error.message, target
+        assert error.hint, target
+
+
+def test_a_density_per_hertz_and_one_per_kayser_differ_by_c_alone():
+    # c = 299 792 458 m/s exactly; a kayser is 1/cm
+    for shape in SHAPES:
+        made = plan(resolve(f"W{shape}/Hz"), resolve(f"W{shape}/cm-1"))
+        assert made.factor == pytest.approx(29979245800, rel=1e-15)
+        back = plan(resolve(f"W{shape}/cm-1"), resolve(f"W{shape}/Hz"))
+        assert back.factor == pytest.approx(1 / 29979245800, rel=1e-15)
