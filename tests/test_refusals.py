@@ -1,8 +1,11 @@
-"""What has no answer is refused, and says why and what would do."""
+"""What has no answer is refused, and says why and what would do.
+
+One corpus, by who refuses: each sentence says what is refused, and its row what is asked and
+what the refusal has to say.
+"""
 
 import pytest
 from conftest import run
-from homework.questions import CONE, LUX
 
 from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import plan
@@ -11,88 +14,169 @@ from radcalc.quantities.search import search
 from radcalc.units.table import resolve
 
 # source, target, conditions, part of the message, part of the hint
-CORPUS = [
-    ("lm", "cd", {}, "luminous flux (lm) to luminous intensity (cd): a solid angle is missing",
-     "--isotropic, --half-angle ANGLE or --solid-angle OMEGA"),
-    ("lx", "nit", {}, "a reflectance or a projected solid angle is missing", "--hemisphere"),
-    ("W", "lm", {}, "a wavelength, a spectrum or an efficacy is missing", "--wavelength"),
-    ("umol/m2/s", "lx", {}, "a wavelength, a spectrum or an efficacy is missing", "--efficacy"),
-    ("lm", "lx", {}, "an area, or a solid angle and a distance, is missing", "--distance"),
-    ("cd", "lx", {}, "a distance is missing", "--distance"),
-    ("J", "W", {}, "a time is missing", "--time"),
-    ("lx.s", "lx", {}, "a time is missing", "--time"),
-    ("W/Hz", "J", {}, "a bandwidth and a time are missing", "--bandwidth"),
-    ("Jy", "J/m2", {}, "a bandwidth and a time are missing", "--time"),
-    ("W/m2/nm", "W/m2", {}, "a bandwidth is missing", "--bandwidth"),
-    ("W/m2/nm", "W/m2/THz", {}, "a wavelength is missing", "--wavelength"),
-    ("W/m2/nm", "lx/THz", {}, ": a wavelength is missing", "--wavelength"),
-    ("lm/m", "lm", {}, "luminous flux per length (lm/m)", "the number times that length"),
-    ("td", "cd", {}, "the pupil's diameter", "--pupil"),
-    ("td", "cd/m2", {}, "the pupil's diameter is missing", "--pupil"),
-    ("nm", "eV", {}, "no condition links them", "radcalc"),
-    ("sr", "deg", {}, "no condition links them", "radcalc"),
-    ("lm/W", "1", {}, "no condition links them", "radcalc"),
-    ("lm", "lx", {"distance": "2m"}, "a solid angle is missing", "--isotropic"),
-    ("lm", "cd", {"time": "1h"}, "--time has no use", "--isotropic"),
-    ("lm", "cd", {"reflectance": "0.5"}, "--reflectance has no use", "--isotropic"),
-    ("lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance has no use", "without"),
-    ("m", "ft", {"time": "1h"}, "--time has no use", "without --time"),
-    ("cd", "lx", {"incidence": "45deg"}, "a distance is missing", "--distance"),
-    ("W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer has no use", ""),
-    ("W", "lm", {"efficacy": "93lm/W", "observer": "scotopic"}, "--observer has no use", ""),
-    ("lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradict each other", "one of"),
-    ("lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "contradict", "one of"),
-    ("W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "contradict", "one of"),
-    ("lm", "lx", {"radius": "1m", "area": "3m2"}, "contradict", "one of"),
-    ("lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "over-specified", "fewer"),
-    ("lm", "lx", {"area": "1m2", "isotropic": True, "distance": "1m"}, "over-specified", "fewer"),
-    ("nit", "lx", {"solid-angle": "1sr"}, "projected solid angle", "--half-angle"),
-    ("nit", "lx", {"isotropic": True}, "projected solid angle", "--hemisphere"),
-    ("nit", "lx", {"exponent": "1"}, "projected solid angle", "--hemisphere"),
-    ("nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is not possible", "90 deg"),
-    ("nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
-    ("nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "60deg"}, "horizon", "smaller"),
-    ("lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
-    ("lm", "W", {"wavelength": "10um"}, "nothing is seen", "830nm"),
-    ("lx", "cd", {"distance": "2m", "incidence": "90deg"}, "no light arrives", "below 90"),
-    ("cd/m2", "lx", {"reflectance": "0"}, "no light arrives", "above 0"),
-    ("lx", "cd/m2", {"reflectance": "1.01"}, "not possible", "from 0 to 1"),
-    ("lx", "cd/m2", {"reflectance": "101%"}, "not possible", "from 0 to 1"),
-    ("W", "lm", {"efficacy": "684lm/W"}, "not possible", "683lm/W"),
-    ("W", "lm", {"efficacy": "2.1umol/J"}, "does not link radiant and luminous", "93lm/W"),
-    ("cd", "lx", {"distance": "-2m"}, "not possible", "more than 0"),
-    ("cd", "lx", {"distance": "0m"}, "not possible", "more than 0"),
-    ("lm", "lx", {"area": "-1m2"}, "not possible", "more than 0"),
-    ("lm", "cd", {"half-angle": "181deg"}, "not possible", "whole sphere"),
-    ("lm", "cd", {"solid-angle": "13sr"}, "not possible", "4pi sr"),
-    ("lm", "cd", {"beam-angle": "180deg"}, "not possible", "180 deg"),
-    ("lm", "cd", {"exponent": "-1"}, "not possible", "0 or more"),
-    ("cd", "lx", {"distance": "2"}, "--distance 2 has no unit", "2m"),
-    ("W", "lm", {"wavelength": "555"}, "has no unit", "555nm"),
-    ("cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
-    ("lm", "cd", {"area": "1m2", "distance": "1m"}, "a solid angle is missing", "--isotropic"),
-    ("cd", "lm", {"radius": "1m", "distance": "1m"}, "a solid angle is missing", "--half-angle"),
-    ("lm", "lx", {"radius": "1m", "distance": "3m"}, "missing; --radius has no use", "--isotropic"),
-    ("nit", "cd", {"half-angle": "60deg", "distance": "1m"}, "an area or a reflectance is missing",
-     "--area"),
-    ("nit", "lx", {"distance": "1m"}, "the size of the source is missing", "--radius"),
-    ("radlux", "cd/m2", {"reflectance": "0.5"}, "--reflectance has no use", "--hemisphere"),
-    ("radlux", "cd", {"distance": "2m"}, "missing; --distance has no use", "--area"),
-    ("nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "90deg"}, "horizon", "smaller"),
-    ("nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "100deg"}, "horizon", "smaller"),
-    ("W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength has no use", "without"),
-    ("umol/s", "lm", {"efficacy": "149lm.s/umol"}, "not possible: no light gives more", "147"),
-    ("lm/m", "lm", {"bandwidth": "5m"}, "not possible", "1 mm"),
-    ("cd", "lx", {"distance": "1e200m"}, "beyond", "1e+100"),
-    ("cd", "lx", {"distance": "1e-200m"}, "beyond", "1e-100"),
-    ("lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "30deg"),
-    ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
-    ("W", "lm", {"wavelength": "-555nm"}, "not possible", "more than 0"),
-]  # fmt: skip
+CONVERSIONS = {
+    "lumens become candelas in a solid angle only": (
+        "lm", "cd", {}, "luminous flux (lm) to luminous intensity (cd): a solid angle is missing",
+        "--isotropic, --half-angle ANGLE or --solid-angle OMEGA"),
+    "lux become nits by a reflectance or a projected solid angle only": (
+        "lx", "nit", {}, "a reflectance or a projected solid angle is missing", "--hemisphere"),
+    "watts become lumens by a wavelength, a spectrum or an efficacy only": (
+        "W", "lm", {}, "a wavelength, a spectrum or an efficacy is missing", "--wavelength"),
+    "photons become lux by a wavelength, a spectrum or an efficacy only": (
+        "umol/m2/s", "lx", {}, "a wavelength, a spectrum or an efficacy is missing", "--efficacy"),
+    "lumens become lux on an area, or in a solid angle at a distance, only": (
+        "lm", "lx", {}, "an area, or a solid angle and a distance, is missing", "--distance"),
+    "candelas become lux at a distance only": (
+        "cd", "lx", {}, "a distance is missing", "--distance"),
+    "joules become watts in a time only": ("J", "W", {}, "a time is missing", "--time"),
+    "an exposure becomes an illuminance in a time only": (
+        "lx.s", "lx", {}, "a time is missing", "--time"),
+    "watts per hertz become joules by a bandwidth and a time only": (
+        "W/Hz", "J", {}, "a bandwidth and a time are missing", "--bandwidth"),
+    "janskys become an exposure by a bandwidth and a time only": (
+        "Jy", "J/m2", {}, "a bandwidth and a time are missing", "--time"),
+    "a density per nanometre becomes a whole by a bandwidth only": (
+        "W/m2/nm", "W/m2", {}, "a bandwidth is missing", "--bandwidth"),
+    "a density per nanometre becomes one per terahertz at a wavelength only": (
+        "W/m2/nm", "W/m2/THz", {}, "a wavelength is missing", "--wavelength"),
+    "watts per nanometre become lux per terahertz at a wavelength only": (
+        "W/m2/nm", "lx/THz", {}, ": a wavelength is missing", "--wavelength"),
+    "lumens per metre become lumens by that length only": (
+        "lm/m", "lm", {}, "luminous flux per length (lm/m)", "the number times that length"),
+    "trolands become candelas by the pupil and more": (
+        "td", "cd", {}, "the pupil's diameter", "--pupil"),
+    "trolands become a luminance by the pupil's diameter only": (
+        "td", "cd/m2", {}, "the pupil's diameter is missing", "--pupil"),
+    "no condition makes electronvolts of nanometres": (
+        "nm", "eV", {}, "no condition links them", "radcalc"),
+    "no condition makes degrees of steradians": (
+        "sr", "deg", {}, "no condition links them", "radcalc"),
+    "no condition makes a number of an efficacy": (
+        "lm/W", "1", {}, "no condition links them", "radcalc"),
+    "a distance alone makes no lux of lumens": (
+        "lm", "lx", {"distance": "2m"}, "a solid angle is missing", "--isotropic"),
+    "a time has no use between lumens and candelas": (
+        "lm", "cd", {"time": "1h"}, "--time has no use", "--isotropic"),
+    "a reflectance has no use between lumens and candelas": (
+        "lm", "cd", {"reflectance": "0.5"}, "--reflectance has no use", "--isotropic"),
+    "a distance has no use where isotropic lumens become candelas": (
+        "lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance has no use", "without"),
+    "a time has no use between metres and feet": (
+        "m", "ft", {"time": "1h"}, "--time has no use", "without --time"),
+    "an incidence without a distance lacks the distance": (
+        "cd", "lx", {"incidence": "45deg"}, "a distance is missing", "--distance"),
+    "an observer has no use between watts and photons": (
+        "W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer has no use",
+        ""),
+    "an observer has no use beside an efficacy": (
+        "W", "lm", {"efficacy": "93lm/W", "observer": "scotopic"}, "--observer has no use", ""),
+    "isotropic light and a half angle contradict each other": (
+        "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradict each other", "one of"),
+    "a half angle and an apex angle contradict each other": (
+        "lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "contradict", "one of"),
+    "a wavelength and an efficacy contradict each other": (
+        "W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "contradict", "one of"),
+    "a radius and an area contradict each other": (
+        "lm", "lx", {"radius": "1m", "area": "3m2"}, "contradict", "one of"),
+    "a reflectance and a hemisphere are more than enough": (
+        "lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "over-specified", "fewer"),
+    "an area, and a distance in a solid angle, are more than enough": (
+        "lm", "lx", {"area": "1m2", "isotropic": True, "distance": "1m"}, "over-specified",
+        "fewer"),
+    "a plain solid angle is no projected one": (
+        "nit", "lx", {"solid-angle": "1sr"}, "projected solid angle", "--half-angle"),
+    "isotropic light has no projected solid angle": (
+        "nit", "lx", {"isotropic": True}, "projected solid angle", "--hemisphere"),
+    "an exponent gives no projected solid angle": (
+        "nit", "lx", {"exponent": "1"}, "projected solid angle", "--hemisphere"),
+    "a cone wider than the hemisphere has no projected solid angle": (
+        "nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is not possible", "90 deg"),
+    "an area nearer than five times its size is no small source": (
+        "nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
+    "a disc that dips below the horizon is refused": (
+        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "60deg"}, "horizon",
+        "smaller"),
+    "no lumens at 300 nm tell the watts": (
+        "lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
+    "no lumens at 10 um tell the watts": (
+        "lm", "W", {"wavelength": "10um"}, "nothing is seen", "830nm"),
+    "no light arrives along the receiver's plane": (
+        "lx", "cd", {"distance": "2m", "incidence": "90deg"}, "no light arrives", "below 90"),
+    "no light comes back from what is black": (
+        "cd/m2", "lx", {"reflectance": "0"}, "no light arrives", "above 0"),
+    "a reflectance above 1 is not possible": (
+        "lx", "cd/m2", {"reflectance": "1.01"}, "not possible", "from 0 to 1"),
+    "a reflectance above 100 % is not possible": (
+        "lx", "cd/m2", {"reflectance": "101%"}, "not possible", "from 0 to 1"),
+    "an efficacy above 683 lm/W is not possible": (
+        "W", "lm", {"efficacy": "684lm/W"}, "not possible", "683lm/W"),
+    "photons per joule do not link watts and lumens": (
+        "W", "lm", {"efficacy": "2.1umol/J"}, "does not link radiant and luminous", "93lm/W"),
+    "a negative distance is not possible": (
+        "cd", "lx", {"distance": "-2m"}, "not possible", "more than 0"),
+    "a distance of 0 is not possible": (
+        "cd", "lx", {"distance": "0m"}, "not possible", "more than 0"),
+    "a negative area is not possible": (
+        "lm", "lx", {"area": "-1m2"}, "not possible", "more than 0"),
+    "a half angle beyond the whole sphere is not possible": (
+        "lm", "cd", {"half-angle": "181deg"}, "not possible", "whole sphere"),
+    "a solid angle beyond the whole sphere is not possible": (
+        "lm", "cd", {"solid-angle": "13sr"}, "not possible", "4pi sr"),
+    "a beam angle of 180 degrees is not possible": (
+        "lm", "cd", {"beam-angle": "180deg"}, "not possible", "180 deg"),
+    "a negative exponent is not possible": (
+        "lm", "cd", {"exponent": "-1"}, "not possible", "0 or more"),
+    "a distance without a unit is refused": (
+        "cd", "lx", {"distance": "2"}, "--distance 2 has no unit", "2m"),
+    "a wavelength without a unit is refused": (
+        "W", "lm", {"wavelength": "555"}, "has no unit", "555nm"),
+    "seconds are no distance": (
+        "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
+    "an area at a distance is no solid angle of a beam": (
+        "lm", "cd", {"area": "1m2", "distance": "1m"}, "a solid angle is missing", "--isotropic"),
+    "a radius at a distance is no solid angle of a beam": (
+        "cd", "lm", {"radius": "1m", "distance": "1m"}, "a solid angle is missing",
+        "--half-angle"),
+    "a radius has no use where lumens become lux at a distance": (
+        "lm", "lx", {"radius": "1m", "distance": "3m"}, "missing; --radius has no use",
+        "--isotropic"),
+    "a luminance becomes an intensity by an area or a reflectance only": (
+        "nit", "cd", {"half-angle": "60deg", "distance": "1m"},
+        "an area or a reflectance is missing", "--area"),
+    "a luminance at a distance lacks the size of the source": (
+        "nit", "lx", {"distance": "1m"}, "the size of the source is missing", "--radius"),
+    "a reflectance has no use for an exitance": (
+        "radlux", "cd/m2", {"reflectance": "0.5"}, "--reflectance has no use", "--hemisphere"),
+    "a distance has no use where an exitance becomes an intensity": (
+        "radlux", "cd", {"distance": "2m"}, "missing; --distance has no use", "--area"),
+    "a disc of which half is below the horizon is refused": (
+        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "90deg"}, "horizon",
+        "smaller"),
+    "a disc of which most is below the horizon is refused": (
+        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "100deg"}, "horizon",
+        "smaller"),
+    "a wavelength has no use between hertz and kaysers": (
+        "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength has no use", "without"),
+    "no light gives 149 lumens for a micromole a second": (
+        "umol/s", "lm", {"efficacy": "149lm.s/umol"}, "not possible: no light gives more", "147"),
+    "a bandwidth of metres is not possible": (
+        "lm/m", "lm", {"bandwidth": "5m"}, "not possible", "1 mm"),
+    "a distance beyond all measure is refused": (
+        "cd", "lx", {"distance": "1e200m"}, "beyond", "1e+100"),
+    "a distance below all measure is refused": (
+        "cd", "lx", {"distance": "1e-200m"}, "beyond", "1e-100"),
+    "steradians are no angle": (
+        "lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "30deg"),
+    "a comma in a number is refused": ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
+    "a negative wavelength is not possible": (
+        "W", "lm", {"wavelength": "-555nm"}, "not possible", "more than 0"),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(("source", "target", "conditions", "message", "hint"), CORPUS)
-def test_a_refusal_says_what_and_what_to_do(source, target, conditions, message, hint):
+@pytest.mark.parametrize(
+    ("source", "target", "conditions", "message", "hint"), CONVERSIONS.values(), ids=CONVERSIONS
+)
+def test_a_conversion_is_refused(source, target, conditions, message, hint):
     with pytest.raises(RadcalcError) as caught:
         plan(resolve(source), resolve(target), [give(k, v) for k, v in conditions.items()])
     assert message in caught.value.message
@@ -104,157 +188,230 @@ def test_a_refusal_of_a_condition_is_a_condition_error():
         plan(resolve("lm"), resolve("cd"), [give("isotropic", True), give("time", "1s")])
 
 
-def refused(words: str) -> str:
+# words of a command, parts of what it says
+COMMANDS = {
+    # too little: which quantities would do
+    "an irradiance wants a distance": (
+        "point-source --flux 800lm -g irradiance:lx", "irradiance", "--distance"),
+    "an exposure does not follow from an intensity alone": (
+        "point-source --intensity 100cd -g exposure:lx.s", "exposure"),
+    "an energy wants a time": ("point-source --flux 800lm -g energy:lm.s", "energy", "--time"),
+    "a distance alone says nothing of the light": (
+        "point-source --distance 2m", "--flux, --intensity or --irradiance"),
+    "an offset wants a height": ("point-source --flux 800lm --offset 2m", "--height"),
+    "a distance does not follow from an illuminance alone": (
+        "point-source --illuminance 25lx -g distance:m", "distance", "--flux", "--intensity"),
+    "a luminance has a flux by its area only": (
+        "lambertian --luminance 100cd/m2 -g flux:lm", "flux", "--area"),
+    "the light of a reflector wants its reflectance": (
+        "lambertian --incident-illuminance 500lx -g radiance:cd/m2", "--reflectance"),
+    "the light of a disc wants its distance": (
+        "lambertian disc --luminance 9cd/m2 --radius 1m -g irradiance:lx", "--distance"),
+    "a film's speed alone exposes nothing": (
+        "ev --iso 100", "--ev100, --luminance, --illuminance or --f-number"),
+    "a mass alone has no use": ("calorimeter --mass 10g", "--mass 10g", "without --mass"),
+    # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
+    "an illuminance that contradicts a flux at its distance is refused with the ratio": (
+        "point-source --flux 800lm --distance 2m --illuminance 20lx", "--illuminance 20lx",
+        "15.9155 lx", "ratio 1.25664"),
+    "an intensity that contradicts an isotropic flux is refused with the ratio": (
+        "point-source --flux 800lm --intensity 100cd", "--flux 800lm", "1256.64 lm",
+        "ratio 0.63662"),
+    "an exitance that contradicts its luminance is refused with the ratio": (
+        "lambertian --luminance 100cd/m2 --exitance 200lm/m2", "--exitance 200lm/m2",
+        "314.159 lm/m2", "ratio 0.63662"),
+    "a luminance that contradicts its exposure value is refused with both": (
+        "ev --ev100 15 --luminance 1000cd/m2", "4096", "1000cd/m2"),
+    "an energy that contradicts a flux in its time is refused with the ratio": (
+        "calorimeter --flux 5W --time 2s --energy 20J", "10", "ratio 2"),
+    # impossible: the limit
+    "a luminance that no white would reach is refused with the reflectance it wants": (
+        "lambertian --luminance 400cd/m2 --incident-illuminance 500lx", "2.51327"),
+    "a reflectance of 1.2 is refused with its limits": (
+        "lambertian --incident-illuminance 500lx --reflectance 1.2", "from 0 to 1"),
+    "a disc fills no more than the hemisphere": (
+        "lambertian disc --luminance 10cd/m2 --radius 1m --illuminance 40lx", "whole hemisphere"),
+    "a sphere fills no more than the hemisphere": (
+        "lambertian sphere --luminance 10cd/m2 --radius 1m --illuminance 40lx",
+        "whole hemisphere"),
+    "a body takes up no more heat than the light that falls on it": (
+        "calorimeter --energy 1J --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K",
+        "absorptance above 1"),
+    "an absorptance of 1.5 is refused with its limits": (
+        "calorimeter --energy 1J --absorptance 1.5", "from 0 to 1"),
+    "a beam of 180 degrees has no exponent": (
+        "point-source --intensity 1cd --beam-angle 180deg", "180 deg"),
+    "a half angle ends at 180 degrees": (
+        "point-source --intensity 1cd --half-angle 181deg", "180 deg"),
+    "an apex angle ends at 360 degrees": (
+        "point-source --intensity 1cd --apex-angle 361deg", "360 deg"),
+    "a lobe holds no more than the flux of a hemisphere": (
+        "point-source --intensity 1cd --flux 7lm --distribution lobe", "hemisphere"),
+    "a cone holds no more than the flux of a sphere": (
+        "point-source --intensity 1cd --flux 13lm --distribution cone", "sr"),
+    "an illuminance that contradicts an intensity at its distance is refused with the ratio": (
+        "point-source --intensity 1cd --distance 1m --illuminance 2lx", "contradicts", "ratio"),
+    "a source at a negative distance is refused": (
+        "point-source --intensity 1cd --distance -1m", "more than 0"),
+    "a receiver too large for its distance is refused with the distance it wants": (
+        "point-source --intensity 1cd --distance 1m --receiver-area 1m2", "too large", "5.6419 m"),
+    "a source too near for its size is refused with that size": (
+        "lambertian --luminance 1cd/m2 --area 1m2 --distance 1m", "five times", "1.12838 m"),
+    "no receiver is inside a sphere": (
+        "lambertian sphere --luminance 1cd/m2 --radius 1m --distance 50cm", "radius"),
+    # of another calculator, kind or shape
+    "watts are no luminous flux": ("point-source --luminous-flux 5W", "luminous flux"),
+    "watts per square metre are no illuminance": (
+        "point-source --illuminance 5W/m2 --distance 1m", "illuminance"),
+    "watts and lux together want what links them": (
+        "point-source --flux 5W --illuminance 20lx", "--wavelength, --spectrum or --efficacy"),
+    "a quantity goes by one of its names at a time": (
+        "point-source --flux 5lm --luminous-flux 5lm", "the same quantity"),
+    "a calorimeter takes watts, not lumens": ("calorimeter --flux 5lm --time 1s", "watts"),
+    "a cone has no exponent": (
+        "point-source --flux 5lm --half-angle 9deg --exponent 3", "--half-angle", "--exponent"),
+    "a lobe has no half angle": (
+        "point-source --flux 5lm --half-angle 9deg --distribution lobe", "--half-angle"),
+    "a disc has no width": ("lambertian disc --luminance 9cd/m2 --width 1m", "--width"),
+    "a disc has no corner": ("lambertian disc --luminance 9cd/m2 --corner --radius 1m", "--corner"),
+    "a Lambertian cube is not known": ("lambertian cube --luminance 9cd/m2", "cube"),
+    "a disc has a radius or a diameter, not both": (
+        "lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
+        "--radius and --diameter"),
+    "two lists at once are refused": ("point-source --flux 1lm,2lm --distance 1m,2m", "both lists"),
+    # geometry
+    "a polygon of vertices in a line has no area": (
+        "solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),
+    "a polygon of vertices off one plane is not flat": (
+        "solid-angle polygon 0,0,1 1,0,1 1,1,1.1 0,1,1", "not flat"),
+    "a vertex that is given twice is refused": (
+        "solid-angle polygon 0,0,1 1,0,1 1,0,1 0,1,1", "twice"),
+    "two vertices make no polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
+    "a vertex of two coordinates is refused": (
+        "solid-angle polygon 0,0 1,0,1 0,1,1", "2 coordinates"),
+    "a vertex of four coordinates is refused": (
+        "solid-angle polygon 0,0,1,2 1,0,1 0,1,1", "4 coordinates"),
+    "a vertex that is no number is refused": ("solid-angle polygon nan,0,1 1,0,1 0,1,1", "nan"),
+    "a normal of no length is refused": (
+        "solid-angle polygon 1,0,0 0,1,0 0,0,1 --normal 0,0,0", "normal"),
+    "a viewpoint in the polygon's plane is refused": (
+        "solid-angle polygon 1,0,0 0,1,0 0,0,1 --viewpoint 1,0,0", "plane"),
+    "an observer on a sphere is refused": (
+        "solid-angle sphere --radius 1m --distance 1m", "on or inside the sphere"),
+    "an observer in a disc's plane is refused": (
+        "solid-angle disc --radius 1m --height 0m", "not possible"),
+    "a half angle that is no number is refused": ("solid-angle cone --half-angle nandeg", "nan"),
+    "a cone wider than the sphere is refused": (
+        "solid-angle cone --half-angle 181deg", "not possible"),
+    "a direction of two coordinates is refused": ("direction 1 1", "three coordinates"),
+    "a direction of four coordinates is refused": ("direction 1 1 1 1", "three coordinates"),
+    "a direction that is no number is refused": ("direction nan 0 1", "nan"),
+    "the origin has no direction": ("direction 0 0 0", "no direction"),
+    "a numerical aperture above 1 is refused": ("etendue --area 1mm2 --na 1.5", "not possible"),
+    "an area that is no number is refused": ("etendue --area nanm2 --half-angle 10deg", "nan"),
+    "an expression that is 0 everywhere is refused": ("integrate x-x --sphere", "is 0"),
+    "an expression that has no value is refused": ("integrate 1/(x-x) --sphere", "no value"),
+    "an attribute cannot stand in an expression": ("integrate x.real --sphere", "cannot stand"),
+    "a long chain of attributes cannot stand in an expression": (
+        "integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),
+    "no number called nan stands in an expression": ("integrate nan --sphere", "nan"),
+    # --check
+    "a tolerance has no use where nothing is checked": (
+        "solid-angle cone --half-angle 25deg --tolerance 3sf",
+        "--tolerance has no use without --check"),
+    "a tolerance has no use in a conversion where nothing is checked": (
+        "convert 500 lx cd/m2 --reflectance 0.7 --tolerance 3sf",
+        "--tolerance has no use without --check"),
+    "an answer to check and a result to get contradict each other": (
+        "solid-angle cone --half-angle 25deg --check 0.6sr -g solid-angle",
+        "--check and --get contradict each other"),
+    "a list of angles has no one answer to check": (
+        "solid-angle cone --half-angle 25deg,26deg --check 0.6sr", "--check takes one answer"),
+    "a list of distances has no one answer to check": (
+        "convert 100 cd lx --distance 1m,2m --check 25lx", "--check takes one answer"),
+    "a range of distances has no one answer to check": (
+        "point-source --intensity 9cd --distance 1m:3m:1m --check 1lx", "--check takes one"),
+    "a list of temperatures has no one answer to check": (
+        "spectrum blackbody:3000K,4000K --check x=0.4", "--check takes one answer"),
+    "a list of wavelengths has no one answer to check": (
+        "photon 400nm,500nm --check 2eV", "--check takes one answer"),
+    "a range of exposure values has no one answer to check": (
+        "ev --ev100 1:400:1 --check 25lx", "--check takes one answer"),
+    "a list of luminances has no one answer to check": (
+        "mesopic --luminance 0.1cd/m2,1cd/m2 --sp-ratio 2 --check 1cd/m2", "--check takes one"),
+    "a conversion to check needs a unit to convert to": (
+        "convert 130 cd/m2 --check 5", "--check needs a unit to convert to"),
+    "a conversion to check lacks its distance": (
+        "convert 130 cd lx --check 5lx", "a distance is missing"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "parts"), [(words, parts) for words, *parts in COMMANDS.values()], ids=COMMANDS
+)
+def test_a_command_is_refused(words, parts):
     done = run(*words.split())
     assert done.returncode == 2, done.stdout
     assert done.stdout == ""
     assert "\ntry: " in done.stderr
-    return done.stderr
-
-
-@pytest.mark.parametrize(
-    ("words", "parts"),
-    [
-        # too little: which quantities would do
-        ("point-source --flux 800lm -g irradiance:lx", ["irradiance", "--distance"]),
-        ("point-source --intensity 100cd -g exposure:lx.s", ["exposure"]),
-        ("point-source --flux 800lm -g energy:lm.s", ["energy", "--time"]),
-        ("point-source --distance 2m", ["--flux, --intensity or --irradiance"]),
-        ("point-source --flux 800lm --offset 2m", ["--height"]),
-        ("point-source --illuminance 25lx -g distance:m", ["distance", "--flux", "--intensity"]),
-        ("lambertian --luminance 100cd/m2 -g flux:lm", ["flux", "--area"]),
-        ("lambertian --incident-illuminance 500lx -g radiance:cd/m2", ["--reflectance"]),
-        ("lambertian disc --luminance 9cd/m2 --radius 1m -g irradiance:lx", ["--distance"]),
-        ("ev --iso 100", ["--ev100, --luminance, --illuminance or --f-number"]),
-        ("calorimeter --mass 10g", ["--mass 10g", "without --mass"]),
-        # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
-        ("point-source --flux 800lm --distance 2m --illuminance 20lx",
-         ["--illuminance 20lx", "15.9155 lx", "ratio 1.25664"]),
-        ("point-source --flux 800lm --intensity 100cd",
-         ["--flux 800lm", "1256.64 lm", "ratio 0.63662"]),
-        ("lambertian --luminance 100cd/m2 --exitance 200lm/m2",
-         ["--exitance 200lm/m2", "314.159 lm/m2", "ratio 0.63662"]),
-        ("ev --ev100 15 --luminance 1000cd/m2", ["4096", "1000cd/m2"]),
-        ("calorimeter --flux 5W --time 2s --energy 20J", ["10", "ratio 2"]),
-        # impossible: the limit
-        ("lambertian --luminance 400cd/m2 --incident-illuminance 500lx", ["2.51327"]),
-        ("lambertian --incident-illuminance 500lx --reflectance 1.2", ["from 0 to 1"]),
-        ("lambertian disc --luminance 10cd/m2 --radius 1m --illuminance 40lx",
-         ["whole hemisphere"]),
-        ("lambertian sphere --luminance 10cd/m2 --radius 1m --illuminance 40lx",
-         ["whole hemisphere"]),
-        ("calorimeter --energy 1J --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K",
-         ["absorptance above 1"]),
-        ("calorimeter --energy 1J --absorptance 1.5", ["from 0 to 1"]),
-        ("point-source --intensity 1cd --beam-angle 180deg", ["180 deg"]),
-        ("point-source --intensity 1cd --half-angle 181deg", ["180 deg"]),
-        ("point-source --intensity 1cd --apex-angle 361deg", ["360 deg"]),
-        ("point-source --intensity 1cd --flux 7lm --distribution lobe", ["hemisphere"]),
-        ("point-source --intensity 1cd --flux 13lm --distribution cone", ["sr"]),
-        ("point-source --intensity 1cd --distance 1m --illuminance 2lx", ["contradicts", "ratio"]),
-        ("point-source --intensity 1cd --distance -1m", ["more than 0"]),
-        ("point-source --intensity 1cd --distance 1m --receiver-area 1m2",
-         ["too large", "5.6419 m"]),
-        ("lambertian --luminance 1cd/m2 --area 1m2 --distance 1m", ["five times", "1.12838 m"]),
-        ("lambertian sphere --luminance 1cd/m2 --radius 1m --distance 50cm", ["radius"]),
-        # of another calculator, kind or shape
-        ("point-source --luminous-flux 5W", ["luminous flux"]),
-        ("point-source --illuminance 5W/m2 --distance 1m", ["illuminance"]),
-        ("point-source --flux 5W --illuminance 20lx", ["--wavelength, --spectrum or --efficacy"]),
-        ("point-source --flux 5lm --luminous-flux 5lm", ["the same quantity"]),
-        ("calorimeter --flux 5lm --time 1s", ["watts"]),
-        ("point-source --flux 5lm --half-angle 9deg --exponent 3", ["--half-angle", "--exponent"]),
-        ("point-source --flux 5lm --half-angle 9deg --distribution lobe", ["--half-angle"]),
-        ("lambertian disc --luminance 9cd/m2 --width 1m", ["--width"]),
-        ("lambertian disc --luminance 9cd/m2 --corner --radius 1m", ["--corner"]),
-        ("lambertian cube --luminance 9cd/m2", ["cube"]),
-        ("lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
-         ["--radius and --diameter"]),
-        ("point-source --flux 1lm,2lm --distance 1m,2m", ["both lists"]),
-    ],
-)  # fmt: skip
-def test_what_has_no_answer_is_refused_and_says_why(words, parts):
-    said = refused(words)
-    for part in parts:
-        assert part in said, said
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        ("solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),
-        ("solid-angle polygon 0,0,1 1,0,1 1,1,1.1 0,1,1", "not flat"),
-        ("solid-angle polygon 0,0,1 1,0,1 1,0,1 0,1,1", "twice"),
-        ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
-        ("solid-angle polygon 0,0 1,0,1 0,1,1", "2 coordinates"),
-        ("solid-angle polygon 0,0,1,2 1,0,1 0,1,1", "4 coordinates"),
-        ("solid-angle polygon nan,0,1 1,0,1 0,1,1", "nan"),
-        ("solid-angle polygon 1,0,0 0,1,0 0,0,1 --normal 0,0,0", "normal"),
-        ("solid-angle polygon 1,0,0 0,1,0 0,0,1 --viewpoint 1,0,0", "plane"),
-        ("solid-angle sphere --radius 1m --distance 1m", "on or inside the sphere"),
-        ("solid-angle disc --radius 1m --height 0m", "not possible"),
-        ("solid-angle cone --half-angle nandeg", "nan"),
-        ("solid-angle cone --half-angle 181deg", "not possible"),
-        ("direction 1 1", "three coordinates"),
-        ("direction 1 1 1 1", "three coordinates"),
-        ("direction nan 0 1", "nan"),
-        ("direction 0 0 0", "no direction"),
-        ("etendue --area 1mm2 --na 1.5", "not possible"),
-        ("etendue --area nanm2 --half-angle 10deg", "nan"),
-        ("integrate x-x --sphere", "is 0"),
-        ("integrate 1/(x-x) --sphere", "no value"),
-        ("integrate x.real --sphere", "cannot stand"),
-        ("integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),
-        ("integrate nan --sphere", "nan"),
-    ],
-)
-def test_bad_input_ends_in_one_refusal(words, message):
-    done = run(*words.split())
-    assert done.returncode == 2
-    assert done.stdout == ""
-    assert message in done.stderr
     assert "Traceback" not in done.stderr
+    for part in parts:
+        assert part in done.stderr, done.stderr
 
 
-MISTAKES = [
-    ((), "a unit to convert to is missing"),
-    (("lx", "to"), "a unit to convert to is missing"),
-    (("", "fc"), "a unit to convert to is missing"),
-    (("lx", "fc", "nit"), "too many words"),
-    (("lx", "in", "fc"), "does not separate units"),
-    (("a", "to", "b", "to", "c"), "more than once"),
-    (("-", "fc"), "more than one -"),
-    (("lx", "W/m2", "--spectrum", "-"), "more than one -"),
-    (("lx", "W/m2", "--spectrum", "-:2"), "more than one -"),
-    (("lx", "cd"), "a distance is missing"),
-    (("lx", "fc", "--distance", "1m"), "has no use"),
-    (("cd", "lx", "--distance", "1m,2m"), "a list of conditions"),
-    (("lx", "zork"), "unknown unit"),
-    (("zork",), "unknown unit"),
-    (("lx", "fc", "--steps"), "--steps is not for a stream"),
-    (("lx", "fc", "--format", "csv"), "--format csv is not for a stream"),
-    (("lx", "fc", "--format", "table"), "--format table is not for a stream"),
-    (("lx", "fc", "--field", "0"), "not possible"),
-    (("lx", "fc", "--field", "-0"), "not possible"),
-    (("lx", "fc", "--field", "3-2"), "decreasing"),
-    (("lx", "fc", "--field", "1,,2"), "not a list of fields"),
-    (("lx", "fc", "--field", "x"), "not a list of fields"),
-    (("lx", "fc", "--field", "9" * 99), "not possible"),
-    (("lx", "fc", "-d", "ab"), "not one character"),
-    (("lx", "fc", "-d", '"'), "not one character"),
-    (("lx", "fc", "-d", "\n"), "not one character"),
-    (("lx", "fc", "--field", "1", "--column", "E"), "contradict"),
-    (("lx", "fc", "--column", "E"), "has no column 'E'"),
-    (("fc", "--field", "1"), "--field needs --delimiter"),
-    (("fc", "--column", "E"), "--column needs --delimiter"),
-    (("lx", "fc", "--header=0"), "--header"),
-    (("lx", "fc", "--header=x"), "--header"),
-    (("lx", "fc", "--invalid", "stop"), "--invalid"),
-]
+# words after `radcalc convert -`, part of what it says
+STREAMS = {
+    "a stream without units lacks the unit to convert to": ((), "a unit to convert to is missing"),
+    "a stream that ends in to lacks the unit to convert to": (
+        ("lx", "to"), "a unit to convert to is missing"),
+    "a stream of an empty unit lacks the unit to convert to": (
+        ("", "fc"), "a unit to convert to is missing"),
+    "a third unit is a word too many": (("lx", "fc", "nit"), "too many words"),
+    "the word in does not separate units": (("lx", "in", "fc"), "does not separate units"),
+    "the word to stands once": (("a", "to", "b", "to", "c"), "more than once"),
+    "a second dash is refused": (("-", "fc"), "more than one -"),
+    "a spectrum and the numbers are not both read from standard input": (
+        ("lx", "W/m2", "--spectrum", "-"), "more than one -"),
+    "a column of a spectrum and the numbers are not both read from standard input": (
+        ("lx", "W/m2", "--spectrum", "-:2"), "more than one -"),
+    "a stream of lux becomes candelas at a distance only": (("lx", "cd"), "a distance is missing"),
+    "a distance has no use between lux and foot-candles": (
+        ("lx", "fc", "--distance", "1m"), "has no use"),
+    "a stream takes no list of conditions": (
+        ("cd", "lx", "--distance", "1m,2m"), "a list of conditions"),
+    "an unknown unit to convert to is refused": (("lx", "zork"), "unknown unit"),
+    "an unknown unit to convert lines with their own units to is refused": (
+        ("zork",), "unknown unit"),
+    "a stream has no steps": (("lx", "fc", "--steps"), "--steps is not for a stream"),
+    "a stream has no CSV": (("lx", "fc", "--format", "csv"), "--format csv is not for a stream"),
+    "a stream has no table": (
+        ("lx", "fc", "--format", "table"), "--format table is not for a stream"),
+    "there is no field 0": (("lx", "fc", "--field", "0"), "not possible"),
+    "there are no fields up to 0": (("lx", "fc", "--field", "-0"), "not possible"),
+    "fields from 3 down to 2 are refused": (("lx", "fc", "--field", "3-2"), "decreasing"),
+    "an empty field in a list of fields is refused": (
+        ("lx", "fc", "--field", "1,,2"), "not a list of fields"),
+    "a word is no list of fields": (("lx", "fc", "--field", "x"), "not a list of fields"),
+    "a field of 99 digits is refused": (("lx", "fc", "--field", "9" * 99), "not possible"),
+    "two letters are no delimiter": (("lx", "fc", "-d", "ab"), "not one character"),
+    "a quote is no delimiter": (("lx", "fc", "-d", '"'), "not one character"),
+    "a newline is no delimiter": (("lx", "fc", "-d", "\n"), "not one character"),
+    "fields and a column contradict each other": (
+        ("lx", "fc", "--field", "1", "--column", "E"), "contradict"),
+    "a column that the header lacks is refused": (
+        ("lx", "fc", "--column", "E"), "has no column 'E'"),
+    "a field of lines with their own units needs a delimiter": (
+        ("fc", "--field", "1"), "--field needs --delimiter"),
+    "a column of lines with their own units needs a delimiter": (
+        ("fc", "--column", "E"), "--column needs --delimiter"),
+    "a header of no lines is refused": (("lx", "fc", "--header=0"), "--header"),
+    "a header of a word is refused": (("lx", "fc", "--header=x"), "--header"),
+    "an unknown way to meet bad lines is refused": (("lx", "fc", "--invalid", "stop"), "--invalid"),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(("words", "message"), MISTAKES, ids=[" ".join(w) for w, _ in MISTAKES])
-def test_a_wrong_call_gets_one_clear_message(words, message):
+@pytest.mark.parametrize(("words", "message"), STREAMS.values(), ids=STREAMS)
+def test_a_stream_is_refused(words, message):
     done = run("convert", "-", *words, input="5 zork\n" if words == ("zork",) else "a\n1\n")
     assert (done.stdout, done.returncode) == ("", 2)
     assert message in done.stderr
@@ -262,46 +419,28 @@ def test_a_wrong_call_gets_one_clear_message(words, message):
     assert done.stderr.splitlines()[1].startswith("try: ")
 
 
-@pytest.mark.parametrize(
-    ("words", "part"),
-    [
-        (f"{CONE} --tolerance 3sf", "--tolerance has no use without --check"),
-        (f"{LUX} --tolerance 3sf", "--tolerance has no use without --check"),
-        (f"{CONE} --check 0.6sr -g solid-angle", "--check and --get contradict each other"),
-        (f"{CONE},26deg --check 0.6sr", "--check takes one answer"),
-        ("convert 100 cd lx --distance 1m,2m --check 25lx", "--check takes one answer"),
-        ("point-source --intensity 9cd --distance 1m:3m:1m --check 1lx", "--check takes one"),
-        ("spectrum blackbody:3000K,4000K --check x=0.4", "--check takes one answer"),
-        ("photon 400nm,500nm --check 2eV", "--check takes one answer"),
-        ("ev --ev100 1:400:1 --check 25lx", "--check takes one answer"),
-        ("mesopic --luminance 0.1cd/m2,1cd/m2 --sp-ratio 2 --check 1cd/m2", "--check takes one"),
-        ("convert 130 cd/m2 --check 5", "--check needs a unit to convert to"),
-        ("convert 130 cd lx --check 5lx", "a distance is missing"),
-    ],
-)
-def test_what_goes_not_with_check(words, part):
-    done = run(*words.split())
-    assert done.returncode == 2, done.stdout
-    assert done.stdout == ""
-    assert part in done.stderr
+# what is looked for among the quantities, part of the message, part of the hint
+NAMES = {
+    "a misspelt English name is answered with the nearest": (
+        "luminanse", "no quantity is called 'luminanse'", "luminance"),
+    "a misspelt Czech name is answered with the nearest": (
+        "svitivsot", "no quantity is called", "svítivost"),
+    "a misspelt Russian name is answered with the nearest": (
+        "яркасть", "no quantity is called", "яркость"),
+    "a name like no other is answered with the list of them all": (
+        "zork", "no quantity is called 'zork'", "radcalc quantities, which lists them all"),
+    "a unit of what is not listed is answered with what it measures": (
+        "kg", "'kg' measures mass", "radcalc quantities"),
+    "a sign is no name": ("%", "no quantity is called '%'", "radcalc quantities"),
+    "empty brackets are no name": ("[]", "no quantity is called", "radcalc quantities"),
+    "markup is no name": ("[/bold]", "no quantity is called", ""),
+    "a hundred kilobytes are no name": ("x" * 100_000, "no quantity is called", ""),
+    "a unit 66 times over is no name": ("lx " * 66, "no quantity is called", ""),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("text", "message", "hint"),
-    [
-        ("luminanse", "no quantity is called 'luminanse'", "luminance"),
-        ("svitivsot", "no quantity is called", "svítivost"),
-        ("яркасть", "no quantity is called", "яркость"),
-        ("zork", "no quantity is called 'zork'", "radcalc quantities, which lists them all"),
-        ("kg", "'kg' measures mass", "radcalc quantities"),
-        ("%", "no quantity is called '%'", "radcalc quantities"),
-        ("[]", "no quantity is called", "radcalc quantities"),
-        ("[/bold]", "no quantity is called", ""),
-        ("x" * 100_000, "no quantity is called", ""),
-        ("lx " * 66, "no quantity is called", ""),
-    ],
-)
-def test_what_is_not_found_is_refused_with_the_nearest_names(text, message, hint):
+@pytest.mark.parametrize(("text", "message", "hint"), NAMES.values(), ids=NAMES)
+def test_a_name_is_refused_with_the_nearest(text, message, hint):
     with pytest.raises(RadcalcError) as refused:
         search(text)
     assert message in refused.value.message
