@@ -8,7 +8,7 @@ from radcalc.errors import RadcalcError
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.spectrum import Table
 
-PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+PHOTOPIC = OBSERVERS["photopic"]
 
 
 def test_arrays_of_spectra_give_what_each_spectrum_gives():

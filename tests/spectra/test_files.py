@@ -8,7 +8,7 @@ from radcalc.spectra.files import read_file
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.spectrum import WHOLE, Table
 
-PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+PHOTOPIC = OBSERVERS["photopic"]
 
 FILES = {
     "commas": "400,1\n500,3\n700,2\n",

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from radcalc.spectra.integrals import clip, integral, weighted
 from radcalc.spectra.observers import OBSERVERS
 
-PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
+PHOTOPIC = OBSERVERS["photopic"]
 
 
 @given(
