@@ -1,68 +1,93 @@
 """What an answer is, before anybody renders it: it knows no terminal and no format."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from radcalc.units.table import Dimension
 
 
-class Step:
+class Step(NamedTuple):
     """One step of a derivation: the law in symbols, then in numbers, and where it comes from."""
 
-    __slots__ = ("formula", "law", "numbers", "reference")
-
-    def __init__(self, law: str, formula: str, numbers: str, reference: str = "") -> None:
-        """Hold the texts; `numbers` is the formula with the numbers and units put in."""
-        self.law = law
-        self.formula = formula
-        self.numbers = numbers
-        self.reference = reference
+    law: str
+    formula: str
+    numbers: str
+    reference: str = ""
 
 
-class Row:
+class Row(NamedTuple):
     """One value of an answer; `case` says which of several answers it belongs to.
 
     `name` is what `--get` calls a calculator's result; a conversion has none.  `given` tells
     what the user gave from what follows.
     """
 
-    __slots__ = ("case", "given", "name", "quantity", "symbol", "unit", "value")
-
-    def __init__(
-        self,
-        quantity: str,
-        symbol: str,
-        value: Any,
-        unit: str,
-        case: str = "",
-        name: str = "",
-        given: bool = False,
-    ) -> None:
-        """Hold one value in its unit."""
-        self.name = name
-        self.given = given
-        self.quantity = quantity
-        self.symbol = symbol
-        self.value = value
-        self.unit = unit
-        self.case = case
+    quantity: str
+    symbol: str
+    value: Any
+    unit: str
+    case: str = ""
+    name: str = ""
+    given: bool = False
 
 
-class Result:
+class Result(NamedTuple):
     """Rows, what was assumed, what should be noted, and the steps of the derivation."""
 
-    __slots__ = ("assumptions", "notes", "rows", "steps")
+    rows: tuple[Row, ...]
+    assumptions: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
 
-    def __init__(
-        self,
-        rows: tuple[Row, ...],
-        assumptions: tuple[str, ...] = (),
-        notes: tuple[str, ...] = (),
-        steps: tuple[Step, ...] = (),
-    ) -> None:
-        """Hold an answer."""
-        self.rows = rows
-        self.assumptions = assumptions
-        self.notes = notes
-        self.steps = steps
+    def spelled(self, spell: Callable[[str], str]) -> "Result":
+        """The same with the symbols that its texts mention spelled as a gate spells them."""
+        return self._replace(
+            assumptions=tuple(map(spell, self.assumptions)), notes=tuple(map(spell, self.notes))
+        )
+
+
+ALONE: dict[Dimension, Any] = {}
+
+
+class Value(NamedTuple):
+    """One result of a calculator, in coherent SI units, with the units it is shown in.
+
+    `dimensions` are those of the units in which it may be asked for; the first is its own.  `si`
+    may be a function, where working it out is worth waiting until it is looked at.  `reach` has
+    the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
+    is the number that the user gave, in the first of the units; `also` is another name of it.
+    A result that does not follow has no units; `lacking` tells which symbols would do.
+    """
+
+    name: str
+    label: str
+    letter: str
+    si: Any
+    dimensions: tuple[Dimension, ...]
+    units: tuple[str, ...]
+    reach: dict[Dimension, Any] = ALONE
+    given: Any = None
+    also: str = ""
+    lacking: Callable[[], Sequence[str]] | None = None
+
+    @property
+    def amount(self) -> Any:
+        """The value in coherent SI units."""
+        return self.si() if callable(self.si) else self.si
+
+    @property
+    def is_absent(self) -> bool:
+        """Whether it does not follow from what is given."""
+        return self.lacking is not None
+
+
+class Answer(NamedTuple):
+    """What a calculator gives."""
+
+    values: Sequence[Value]
+    assumptions: Sequence[str] = ()
+    notes: Sequence[str] = ()
+    steps: Sequence[Step] = ()
 
 
 def columns(results: Sequence[Result]) -> list[tuple[str, str]] | None:
@@ -75,60 +100,3 @@ def columns(results: Sequence[Result]) -> list[tuple[str, str]] | None:
     heads = [[(row.name, row.unit) for row in result.rows] for result in results]
     same = all(head == heads[0] for head in heads) and all(name for name, _ in heads[0])
     return heads[0] if same else None
-
-
-class Value:
-    """One result of a calculator, in coherent SI units, with the units it is shown in.
-
-    `dimensions` are those of the units in which it may be asked for; the first is its own.  The
-    value may be a function, which is called when it is first looked at.  `reach` has the same
-    thing of other kinds, by their dimensions, where the conditions link them.  `given` says
-    the number that the user gave, in the first of the units; `also` is another name that --get
-    takes.
-    """
-
-    __slots__ = (
-        "_si",
-        "also",
-        "dimensions",
-        "given",
-        "label",
-        "name",
-        "reach",
-        "symbol",
-        "units",
-    )
-
-    def __init__(
-        self,
-        name: str,
-        label: str,
-        symbol: str,
-        si: Any,
-        dimensions: tuple[tuple[int, ...], ...],
-        units: tuple[str, ...],
-        reach: dict[tuple[int, ...], float] | None = None,
-        given: Any = None,
-        also: str = "",
-    ) -> None:
-        """Hold a result: `name` is what --get takes, `label` what a table shows."""
-        self.given = given
-        self.also = also
-        self.name = name
-        self.label = label
-        self.symbol = symbol
-        self._si = si
-        self.dimensions = dimensions
-        self.units = units
-        self.reach = reach or {}
-
-    @property
-    def si(self) -> Any:
-        """The value in coherent SI units."""
-        if callable(self._si):
-            self._si = self._si()
-        return self._si
-
-
-# What a calculator gives: values, assumptions, notes, steps.
-Answer = tuple[list[Value], list[str], list[str], list[Step]]

@@ -1,14 +1,20 @@
 """The errors a user can cause: what went wrong, and what to do about it.
 
-Every text that a user can get wrong ends in a `RadcalcError`. The command line prints its
+Every text that a user can get wrong ends in a `RadcalcError`.  The command line prints its
 message and its hint and exits with status 2; the Python API raises it.
+
+A message names a symbol of the vocabulary, or a command, by a mention (`option("height")`),
+which the two gates spell in their own ways: `--height 6m` at the shell, `height="6 m"` in Python.
 """
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
+    from typing import Any
 
 SHOWN = 60
+# The marks of a mention: private characters, which `quote` never lets through.
+START, VALUE, WORD, END = "\ue000", "\ue001", "\ue002", "\ue003"
 
 
 def quote(text: str) -> str:
@@ -26,18 +32,86 @@ def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0
     return difflib.get_close_matches(word[:SHOWN], list(known), n=count, cutoff=cutoff)
 
 
+def option(name: str, value: str = "") -> str:
+    """Mention a symbol, with a value if one is given: `2m`, or `ANGLE` for any of that kind."""
+    return f"{START}{name}{VALUE}{value}{END}"
+
+
+def options(names: "Iterable[str]", word: str = " or ") -> str:
+    """Mention several symbols."""
+    return word.join([option(name) for name in names])
+
+
+def command(name: str, *words: str, **inputs: str) -> str:
+    """Mention a call of a command: `command("solid-angle", "cone", half_angle="1deg")`."""
+    given = [f"{key.replace('_', '-')}={value}" for key, value in inputs.items()]
+    return f"{START}{VALUE}{WORD.join([name, *words, *given])}{END}"
+
+
+def manual(name: str) -> str:
+    """Mention the help of a command."""
+    return f"{START}{VALUE}{WORD}{name}{END}"
+
+
+def spell(text: str, spelling: "Any") -> str:
+    """A text with its mentions spelled: `spelling` has `option`, `command` and `manual`."""
+    if START not in text:
+        return text
+    head, *mentions = text.split(START)
+    parts = [head]
+    for mention in mentions:
+        inner, _, rest = mention.partition(END)
+        name, _, value = inner.partition(VALUE)
+        if name:
+            parts.append(spelling.option(name, value))
+        elif value.startswith(WORD):
+            parts.append(spelling.manual(value[1:]))
+        else:
+            parts.append(spelling.command(*value.split(WORD)))
+        parts.append(rest)
+    return "".join(parts)
+
+
+class Plain:
+    """How mentions read where no gate has spelled them."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """The name, and the value behind it."""
+        return f"{name} {value}".strip()
+
+    @staticmethod
+    def command(*words: str) -> str:
+        """The command and its words."""
+        return " ".join(["radcalc", *words])
+
+    @staticmethod
+    def manual(name: str) -> str:
+        """Where the help is."""
+        return f"the help of {name}"
+
+
 class RadcalcError(Exception):
-    """Something the user can mend: `message` says what is wrong, `hint` what to do."""
+    """Something the user can mend: `message` says what is wrong, `hint` what to do.
+
+    Both may hold mentions; `spelled` gives them as a gate says them.
+    """
+
+    spelling: "Any" = Plain
 
     def __init__(self, message: str, hint: str = "") -> None:
-        """Keep the message and the hint apart; `str()` gives both."""
         super().__init__(message)
         self.message = message
         self.hint = hint
 
+    def spelled(self, spelling: "Any") -> tuple[str, str]:
+        """Message and hint with the names of symbols and commands as a gate spells them."""
+        return spell(self.message, spelling), spell(self.hint, spelling)
+
     def __str__(self) -> str:
-        """Both lines, as the command line shows them."""
-        return f"{self.message}\ntry: {self.hint}" if self.hint else self.message
+        """Both lines."""
+        message, hint = self.spelled(self.spelling)
+        return f"{message}\ntry: {hint}" if hint else message
 
 
 class NumberError(RadcalcError):
@@ -66,3 +140,67 @@ class OutputError(RadcalcError):
 
 class LineError(RadcalcError):
     """A line of a stream that cannot be converted."""
+
+
+class MissingCondition(ConversionError):
+    """A conversion that lacks a condition: `lacking` has, for each, a phrase and its symbols."""
+
+    def __init__(
+        self, message: str, hint: str, source: str, target: str, lacking: "Sequence[str]"
+    ) -> None:
+        super().__init__(message, hint)
+        self.source, self.target, self.lacking = source, target, tuple(lacking)
+
+
+class MissingInput(UsageError):
+    """An input that is missing, beside others: any of `symbols` would do."""
+
+    def __init__(
+        self, what: str, symbols: "Sequence[str]", hint: str = "", values: "Sequence[str]" = ()
+    ) -> None:
+        examples = [option(*pair) for pair in zip(symbols, values, strict=False)]
+        super().__init__(what, hint or " or ".join(examples or map(option, symbols)))
+        self.symbols = tuple(symbols)
+
+
+class Unused(ConditionError):
+    """Inputs that have no use in what is asked."""
+
+    def __init__(self, symbols: "Sequence[str]", with_what: str, hint: str = "") -> None:
+        names = options(symbols, " and ")
+        super().__init__(
+            f"{names} {'has' if len(symbols) == 1 else 'have'} no use {with_what}",
+            hint or f"the same without {names}",
+        )
+        self.symbols = tuple(symbols)
+
+
+class Impossible(ConditionError):
+    """A value that the symbol cannot have; `limit` says which ones it can."""
+
+    def __init__(self, symbol: str, text: str, limit: str, because: str = "") -> None:
+        reason = f": {because}" if because else ""
+        super().__init__(f"{option(symbol, quote(text))} is not possible{reason}", limit)
+        self.symbol, self.text, self.limit = symbol, text, limit
+
+
+class Exclusive(ConditionError):
+    """Inputs of which only one can be given."""
+
+    def __init__(
+        self,
+        symbols: "Sequence[str]",
+        because: str = "contradict each other",
+        hint: str = "one of them",
+        word: str = " and ",
+    ) -> None:
+        super().__init__(f"{options(symbols, word)} {because}", hint)
+        self.symbols = tuple(symbols)
+
+
+class Contradiction(ConditionError):
+    """Two values of one symbol: the one that was given and the one that follows [SI]."""
+
+    def __init__(self, message: str, hint: str, symbol: str, given: "Any", follows: "Any") -> None:
+        super().__init__(message, hint)
+        self.symbol, self.given, self.follows = symbol, given, follows

@@ -39,6 +39,11 @@ def cos(x: Number) -> Number:
     return _call("cos", x)
 
 
+def tan(x: Number) -> Number:
+    """The tangent of x [rad]."""
+    return _call("tan", x)
+
+
 def atan(x: Number) -> Number:
     """The arc tangent of x, in radians."""
     return _call("atan", x)

@@ -3,11 +3,12 @@
 import os
 import sys
 
-from radcalc.errors import OutputError, RadcalcError
+from radcalc.errors import OutputError, Plain, RadcalcError
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from typing import Any
 
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -89,10 +90,8 @@ def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:
     return [f"assumed: {text}" for text in assumptions] + [f"note: {text}" for text in notes]
 
 
-def complain(error: RadcalcError) -> int:
-    """Say what is wrong and what to do; return the exit status."""
-    lines = [f"radcalc: {error.message}"]
-    if error.hint:
-        lines.append(f"try: {error.hint}")
-    say(lines)
+def complain(error: RadcalcError, spelling: "Any" = Plain) -> int:
+    """Say what is wrong and what to do, as a gate spells it; return the exit status."""
+    message, hint = error.spelled(spelling)
+    say([f"radcalc: {message}", *([f"try: {hint}"] if hint else [])])
     return FAILED

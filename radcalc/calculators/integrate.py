@@ -2,23 +2,32 @@
 
 import math
 
-from radcalc.answer import Answer, Step, Value
-from radcalc.conversion.conditions import show
-from radcalc.errors import ConditionError, quote
+from radcalc.answer import Answer
+from radcalc.calculators.results import value
+from radcalc.derivation import Formula, format_number
+from radcalc.errors import ConditionError, MissingInput, option, options, quote
 from radcalc.geometry.numerics.cubature import FIRST, POINTS, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
-from radcalc.quantities.light import SOLID_ANGLE
+from radcalc.given import Inputs
 
-Interval = tuple[float, float]
 TURN = 2 * math.pi
 FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
+USUAL = 1e-9
+DIRECTIONS = ("sphere", "hemisphere", "half-angle", "polar")
+INTEGRAL = Formula(
+    "integral over directions", "I = integral of f(theta, phi) sin(theta) dtheta dphi"
+)
 
 
-def integrate(
-    text: str, polar: Interval, azimuth: Interval = (0.0, TURN), accuracy: float = 1e-9
-) -> Answer:
-    """Integrate an expression in theta, phi, x, y, z over intervals of two angles [rad]."""
+def integrate(text: str, given: Inputs) -> Answer:
+    """Integrate an expression in theta, phi, x, y, z over a part of the sphere.
+
+    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy.
+    """
+    polar = _polar(given)
+    azimuth = given["azimuth"].value if "azimuth" in given else (0.0, TURN)
+    accuracy = given["accuracy"].value if "accuracy" in given else USUAL
     check_zone(*polar, azimuth[1] - azimuth[0])
     if not FINEST <= accuracy <= COARSEST:
         raise ConditionError(
@@ -31,22 +40,37 @@ def integrate(
         found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
     values = [
-        Value("integral", "integral", "∫f dΩ", found.value, (SOLID_ANGLE,), ("sr",)),
-        Value("error", "estimate of the error", "", found.error, (SOLID_ANGLE,), ("sr",)),
+        value("integral", found.value),
+        value("error", found.error),
     ]
     points = [2 * n * POINTS for n in FIRST]
     said = [
         "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
-        f"{show(azimuth[0])} to {show(azimuth[1])}); x, y, z the unit vector",
-        f"peaks narrower than {show(width / points[0])} deg in theta or {show(turn / points[1])} "
-        "deg in phi may be missed",
+        f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z the unit vector",
+        f"peaks narrower than {format_number(width / points[0])} deg in theta or "
+        f"{format_number(turn / points[1])} deg in phi may be missed",
     ]
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
-    step = Step(
-        "integral over directions",
-        "I = integral of f(theta, phi) sin(theta) dtheta dphi",
-        f"f = {quote(text)}, theta from {show(t0)} to {show(t1)} deg, phi from {show(p0)} to "
-        f"{show(p1)} deg; I = {show(found.value)} sr, from {found.cells} cells of "
-        f"{POINTS} x {POINTS} points of Gauss and Legendre",
+    step = INTEGRAL.told(
+        f"f = {quote(text)}, theta from {format_number(t0)} to {format_number(t1)} deg, phi from "
+        f"{format_number(p0)} to {format_number(p1)} deg; I = {format_number(found.value)} sr, "
+        f"from {found.cells} cells of {POINTS} x {POINTS} points of Gauss and Legendre"
     )
-    return values, said, [], [step]
+    return Answer(values, said, [], [step])
+
+
+def _polar(given: Inputs) -> tuple[float, float]:
+    """The polar angles [rad] to integrate over."""
+    where = [name for name in DIRECTIONS if name in given]
+    ways = f"{options(DIRECTIONS[:2], ', ')}, {option('half-angle', '30deg')} or "
+    ways += option("polar", "30deg:60deg")
+    if not where:
+        raise MissingInput("the directions to integrate over are missing", DIRECTIONS, ways)
+    if len(where) > 1:
+        raise ConditionError("the directions to integrate over are given twice", f"one of {ways}")
+    if where[0] == "polar":
+        low, high = given["polar"].value
+        return low, high
+    if where[0] == "half-angle":
+        return 0.0, given["half-angle"].value
+    return 0.0, math.pi if where[0] == "sphere" else math.pi / 2

@@ -7,14 +7,14 @@ sees the source, which is exact at any distance; the far field is shown beside i
 import math
 
 from radcalc.answer import Answer
-from radcalc.calculators import inputs as i
-from radcalc.calculators import light as q
-from radcalc.calculators.inputs import Inputs
-from radcalc.calculators.shapes import LAWS, POSITION, SHAPES, SIZES
-from radcalc.calculators.worksheet import Sheet
+from radcalc.calculators.light import Lit
+from radcalc.calculators.shapes import POSITION, SHAPES, SIZES
+from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.conversion import geometric
-from radcalc.conversion.conditions import show
-from radcalc.errors import ConditionError, UsageError
+from radcalc.derivation import format_number
+from radcalc.errors import ConditionError, MissingInput, command, option, options
+from radcalc.given import Inputs
+from radcalc.laws.surface import LAWS
 from radcalc.maths import any_true, is_array, larger
 
 QUANTITIES = (
@@ -27,89 +27,83 @@ QUANTITIES = (
     "exposure",
     "energy",
 )
-RESULTS = (*QUANTITIES, "far-field-irradiance")
 INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
-UNITS = {
-    "reflectance": "1",
-    "area": "m2",
-    "radius": "m",
-    "diameter": "m",
-    "width": "m",
-    "length": "m",
-    "distance": "m",
-    "height": "m",
-    "offset": "m",
-    "offset-y": "m",
-    "incidence": "deg",
-    "tilt": "deg",
-    "half-angle": "deg",
-    "solid-angle": "sr",
-    "projected-solid-angle": "sr",
-    "configuration-factor": "1",
-    "time": "s",
-}
-INTERNAL = {"apparent-area": "A_p", "cosine": "cos(theta)", "cosine-of-source": "cos(theta_s)"}
-
-
-def lambertian(shape: str, given: Inputs, flags: tuple[str, ...] = ()) -> Answer:
-    """Everything that follows for a Lambertian source of a shape of `SHAPES`.
-
-    `given` are light quantities by whichever name, sizes, the receiver's place, and what links
-    the kinds; `flags` may be corner and perpendicular.
-    """
-    quantities, links, rest = q.sort(given)
-    named = f"a {shape}"
-    i.only(rest, (*SHAPES[shape].takes, "reflectance", "time"), named)
-    i.refuse_unused([f"--{flag}" for flag in flags if flag not in SHAPES[shape].flags], named)
-    lit = q.read_light(quantities, links)
-    if not lit.values and ("reflectance" in rest or "time" in rest or links):
-        raise UsageError("a light quantity is missing", "--radiance, --exitance, --flux ...")
-    if not given:
-        raise UsageError("nothing is given", "--radiance, --exitance, --flux ...")
-    if shape in ENDLESS:
-        _refuse_whole(shape, lit)
-    sheet = Sheet(lit, rest, INTERNAL)
-    laws = [*LAWS, *SHAPES[shape].place(sheet, flags)]
-    sheet.said.append("Lambertian: the same radiance in all directions")
-    sheet.solve(laws)
-    sheet.refuse_idle(laws, (*QUANTITIES, *INPUTS))
-    if shape == "patch":
-        _refuse_near(sheet)
-    _judge(sheet)
-    rows, shown = sheet.light_rows(RESULTS)
-    rows += sheet.input_rows(UNITS)
-    rows += sheet.efficacy_row()
-    rows += sheet.absent_rows(laws, (*RESULTS, *UNITS), (*QUANTITIES, *INPUTS))
-    return sheet.answer(rows, shown)
-
-
+PAGE = Page(
+    "",
+    INPUTS,
+    (*QUANTITIES, "far-field-irradiance"),
+    (
+        "reflectance",
+        *SIZES,
+        *POSITION,
+        "tilt",
+        "half-angle",
+        "solid-angle",
+        "projected-solid-angle",
+        "configuration-factor",
+        "time",
+    ),
+)
 ENDLESS = ("plane", "hemisphere")
 
 
-def _refuse_whole(shape: str, lit: q.Lit) -> None:
+def lambertian(shape: str, given: Inputs) -> Answer:
+    """Everything that follows for a Lambertian source of a shape of `SHAPES`.
+
+    `given` are light quantities by whichever name, sizes, the receiver's place, and what links
+    the kinds.
+    """
+    takes = (*SHAPES[shape].takes, "reflectance", "time")
+    sheet = Worksheet(PAGE._replace(title=f"a {shape}", takes=takes), given)
+    _refuse_dark(given, sheet.lit)
+    if shape in ENDLESS:
+        _refuse_whole(shape, sheet.lit)
+    laws = [*LAWS, *SHAPES[shape].place(sheet)]
+    sheet.assume("Lambertian: the same radiance in all directions")
+    sheet.page = sheet.page._replace(takes=INPUTS)  # what another shape would take may be lacking
+    sheet.solve(laws)
+    if shape == "patch":
+        _refuse_near(sheet)
+    _judge(sheet)
+    return sheet.answer(laws)
+
+
+def _refuse_dark(given: Inputs, lit: Lit) -> None:
+    """Refuse to begin without any light."""
+    needed = ("radiance", "exitance", "flux")
+    hint = f"{options(needed, ', ')} ..."
+    if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
+        raise MissingInput("a light quantity is missing", needed, hint)
+    if not given:
+        raise MissingInput("nothing is given", needed, hint)
+
+
+def _refuse_whole(shape: str, lit: Lit) -> None:
     """Refuse what an endless source has no end of."""
     for name in ("flux", "energy", "intensity"):
         if name in lit.values:
+            own = ("radiance", "exitance")
             raise ConditionError(
-                f"{lit.values[name].flag}: a {shape} has no end, and no {name} of its own",
-                "--radiance, --exitance or --irradiance",
+                f"{option(lit.values[name].name)}: a {shape} has no end, and no {name} of its own",
+                f"{options(own, ', ')} or {option('irradiance')}",
             )
 
 
-def _judge(sheet: Sheet) -> None:
+def _judge(sheet: Worksheet) -> None:
     """Refuse what no Lambertian source does; say how far the far field is off."""
     if sheet.has("projected-solid-angle") and any_true(
         sheet.at("projected-solid-angle") > math.pi * (1 + 1e-9)
     ):
+        filled = format_number(sheet.at("projected-solid-angle"))
         raise ConditionError(
             "more irradiance than a source of that radiance gives, though it filled all that the "
-            f"receiver sees (projected solid angle {show(sheet.at('projected-solid-angle'))} sr)",
+            f"receiver sees (projected solid angle {filled} sr)",
             "at most pi times the radiance",
         )
     if sheet.has("reflectance") and any_true(sheet.at("reflectance") > 1 + 1e-9):
         raise ConditionError(
-            f"a reflectance of {show(sheet.at('reflectance'))} is not possible: more light leaves "
-            "the reflector than reaches it",
+            f"a reflectance of {format_number(sheet.at('reflectance'))} is not possible: more "
+            "light leaves the reflector than reaches it",
             "less radiance, or more incident irradiance",
         )
     if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("size"):
@@ -117,13 +111,14 @@ def _judge(sheet: Sheet) -> None:
         if is_array(far) or is_array(exact) or not exact or abs(far / exact - 1) < 1e-6:
             return
         nearest = 5 * sheet.known["size"].value
-        said = f"the inverse square law, from the centre, gives {show(far / exact)} times that"
+        times = format_number(far / exact)
+        said = f"the inverse square law, from the centre, gives {times} times that"
         if far and sheet.at("distance") < nearest:
-            said += f"; it is for {show(nearest)} m and more, five times the size"
+            said += f"; it is for {format_number(nearest)} m and more, five times the size"
         sheet.notes.append(said)
 
 
-def _refuse_near(sheet: Sheet) -> None:
+def _refuse_near(sheet: Worksheet) -> None:
     """Refuse a patch seen from nearer than five times its size, however that was found."""
     if sheet.has("distance") and sheet.has("area"):
         longest = geometric.size_of(sheet.at("area"))
@@ -132,7 +127,7 @@ def _refuse_near(sheet: Sheet) -> None:
                 longest = larger(longest, sheet.at(name))
         if geometric.is_near(sheet.at("distance"), longest, 1e-9):
             raise ConditionError(
-                f"a distance of {show(sheet.at('distance'))} m is less than five times the size "
-                f"of the source ({show(longest)} m)",
-                "radcalc lambertian disc, sphere or rectangle, which are exact",
+                f"a distance of {format_number(sheet.at('distance'))} m is less than five times "
+                f"the size of the source ({format_number(longest)} m)",
+                f"{command('lambertian', 'disc')}, sphere or rectangle, which are exact",
             )

@@ -2,102 +2,61 @@
 
 from typing import Any
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Value
+from radcalc.calculators.results import value
 from radcalc.conversion import spectral
-from radcalc.conversion.conditions import ENERGY, LENGTH, PHOTON_ENERGY, Given, show
-from radcalc.quantities.light import AXIS, FREQUENCY, LUMINOUS, RADIANT, RATIOS, WAVENUMBER
+from radcalc.derivation import format_number
+from radcalc.given import Given, Inputs
+from radcalc.laws.photon import LAWS
+from radcalc.laws.solver import Known, derivation, solve
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
-from radcalc.spectra.planck import LIGHT
-from radcalc.units.table import NUMBER
+from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, PHOTON_ENERGY, WAVENUMBER
 
-PER_LUMEN = RATIOS[LUMINOUS, RADIANT]
+# A wavelength may be given as any of these.
+SYMBOL_OF = {
+    LENGTH: "wavelength",
+    FREQUENCY: "frequency",
+    WAVENUMBER: "wavenumber",
+    ENERGY: "photon-energy",
+    PHOTON_ENERGY: "photon-energy",
+}
+UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
-def photon(given: Given, observer: Given | None = None) -> Answer:
+def photon(given: Inputs) -> Answer:
     """Everything that follows from one wavelength, frequency, wavenumber or photon energy.
 
-    Returns the values, what was assumed, the notes and the steps.  The wavelength, frequency,
+    `given` has it as its wavelength, and may have an observer.  The wavelength, frequency,
     wavenumber and energy are those in vacuum; the eye's tables are in standard air.
     """
-    light = spectral.light(given, observer)
-    vacuum, energy = light.vacuum, light.photon_energy
-    seen = light.observer
+    wave = given["wavelength"]
+    solution = solve(LAWS, {SYMBOL_OF[wave.dimension]: Known(wave.value)})
+    light = spectral.light(wave, given.get("observer"))
+    names = dict.fromkeys(SYMBOL_OF.values())
+    values = [value(name, solution.values[name].value, *UNITS.get(name, ())) for name in names]
     scotopic = OBSERVERS["scotopic"]
-    values = [
-        Value("wavelength", "wavelength", "λ", vacuum, (LENGTH,), ("nm",)),
-        Value("frequency", "frequency", "ν", LIGHT / vacuum, (AXIS[FREQUENCY],), ("THz",)),
-        Value("wavenumber", "wavenumber", "σ", 1 / vacuum, (AXIS[WAVENUMBER],), ("cm-1",)),
-        Value(
-            "photon-energy",
-            "photon energy",
-            "Q",
-            energy,
-            (PHOTON_ENERGY, ENERGY),
-            ("eV", "J", "kJ/mol"),
-        ),
-    ]
-    if seen is not scotopic:
-        values += _seen("luminous", light.table, seen)
+    if light.observer is not scotopic:
+        values += _seen("luminous", light.table, light.observer)
     values += _seen("scotopic-luminous", light.table, scotopic)
     notes = []
-    if not any(value.si for value in values if value.name.endswith("efficiency")):
-        notes.append(f"nothing is seen at {given.text}: it lies outside the tables")
-    return values, _assumptions(light), notes, _steps(light)
+    if not any(one.si for one in values if one.name.endswith("efficiency")):
+        notes.append(f"nothing is seen at {wave.text}: it lies outside the tables")
+    return Answer(values, _assumptions(light, wave), notes, derivation(solution, ""))
 
 
-def _seen(name: str, wavelength: Any, observer: Observer) -> list[Value]:
+def _seen(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
+    """Efficiency and efficacy of one wavelength [m]."""
     efficiency = luminous_efficiency(wavelength, observer)
-    words, scotopic = name.replace("-", " "), "'" if "scotopic" in name else ""
     return [
-        Value(
-            f"{name}-efficiency",
-            f"{words} efficiency",
-            f"V{scotopic}",
-            efficiency,
-            (NUMBER,),
-            ("1",),
-        ),
-        Value(
-            f"{name}-efficacy",
-            f"{words} efficacy",
-            f"K{scotopic}",
-            observer.maximum * efficiency,
-            (PER_LUMEN,),
-            ("lm/W",),
-        ),
+        value(f"{kind}-efficiency", efficiency),
+        value(f"{kind}-efficacy", observer.maximum * efficiency),
     ]
 
 
-def _assumptions(light: spectral.Light) -> list[str]:
+def _assumptions(light: spectral.Light, wave: Given) -> list[str]:
     eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
-    text = light.given.text
-    air = f"{text} is {show(light.table * 1e9)} nm in standard air"
-    both = "the wavelength is that in vacuum"
-    if light.given.dimension == LENGTH:
-        both = f"{spectral.VACUUM.format(text)}, and looked up in the eye's tables as it is"
-        return [both, *eyes]
-    return [f"{both}; {air}, where the eye's tables are", *eyes]
-
-
-def _steps(light: spectral.Light) -> list[Step]:
-    nanometres = f"{show(light.vacuum * 1e9)} nm"
-    source = "SI Brochure: exact h and c"
-    return [
-        Step(
-            "frequency",
-            "nu = c / lambda",
-            f"nu = 299792458 m/s / {nanometres} = {show(LIGHT / light.vacuum * 1e-12)} THz",
-            source,
-        ),
-        Step(
-            "wavenumber",
-            "sigma = 1 / lambda",
-            f"sigma = 1 / {nanometres} = {show(0.01 / light.vacuum)} cm-1",
-        ),
-        Step(
-            "photon energy",
-            "Q = h c / lambda",
-            f"Q = h c / {nanometres} = {show(light.photon_energy)} J",
-            source,
-        ),
-    ]
+    if wave.dimension == LENGTH:
+        taken = spectral.VACUUM.format(wave.text)
+        return [f"{taken}, and looked up in the eye's tables as it is", *eyes]
+    air = f"{wave.text} is {format_number(light.table * 1e9)} nm in standard air"
+    return [f"the wavelength is that in vacuum; {air}, where the eye's tables are", *eyes]

@@ -6,23 +6,47 @@ from typing import Any
 
 from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
-from radcalc.errors import NumberError, UsageError, nearest, quote
+from radcalc.errors import MissingInput, NumberError, UsageError, nearest, options, quote
+from radcalc.given import Given
 from radcalc.maths import is_array, is_column
 from radcalc.quantities.light import GRID, describe
+from radcalc.quantities.symbols import LINKS, SYMBOLS
 from radcalc.units.table import Unit, resolve
+
+
+def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:
+    """A result of a symbol [SI], in the units it is shown in: the symbol's own, or others."""
+    symbol = SYMBOLS[name]
+    return Value(
+        name,
+        label or symbol.label,
+        letter or symbol.letter,
+        si,
+        symbol.dimensions,
+        units or (symbol.unit,),
+    )
+
+
+def known(given: Given, *others: str) -> Value:
+    """An input as a result: in the unit it was given in, as it was typed; then in others."""
+    text = given.unit_text
+    units = (text, *(unit for unit in others if unit != text))
+    return value(given.name, given.value, *units)._replace(given=given.number)
 
 
 def in_unit(value: Value, unit: Unit) -> Any:
     """A value in one of the units it may be asked for."""
+    _refuse_absent(value)
     amount = value.reach.get(unit.dimension)
     if unit.dimension in value.dimensions:
-        amount = value.si
+        amount = value.amount
     if amount is None:
         own, asked = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         if own and asked and own[1:] == asked[1:]:
-            raise UsageError(
+            raise MissingInput(
                 f"{value.name} in {quote(unit.text)} takes what links the kinds of light",
-                "--wavelength, --spectrum or --efficacy",
+                LINKS,
+                options(LINKS[:-1], ", ") + f" or {options(LINKS[-1:])}",
             )
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
@@ -30,9 +54,18 @@ def in_unit(value: Value, unit: Unit) -> Any:
         )
     if value.given is not None and unit.text == value.units[0]:
         return value.given + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
-    si = Unit("SI", 1, 1, unit.dimension, ())
-    ratio = exact_ratio(si, unit)
+    ratio = exact_ratio(Unit("SI", 1, 1, unit.dimension, ()), unit)
     return held(value.name, amount * (float(ratio) if is_array(amount) else ratio))
+
+
+def _refuse_absent(value: Value) -> None:
+    """Say what a result lacks that does not follow."""
+    if value.lacking is not None:
+        raise MissingInput(
+            f"no {value.label} follows from what is given",
+            tuple(value.lacking())[:5],
+            "" if value.lacking() else "more of the quantities",
+        )
 
 
 def held(name: str, number: Any) -> Any:
@@ -53,8 +86,11 @@ def pick(values: Sequence[Value], wanted: str) -> Any:
     name = name.strip()
     for value in values:
         if name and name in (value.name, value.also):
-            return in_unit(value, resolve(unit)) if unit else held(value.name, value.si)
-    names = list(dict.fromkeys(value.name for value in values if value.units))
+            if unit:
+                return in_unit(value, resolve(unit))
+            _refuse_absent(value)
+            return held(value.name, value.amount)
+    names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
 
@@ -65,7 +101,7 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     Of several answers each begins with what was given, which tells them apart.
     """
     found = [
-        Row(v.label, v.symbol, in_unit(v, resolve(text)), text, case, v.name, v.given is not None)
+        Row(v.label, v.letter, in_unit(v, resolve(text)), text, case, v.name, v.given is not None)
         for v in values
         for text in v.units
     ]

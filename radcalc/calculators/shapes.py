@@ -1,335 +1,224 @@
-"""A surface of one radiance in all directions: its laws, and how each shape is seen."""
+"""How each shape of a Lambertian source is seen: what it adds to the worksheet, and its laws."""
 
 import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from radcalc.answer import Step
-from radcalc.calculators import inputs as i
-from radcalc.calculators.worksheet import OVER_TIME, Sheet
-from radcalc.conversion.conditions import positive, require, show
-from radcalc.errors import ConditionError, UsageError
-from radcalc.geometry import projected, solid
-from radcalc.laws.law import AnyLaw, Law, Relation
-from radcalc.maths import any_true, atan2, cos, hypot, sin, sqrt
-
-LAWS: list[AnyLaw] = [
-    Law(
-        "Lambertian exitance",
-        "{exitance} = pi Omega0 {radiance}",
-        "exitance",
-        (("radiance", 1),),
-        math.pi,
-        "sr",
-        "ISO 80000-7, radiance and exitance",
-    ),
-    Law(
-        "Lambertian reflector",
-        "{exitance} = {reflectance} {incident-irradiance}",
-        "exitance",
-        (("reflectance", 1), ("incident-irradiance", 1)),
-        reference="ISO 80000-7, reflectance",
-    ),
-    Law(
-        "flux of a surface",
-        "{flux} = {exitance} {area}",
-        "flux",
-        (("exitance", 1), ("area", 1)),
-        reference="ISO 80000-7, exitance",
-    ),
-    Law(
-        "intensity of a surface",
-        "{intensity} = {radiance} {apparent-area}",
-        "intensity",
-        (("radiance", 1), ("apparent-area", 1)),
-        reference="ISO 80000-7, radiance",
-    ),
-    Law(
-        "irradiance of a uniform radiance",
-        "{irradiance} = {radiance} {projected-solid-angle}",
-        "irradiance",
-        (("radiance", 1), ("projected-solid-angle", 1)),
-        reference="ISO 80000-7, radiance and irradiance",
-    ),
-    Law(
-        "configuration factor",
-        "{configuration-factor} = {projected-solid-angle} / (pi Omega0)",
-        "configuration-factor",
-        (("projected-solid-angle", 1),),
-        1 / math.pi,
-        "1/sr",
-    ),
-    Law(
-        "inverse square law, as an estimate",
-        "{far-field-irradiance} = {intensity} {cosine-of-source} {cosine} Omega0 / {distance}^2",
-        "far-field-irradiance",
-        (("intensity", 1), ("cosine-of-source", 1), ("cosine", 1), ("distance", -2)),
-        1.0,
-        "sr",
-    ),
-    *OVER_TIME,
-]
-FLAT = Law("as seen from the front", "{apparent-area} = {area}", "apparent-area", (("area", 1),))
-RECTANGLE = Law(
-    "area of a rectangle", "{area} = {width} {length}", "area", (("width", 1), ("length", 1))
+from radcalc.calculators.worksheet import Worksheet
+from radcalc.derivation import Formula, format_number
+from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
+from radcalc.geometry import cones, projected, solid
+from radcalc.given import angle_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.surface import (
+    CIRCLE,
+    DIAMETER,
+    FLAT,
+    HOWELL,
+    RECTANGLE,
+    SMALL_SOURCE,
+    SPHERE_AREA,
+    SPHERE_AT_DISTANCE,
+    SPHERE_FLUX,
+    SPHERE_FRONT,
+    disc_on_axis,
 )
-CIRCLE = Law("area of a circle", "{area} = pi {radius}^2", "area", (("radius", 2),), math.pi)
+from radcalc.maths import any_true, atan2, cos, hypot, sin
 
-HOWELL = "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors"
 SIZES = ("area", "radius", "diameter", "width", "length")
-POSITION = ("distance", "height", "offset", "offset-y", "incidence")
-
-
-def _place(sheet: Sheet, flat: Any, what: str, offset: Any = 0.0) -> None:
-    """Enter the exact projected solid angle of a shape, with its step."""
-    sheet.know("projected-solid-angle", flat)
-    aside = f", {show(offset)} m off its axis" if any_true(offset != 0) else ""
-    sheet.placed.append(
-        Step(
-            "projected solid angle",
-            "Omega_p = integral of cos(theta) over the solid angle of the source",
-            f"{what}{aside}: Omega_p = {show(flat)} sr",
-            HOWELL,
-        )
-    )
+OFFSETS = ("offset", "offset-y")
+POSITION = ("distance", "height", *OFFSETS, "incidence")
+SEEN = Formula(
+    "projected solid angle",
+    "{projected-solid-angle} = integral of cos(theta) over the solid angle of the source",
+    HOWELL,
+)
 
 
 class Shape(NamedTuple):
     """A source's shape: the inputs it takes, and what it adds to the worksheet: its laws."""
 
     takes: tuple[str, ...]
-    place: Callable[..., list[AnyLaw]]
-    flags: tuple[str, ...] = ()
+    place: Callable[[Worksheet], list[AnyLaw]]
 
 
-def _area_of(sheet: Sheet) -> list[AnyLaw]:
-    """The area of a flat source, from whichever of its sizes."""
+def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
+    """Enter the exact projected solid angle of a shape, with its step."""
+    sheet.know("projected-solid-angle", flat)
+    aside = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
+    sheet.placed.append(SEEN.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr"))
+
+
+def _round(sheet: Worksheet) -> list[AnyLaw]:
+    """Radius and diameter."""
+    return [DIAMETER] if "diameter" in sheet.given else []
+
+
+def _is_sized(sheet: Worksheet) -> bool:
+    """Whether the radius is known."""
+    return "radius" in sheet.given or "diameter" in sheet.given
+
+
+def _radius(sheet: Worksheet) -> Any:
+    """The radius, given as such or as the diameter, which is used with it."""
+    sheet.use("radius", "diameter")
+    return radius_of(one_of(sheet.given, "the size of the source", "radius", "diameter"))
+
+
+def _patch(sheet: Worksheet) -> list[AnyLaw]:
+    """A flat source of whatever shape, small where it is seen from a distance."""
     given = sheet.given
     laws: list[AnyLaw] = [FLAT]
     if "width" in given or "length" in given:
         laws.append(RECTANGLE)
-    if "radius" in given or "diameter" in given:
-        laws += _round(sheet)
-        laws.append(CIRCLE)
-    return laws
-
-
-def _round(sheet: Sheet) -> list[AnyLaw]:
-    """Radius and diameter."""
-    if "diameter" in sheet.given:
-        return [
-            Law("diameter", "{diameter} = 2 {radius}", "diameter", (("radius", 1),), 2.0),
-        ]
-    return []
-
-
-def _patch(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
-    """A flat source of whatever shape, small where it is seen from a distance."""
-    given = sheet.given
-    laws = _area_of(sheet)
-    placed = [given[name].flag for name in ("incidence", "tilt") if name in given]
+    if _is_sized(sheet):
+        laws += [*_round(sheet), CIRCLE]
+    placed = [name for name in ("incidence", "tilt") if name in given]
     if "distance" not in given and "irradiance" not in sheet.lit.values:
         if placed:
-            raise UsageError(f"{placed[0]} has no use without a distance", "--distance 2m with it")
+            raise MissingInput(
+                f"{option(placed[0])} has no use without a distance",
+                ("distance",),
+                f"{option('distance', '2m')} with it",
+            )
         return laws
-    sheet.know("cosine", solid.facing(i.tilt(given, "incidence")))
-    sheet.know("cosine-of-source", solid.facing(i.tilt(given)))
+    sheet.know("cosine", cones.facing(angle_of(given, "incidence")))
+    sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
     sheet.use("incidence", "tilt")
     if "distance" in given:
-        sheet.said.append("a source small beside its distance")
+        sheet.assume("a source small beside its distance")
         _say_facing(sheet)
-    laws.append(
-        Law(
-            "small source",
-            "{projected-solid-angle} = {area} {cosine-of-source} {cosine} Omega0 / {distance}^2",
-            "projected-solid-angle",
-            (("area", 1), ("cosine-of-source", 1), ("cosine", 1), ("distance", -2)),
-            1.0,
-            "sr",
-        )
-    )
+    laws.append(SMALL_SOURCE)
     return laws
 
 
-def _say_facing(sheet: Sheet) -> None:
+def _say_facing(sheet: Worksheet) -> None:
     """Say how the receiver is turned, where no incidence tells."""
     sheet.use("incidence")
     if "incidence" not in sheet.given:
-        sheet.said.append("the receiver faces the source")
+        sheet.assume("the receiver faces the source")
 
 
-def _height(sheet: Sheet) -> Any:
+def _height(sheet: Worksheet) -> Any:
     """The height above a flat source; on its axis the distance is the same."""
     given = sheet.given
     both = [name for name in ("height", "distance") if name in given]
     if len(both) == 2:
-        raise ConditionError("--height and --distance contradict each other", "one of them")
+        raise Exclusive(both)
     if not both:
         return None
-    if both == ["distance"] and {"offset", "offset-y"} & set(given):
-        raise ConditionError(
-            "--distance is the straight line to the centre, and off the axis no height",
-            "--height in its place",
-        )
-    return positive(given[both[0]])
+    if both == ["distance"] and set(OFFSETS) & set(given):
+        raise_slant_for_height()
+    return given[both[0]].value
 
 
-def _centre(sheet: Sheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[Any, Any, Any]:
+def raise_slant_for_height() -> None:
+    """Refuse a distance where the height above a flat source is meant."""
+    raise ConditionError(
+        f"{option('distance')} is the straight line to the centre, and off the axis no height",
+        f"{option('height')} in its place",
+    )
+
+
+def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[Any, Any, Any]:
     """Where the centre is seen: distance, angle from the axis, and the receiver's tilt.
 
-    Without --incidence the receiver faces the source's plane.  With one it is turned by that
+    Without an incidence the receiver faces the source's plane.  With one it is turned by that
     angle from the line to the centre, away from the source's axis: from the centre to facing
     the plane, and on.
     """
-    sheet.use("height", "distance", "offset", "offset-y", "incidence")
+    sheet.use(*POSITION)
     lateral = hypot(x, y)
     distance = hypot(height, lateral)
     off = atan2(lateral, height)
     tilt = 0.0
     if "incidence" in sheet.given:
-        given = sheet.given["incidence"]
-        require(given, not any_true(abs(given.value) > math.pi), "from -180 to 180 deg")
-        tilt = off - given.value
-        sheet.said.append("the incidence is counted from the line to the centre, off the axis")
+        tilt = off - sheet.given["incidence"].value
+        sheet.assume("the incidence is counted from the line to the centre, off the axis")
     else:
-        sheet.said.append("the receiver faces the source's plane")
-    sheet.know("cosine", solid.facing(off - tilt))
+        sheet.assume("the receiver faces the source's plane")
+    sheet.know("cosine", cones.facing(off - tilt))
     sheet.know("cosine-of-source", height / distance)
     if "distance" not in sheet.known:
         sheet.know("distance", distance)
     return distance, off, tilt
 
 
-def _disc(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
-    given = sheet.given
+def _disc(sheet: Worksheet) -> list[AnyLaw]:
     laws: list[AnyLaw] = [*_round(sheet), CIRCLE, FLAT]
-    sized = "radius" in given or "diameter" in given
     height = _height(sheet)
-    if sized and height is not None:
-        size = i.radius(given)
-        sheet.use("radius", "diameter")
-        offset = given["offset"].value if "offset" in given else 0.0
+    if _is_sized(sheet) and height is not None:
+        size = _radius(sheet)
+        offset = offset_of(sheet.given)
         _, _, tilt = _centre(sheet, height, abs(offset))
         flat = projected.disc(size, height, offset, tilt)
-        _place(sheet, flat, f"a disc of {show(size)} m radius from {show(height)} m above", offset)
+        shown = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
+        _place(sheet, flat, shown, offset)
         sheet.know("solid-angle", solid.disc(size, height, offset))
         sheet.know("size", 2 * size)
         return laws
-    if "offset" in given or "incidence" in given:
-        missing = "--height 75cm" if sized else "--radius 25cm"
-        raise UsageError("too little is given beside --offset or --incidence", missing)
-    name = "height" if "height" in given else "distance"
-    laws.append(
-        Relation(
-            "disc on its axis",
-            f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{name}}}^2)",
-            ("projected-solid-angle", "radius", name),
-            {
-                "projected-solid-angle": lambda at: projected.disc(at("radius"), at(name)),
-                name: lambda at: at("radius") * sqrt(_over(math.pi, at) - 1),
-                "radius": lambda at: at(name) / sqrt(_over(math.pi, at) - 1),
-            },
-            HOWELL,
+    if "offset" in sheet.given or "incidence" in sheet.given:
+        missing = ("height", "75cm") if _is_sized(sheet) else ("radius", "25cm")
+        raise MissingInput(
+            f"too little is given beside {options(('offset', 'incidence'))}",
+            missing[:1],
+            values=missing[1:],
         )
-    )
+    laws.append(disc_on_axis("height" if "height" in sheet.given else "distance"))
     return laws
 
 
-def _over(whole: float, at: Callable[[str], Any]) -> Any:
-    """A whole over the projected solid angle, which must be less."""
-    part = at("projected-solid-angle")
-    solid.refuse(
-        part >= whole,
-        "more irradiance than the whole hemisphere at that radiance would give",
-        "more radiance, or less irradiance",
-    )
-    return whole / part
-
-
-def _sphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+def _sphere(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [
-        *_round(sheet),
-        Law("area of a sphere", "{area} = 4 pi {radius}^2", "area", (("radius", 2),), 4 * math.pi),
-        Law(
-            "as seen from anywhere",
-            "{apparent-area} = pi {radius}^2",
-            "apparent-area",
-            (("radius", 2),),
-            math.pi,
-        ),
-    ]
-    incidence = i.tilt(given, "incidence")
+    laws: list[AnyLaw] = [*_round(sheet), SPHERE_AREA, SPHERE_FRONT]
+    incidence = angle_of(given, "incidence")
     _say_facing(sheet)
-    sheet.know("cosine", solid.facing(incidence))
+    sheet.know("cosine", cones.facing(incidence))
     sheet.know("cosine-of-source", 1.0)
-    if ("radius" in given or "diameter" in given) and "distance" in given:
-        size, away = i.radius(given), positive(given["distance"])
-        sheet.use("radius", "diameter", "distance", "incidence")
+    if _is_sized(sheet) and "distance" in given:
+        size, away = _radius(sheet), given["distance"].value
+        sheet.use("distance")
         flat = projected.sphere(size, away, incidence)
-        _place(sheet, flat, f"a sphere of {show(size)} m radius from {show(away)} m")
+        shown = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
+        _place(sheet, flat, shown)
         sheet.know("solid-angle", solid.sphere(size, away))
         sheet.know("size", 2 * size)
         if any_true(incidence + solid.angular_radius(size, away) > math.pi / 2):
             sheet.notes.append("the sphere is partly below the receiver's horizon")
         return laws
     if "incidence" in given:
-        raise UsageError("--incidence has no use without --radius and --distance", "both of them")
-    laws.append(
-        Relation(
-            "sphere, its centre at a distance",
-            "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
-            ("projected-solid-angle", "radius", "distance"),
-            {
-                "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
-                "distance": lambda at: at("radius") * sqrt(_over(math.pi, at)),
-                "radius": lambda at: at("distance") / sqrt(_over(math.pi, at)),
-            },
-            HOWELL,
+        needed = ("radius", "distance")
+        raise MissingInput(
+            f"{option('incidence')} has no use without {options(needed, ' and ')}",
+            needed,
+            "both of them",
         )
-    )
-    laws.append(  # all its flux goes through the sphere of that distance
-        Law(
-            "flux of a sphere at a distance",
-            "{flux} = 4 pi {distance}^2 {irradiance}",
-            "flux",
-            (("distance", 2), ("irradiance", 1)),
-            4 * math.pi,
-        )
-    )
-    return laws
+    return [*laws, SPHERE_AT_DISTANCE, SPHERE_FLUX]
 
 
-def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
     laws: list[AnyLaw] = [FLAT, RECTANGLE]
     height = _height(sheet)
     if height is None:
-        useless = [f"--{flag}" for flag in flags]
-        useless += [given[n].flag for n in ("offset", "offset-y", "incidence") if n in given]
-        if useless:
-            raise UsageError(f"{useless[0]} has no use without a height", "--height 1.5m with it")
+        for name in ("corner", "perpendicular", *OFFSETS, "incidence"):
+            if name in given:
+                raise MissingInput(
+                    f"{option(name)} has no use without a height",
+                    ("height",),
+                    f"{option('height', '1.5m')} with it",
+                )
         return laws
     for name in ("width", "length"):
-        i.one_of(given, f"the {name} of the rectangle", name)
-    width, length = positive(given["width"]), positive(given["length"])
-    sheet.use("width", "length", "height", "distance", "offset", "offset-y")
-    x, y = (given[name].value if name in given else 0.0 for name in ("offset", "offset-y"))
-    if "corner" in flags:
-        if {"offset", "offset-y", "distance"} & set(given):
-            raise ConditionError("--corner, with --height, already says where", "one of them")
-        x, y = width / 2, length / 2
-        sheet.said.append("below a corner of the rectangle")
-    if "perpendicular" in flags:
-        if "incidence" in given:
-            raise ConditionError("--perpendicular and --incidence contradict each other", "one")
-        toward = 1.0 - 2.0 * (y > 0)
-        normal: Any = (0.0, toward, 0.0)
-        distance = hypot(height, hypot(x, y))
-        sheet.know("cosine", abs(y) / distance)
-        sheet.know("cosine-of-source", height / distance)
-        sheet.know("distance", distance)
-        sheet.said.append("the receiver's normal runs along the rectangle's length")
+        one_of(given, f"the {name} of the rectangle", name)
+    width, length = given["width"].value, given["length"].value
+    sheet.use("width", "length", *POSITION)
+    x, y = offset_of(given), offset_of(given, "offset-y")
+    if "corner" in given:
+        x, y = corner_of(sheet.given)
+        sheet.assume("below a corner of the rectangle")
+    if "perpendicular" in given:
+        normal = _sideways(sheet, height, x, y)
     else:
         _, _, tilt = _centre(sheet, height, x, y)
         lateral = hypot(x, y)
@@ -337,35 +226,55 @@ def _rectangle(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
         away = (-x / (lateral + over) - over, -y / (lateral + over))
         normal = (sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt))
         if "incidence" in given and any_true(lateral == 0):
-            sheet.said.append("the receiver is turned along the width")
+            sheet.assume("the receiver is turned along the width")
     flat = projected.rectangle(width, length, height, x, y, normal)
-    _place(sheet, flat, f"a rectangle of {show(width)} m x {show(length)} m", x)
+    _place(sheet, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x)
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
     sheet.know("size", hypot(width, length))
     return laws
 
 
-def _plane(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+def corner_of(given: dict[str, Any]) -> tuple[Any, Any]:
+    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
+    if {*OFFSETS, "distance"} & set(given):
+        raise ConditionError(
+            f"{option('corner')}, with {option('height')}, already says where", "one of them"
+        )
+    return given["width"].value / 2, given["length"].value / 2
+
+
+def _sideways(sheet: Worksheet, height: Any, x: Any, y: Any) -> Any:
+    """The normal of a receiver that stands upright, along the length, and where it is."""
+    if "incidence" in sheet.given:
+        raise Exclusive(("perpendicular", "incidence"), hint="one")
+    distance = hypot(height, hypot(x, y))
+    sheet.know("cosine", abs(y) / distance)
+    sheet.know("cosine-of-source", height / distance)
+    sheet.know("distance", distance)
+    sheet.assume("the receiver's normal runs along the rectangle's length")
+    return 0.0, 1.0 - 2.0 * (y > 0), 0.0
+
+
+def _plane(sheet: Worksheet) -> list[AnyLaw]:
     """An endless plane: half of all directions, whatever its distance."""
     sheet.use("incidence")
-    sheet.know(
-        "projected-solid-angle", projected.cone(math.pi / 2, i.tilt(sheet.given, "incidence"))
-    )
-    sheet.know("solid-angle", solid.HEMISPHERE)
-    sheet.said.append("an endless plane, seen under the same light from any distance")
+    tilt = angle_of(sheet.given, "incidence")
+    sheet.know("projected-solid-angle", projected.cone(math.pi / 2, tilt))
+    sheet.know("solid-angle", cones.HEMISPHERE)
+    sheet.assume("an endless plane, seen under the same light from any distance")
     return []
 
 
-def _hemisphere(sheet: Sheet, flags: tuple[str, ...]) -> list[AnyLaw]:
+def _hemisphere(sheet: Worksheet) -> list[AnyLaw]:
     """The sky, or the part of it in a cone about the zenith."""
     given = sheet.given
     sheet.use("half-angle")
     _say_facing(sheet)
-    half = i.half_angle(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
-    _place(sheet, projected.cone(half, i.tilt(given, "incidence")), "the sky")
-    sheet.know("solid-angle", solid.cone(half))
+    half = half_angle_of(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
+    _place(sheet, projected.cone(half, angle_of(given, "incidence")), "the sky")
+    sheet.know("solid-angle", cones.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
-    sheet.said.append(f"a hemisphere of one radiance, {part}")
+    sheet.assume(f"a hemisphere of one radiance, {part}")
     return []
 
 
@@ -373,7 +282,7 @@ SHAPES = {
     "patch": Shape((*SIZES, "distance", "incidence", "tilt"), _patch),
     "disc": Shape(("radius", "diameter", "distance", "height", "offset", "incidence"), _disc),
     "sphere": Shape(("radius", "diameter", "distance", "incidence"), _sphere),
-    "rectangle": Shape(("width", "length", *POSITION), _rectangle, ("corner", "perpendicular")),
+    "rectangle": Shape(("width", "length", *POSITION, "corner", "perpendicular"), _rectangle),
     "plane": Shape(("incidence",), _plane),
     "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
 }

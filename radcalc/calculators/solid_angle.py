@@ -5,378 +5,333 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators import inputs as i
-from radcalc.calculators.inputs import Inputs
+from radcalc.calculators.results import known, value
+from radcalc.calculators.shapes import OFFSETS, corner_of, raise_slant_for_height
+from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.conversion import geometric
-from radcalc.conversion.conditions import ANGLE, degrees, positive, require, show
-from radcalc.errors import ConditionError, NumberError, UsageError
-from radcalc.geometry import projected, solid
-from radcalc.quantities.light import SOLID_ANGLE
-from radcalc.units.table import NUMBER
+from radcalc.derivation import Formula, format_angle, format_number
+from radcalc.errors import (
+    ConditionError,
+    MissingInput,
+    NumberError,
+    UsageError,
+    command,
+    option,
+    options,
+)
+from radcalc.geometry import cones, projected, solid
+from radcalc.given import Given, Inputs, Point, angle_of, offset_of, one_of, radius_of
+from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.solid_angles import PATCH, PYRAMID, SPHERE, disc
+from radcalc.laws.surface import CIRCLE, DIAMETER, HOWELL
 
-Point = tuple[float, float, float]
 LEAST = 1e-300  # below it a float has fewer digits
+CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
+ROUND = ("radius", "diameter")
+RESULTS = ("solid-angle", "projected-solid-angle", "sphere-fraction", "half-angle", "apex-angle")
+FACING = "a plane parallel to the source's (the receiver faces it)"
+ZONE = Formula(
+    "zone of a sphere", "{solid-angle} = 2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2) Omega0"
+)
+PROJECTED_ZONE = Formula(
+    "projected zone", "{projected-solid-angle} = dphi (sin^2(t1) - sin^2(t0)) / 2 Omega0"
+)
+DISC_ASIDE = Formula(
+    "disc off its axis",
+    "{solid-angle} = closed integral over the rim, complete elliptic",
+    "F. Paxton, Rev. Sci. Instrum. 30 (1959) 254",
+)
+PROJECTED_DISC = Formula(
+    "projected disc",
+    "{projected-solid-angle} = pi/2 (1 - ({height}^2 + {offset}^2 - {radius}^2) / "
+    "sqrt(({height}^2 + {offset}^2 + {radius}^2)^2 - 4 {radius}^2 {offset}^2)) Omega0",
+    HOWELL,
+)
+TRIANGLES = Formula(
+    "rectangle, as two triangles",
+    "tan({solid-angle}/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a), each",
+    "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
+)
+CONTOUR = Formula(
+    "Lambert's contour formula",
+    "{projected-solid-angle} = 1/2 sum of beta cos(delta), over the sides",
+    "J. H. Lambert, Photometria (1760)",
+)
 
 
 class Seen(NamedTuple):
-    """A shape as it is seen: solid angle, projected solid angle [sr], onto which plane.
+    """What a shape adds to the worksheet: its laws, and onto which plane it is projected."""
 
-    `half_angle` [rad] where the shape is a cone; `found` are other results.
-    """
-
-    solid: Any
-    projected: Any
+    laws: Sequence[AnyLaw]
     onto: str
-    steps: Sequence[Step]
-    half_angle: Any = None
-    found: Sequence[Value] = ()
-    assumptions: Sequence[str] = ()
-    notes: Sequence[str] = ()
 
 
 class Shape(NamedTuple):
-    """A shape: the inputs it takes, how it is seen, and what else it takes that is no quantity."""
+    """A shape: the inputs it takes, and how it is seen."""
 
     takes: tuple[str, ...]
-    see: Callable[..., Seen]
-    also: tuple[str, ...] = ()
+    see: Callable[[Worksheet], Seen]
 
 
-def solid_angle(shape: str, given: Inputs, others: dict[str, Any] | None = None) -> Answer:
+def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answer:
     """The solid angle of a shape of `SHAPES`, with all that follows from it.
 
-    `given` are its inputs, `others` what is no quantity: intervals (polar, azimuth), points
-    (points, viewpoint, normal) and corner.
+    `given` are its inputs; `points` the vertices of a polygon.
     """
     named = "all directions" if shape == "full" else f"a {shape}"
-    others = others or {}
-    i.only(given, SHAPES[shape].takes, named)
-    i.refuse_unused([f"--{n}" for n in others if n not in SHAPES[shape].also], named)
-    seen = SHAPES[shape].see(given, **{name: others.get(name) for name in SHAPES[shape].also})
-    if not seen.notes and min(seen.solid, seen.projected) < LEAST:
+    takes = SHAPES[shape].takes
+    extra = tuple(name for name in takes if name not in RESULTS)
+    sheet = Worksheet(Page(named, takes, others=extra), given, with_light=False)
+    seen = _polygon(sheet, points) if shape == "polygon" else SHAPES[shape].see(sheet)
+    sheet.solve(seen.laws)
+    if not sheet.has("solid-angle"):
+        raise _unsolved(sheet)
+    omega, flat = sheet.at("solid-angle"), sheet.at("projected-solid-angle")
+    if not sheet.notes and min(omega, flat) < LEAST:
         raise NumberError("the solid angle is too small for a number", "less extreme sizes")
-    half = solid.cone_of(seen.solid) if seen.half_angle is None else seen.half_angle
-    values = [
-        Value("solid-angle", "solid angle", "Ω", seen.solid, (SOLID_ANGLE,), ("sr", "deg2")),
-        Value(
-            "projected-solid-angle",
-            "projected solid angle",
-            "Ω_p",
-            seen.projected,
-            (SOLID_ANGLE,),
-            ("sr",),
-        ),
-        Value(
-            "sphere-fraction",
-            "fraction of the sphere",
-            "Ω/4π",
-            seen.solid / solid.FULL,
-            (NUMBER,),
-            ("1",),
-        ),
-        Value("half-angle", "half angle of the equal cone", "α", half, (ANGLE,), ("deg",)),
-        Value("apex-angle", "apex angle of the equal cone", "2α", 2 * half, (ANGLE,), ("deg",)),
-    ]
-    for name, one in given.items():
-        row = i.known(one)
-        same = [k for k, value in enumerate(values) if value.name == name]
-        if same:
-            own = values[same[0]].units if len(values[same[0]].units) > 1 else ()
-            row.units += tuple(unit for unit in own if unit not in row.units)
-            values[same[0]] = row
-        else:
-            values.append(row)
-    values += seen.found
-    assumptions = [f"projected onto {seen.onto}", *seen.assumptions]
-    return values, assumptions, list(seen.notes), list(seen.steps)
+    half = sheet.at("half-angle") if sheet.has("half-angle") else cones.cone_of(omega)
+    sheet.assumptions.insert(0, f"projected onto {seen.onto}")
+    found = (omega, flat, omega / cones.FULL, half, 2 * half)
+    results = [_result(given, name, size) for name, size in zip(RESULTS, found, strict=True)]
+    return sheet.answer(seen.laws, results)
 
 
-def _step(law: str, formula: str, numbers: str, omega: float, reference: str = "") -> Step:
-    return Step(law, formula, f"Omega = {numbers} = {show(omega)} sr", reference)
+def _result(given: Inputs, name: str, size: Any) -> Value:
+    """One of the results of every shape."""
+    more = ("sr", "deg2") if name == "solid-angle" else ()
+    if name in given:
+        return known(given[name], *more)
+    label = f"{name.replace('-', ' ')} of the equal cone" if name in CONES[:2] else ""
+    return value(name, size, *more, label=label)
 
 
-def _full(given: Inputs) -> Seen:
-    step = _step("all directions", "Omega = 4 pi Omega0", "4 pi sr", solid.FULL)
-    note = "a surface faces one half of the sphere: its projected solid angle is pi"
-    plane = "a plane of any normal, from its front"
-    return Seen(solid.FULL, math.pi, plane, (step,), math.pi, notes=(note,))
-
-
-def _hemisphere(given: Inputs) -> Seen:
-    steps = (
-        _step("hemisphere", "Omega = 2 pi Omega0", "2 pi sr", solid.HEMISPHERE),
-        Step("projected", "Omega_p = pi Omega0", "Omega_p = pi sr"),
+def _unsolved(sheet: Worksheet) -> UsageError:
+    """What is missing of a shape."""
+    missing = [name for name in sheet.page.takes if name != "diameter"]
+    return MissingInput(
+        f"something is missing: {sheet.page.title} takes two", missing, options(missing, ", ")
     )
-    plane = "the hemisphere's own plane"
-    return Seen(solid.HEMISPHERE, projected.HEMISPHERE, plane, steps, math.pi / 2)
 
 
-def _cone(given: Inputs) -> Seen:
-    one = i.one_of(
-        given,
-        "the size of the cone",
-        "half-angle",
-        "apex-angle",
-        "solid-angle",
-        "projected-solid-angle",
+def _enter(sheet: Worksheet, omega: Any, flat: Any, *steps: Step) -> None:
+    """Enter what was worked out outside the laws."""
+    sheet.know("solid-angle", omega)
+    sheet.know("projected-solid-angle", flat)
+    sheet.placed += steps
+    sheet.use(*sheet.given)
+
+
+def _sr(size: Any) -> str:
+    return f"{format_number(size)} sr"
+
+
+def _full(sheet: Worksheet) -> Seen:
+    sheet.know("half-angle", math.pi)
+    step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, _sr(cones.FULL))
+    _enter(sheet, cones.FULL, math.pi, step)
+    sheet.notes.append("a surface faces one half of the sphere: its projected solid angle is pi")
+    return Seen([], "a plane of any normal, from its front")
+
+
+def _hemisphere(sheet: Worksheet) -> Seen:
+    sheet.know("half-angle", math.pi / 2)
+    _enter(
+        sheet,
+        cones.HEMISPHERE,
+        projected.HEMISPHERE,
+        Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, _sr(cones.HEMISPHERE)),
+        Formula("projected", "{projected-solid-angle} = pi Omega0").told("Omega_p = pi sr"),
     )
-    name, size = one.option.name, positive(one)
-    if name == "solid-angle":
-        require(one, size <= solid.FULL * (1 + solid.SLACK), "at most 4pi sr")
-        half = solid.cone_of(size)
-    elif name == "projected-solid-angle":
-        require(one, size <= math.pi * (1 + solid.SLACK), "at most pi sr, a hemisphere")
-        half = math.asin(min(1.0, math.sqrt(size / math.pi)))
-    else:
-        half = i.half_angle(one)
-    return _as_cone(half, "a plane whose normal is the cone's axis")
+    return Seen([], "the hemisphere's own plane")
 
 
-def _as_cone(half: float, onto: str, *before: Step, **others: Any) -> Seen:
-    """What is seen under a cone of a half angle [rad], facing it."""
-    omega, flat = solid.cone(half), projected.cone(half)
-    notes: tuple[str, ...] = ()
-    if half > math.pi / 2:
-        notes = ("what is behind that plane does not count: a hemisphere is left",)
-    steps = (
-        *before,
-        _step(
-            "solid angle of a cone",
-            "Omega = 4 pi sin^2(alpha/2) Omega0",
-            f"4 pi sin^2({degrees(half)}/2) sr",
-            omega,
-            "ISO 80000-3, solid angle",
-        ),
-        Step(
-            "projected solid angle of a cone",
-            "Omega_p = pi sin^2(alpha) Omega0",
-            f"Omega_p = pi sin^2({degrees(min(half, math.pi / 2))}) sr = {show(flat)} sr",
-            "ISO 80000-7, radiance and irradiance",
-        ),
-    )
-    return Seen(omega, flat, onto, steps, half, notes=notes, **others)
+def _cone(sheet: Worksheet) -> Seen:
+    one_of(sheet.given, "the size of the cone", *CONES)
+    laws = [CONE, PROJECTED_CONE, *([APEX] if "apex-angle" in sheet.given else [])]
+    sheet.solve(laws)
+    if sheet.at("half-angle") > math.pi / 2:
+        sheet.notes.append("what is behind that plane does not count: a hemisphere is left")
+    return Seen(laws, "a plane whose normal is the cone's axis")
 
 
-def _zone(
-    given: Inputs, polar: tuple[float, float] | None, azimuth: tuple[float, float] | None
-) -> Seen:
-    if polar is None:
-        raise UsageError("the polar angles of the zone are missing", "--polar 30deg:60deg")
-    width = azimuth[1] - azimuth[0] if azimuth else 2 * math.pi
-    omega, flat = solid.zone(*polar, width), projected.zone(*polar, width)
-    low, high = map(degrees, polar)
-    notes = []
-    if polar[1] > math.pi / 2 * (1 + solid.SLACK):
-        notes = ["what is below that plane, past 90 deg, does not count"]
-    steps = (
-        _step(
-            "zone of a sphere",
-            "Omega = 2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2) Omega0",
-            f"2 ({show(width)}) sin(({low} + {high})/2) sin(({high} - {low})/2) sr",
-            omega,
-        ),
-        Step(
-            "projected zone",
-            "Omega_p = dphi (sin^2(t1) - sin^2(t0)) / 2 Omega0",
-            f"Omega_p = {show(flat)} sr",
-        ),
+def _zone(sheet: Worksheet) -> Seen:
+    if "polar" not in sheet.given:
+        raise MissingInput(
+            "the polar angles of the zone are missing", ("polar",), values=("30deg:60deg",)
+        )
+    polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
+    low, high = polar.value
+    width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
+    omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
+    if high > math.pi / 2 * (1 + cones.SLACK):
+        sheet.notes.append("what is below that plane, past 90 deg, does not count")
+    t0, t1 = format_angle(low), format_angle(high)
+    numbers = f"2 ({format_number(width)}) sin(({t0} + {t1})/2) sin(({t1} - {t0})/2) sr"
+    _enter(
+        sheet,
+        omega,
+        flat,
+        ZONE.told(f"Omega = {numbers} = {_sr(omega)}"),
+        PROJECTED_ZONE.told(f"Omega_p = {_sr(flat)}"),
     )
     around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
-    said = (f"polar angles from {_span(polar)} deg, {around}",)
-    return Seen(omega, flat, "a plane whose normal is +z", steps, assumptions=said, notes=notes)
+    sheet.assume(f"polar angles from {_span(polar)} deg, {around}")
+    return Seen([], "a plane whose normal is +z")
 
 
-def _span(interval: tuple[float, float]) -> str:
-    return " to ".join(show(math.degrees(end)) for end in interval)
+def _span(interval: Given) -> str:
+    return " to ".join(format_number(math.degrees(end)) for end in interval.value)
 
 
-def _sphere(given: Inputs) -> Seen:
-    sized = "radius" in given or "diameter" in given
-    size = i.radius(given) if sized else None
-    away = positive(given["distance"]) if "distance" in given else None
-    filled = positive(given["solid-angle"]) if "solid-angle" in given else None
-    if [size, away, filled].count(None) != 1:
-        several = (
-            "too much is given" if None not in (size, away, filled) else "something is missing"
-        )
-        raise UsageError(f"{several}: a sphere takes two", "--radius, --distance, --solid-angle")
-    found = []
-    if size is None:
-        size = solid.sphere_radius(away, filled)
-        found = [i.value("radius", size, i.unit_of(given["distance"]))]
-    elif away is None:
-        away = solid.sphere_distance(size, filled)
-        unit = i.unit_of(given["radius" if "radius" in given else "diameter"])
-        found = [i.value("distance", away, unit)]
-    half = solid.angular_radius(size, away)
-    step = Step(
-        "sphere, its centre at a distance",
-        "sin(alpha) = R / d",
-        f"sin(alpha) = {show(size)} m / {show(away)} m, alpha = {degrees(half)}",
-    )
-    plane = "a plane whose normal points to the sphere's centre"
-    return _as_cone(half, plane, step, found=found)
+def _sphere(sheet: Worksheet) -> Seen:
+    sizes = {"radius" if name in ROUND else name for name in sheet.given}
+    if len(sizes) > 2:
+        needed = ("radius", "distance", "solid-angle")
+        raise MissingInput("too much is given: a sphere takes two", needed, options(needed, ", "))
+    laws: list[AnyLaw] = [DIAMETER, SPHERE] if "diameter" in sheet.given else [SPHERE]
+    return Seen([*laws, CONE, PROJECTED_CONE], "a plane whose normal points to the sphere's centre")
 
 
-def _above(given: Inputs, corner: bool = False) -> Any:
+def _above(given: Inputs) -> Given:
     """The height above a flat shape; on its axis, the distance is the same."""
-    one = i.one_of(given, "the height above the source", "height", "distance")
-    if one.option.name == "distance" and (corner or {"offset", "offset-y"} & set(given)):
-        raise ConditionError(
-            "--distance is the straight line to the centre, and off the axis no height",
-            "--height in its place",
-        )
-    return positive(one)
+    one = one_of(given, "the height above the source", "height", "distance")
+    if one.name == "distance" and {"corner", *OFFSETS} & set(given):
+        raise_slant_for_height()
+    return one
 
 
-def _offset(given: Inputs, name: str) -> Any:
-    return given[name].value if name in given else 0.0
-
-
-def _disc(given: Inputs) -> Seen:
-    size, height, offset = i.radius(given), _above(given), _offset(given, "offset")
-    omega = solid.disc(size, height, offset)
-    flat = projected.disc(size, height, offset)
+def _disc(sheet: Worksheet) -> Seen:
+    given = sheet.given
+    laws: list[AnyLaw] = [DIAMETER] if "diameter" in given else []
+    offset = offset_of(given)
+    if not offset and "solid-angle" in given:
+        away = "height" if "height" in given else "distance"
+        sheet.use("offset")
+        return Seen([*laws, disc(away), CONE, PROJECTED_CONE], FACING)
+    size = radius_of(one_of(given, "the size of the source", *ROUND))
+    height = _above(given)
+    omega = solid.disc(size, height.value, offset)
+    flat = projected.disc(size, height.value, offset)
+    at = {"radius": size, height.name: height.value}
+    step = disc(height.name).formula.step(at, _sr(omega))
     if offset:
-        formula = "Omega = closed integral over the rim, complete elliptic"
-        numbers = f"R = {show(size)} m, h = {show(height)} m, x = {show(offset)} m; Omega"
-        reference = "F. Paxton, Rev. Sci. Instrum. 30 (1959) 254"
-        step = Step("disc off its axis", formula, f"{numbers} = {show(omega)} sr", reference)
-    else:
-        step = _step(
-            "disc on its axis",
-            "Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0",
-            f"2 pi (1 - {show(height)} m / sqrt(({show(height)} m)^2 + ({show(size)} m)^2)) sr",
-            omega,
+        where = ", ".join(
+            f"{letter} = {format_number(length)} m"
+            for letter, length in zip("Rhx", (size, height.value, offset), strict=True)
         )
-    more = Step(
-        "projected disc",
-        "Omega_p = pi/2 (1 - (h^2 + x^2 - R^2) / sqrt((h^2 + x^2 + R^2)^2 - 4 R^2 x^2)) Omega0",
-        f"Omega_p = {show(flat)} sr",
-        "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors",
-    )
-    return Seen(omega, flat, FACING, (step, more))
+        step = DISC_ASIDE.told(f"{where}; Omega = {_sr(omega)}")
+    _enter(sheet, omega, flat, step, PROJECTED_DISC.told(f"Omega_p = {_sr(flat)}"))
+    return Seen([], FACING)
 
 
-FACING = "a plane parallel to the source's (the receiver faces it)"
-
-
-def _rectangle(given: Inputs, corner: bool | None) -> Seen:
+def _rectangle(sheet: Worksheet) -> Seen:
+    given = sheet.given
     for name in ("width", "length"):
-        i.one_of(given, f"the {name} of the rectangle", name)
-    width, length = positive(given["width"]), positive(given["length"])
-    x, y = _offset(given, "offset"), _offset(given, "offset-y")
-    height = _above(given, bool(corner))
-    if corner:
-        if {"offset", "offset-y"} & set(given):
-            raise ConditionError("--corner and --offset contradict each other", "one of them")
-        x, y = width / 2, length / 2
+        one_of(given, f"the {name} of the rectangle", name)
+    width, length = given["width"].value, given["length"].value
+    height = _above(given).value
+    x, y = offset_of(given), offset_of(given, "offset-y")
+    if "corner" in given:
+        x, y = corner_of(given)
+        sheet.assume("seen from above a corner")
     omega = solid.rectangle(width, length, height, x, y)
     flat = projected.rectangle(width, length, height, x, y)
-    at = f"w = {show(width)} m, l = {show(length)} m, h = {show(height)} m"
-    steps = (
-        Step(
-            "rectangle, as two triangles",
-            "tan(Omega/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a), each",
-            f"{at}, offsets {show(x)} m and {show(y)} m; Omega = {show(omega)} sr",
-            "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
-        ),
-        _contour(flat),
-    )
-    said = ("seen from above a corner",) if corner else ()
-    return Seen(omega, flat, FACING, steps, assumptions=said)
+    sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
+    numbers = "w = {}, l = {}, h = {}, offsets {} and {}".format(*sizes)
+    _enter(sheet, omega, flat, TRIANGLES.told(f"{numbers}; Omega = {_sr(omega)}"), _contour(flat))
+    return Seen([], FACING)
 
 
-def _contour(flat: float) -> Step:
-    return Step(
-        "Lambert's contour formula",
-        "Omega_p = 1/2 sum of beta cos(delta), over the sides",
-        f"Omega_p = {show(flat)} sr",
-        "J. H. Lambert, Photometria (1760)",
-    )
+def _contour(flat: Any) -> Step:
+    return CONTOUR.told(f"Omega_p = {_sr(flat)}")
 
 
-def _pyramid(given: Inputs) -> Seen:
-    for name in ("horizontal", "vertical"):
-        i.one_of(given, f"the {name} angle", name)
-    a, b = positive(given["horizontal"]), positive(given["vertical"])
-    omega, flat = solid.pyramid(a, b), projected.pyramid(a, b)
-    step = _step(
-        "rectangular pyramid",
-        "Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0",
-        f"4 arcsin(sin({degrees(a)}/2) sin({degrees(b)}/2)) sr",
-        omega,
-    )
-    said = ("the angles are full ones, from face to face through the axis",)
-    plane = "a plane whose normal is the pyramid's axis"
-    return Seen(omega, flat, plane, (step, _contour(flat)), assumptions=said)
+def _pyramid(sheet: Worksheet) -> Seen:
+    given = sheet.given
+    sheet.assume("the angles are full ones, from face to face through the axis")
+    if "solid-angle" not in given:
+        for name in ("horizontal", "vertical"):
+            one_of(given, f"the {name} angle", name)
+    sheet.solve([PYRAMID])
+    if sheet.has("horizontal") and sheet.has("vertical"):
+        flat = projected.pyramid(sheet.at("horizontal"), sheet.at("vertical"))
+        sheet.know("projected-solid-angle", flat)
+        sheet.placed.append(_contour(flat))
+    return Seen([PYRAMID], "a plane whose normal is the pyramid's axis")
 
 
-def _patch(given: Inputs) -> Seen:
-    area = geometric.area(i.one_of(given, "the size of the patch", "area", "radius", "diameter"))
-    away = i.one_of(given, "the distance", "distance")
-    tilt = i.tilt(given)
-    omega = solid.patch(area.value, positive(away), tilt)
-    geometric.far_field(
-        area, away, "radcalc solid-angle disc or rectangle, which are exact", "A cos(theta) / d^2"
-    )
-    notes = []
-    if omega == 0:
-        notes = ["the patch is seen from its edge or from behind"]
-    step = _step(
-        "small patch",
-        "Omega = A cos(theta) / d^2 Omega0",
-        f"{show(area.value)} m2 cos({degrees(tilt)}) / ({show(away.value)} m)^2 sr",
-        omega,
-    )
-    more = 0.75 * area.value / math.pi / away.value**2
-    said = (
-        f"a patch small beside its distance (a disc facing it fills {show(100 * more)} % less)",
-    )
-    plane = "a plane whose normal points to the patch"
-    steps = (*area.steps, step)
-    return Seen(omega, omega, plane, steps, assumptions=said, notes=notes)
+def _patch(sheet: Worksheet) -> Seen:
+    given = sheet.given
+    laws: list[AnyLaw] = [PATCH]
+    if set(ROUND) & set(given):
+        laws = [DIAMETER, CIRCLE, PATCH] if "diameter" in given else [CIRCLE, PATCH]
+    if "solid-angle" not in given:
+        one_of(given, "the size of the patch", "area", *ROUND)
+        one_of(given, "the distance", "distance")
+    sheet.use("tilt")
+    sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
+    sheet.solve(laws)
+    if sheet.has("area") and sheet.has("distance"):
+        area, away = sheet.at("area"), sheet.at("distance")
+        _refuse_near(sheet, area, away)
+        sheet.know("projected-solid-angle", sheet.at("solid-angle"))
+        if sheet.at("solid-angle") == 0:
+            sheet.notes.append("the patch is seen from its edge or from behind")
+        less = 0.75 * area / math.pi / away**2
+        sheet.assume(
+            "a patch small beside its distance (a disc facing it fills "
+            f"{format_number(100 * less)} % less)"
+        )
+    return Seen(laws, "a plane whose normal points to the patch")
 
 
-def _polygon(
-    given: Inputs, points: Sequence[Point], viewpoint: Point | None, normal: Point | None
-) -> Seen:
+def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
+    """Refuse a patch seen from so near that A cos(theta) / d^2 is off."""
+    size = geometric.size_of(area)
+    if geometric.is_near(away, size):
+        raise ConditionError(
+            f"{sheet.told('distance')} is less than five times the size of the "
+            f"source ({format_number(size)} m): A cos(theta) / d^2 does not hold",
+            f"{command('solid-angle', 'disc')} or rectangle, which are exact",
+        )
+
+
+def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:
     from radcalc.geometry import outline
 
-    flat_shape = outline.read(points, viewpoint or (0.0, 0.0, 0.0))
-    omega = abs(solid.polygon(flat_shape.vertices))
-    facing = normal or flat_shape.normal
-    flat = projected.polygon(flat_shape.vertices, facing)
-    notes = list(flat_shape.notes)
-    if normal and flat_shape.dips_below(normal):
-        notes.append("what is below the horizon of --normal is cut away")
-    step = Step(
-        "polygon, as triangles",
-        "tan(Omega/2) = [a b c] / (a b c + (a.b) c + (a.c) b + (b.c) a), each",
-        f"{len(points)} vertices; Omega = {show(omega)} sr",
-        "A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125",
-    )
+    given = sheet.given
+    viewpoint: Point = given["viewpoint"].value if "viewpoint" in given else (0.0, 0.0, 0.0)
+    normal: Point | None = given["normal"].value if "normal" in given else None
+    shape = outline.read(points, viewpoint)
+    omega = abs(solid.polygon(shape.vertices))
+    flat = projected.polygon(shape.vertices, normal or shape.normal)
+    sheet.notes += shape.notes
     plane = "a plane parallel to the polygon's"
     if normal:
-        plane = f"a plane whose normal is {','.join(map(show, normal))}"
-    seen_from = ",".join(map(show, viewpoint or (0.0, 0.0, 0.0)))
-    said = (f"a polygon of {len(points)} vertices, seen from {seen_from}",)
-    return Seen(omega, flat, plane, (step, _contour(flat)), assumptions=said, notes=notes)
+        plane = f"a plane whose normal is {','.join(map(format_number, normal))}"
+        if shape.dips_below(normal):
+            below = option("normal")
+            sheet.notes.append(f"what is below the horizon of {below} is cut away")
+    step = TRIANGLES._replace(name="polygon, as triangles").told(
+        f"{len(points)} vertices; Omega = {_sr(omega)}"
+    )
+    _enter(sheet, omega, flat, step, _contour(flat))
+    seen_from = ",".join(map(format_number, viewpoint))
+    sheet.assume(f"a polygon of {len(points)} vertices, seen from {seen_from}")
+    return Seen([], plane)
 
 
-SIZE = ("radius", "diameter")
 SHAPES = {
     "full": Shape((), _full),
     "hemisphere": Shape((), _hemisphere),
-    "cone": Shape(("half-angle", "apex-angle", "solid-angle", "projected-solid-angle"), _cone),
-    "zone": Shape((), _zone, ("polar", "azimuth")),
-    "sphere": Shape((*SIZE, "distance", "solid-angle"), _sphere),
-    "disc": Shape((*SIZE, "distance", "height", "offset"), _disc),
-    "rectangle": Shape(
-        ("width", "length", "distance", "height", "offset", "offset-y"), _rectangle, ("corner",)
-    ),
-    "pyramid": Shape(("horizontal", "vertical"), _pyramid),
-    "patch": Shape(("area", *SIZE, "distance", "tilt"), _patch),
-    "polygon": Shape((), _polygon, ("points", "viewpoint", "normal")),
+    "cone": Shape(CONES, _cone),
+    "zone": Shape(("polar", "azimuth"), _zone),
+    "sphere": Shape((*ROUND, "distance", "solid-angle"), _sphere),
+    "disc": Shape((*ROUND, "distance", "height", "offset", "solid-angle"), _disc),
+    "rectangle": Shape(("width", "length", "distance", "height", *OFFSETS, "corner"), _rectangle),
+    "pyramid": Shape(("horizontal", "vertical", "solid-angle"), _pyramid),
+    "patch": Shape(("area", *ROUND, "distance", "tilt", "solid-angle"), _patch),
+    "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}

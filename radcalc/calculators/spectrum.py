@@ -2,54 +2,38 @@
 
 import math
 from functools import cache
-from typing import Any
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.conversion.conditions import ENERGY, PHOTON_ENERGY, TEMPERATURE
+from radcalc.calculators.results import value
 from radcalc.conversion.spectral import too_narrow
-from radcalc.errors import ConditionError
-from radcalc.quantities.light import (
-    AXIS,
-    LUMINOUS,
-    PHOTON,
-    RADIANT,
-    RATIOS,
-    WAVELENGTH,
-    light_dimension,
-)
+from radcalc.derivation import Formula
+from radcalc.errors import ConditionError, option
+from radcalc.given import Inputs
+from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
+from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
-from radcalc.units.table import NUMBER
 
-LENGTH = AXIS[WAVELENGTH]
 SAMPLES = [float(x) for x in range(380, 781, 5)]  # where colour rendering looks
 FARTHEST = 0.05  # |Duv| beyond which the CIE gives no correlated colour temperature
-# absolute quantity: powers of 1/area and 1/solid angle, and the luminous name beside it
-ABSOLUTE = {
-    "flux": ((0, 0, 0), "luminous-flux", "W", "lm"),
-    "intensity": ((0, 0, 1), "luminous-intensity", "W/sr", "cd"),
-    "irradiance": ((0, 1, 0), "illuminance", "W/m2", "lx"),
-    "radiance": ((0, 1, 1), "luminance", "W/m2/sr", "cd/m2"),
-}
 
 
-def spectrum(
-    source: Spectrum,
-    limits: Range | None = None,
-    photon_limits: Range | None = None,
-    observer: str = "photopic",
-) -> Answer:
+def spectrum(given: Inputs) -> Answer:
     """Everything that follows from a spectrum.
 
-    Watts are counted over `limits` [nm] (the source's own where None), photons over
-    `photon_limits` (400 nm to 700 nm, all of them for lines).
+    Watts are counted over the given range (the source's own where there is none), photons over
+    the given photon range (400 nm to 700 nm, all of them for lines).
     """
-    watts_in, photons_in = source.counted(limits, photon_limits)
-    eye, night = OBSERVERS[observer], OBSERVERS["scotopic"]
+    source: Spectrum = given["spectrum"].value
+    chosen = {name: one.value for name, one in given.items()}
+    watts_in, photons_in = source.counted(chosen.get("range"), chosen.get("photon-range"))
+    eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
     watts = source.power(watts_in)
     if not watts > 0:
-        raise ConditionError(f"there is no power in {range_text(watts_in)}", "another --range")
+        raise ConditionError(
+            f"there is no power in {range_text(watts_in)}", f"another {option('range')}"
+        )
     lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
     too_narrow(lumens / watts, eye, watts_in)
     amounts = {RADIANT: watts, LUMINOUS: lumens, PHOTON: source.photons(photons_in)}
@@ -68,50 +52,34 @@ def spectrum(
     notes = list(source.notes)
     if not lumens:
         notes.append("nothing of this spectrum is seen")
-    return values, assumptions, notes, _steps(lumens, watts, eye)
+    return Answer(values, assumptions, notes, _steps(lumens, watts, eye))
 
 
-def _number(name: str, label: str, symbol: str, value: Any, unit: str = "1") -> Value:
-    return Value(name, label, symbol, value, (NUMBER,), (unit,))
-
-
-def _length(name: str, label: str, symbol: str, nanometres: float) -> Value:
-    return Value(name, label, symbol, nanometres * 1e-9, (LENGTH,), ("nm",))
+def _nanometres(name: str, size: float) -> Value:
+    return value(name, size * 1e-9)
 
 
 def _shape(source: Spectrum, limits: Range, watts: float) -> list[Value]:
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
-    found = [
-        _length("peak-wavelength", "peak wavelength", "λ_p", peak),
-        _length("centroid-wavelength", "centroid wavelength", "λ_c", centroid),
-    ]
+    found = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
     if width is not None:
-        found.append(_length("fwhm", "full width at half maximum", "Δλ", width))
+        found.append(_nanometres("fwhm", width))
     if limits != WHOLE:
-        found.append(_length("range-start", "start of range", "λ_1", limits[0]))
-        found.append(_length("range-end", "end of range", "λ_2", limits[1]))
-    share = watts / source.total()
-    return [*found, _number("range-fraction", "fraction in range", "", share, "%")]
+        found.append(_nanometres("range-start", limits[0]))
+        found.append(_nanometres("range-end", limits[1]))
+    return [*found, value("range-fraction", watts / source.total())]
 
 
 def _efficacies(lumens: float, dark: float, watts: float, eye: Observer) -> list[Value]:
-    per_watt = RATIOS[LUMINOUS, RADIANT]
-    night = OBSERVERS["scotopic"]
     found = [
-        _number("luminous-efficiency", "luminous efficiency", "V", lumens / watts / eye.maximum),
-        Value(
-            "luminous-efficacy", "luminous efficacy", "K", lumens / watts, (per_watt,), ("lm/W",)
-        ),
+        value("luminous-efficiency", lumens / watts / eye.maximum),
+        value("luminous-efficacy", lumens / watts),
     ]
-    if eye is not night:
-        label = "scotopic luminous efficacy"
-        value = Value(
-            "scotopic-luminous-efficacy", label, "K'", dark / watts, (per_watt,), ("lm/W",)
-        )
-        found.append(value)
+    if eye is not OBSERVERS["scotopic"]:
+        found.append(value("scotopic-luminous-efficacy", dark / watts))
     if eye is OBSERVERS["photopic"] and lumens:
-        found.append(_number("sp-ratio", "scotopic/photopic ratio", "S/P", dark / lumens))
+        found.append(value("sp-ratio", dark / lumens))
     return found
 
 
@@ -119,16 +87,11 @@ def _photons(source: Spectrum, limits: Range, lumens: float, watts: float) -> li
     photons = source.photons(limits)
     if not photons:
         return []
-    mean = source.power(limits) / photons
-    per_joule, per_photon = RATIOS[PHOTON, RADIANT], RATIOS[LUMINOUS, PHOTON]
-    energy = Value(
-        "photon-energy", "mean photon energy", "Q", mean, (PHOTON_ENERGY, ENERGY), ("eV",)
-    )
-    efficacy = Value(
-        "photon-efficacy", "photon efficacy", "K_p", photons / watts, (per_joule,), ("umol/J",)
-    )
-    lux = Value("lux-per-ppfd", "lux per PPFD", "", lumens / photons, (per_photon,), ("lm.s/umol",))
-    return [energy, efficacy, lux]
+    return [
+        value("photon-energy", source.power(limits) / photons, label="mean photon energy"),
+        value("photon-efficacy", photons / watts),
+        value("lux-per-ppfd", lumens / photons),
+    ]
 
 
 def _colour(source: Spectrum) -> list[Value]:
@@ -140,7 +103,7 @@ def _colour(source: Spectrum) -> list[Value]:
     if not total > 0:
         return []
     x, y = tristimulus[0] / total, tristimulus[1] / total
-    found = [_number("x", "chromaticity x", "x", x), _number("y", "chromaticity y", "y", y)]
+    found = [value("x", x), value("y", y)]
     if not _near_planck(x, y):
         return found
 
@@ -150,26 +113,17 @@ def _colour(source: Spectrum) -> list[Value]:
 
         return temperature_and_distance(x, y)
 
-    found.append(
-        Value(
-            "cct",
-            "correlated colour temperature",
-            "T_cp",
-            lambda: near()[0],
-            (TEMPERATURE,),
-            ("K",),
-        )
-    )
-    found.append(_number("duv", "distance from the Planckian", "Duv", lambda: near()[1]))
+    found += [value("cct", lambda: near()[0]), value("duv", lambda: near()[1])]
     sampled = source.sample(SAMPLES)
     if sampled is not None:
 
+        @cache
         def rendering() -> float:
             from radcalc.spectra.colorimetry import colour_rendering_index
 
             return colour_rendering_index(SAMPLES, sampled)
 
-        found.append(_number("cri", "colour rendering index", "R_a", rendering))
+        found.append(value("cri", rendering))
     return found
 
 
@@ -206,38 +160,35 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
     """
     if isinstance(source, BlackBody):
         leaving = {kind: amount / math.pi for kind, amount in amounts.items()}
-        shown = [
-            ("exitance", "radiant exitance", "M_e", (0, 1, 0), RADIANT, amounts, "W/m2"),
-            ("radiance", "radiance", "L_e", (0, 1, 1), RADIANT, leaving, "W/m2/sr"),
-            ("luminance", "luminance", "L_v", (0, 1, 1), LUMINOUS, leaving, "cd/m2"),
+        return [
+            _of_light("exitance", RADIANT, amounts)._replace(
+                label="radiant exitance", letter="M_e"
+            ),
+            _of_light("radiance", RADIANT, leaving)._replace(letter="L_e"),
+            _of_light("radiance", LUMINOUS, leaving),
+            value("temperature", source.temperature),
         ]
-    elif source.absolute:
-        geometry, luminous, unit, luminous_unit = ABSOLUTE[source.absolute]
-        name, label = source.absolute, luminous.replace("-", " ")
-        shown = [
-            (name, name, "", geometry, RADIANT, amounts, unit),
-            (luminous, label, "", geometry, LUMINOUS, amounts, luminous_unit),
-        ]
-    else:
-        return []
-    found = []
-    for name, label, symbol, geometry, kind, by_kind, unit in shown:
-        reach = {light_dimension(k, geometry, ""): amount for k, amount in by_kind.items()}
-        own = light_dimension(kind, geometry, "")
-        found.append(Value(name, label, symbol, by_kind[kind], (own,), (unit,), reach))
-    if isinstance(source, BlackBody):
-        temperature = source.temperature
-        found.append(Value("temperature", "temperature", "T", temperature, (TEMPERATURE,), ("K",)))
-    return found
+    if source.absolute:
+        return [_of_light(source.absolute, kind, amounts) for kind in (RADIANT, LUMINOUS)]
+    return []
+
+
+def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:
+    """A light quantity in one kind, under its generic name where that is radiant."""
+    symbol = SYMBOLS[specific_name(name, kind) if kind != RADIANT else name]
+    geometry = symbol.geometry or (0, 0, 0)
+    reach = {light_dimension(k, geometry, ""): amount for k, amount in amounts.items()}
+    unit = light_unit(name, kind)
+    own = light_dimension(kind, geometry, "")
+    letter = symbol.letter if kind != RADIANT else ""
+    return Value(symbol.name, symbol.label, letter, amounts[kind], (own,), (unit,), reach)
 
 
 def _steps(lumens: float, watts: float, eye: Observer) -> list[Step]:
     weight = eye.label.split("(")[0]
-    return [
-        Step(
-            "luminous efficacy of radiation",
-            f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
-            f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W",
-            "trapezoid on the union of the data's and the observer's grids",
-        )
-    ]
+    formula = Formula(
+        "luminous efficacy of radiation",
+        f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
+        "trapezoid on the union of the data's and the observer's grids",
+    )
+    return [formula.told(f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W")]

@@ -7,8 +7,9 @@ import click
 
 from radcalc import stdio
 from radcalc._version import __version__
+from radcalc.cli.spelling import Shell
 from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
-from radcalc.units.grammar import read_number
+from radcalc.units.numbers import read_number
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -117,16 +118,16 @@ def run(words: list[str]) -> int:
         stdio.write("")
         return status if isinstance(status, int) else stdio.ANSWERED
     except RadcalcError as error:
-        return stdio.complain(error)
+        return stdio.complain(error, Shell)
     except click.UsageError as error:
-        return stdio.complain(_usage(error, words))
+        return stdio.complain(_usage(error, words), Shell)
     except (KeyboardInterrupt, click.Abort):
         return stdio.INTERRUPTED
     except (BrokenPipeError, SystemExit):  # Click's help exits when its reader has gone
         stdio.discard_output()
         return stdio.ANSWERED
     except OSError as error:
-        return stdio.complain(stdio.not_written(error))
+        return stdio.complain(stdio.not_written(error), Shell)
     except Exception as error:
         return _bug(error)
 

@@ -1,35 +1,28 @@
 """`radcalc calorimeter`."""
 
-import click
-
-from radcalc.calculators.calorimeter import INPUTS, QUANTITIES, calorimeter
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.calculators.calorimeter import QUANTITIES, calorimeter
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 from radcalc.quantities.light import RADIANT
 
 
-@click.command(
+@define(
     "calorimeter",
-    cls=SectionedCommand,
-    sections={
-        "Light": tuple(QUANTITIES),
+    {
+        "Light": QUANTITIES,
         "Body": (
             "mass",
-            "specific_heat",
-            "temperature_rise",
+            "specific-heat",
+            "temperature-rise",
             "absorptance",
-            "receiver_area",
+            "receiver-area",
             "time",
         ),
-        "Results": calculator.RESULTS,
     },
-    context_settings={"max_content_width": 100},
+    kinds=(RADIANT,),
 )
-@calculator.quantities(*QUANTITIES, kinds=(RADIANT,))
-@calculator.inputs(*INPUTS, time="How long it is in the light.")
-@calculator.results
-@output.options
-def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) -> int:
+def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the radiant flux that heats a body, or how warm a flux makes it.
 
     \b
@@ -38,5 +31,4 @@ def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) 
       radcalc calorimeter --irradiance 1000W/m2 --receiver-area 20cm2 --absorptance 0.95 \\
         --time 1min --mass 10g --specific-heat 385J/kg/K -g temperature-rise:K
     """
-    each = calculator.cases(typed, arrays=True)
-    return calculator.run(each, calorimeter, asked, shown, command="calorimeter")
+    return run(cases(typed, arrays=True), calorimeter, asked, shown, "calorimeter")

@@ -1,47 +1,26 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from radcalc import stdio
 from radcalc.answer import Result, Row
-from radcalc.cli import checking, output, streams
-from radcalc.cli.sections import SectionedCommand
-from radcalc.conversion.conditions import OPTIONS, Given, give
+from radcalc.cli import check as checking
+from radcalc.cli import streams
+from radcalc.cli.calculator import parts
+from radcalc.cli.command import LIGHT, SectionedCommand, define
+from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConversionError, UsageError
-from radcalc.stdio import ANSWERED
+from radcalc.given import Given, read
 from radcalc.units.operands import read_operands
-from radcalc.units.ranges import one_by_one, read_series, read_spectra
+from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
-
-SECTIONS = {
-    "Light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
-    "Directions": (
-        "solid_angle",
-        "half_angle",
-        "apex_angle",
-        "isotropic",
-        "hemisphere",
-        "exponent",
-        "beam_angle",
-    ),
-    "Distance and surfaces": (
-        "distance",
-        "incidence",
-        "area",
-        "radius",
-        "diameter",
-        "reflectance",
-        "pupil",
-    ),
-    "Time and bandwidth": ("time", "bandwidth"),
-    "Homework": ("check", "tolerance"),
-    "Streams (with - for VALUE)": tuple(streams.NAMES),
-}
 
 
 def complete_unit(
@@ -55,18 +34,6 @@ def complete_unit(
     return [CompletionItem(s) for s in spellings() if s.startswith(incomplete)][:200]
 
 
-def _conditions(command: Any) -> Any:
-    for option in reversed(OPTIONS.values()):
-        if option.choices:
-            kind: dict[str, Any] = {"type": click.Choice(option.choices, case_sensitive=False)}
-        elif option.dimensions or option.is_text:
-            kind = {"metavar": option.example}
-        else:
-            kind = {"is_flag": True}
-        command = click.option(f"--{option.name}", help=option.help, **kind)(command)
-    return command
-
-
 class ConvertCommand(SectionedCommand):
     """A --header without a number is one line, and never takes the next word for the number."""
 
@@ -77,26 +44,46 @@ class ConvertCommand(SectionedCommand):
         return super().parse_args(ctx, options + args[end:])
 
 
-@click.command(
+@define(
     "convert",
+    {
+        "Light": LIGHT,
+        "Directions": (
+            "solid-angle",
+            "half-angle",
+            "apex-angle",
+            "isotropic",
+            "hemisphere",
+            "exponent",
+            "beam-angle",
+        ),
+        "Distance and surfaces": (
+            "distance",
+            "incidence",
+            "area",
+            "radius",
+            "diameter",
+            "reflectance",
+            "pupil",
+        ),
+        "Time and bandwidth": ("time", "bandwidth"),
+        "Homework": checking.OPTIONS,
+        "Streams (with - for VALUE)": streams.OPTIONS,
+    },
+    words="VALUE UNIT [to] TARGET",
+    calculates=False,
+    output=(STEPS,),
+    complete=complete_unit,
     cls=ConvertCommand,
-    sections=SECTIONS,
-    context_settings={"max_content_width": 100},
 )
-@click.argument("words", nargs=-1, metavar="VALUE UNIT [to] TARGET", shell_complete=complete_unit)
-@_conditions
-@streams.options
-@click.option("--steps", is_flag=True, help="Show the derivation.")
-@checking.OPTIONS[0]
-@checking.OPTIONS[1]
-@output.options
 def command(
     words: tuple[str, ...],
+    typed: dict[str, Any],
     steps: bool,
     check: str | None,
     tolerance: str | None,
-    shown: output.Output,
-    **others: Any,
+    shown: Output,
+    **stream_options: Any,
 ) -> int:
     """Convert between units, and between quantities under a condition.
 
@@ -119,13 +106,8 @@ def command(
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
     for VALUE and UNIT they carry their own units.  Every other byte stays as it is.
     """
-    asked, conditions = streams.apart(others)
-    typed = {
-        name.replace("_", "-"): text
-        for name, text in conditions.items()
-        if text not in (None, False)
-    }
     checking.refuse_idle(check, tolerance)
+    asked = streams.Asked(**stream_options)
     if words[:1] == ("-",):
         streams.refuse_second_reader(typed)
     each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
@@ -137,42 +119,29 @@ def command(
     value, source_text, target_text = read_operands(list(words))
     source = resolve(source_text)
     if not target_text:
-        if steps:
-            raise UsageError("--steps needs a unit to convert to", "a TARGET unit")
-        if check is not None:
-            raise UsageError("--check needs a unit to convert to", "a TARGET unit")
-        shown.show([every_unit(value, source, typed, shown.number)])
-        return ANSWERED
+        for name, given in (("--steps", steps), ("--check", check)):
+            if given:
+                raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
+        shown.show([every_unit(value, source, typed, shown.style.bare)])
+        return stdio.ANSWERED
     target = resolve(target_text)
     if check is not None:
-        if len(each) > 1:
-            raise UsageError("--check takes one answer, and there are several", "one value a call")
-        given = each[0][1]
-        return checking.judge_conversion(
-            value, source, target, given, check, tolerance, steps, shown
-        )
+        from radcalc.homework.question import of_conversion
+
+        checking.refuse_several(len(each))
+        question = of_conversion(value, source, target, each[0][1], steps)
+        return checking.judge(question, check, tolerance, shown)
     shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])
-    return ANSWERED
+    return stdio.ANSWERED
 
 
-def cases(typed: dict[str, Any]) -> list[tuple[str, list[Given]]]:
+def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
     """The conditions as given; several times where one of them is a list or a range."""
-    given = {
-        name: [give(name, part) for part in _parts(name, text)] for name, text in typed.items()
-    }
+    given = {name: [read(name, part) for part in parts(name, text)] for name, text in typed.items()}
     varied, each = one_by_one(given)
     return [
         (f"{varied} {case[varied].text}" if varied else "", list(case.values())) for case in each
     ]
-
-
-def _parts(name: str, text: Any) -> list[Any]:
-    """The values of one option: a list or a range cut up, anything else by itself."""
-    if name == "spectrum":
-        return list(read_spectra(text))
-    if OPTIONS[name].dimensions:
-        return list(read_series(text))
-    return [text]
 
 
 def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:

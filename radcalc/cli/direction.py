@@ -1,34 +1,20 @@
 """`radcalc direction X Y Z`, or by its angles."""
 
-import click
-
 from radcalc.answer import Answer
 from radcalc.calculators.direction import of_angles, of_vector
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
-from radcalc.conversion.conditions import LENGTH
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
+from radcalc.given import EXTREME
 from radcalc.quantities.light import describe
-from radcalc.units.grammar import split_quantity
+from radcalc.units.dimensions import LENGTH
+from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
 
-@click.command(
-    "direction",
-    cls=SectionedCommand,
-    sections={"Angles": ("polar", "elevation", "azimuth"), "Results": calculator.RESULTS},
-    context_settings={"max_content_width": 100},
-)
-@click.argument("words", nargs=-1, metavar="[X Y Z]")
-@calculator.inputs("polar", "elevation", "azimuth")
-@calculator.results
-@output.options
-def command(
-    words: tuple[str, ...],
-    asked: calculator.Asked,
-    shown: output.Output,
-    **typed: str | None,
-) -> int:
+@define("direction", {"Angles": ("polar", "elevation", "azimuth")}, words="[X Y Z]")
+def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give a direction in spherical coordinates and as a unit vector.
 
     \b
@@ -41,16 +27,14 @@ def command(
     The polar angle is counted from +z, the azimuth from +x towards +y; the elevation is 90
     degrees less the polar angle.
     """
-    given = calculator.cases(typed)
+    each = cases(typed)
     coordinates = words[0].split(",") if len(words) == 1 else list(words)
-    if words and given[0][1]:
+    if words and typed:
         raise ConditionError("a vector and angles contradict each other", "one of them")
-    if not words and not given[0][1]:
+    if not words and not typed:
         raise UsageError("a direction is missing", "X Y Z, or --polar 45deg --azimuth 30deg")
     vector = _of_words(coordinates) if words else None
-    return calculator.run(
-        given, lambda g: vector or of_angles(g), asked, shown, command="direction"
-    )
+    return run(each, lambda given: vector or of_angles(given), asked, shown, "direction")
 
 
 def _of_words(coordinates: list[str]) -> Answer:
@@ -68,6 +52,6 @@ def _of_words(coordinates: list[str]) -> Answer:
             f"without {quote(parts[0][1])}",
         )
     x, y, z = (number * unit.factor for (number, _), unit in zip(parts, units, strict=True))
-    if max(abs(x), abs(y), abs(z)) > 1e100:
+    if max(abs(x), abs(y), abs(z)) > EXTREME:
         raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
     return of_vector(x, y, z, parts[0][1])

@@ -1,59 +1,27 @@
 """`radcalc etendue`."""
 
-import click
-
 from radcalc.calculators.etendue import etendue
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
-
-SECTIONS = {
-    "Source": ("area", "radius", "diameter", "width", "length", "tilt", "radiance"),
-    "Cone of its light": ("half_angle", "apex_angle", "na", "f_number"),
-    "Receiver": (
-        "receiver_area",
-        "receiver_radius",
-        "receiver_diameter",
-        "distance",
-        "incidence",
-    ),
-    "Results": calculator.RESULTS,
-}
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 
 
-@click.command(
+@define(
     "etendue",
-    cls=SectionedCommand,
-    sections=SECTIONS,
-    context_settings={"max_content_width": 100},
+    {
+        "Source": ("area", "radius", "diameter", "width", "length", "tilt"),
+        "Cone of its light": ("half-angle", "apex-angle", "na", "f-number"),
+        "Receiver": (
+            "receiver-area",
+            "receiver-radius",
+            "receiver-diameter",
+            "distance",
+            "incidence",
+        ),
+        "Light": ("radiance", "flux", "etendue"),
+    },
 )
-@calculator.inputs(
-    "area",
-    "radius",
-    "diameter",
-    "width",
-    "length",
-    "tilt",
-    "half-angle",
-    "apex-angle",
-    "na",
-    "f-number",
-    "receiver-area",
-    "receiver-radius",
-    "receiver-diameter",
-    "distance",
-    "incidence",
-    width="Width of a rectangular source.",
-    length="Length of a rectangular source.",
-    distance="Straight line from the source to the receiver.",
-)
-@calculator.quantities("radiance")
-@calculator.results
-@output.options
-def command(
-    asked: calculator.Asked,
-    shown: output.Output,
-    **typed: str | None,
-) -> int:
+def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the etendue of a source, and the flux that a radiance sends through it.
 
     \b
@@ -68,4 +36,4 @@ def command(
     A source and a cone, or a source and a receiver: two discs (--radius, --receiver-radius) that
     face each other are exact, other patches must be small beside their distance.
     """
-    return calculator.run(calculator.cases(typed), etendue, asked, shown, command="etendue")
+    return run(cases(typed), etendue, asked, shown, "etendue")

@@ -1,27 +1,20 @@
 """`radcalc ev`."""
 
-import click
+from radcalc.calculators.ev import ev
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 
-from radcalc.calculators.ev import INPUTS, ev
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
 
-
-@click.command(
+@define(
     "ev",
-    cls=SectionedCommand,
-    sections={
+    {
         "Light": ("ev100", "luminance", "illuminance"),
-        "Camera": ("ev", "f_number", "time", "iso"),
+        "Camera": ("ev", "f-number", "time", "iso"),
         "Meter": ("k", "c"),
-        "Results": calculator.RESULTS,
     },
-    context_settings={"max_content_width": 100},
 )
-@calculator.inputs(*INPUTS, time=("1/100s", "Exposure time."))
-@calculator.results
-@output.options
-def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) -> int:
+def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give exposure values, and the light that a light meter shows them for.
 
     \b
@@ -33,4 +26,4 @@ def command(asked: calculator.Asked, shown: output.Output, **typed: str | None) 
 
     --ev is that of the f-number and the time, at the ISO speed given; --ev100 is that of the light.
     """
-    return calculator.run(calculator.cases(typed, arrays=True), ev, asked, shown, command="ev")
+    return run(cases(typed, arrays=True), ev, asked, shown, "ev")

@@ -1,56 +1,33 @@
 """`radcalc lambertian [SHAPE]`."""
 
-import click
-
-from radcalc.calculators.lambertian import INPUTS, QUANTITIES, lambertian
+from radcalc.calculators.lambertian import QUANTITIES, lambertian
 from radcalc.calculators.shapes import SHAPES
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.cli import calculator
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import LIGHT, define
+from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
 
-SECTIONS = {
-    "Light": (*(name.replace("-", "_") for name in QUANTITIES), "reflectance", "time"),
-    "Source": ("area", "radius", "diameter", "width", "length", "tilt", "half_angle"),
-    "Receiver": (
-        "distance",
-        "height",
-        "offset",
-        "offset_y",
-        "corner",
-        "incidence",
-        "perpendicular",
-    ),
-    "Kinds of light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
-    "Results": calculator.RESULTS,
-}
 
-
-@click.command(
+@define(
     "lambertian",
-    cls=SectionedCommand,
-    sections=SECTIONS,
-    context_settings={"max_content_width": 100},
+    {
+        "Light": (*QUANTITIES, "reflectance", "time"),
+        "Source": ("area", "radius", "diameter", "width", "length", "tilt", "half-angle"),
+        "Receiver": (
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "corner",
+            "incidence",
+            "perpendicular",
+        ),
+        "Kinds of light": LIGHT,
+    },
+    words="[SHAPE]",
 )
-@click.argument("words", nargs=-1, metavar="[SHAPE]")
-@calculator.quantities(*QUANTITIES)
-@calculator.inputs(
-    *INPUTS,
-    distance="Straight line to the centre of the source.",
-    half_angle="Half angle of the part of a hemisphere that shines, about its zenith.",
-)
-@click.option("--corner", is_flag=True, help="The receiver is under a corner of the rectangle.")
-@click.option("--perpendicular", is_flag=True, help="Its normal runs along the rectangle's length.")
-@calculator.light_options
-@calculator.results
-@output.options
-def command(
-    words: tuple[str, ...],
-    corner: bool,
-    perpendicular: bool,
-    asked: calculator.Asked,
-    shown: output.Output,
-    **typed: str | None,
-) -> int:
+def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what follows for a diffuse source or reflector, exactly at any distance.
 
     \b
@@ -87,8 +64,5 @@ def command(
     shape = calculator.shape(words[0] if words else "patch", [*SHAPES])
     if len(words) > 1:
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one shape")
-    chosen = {"corner": corner, "perpendicular": perpendicular}
-    flags = tuple(name for name, on in chosen.items() if on)
-    each = calculator.cases(typed, arrays=True)
-    facts = {"command": "lambertian", "shape": shape}
-    return calculator.run(each, lambda g: lambertian(shape, g, flags), asked, shown, **facts)
+    each = cases(typed, arrays=True)
+    return run(each, lambda given: lambertian(shape, given), asked, shown, "lambertian", shape)

@@ -1,35 +1,19 @@
 """`radcalc photon WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY`."""
 
-import click
-
 from radcalc.calculators.photon import photon
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
-from radcalc.conversion.conditions import OPTIONS, Given, give, positive
-from radcalc.errors import ConditionError, RadcalcError, UsageError
-from radcalc.units.ranges import read_series
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
+from radcalc.cli.spelling import Shell
+from radcalc.errors import RadcalcError, UsageError, spell
 
 
-@click.command(
+@define(
     "photon",
-    cls=SectionedCommand,
-    sections={"Light": ("observer",), "Results": calculator.RESULTS},
-    context_settings={"max_content_width": 100},
+    {"Light": ("observer",)},
+    words="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY",
 )
-@click.argument("words", nargs=-1, metavar="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY")
-@click.option(
-    "--observer",
-    type=click.Choice(OPTIONS["observer"].choices),
-    help="Whose eyes the luminous efficiency is for.",
-)
-@calculator.results
-@output.options
-def command(
-    words: tuple[str, ...],
-    observer: str | None,
-    asked: calculator.Asked,
-    shown: output.Output,
-) -> int:
+def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
 
     \b
@@ -45,21 +29,28 @@ def command(
     """
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
-    seen_by = give("observer", observer) if observer else None
-    texts = read_series(" ".join(words))
-    each = [(text if len(texts) > 1 else "", {"wavelength": _read(text)}) for text in texts]
-    return calculator.run(
-        each, lambda given: photon(given["wavelength"], seen_by), asked, shown, command="photon"
-    )
-
-
-def _read(text: str) -> Given:
-    """A wavelength, frequency, wavenumber or energy, which is no option here."""
     try:
-        given = give("wavelength", text)
-        positive(given)
-    except RadcalcError as error:
-        message = error.message.replace("--wavelength", "photon")
-        hint = error.hint.replace("--wavelength", "radcalc photon")
-        raise ConditionError(message, hint) from None
-    return given
+        each = cases({"wavelength": " ".join(words), **typed})
+    except RadcalcError as error:  # the wavelength is no option here
+        error.message = spell(error.message, Operand)
+        error.hint = spell(error.hint, Command)
+        raise
+    return run(each, photon, asked, shown, "photon")
+
+
+class Operand(Shell):
+    """How a message says what was typed for the wavelength."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`photon 555`."""
+        return f"photon {value}".rstrip()
+
+
+class Command(Shell):
+    """How a hint says what to type."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`radcalc photon 555nm`."""
+        return f"radcalc photon {value}".rstrip()

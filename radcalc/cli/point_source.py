@@ -1,66 +1,38 @@
 """`radcalc point-source`."""
 
-import click
-
-from radcalc.calculators.point_source import DISTRIBUTIONS, INPUTS, QUANTITIES, point_source, spread
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
-
-SECTIONS = {
-    "Light": tuple(QUANTITIES),
-    "Its directions": (
-        "distribution",
-        "half_angle",
-        "apex_angle",
-        "solid_angle",
-        "exponent",
-        "beam_angle",
-        "field_angle",
-        "within",
-    ),
-    "The receiver": (
-        "distance",
-        "height",
-        "offset",
-        "offset_y",
-        "incidence",
-        "receiver_area",
-        "time",
-    ),
-    "Kinds of light": ("wavelength", "spectrum", "efficacy", "observer", "range", "photon_range"),
-    "Results": calculator.RESULTS,
-}
+from radcalc.calculators.point_source import QUANTITIES, point_source
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import LIGHT, define
+from radcalc.cli.options import Output
 
 
-@click.command(
+@define(
     "point-source",
-    cls=SectionedCommand,
-    sections=SECTIONS,
-    context_settings={"max_content_width": 100},
+    {
+        "Light": QUANTITIES,
+        "Its directions": (
+            "distribution",
+            "half-angle",
+            "apex-angle",
+            "solid-angle",
+            "exponent",
+            "beam-angle",
+            "field-angle",
+            "within",
+        ),
+        "The receiver": (
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "incidence",
+            "receiver-area",
+            "time",
+        ),
+        "Kinds of light": LIGHT,
+    },
 )
-@calculator.quantities(*QUANTITIES)
-@click.option(
-    "--distribution",
-    type=click.Choice(DISTRIBUTIONS),
-    help="How the light is spread (isotropic, unless an option of a cone or a lobe is given).",
-)
-@calculator.inputs(
-    *INPUTS,
-    distance="Straight line from the source to the receiver.",
-    height="Height of the source above the receiver's plane, along its axis.",
-    half_angle="Half angle of a uniform cone, from its axis to its edge.",
-    apex_angle="Full angle of a uniform cone, from edge to edge.",
-    solid_angle="Solid angle of a uniform cone.",
-)
-@calculator.light_options
-@calculator.results
-@output.options
-def command(
-    distribution: str | None,
-    asked: calculator.Asked,
-    shown: output.Output,
-    **typed: str | None,
-) -> int:
+def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what follows for a source that is small beside its distance.
 
     \b
@@ -85,13 +57,6 @@ def command(
         radcalc point-source --intensity $i --distance 2m -q -g irradiance:lx
       done | awk '{ sum += $1 } END { print sum }'
     """
-    each = calculator.cases(typed, arrays=True)
-    shape = spread(each[0][1], distribution)
-    return calculator.run(
-        each,
-        lambda given: point_source(given, distribution, asked.wants("incidence")),
-        asked,
-        shown,
-        command="point-source",
-        distribution=shape,
-    )
+    wanted = asked.wants("incidence")
+    each = cases(typed, arrays=True)
+    return run(each, lambda given: point_source(given, wanted), asked, shown, "point-source")

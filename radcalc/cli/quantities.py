@@ -2,26 +2,21 @@
 
 import click
 
-from radcalc.cli import lists, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.cli.command import define
+from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
 from radcalc.quantities.search import search
+from radcalc.render.formats import Records
 
-
-@click.command(
-    "quantities",
-    cls=SectionedCommand,
-    sections={"Names": ("lang",)},
-    context_settings={"max_content_width": 100},
-)
-@click.argument("words", nargs=-1, metavar="[SEARCH]")
-@click.option(
-    "--lang",
+LANG = click.Option(
+    ["--lang"],
     type=click.Choice(LANGUAGES),
     help="The language of the names (default: the locale's, else English).",
 )
-@output.options
-def command(words: tuple[str, ...], lang: str | None, shown: output.Output) -> None:
+
+
+@define("quantities", {"Names": (LANG,)}, words="[SEARCH]", calculates=False)
+def command(words: tuple[str, ...], lang: str | None, shown: Output) -> None:
     """List the quantities of light: names in English, Czech and Russian, symbols and units.
 
     \b
@@ -37,7 +32,7 @@ def command(words: tuple[str, ...], lang: str | None, shown: output.Output) -> N
     Words that stand for another quantity in some books (intensity, luminosity) are answered with
     the right term, and a note.
     """
-    lists.refuse_number_options(shown, "quantities")
+    refuse_number_options(shown, "quantities")
     first = lang or language()
     found = search(" ".join(words))
     order = [first, *(one for one in LANGUAGES if one != first)]
@@ -62,4 +57,4 @@ def command(words: tuple[str, ...], lang: str | None, shown: output.Output) -> N
         for q, _ in found
     ]
     notes = [f"{q.name(ENGLISH)}: {note}" for q, note in found if note]
-    lists.show(shown, rows, notes, table)
+    shown.records(Records(rows, notes, table))

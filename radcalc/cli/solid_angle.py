@@ -1,81 +1,38 @@
 """`radcalc solid-angle SHAPE`."""
 
-from typing import Any
-
-import click
-
-from radcalc.calculators.inputs import read_interval, read_point
 from radcalc.calculators.solid_angle import ALIASES, SHAPES, solid_angle
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.cli import calculator
+from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
-
-SECTIONS = {
-    "Cone": ("half_angle", "apex_angle", "projected_solid_angle", "solid_angle"),
-    "Zone": ("polar", "azimuth"),
-    "Sphere, disc, rectangle, patch": (
-        "radius",
-        "diameter",
-        "width",
-        "length",
-        "area",
-        "distance",
-        "height",
-        "offset",
-        "offset_y",
-        "corner",
-        "tilt",
-    ),
-    "Pyramid": ("horizontal", "vertical"),
-    "Polygon": ("viewpoint", "normal"),
-    "Results": calculator.RESULTS,
-}
+from radcalc.given import read_point
 
 
-@click.command(
+@define(
     "solid-angle",
-    cls=SectionedCommand,
-    sections=SECTIONS,
-    context_settings={"max_content_width": 100},
+    {
+        "Cone": ("half-angle", "apex-angle", "projected-solid-angle", "solid-angle"),
+        "Zone": ("polar", "azimuth"),
+        "Sphere, disc, rectangle, patch": (
+            "radius",
+            "diameter",
+            "width",
+            "length",
+            "area",
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "corner",
+            "tilt",
+        ),
+        "Pyramid": ("horizontal", "vertical"),
+        "Polygon": ("viewpoint", "normal"),
+    },
+    words="SHAPE [X,Y,Z ...]",
 )
-@click.argument("words", nargs=-1, metavar="SHAPE [X,Y,Z ...]")
-@calculator.inputs(
-    "half-angle",
-    "apex-angle",
-    "solid-angle",
-    "projected-solid-angle",
-    "radius",
-    "diameter",
-    "width",
-    "length",
-    "area",
-    "distance",
-    "height",
-    "offset",
-    "offset-y",
-    "tilt",
-    "horizontal",
-    "vertical",
-    solid_angle="Solid angle of the cone, or of the sphere.",
-)
-@click.option("--polar", metavar="30deg:60deg", help="Polar angles of a zone, from +z.")
-@click.option("--azimuth", metavar="0deg:90deg", help="Azimuths of a zone (default: all).")
-@click.option("--corner", is_flag=True, help="Seen from above a corner of the rectangle.")
-@click.option("--viewpoint", metavar="X,Y,Z", help="Where the polygon is seen from (0,0,0).")
-@click.option("--normal", metavar="X,Y,Z", help="Normal of the plane projected onto.")
-@calculator.results
-@output.options
-def command(
-    words: tuple[str, ...],
-    polar: str | None,
-    azimuth: str | None,
-    corner: bool,
-    viewpoint: str | None,
-    normal: str | None,
-    asked: calculator.Asked,
-    shown: output.Output,
-    **typed: str | None,
-) -> int:
+def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the solid angle of a shape, and its projected solid angle.
 
     \b
@@ -104,22 +61,14 @@ def command(
 
     One of the quantities may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
     """
-    shape, points = _shape(words)
-    each = calculator.cases(typed)  # before the words, so that `--radius 2 m` is told to write 2m
-    others: dict[str, Any] = {
-        "polar": polar and read_interval("polar", polar),
-        "azimuth": azimuth and read_interval("azimuth", azimuth),
-        "corner": corner or None,
-        "viewpoint": viewpoint and read_point(viewpoint, "--viewpoint"),
-        "normal": normal and read_point(normal, "--normal"),
-    }
-    others = {name: value for name, value in others.items() if value is not None}
-    if shape == "polygon":
-        others["points"] = [read_point(word, "the vertex") for word in points]
-    elif points:
-        raise UsageError(f"too many words: '{quote(' '.join(points))}'", "options, as in --help")
-    facts = {"command": "solid-angle", "shape": shape, "polar": others.get("polar")}
-    return calculator.run(each, lambda g: solid_angle(shape, g, others), asked, shown, **facts)
+    shape, words = _shape(words)
+    each = cases(typed, intervals=("polar", "azimuth"))  # first, so that 2 m is told to be 2m
+    if shape != "polygon" and words:
+        raise UsageError(f"too many words: '{quote(' '.join(words))}'", "options, as in --help")
+    points = [read_point(word, "the vertex") for word in words]
+    return run(
+        each, lambda given: solid_angle(shape, given, points), asked, shown, "solid-angle", shape
+    )
 
 
 def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:

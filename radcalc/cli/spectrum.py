@@ -4,10 +4,11 @@ import click
 
 from radcalc import stdio
 from radcalc.calculators.spectrum import spectrum as describe
-from radcalc.cli import calculator, output
-from radcalc.cli.sections import SectionedCommand
-from radcalc.conversion.conditions import OPTIONS, give
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.command import define
+from radcalc.cli.options import Output
 from radcalc.errors import UsageError
+from radcalc.given import SYMBOLS, Given, read
 from radcalc.spectra.sources import names, spectrum
 from radcalc.units.ranges import read_spectra
 
@@ -20,40 +21,24 @@ FORMS = (
     "FILE",
     "-",
 )
+COLUMN = click.Option(
+    ["--column"], metavar="NAME", help="The column of a file's values, by name or number."
+)
+LIST = click.Option(["--list", "list_"], is_flag=True, help="List the named sources.")
 
 
-@click.command(
+@define(
     "spectrum",
-    cls=SectionedCommand,
-    sections={
-        "Source": ("column", "list_"),
-        "Light": ("observer", "range", "photon_range"),
-        "Results": calculator.RESULTS,
-    },
-    context_settings={"max_content_width": 100},
+    {"Source": (COLUMN, LIST), "Light": ("observer", "range", "photon-range")},
+    words="SOURCE",
 )
-@click.argument("words", nargs=-1, metavar="SOURCE")
-@click.option("--column", metavar="NAME", help="The column of a file's values, by name or number.")
-@click.option("--list", "list_", is_flag=True, help="List the named sources.")
-@click.option(
-    "--observer",
-    type=click.Choice(OPTIONS["observer"].choices),
-    default="photopic",
-    help="Whose eyes the luminous efficacy is for.",
-)
-@click.option("--range", metavar="LOW:HIGH", help="Where watts are counted.")
-@click.option("--photon-range", metavar="LOW:HIGH", help="Where photons are counted.")
-@calculator.results
-@output.options
 def command(
     words: tuple[str, ...],
     column: str | None,
     list_: bool,
-    observer: str,
-    range: str | None,
-    photon_range: str | None,
-    asked: calculator.Asked,
-    shown: output.Output,
+    typed: dict[str, str],
+    asked: Asked,
+    shown: Output,
 ) -> int:
     """Describe a spectrum: peak, width, efficacies, photons, colour.
 
@@ -69,19 +54,20 @@ def command(
     band:LOW:HIGH, a file, or - for standard input.
     """
     if list_:
-        if words or asked != calculator.Asked((), False, None, None):
+        if words or typed or asked != Asked((), False, None, None):
             raise UsageError("--list lists the names, and nothing else", "radcalc spectrum --list")
         stdio.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
         return stdio.ANSWERED
     if len(words) != 1:
         problem = "a source is missing" if not words else "one source a call"
         raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")
-    limits = give("range", range).value if range else None
-    photon_limits = give("photon-range", photon_range).value if photon_range else None
+    refined = {name: read(name, text) for name, text in typed.items()}
     texts = read_spectra(words[0])
-    sources = {text if len(texts) > 1 else "": spectrum(text, column or "") for text in texts}
-    answers = [
-        (case, describe(source, limits, photon_limits, observer))
-        for case, source in sources.items()
+    each = [
+        (
+            text if len(texts) > 1 else "",
+            {"spectrum": Given(SYMBOLS["spectrum"], text, spectrum(text, column or "")), **refined},
+        )
+        for text in texts
     ]
-    return calculator.finish(answers, asked, shown, command="spectrum")
+    return run(each, describe, asked, shown, "spectrum")

@@ -1,15 +1,17 @@
 """`radcalc convert -`: standard input, line by line."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import click
 
 from radcalc import stdio
-from radcalc.cli import output
-from radcalc.conversion.conditions import Given
+from radcalc.cli.options import Output
+from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan
 from radcalc.errors import RadcalcError, UsageError
+from radcalc.given import Given
+from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.units.operands import read_stream_operands
 from radcalc.units.table import resolve
 
@@ -26,35 +28,24 @@ class Asked(NamedTuple):
     invalid: str | None
 
 
-NAMES = Asked._fields
-
-
-def options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the options to `convert`."""
-    for option in reversed(OPTIONS):
-        command = option(command)
-    return command
-
-
 OPTIONS = (
-    click.option(
-        "--field", metavar="LIST", help="Which fields are numbers: 3, 1,3, 2-4, 3-, -2 or -."
+    click.Option(
+        ["--field"], metavar="LIST", help="Which fields are numbers: 3, 1,3, 2-4, 3-, -2 or -."
     ),
-    click.option("--column", metavar="NAME", help="The field under that name in the header."),
-    click.option(
-        "-d",
-        "--delimiter",
+    click.Option(["--column"], metavar="NAME", help="The field under that name in the header."),
+    click.Option(
+        ["-d", "--delimiter"],
         metavar="X",
         help="What cuts the fields: one character, or tab (default: runs of blanks).",
     ),
-    click.option(
-        "--header",
+    click.Option(
+        ["--header"],
         type=click.IntRange(1),
         metavar="[=N]",
         help="Pass the first line through, or the first N (--header=2); --column implies 1.",
     ),
-    click.option(
-        "--invalid",
+    click.Option(
+        ["--invalid"],
         type=click.Choice(MODES),
         help="At a line that cannot be converted: stop (abort, the default), or pass it through "
         "and fail at the end (status 2), warn (status 0) or ignore it (status 0).",
@@ -62,15 +53,9 @@ OPTIONS = (
 )
 
 
-def apart(options: dict[str, Any]) -> tuple[Asked, dict[str, Any]]:
-    """The options for streams, and the others."""
-    asked = Asked(*(options[name] for name in NAMES))
-    return asked, {name: value for name, value in options.items() if name not in NAMES}
-
-
 def refuse(asked: Asked) -> None:
     """Refuse an option for streams where there is none."""
-    for name, value in zip(NAMES, asked, strict=True):
+    for name, value in zip(Asked._fields, asked, strict=True):
         if value is not None:
             raise UsageError(
                 f"--{name} is for lines of standard input", "radcalc convert - UNIT TARGET"
@@ -88,7 +73,7 @@ def convert(
     asked: Asked,
     cases: Sequence[tuple[str, list[Given]]],
     steps: bool,
-    shown: output.Output,
+    shown: Output,
 ) -> int:
     """Convert standard input; return the exit status."""
     from radcalc.streams.fields import Cut, Fields, read_delimiter
@@ -98,17 +83,17 @@ def convert(
     source_text, target_text = read_stream_operands(words)
     given = _given(cases, steps)
     format_ = click.get_current_context().params.get("format_")
-    if format_ in (output.TABLE, output.CSV):
+    if format_ in (TABLE, CSV):
         raise UsageError(f"--format {format_} is not for a stream", "--format plain or json")
-    as_json = shown.format == output.JSON
+    as_json = shown.format == JSON
     target = resolve(target_text)
     said: set[str] = set()
 
     def planned(unit: str) -> Plan:
         made = plan(resolve(unit), target, given)
-        if not (shown.quiet or as_json):
+        if not (not shown.style.remarks or as_json):
             lines = stdio.remarks(made.assumptions, made.notes)
-            stdio.say([line for line in dict.fromkeys(lines) if line not in said])
+            stdio.say([spelled(line) for line in dict.fromkeys(lines) if line not in said])
             said.update(lines)
         return made
 
@@ -127,17 +112,17 @@ def convert(
     fields = Fields("1" if asked.field is None else asked.field)
     texts: Numbers | Quantities
     if source_text:
-        texts = Numbers(planned(source_text), shown.precision)
+        texts = Numbers(planned(source_text), shown.style.precision)
     else:
         blank = " " if cut else "\t"
-        unit = "" if shown.number else blank + target_text
-        texts = Quantities(planned, unit.encode(), shown.precision)
+        unit = "" if shown.style.bare else blank + target_text
+        texts = Quantities(planned, unit.encode(), shown.style.precision)
 
     def record(line: int, field: int | None, made: Plan, value: float) -> str:
         from radcalc.render import json
 
         place = {"line": line, "field": field} if field else {"line": line}
-        return json.render(answer(made, value), shown.precision, place)
+        return json.one(answer(made, value).spelled(spelled), shown.style, place)
 
     header = asked.header or (1 if asked.column is not None else 0)
     stream = Stream(texts, cut, fields, asked.column or "", header, record if as_json else None)
@@ -156,4 +141,4 @@ def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]
 
 def _complain(error: RadcalcError) -> None:
     """Say what is wrong with a line, and nothing more: there may be many."""
-    stdio.say([f"radcalc: {error.message}"])
+    stdio.say([f"radcalc: {spelled(error.message)}"])

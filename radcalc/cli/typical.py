@@ -1,21 +1,14 @@
 """`radcalc typical [SEARCH]`: values for orientation, with their sources."""
 
-import click
-
-from radcalc.cli import lists, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.cli.command import define
+from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import translate
 from radcalc.quantities.typical import search
+from radcalc.render.formats import CSV, JSON, Records
 
 
-@click.command(
-    "typical",
-    cls=SectionedCommand,
-    context_settings={"max_content_width": 100},
-)
-@click.argument("words", nargs=-1, metavar="[SEARCH]")
-@output.options
-def command(words: tuple[str, ...], shown: output.Output) -> None:
+@define("typical", {}, words="[SEARCH]", calculates=False)
+def command(words: tuple[str, ...], shown: Output) -> None:
     """List typical values: sun, sky, moon and lamps, with sources.
 
     \b
@@ -27,12 +20,12 @@ def command(words: tuple[str, ...], shown: output.Output) -> None:
 
     Where a table of lecture notes is wrong, the corrected value is given, and a note says so.
     """
-    lists.refuse_number_options(shown, "typical")
+    refuse_number_options(shown, "typical")
     found = search(" ".join(words))
     fields: tuple[str, ...] = ("what", "quantity", "value", "unit", "source", "note")
-    if shown.format in (output.JSON, output.CSV):
+    if shown.format in (JSON, CSV):
         fields = (*fields, "low", "high")
     rows = [{field: getattr(value, field) for field in fields} for value in found]
-    table = [{**row, "quantity": translate(row["quantity"], shown.language)} for row in rows]
+    table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
     notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in found if v.note]
-    lists.show(shown, rows, notes, table, right=("value",))
+    shown.records(Records(rows, notes, table, right=("value",)))

@@ -1,24 +1,17 @@
 """`radcalc units [SEARCH]`: which units there are, what they are worth, and says who."""
 
-import click
-
-from radcalc.cli import lists, output
-from radcalc.cli.sections import SectionedCommand
+from radcalc.cli.command import define
+from radcalc.cli.options import Output, refuse_number_options
 from radcalc.errors import UnitError, nearest, quote
 from radcalc.quantities.language import translate
 from radcalc.quantities.units import Entry, entry, quantity_names, search
+from radcalc.render.formats import Records
 
 
-@click.command(
-    "units",
-    cls=SectionedCommand,
-    context_settings={"max_content_width": 100},
-)
-@click.argument("words", nargs=-1, metavar="[SEARCH]")
-@output.options
+@define("units", {}, words="[SEARCH]", calculates=False)
 def command(
     words: tuple[str, ...],
-    shown: output.Output,
+    shown: Output,
 ) -> None:
     """List the units, with their definitions and sources.
 
@@ -29,12 +22,12 @@ def command(
       radcalc units lambert            the units with that in their name
       radcalc units cd/m2              what a unit measures, and its fellows
     """
-    lists.refuse_number_options(shown, "units")
+    refuse_number_options(shown, "units")
     found = search(" ".join(words)) or _same_quantity(" ".join(words))
     rows = [e._asdict() for e in found]
     rows = [{"unit": row.pop("name"), **row} for row in rows]
-    table = [{**row, "quantity": translate(row["quantity"], shown.language)} for row in rows]
-    lists.show(shown, rows, [e.note for e in found if e.note], table)
+    table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
+    shown.records(Records(rows, [e.note for e in found if e.note], table))
 
 
 def _same_quantity(text: str) -> list[Entry]:

@@ -1,424 +1,459 @@
 """What stands between two different quantities, and which of the given conditions supply it.
 
-The two quantities' facts (kind, time, area, solid angle, axis of density) are subtracted; each
-difference needs a condition.  Area and solid angle can be bridged in more than one way, so there
-the exponents -1, 0, +1 of the conditions are searched: no way is a refusal that names what is
-missing, and a condition without use, or one too many, is refused as well.
+The two quantities' facts (kind, axis of density, time, area and solid angle) are compared, and
+each difference needs a condition.  Area and solid angle go together and can be bridged in several
+ways: those are the rows of `WAYS`.  Where nothing given is enough, what is missing is named; a
+condition without use, or one too many, is refused as well.
 """
 
-from collections.abc import Iterable, Sequence
-from itertools import product
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
 
-from radcalc.conversion import conditions as c
 from radcalc.conversion import geometric, spectral
-from radcalc.conversion.conditions import Factor, Given
-from radcalc.errors import ConditionError, ConversionError, RadcalcError, quote
+from radcalc.conversion.conditions import (
+    AREA,
+    BAND,
+    CONE,
+    DISTANCE,
+    LINK,
+    PUPIL,
+    REFLECTANCE,
+    TIME,
+    Conditions,
+    Factor,
+)
+from radcalc.errors import (
+    ConditionError,
+    ConversionError,
+    MissingCondition,
+    RadcalcError,
+    Unused,
+    command,
+    manual,
+    option,
+    options,
+    quote,
+)
+from radcalc.given import Given
 from radcalc.maths import any_true
 from radcalc.quantities.light import (
-    FREQUENCY,
     KIND_NAMES,
     LUMINOUS,
     NONE,
+    PER_FREQUENCY,
+    PER_WAVENUMBER,
     PHOTON,
     RADIANT,
-    SOLID_ANGLE,
-    WAVENUMBER,
     Reading,
     describe,
     is_exitance,
     is_per_length,
-    powers,
     read,
 )
+from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.dimensions import ANGLE, PER_TIME, SOLID_ANGLE
 from radcalc.units.table import Unit
 
 Links = list[tuple[Factor, int]]
 
-# What multiplying by each condition does to the powers of 1/area and 1/solid angle.
-SPATIAL = {
-    c.AREA_SLOT: (-1, 0),
-    c.CONE: (0, -1),
-    c.DISTANCE: (1, -1),
-    c.REFLECTANCE: (0, 1),
+# ---------------------------------------------------------------------------------------------
+# Area and solid angle
+
+
+class Way(NamedTuple):
+    """The powers of the conditions that lead from one geometry to another.
+
+    `supply` gives the factor of each; a way that nobody thinks of first is not suggested to
+    somebody who gave nothing.
+    """
+
+    powers: dict[str, int]
+    supply: dict[str, Callable[[Conditions], Factor]]
+    is_suggested: bool = True
+    extends: bool = True  # whether it is suggested to somebody who gave a part of it
+
+
+def _area(conditions: Conditions) -> Factor:
+    return geometric.area(conditions.take(AREA))
+
+
+def _far_area(conditions: Conditions) -> Factor:
+    factor = geometric.area(conditions.take(AREA))
+    geometric.refuse_near(factor, conditions.given[DISTANCE])
+    return factor
+
+
+def _cone(conditions: Conditions) -> Factor:
+    return geometric.solid_angle(conditions.take(CONE))
+
+
+def _projected_cone(conditions: Conditions) -> Factor:
+    return geometric.projected_solid_angle(conditions.take(CONE))
+
+
+def _inverse_square(conditions: Conditions) -> Factor:
+    return geometric.inverse_square(conditions.take(DISTANCE), conditions.use("incidence"))
+
+
+def _reflector(conditions: Conditions) -> Factor:
+    return geometric.reflector(conditions.take(REFLECTANCE))
+
+
+def _disc(conditions: Conditions) -> Factor:
+    source, distance = conditions.take(AREA), conditions.take(DISTANCE)
+    return geometric.disc(source, distance, conditions.use("incidence"))
+
+
+PLAIN = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
+AT_RADIANCE = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
+FAR = {**PLAIN, AREA: _far_area}
+DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
+
+FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
+# From the first geometry (powers of 1/area and 1/solid angle) to the second; back, the powers
+# change their sign.  Of the ways that begin with what is given, the first two are suggested.
+WAYS = {
+    (FLUX, INTENSITY): (Way({CONE: -1}, PLAIN),),
+    (FLUX, IRRADIANCE): (
+        Way({AREA: -1}, PLAIN),
+        Way({CONE: -1, DISTANCE: 1}, PLAIN),
+    ),
+    (FLUX, RADIANCE): (
+        Way({AREA: -1, REFLECTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: -1}, AT_RADIANCE),
+        Way({CONE: -1, DISTANCE: 1, REFLECTANCE: 1}, PLAIN, False, False),
+    ),
+    (INTENSITY, IRRADIANCE): (
+        Way({DISTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: 1}, PLAIN, False, False),
+    ),
+    (INTENSITY, RADIANCE): (
+        Way({AREA: -1}, PLAIN),
+        Way({DISTANCE: 1, REFLECTANCE: 1}, PLAIN),
+        Way({AREA: -1, CONE: 1, REFLECTANCE: 1}, PLAIN, False, False),
+    ),
+    (IRRADIANCE, RADIANCE): (
+        Way({REFLECTANCE: 1}, PLAIN),
+        Way({CONE: -1}, AT_RADIANCE),
+        Way({AREA: -1, DISTANCE: -1}, FAR, False),
+    ),
 }
-# The sets of them that are worth suggesting to somebody who gave none.
-SUGGESTED = (
-    {c.CONE},
-    {c.REFLECTANCE},
-    {c.AREA_SLOT},
-    {c.DISTANCE},
-    {c.AREA_SLOT, c.REFLECTANCE},
-    {c.DISTANCE, c.REFLECTANCE},
-)
-PROJECTED = "projected solid angle"
-KIND, AXIS, PER_LENGTH = "kind", "axis", "per length"
-# What is missing, and the options that supply it.
+
+
+def ways(start: tuple[int, int], end: tuple[int, int]) -> tuple[tuple[Way, ...], int]:
+    """The ways between two geometries, and the sign of their powers in that direction."""
+    if (start, end) in WAYS:
+        return WAYS[start, end], 1
+    return WAYS.get((end, start), ()), -1
+
+
+def _space(bridge: "_Bridge", start: Reading, end: Reading) -> Links:
+    """Between flux, intensity, irradiance and radiance."""
+    conditions = bridge.conditions
+    given = {slot for slot in PLAIN if slot in conditions.given}
+    here, there = start.geometry[1:], end.geometry[1:]
+    if here == there:
+        return []
+    rows, sign = ways(here, there)
+    radiance = start.is_radiance or end.is_radiance
+    if is_exitance(bridge.source) or is_exitance(bridge.target):
+        # what leaves the source's surface: nothing is on the way yet
+        rows = tuple(way for way in rows if not {DISTANCE, REFLECTANCE} & set(way.powers))
+    elif rows is WAYS[IRRADIANCE, RADIANCE] and _is_round(conditions, given):
+        return _applied(DISC, sign, conditions)
+    whole = [way for way in rows if given.issuperset(way.powers)]
+    if len(whole) > 1:
+        flags = options((conditions.given[slot].name for slot in PLAIN if slot in given), " and ")
+        raise ConditionError(f"{bridge.heading}: over-specified by {flags}", "fewer of them")
+    if whole and DISTANCE in given and DISTANCE not in whole[0].powers and CONE not in given:
+        # a distance that finds no use beside an area: the lamp's cone is what is missing
+        lamps = [way for way in rows if set(way.powers) == {CONE, DISTANCE}]
+        if lamps:
+            bridge.want_space(lamps, {DISTANCE})
+            return []
+    if whole:
+        return _applied(whole[0], sign, conditions)
+    if radiance and given == {DISTANCE} and any(way.supply is FAR for way in rows):
+        conditions.take(DISTANCE)
+        bridge.lacking["size"] = (
+            "the size of the source",
+            f"{option('radius', 'R')} or {option('area', 'A')}",
+        )
+    else:
+        bridge.want_space(rows, given)
+    return []
+
+
+def _is_round(conditions: Conditions, given: set[str]) -> bool:
+    """Whether a radius or a diameter, and a distance, are what is given."""
+    return given == {AREA, DISTANCE} and conditions.given[AREA].name != "area"
+
+
+def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
+    """The factors of a way; nothing follows from no light."""
+    links = []
+    for slot, power in way.powers.items():
+        factor = way.supply[slot](conditions)
+        if power * sign < 0 and any_true(factor.value == 0):
+            raise ConditionError(
+                f"{factor.assumption}: no light arrives, so nothing follows from it",
+                "a reflectance above 0, and an incidence below 90 deg",
+            )
+        links.append((factor, power * sign))
+    return links
+
+
+# ---------------------------------------------------------------------------------------------
+# What is missing
+
+KIND, AXIS, PER_LENGTH, PROJECTED = "kind", "axis", "per length", "projected solid angle"
+_WAVELENGTH = option("wavelength", "LAMBDA")
+_CONE = option("half-angle", "ANGLE")
+# What is missing, and the symbols that supply it.
 WANTED = {
     KIND: (
         "a wavelength, a spectrum or an efficacy",
-        "--wavelength LAMBDA, --spectrum SOURCE or --efficacy RATIO",
+        f"{_WAVELENGTH}, {option('spectrum', 'SOURCE')} or {option('efficacy', 'RATIO')}",
     ),
-    AXIS: ("a wavelength", "--wavelength LAMBDA"),
+    AXIS: ("a wavelength", _WAVELENGTH),
     PER_LENGTH: (
         "a length",
-        "the number times that length (--bandwidth is for densities written with nm, um, angstrom)",
+        f"the number times that length ({option('bandwidth')} is for densities written with nm, "
+        "um, angstrom)",
     ),
-    c.BAND: ("a bandwidth", "--bandwidth WIDTH"),
-    c.TIME: ("a time", "--time T"),
-    c.PUPIL: ("the pupil's diameter", "--pupil DIAMETER"),
-    c.AREA_SLOT: ("an area", "--area A"),
-    c.CONE: ("a solid angle", "--isotropic, --half-angle ANGLE or --solid-angle OMEGA"),
-    PROJECTED: ("a projected solid angle", "--half-angle ANGLE or --hemisphere"),
-    c.DISTANCE: ("a distance", "--distance D"),
-    c.REFLECTANCE: ("a reflectance", "--reflectance RHO"),
+    BAND: ("a bandwidth", option("bandwidth", "WIDTH")),
+    TIME: ("a time", option("time", "T")),
+    PUPIL: ("the pupil's diameter", option("pupil", "DIAMETER")),
+    AREA: ("an area", option("area", "A")),
+    CONE: (
+        "a solid angle",
+        f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}",
+    ),
+    PROJECTED: ("a projected solid angle", f"{_CONE} or {option('hemisphere')}"),
+    DISTANCE: ("a distance", option("distance", "D")),
+    REFLECTANCE: ("a reflectance", option("reflectance", "RHO")),
 }
 
 
-class _Search:
-    """The conditions given, by slot, and which have found a use."""
+class _Bridge:
+    """Two units of different quantities, the conditions between them, and what is lacking."""
 
     def __init__(self, source: Unit, target: Unit, given: Sequence[Given]) -> None:
-        self.source = source
-        self.target = target
-        self.given: dict[str, Given] = {}
-        self.used: set[str] = set()
-        self.missing: dict[str, tuple[str, str]] = {}
-        for one in given:
-            slot = one.option.name if one.option.slot == c.REFINES else one.option.slot
-            if slot in self.given:
-                raise ConditionError(
-                    f"{self.given[slot].flag} and {one.flag} contradict each other: "
-                    f"both supply {'the link of kinds' if slot == c.LINK else f'the {slot}'}",
-                    "one of them",
-                )
-            self.given[slot] = one
+        self.source, self.target = source, target
+        self.conditions = Conditions(given)
+        self.lacking: dict[str, tuple[str, str]] = {}
 
-    def use(self, slot: str) -> Given | None:
-        """Take a condition, so that it counts as used."""
-        if slot in self.given:
-            self.used.add(slot)
-        return self.given.get(slot)
+    @property
+    def heading(self) -> str:
+        return f"cannot convert {describe(self.source)} to {describe(self.target)}"
 
-    def want(self, slot: str) -> None:
-        """Note that a condition is missing."""
-        self.missing[slot] = WANTED[slot]
+    def want(self, what: str) -> None:
+        """Note that something is missing."""
+        self.lacking[what] = WANTED[what]
+
+    def want_space(self, rows: Iterable[Way], given: set[str]) -> None:
+        """Note which spatial conditions are missing beside those given: two ways at most."""
+        rows = tuple(rows)
+        extending = [way for way in rows if way.extends and given and given < set(way.powers)]
+        sensible = [way for way in rows if way.is_suggested] or list(rows)
+        alternatives: dict[str, str] = {}
+        for way in (extending or sensible)[:2]:
+            self.conditions.used |= given & set(way.powers)
+            wanted = [
+                PROJECTED if slot == CONE and way.supply is AT_RADIANCE else slot
+                for slot in PLAIN
+                if slot in way.powers and slot not in given
+            ]
+            phrases, hints = zip(*(WANTED[slot] for slot in wanted), strict=True)
+            alternatives[" and ".join(phrases)] = " with ".join(hints)
+        plain = all(" and " not in phrase for phrase in alternatives)
+        phrase = (" or " if plain else ", or ").join(alternatives)
+        self.lacking["space"] = (phrase, ", or ".join(alternatives.values()))
 
     def wavelength(self) -> spectral.Light | None:
         """The wavelength given, or None; used, with its observer where it is one of light seen."""
-        given = self.given.get(c.LINK)
-        if given is None or given.option.name != "wavelength":
+        given = self.conditions.given.get(LINK)
+        if given is None or given.name != "wavelength":
             return None
-        self.used.add(c.LINK)
-        return spectral.light(given, self.given.get("observer"))
+        self.conditions.used.add(LINK)
+        return spectral.light(given, self.conditions.given.get("observer"))
 
-    def heading(self) -> str:
-        return f"cannot convert {describe(self.source)} to {describe(self.target)}"
+    def refuse(self) -> None:
+        """Refuse what is missing, and what has no use."""
+        unused = self.conditions.unused
+        if AXIS in self.lacking:
+            self.lacking.pop(KIND, None)  # a wavelength supplies both
+        if self.lacking:
+            raise self._missing(unused)
+        if unused:
+            between = f"in converting {describe(self.source)} to {describe(self.target)}"
+            raise Unused(unused, between)
+
+    def _missing(self, unused: Sequence[str]) -> MissingCondition:
+        phrases, hints = zip(*self.lacking.values(), strict=True)
+        several = len(phrases) > 1
+        listed = several and any(" or " in phrase for phrase in phrases)
+        comma = "," if listed or any(", or " in phrase for phrase in phrases) else ""
+        message = (
+            f"{self.heading}: {f'{comma} and '.join(phrases)}{comma} "
+            f"{'are' if several else 'is'} missing"
+        )
+        if unused:
+            useless = options(unused, " and ")
+            message += f"; {useless} {'has' if len(unused) == 1 else 'have'} no use"
+        hint = f"{'; and '.join(hints)} (see {manual('convert')})"
+        return MissingCondition(message, hint, self.source.text, self.target.text, phrases)
+
+
+# ---------------------------------------------------------------------------------------------
+# Everything between two quantities
 
 
 def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
     """Find the factors, with their powers, that turn the source's quantity into the target's."""
-    search = _Search(source, target, given)
+    bridge = _Bridge(source, target, given)
     start, end = read(source), read(target)
     links: Links = []
     if source.dimension != target.dimension:
         if start is None or end is None:
-            raise _unlike(search)
-        links += _kind(search, start, end)
-        links += _axis(search, start, end)
-        links += _time(search, start, end)
-        links += _pupil(search, start, end)
-        links += _space(search, start, end)
-    unused = [one.flag for slot, one in search.given.items() if slot not in search.used]
-    useless = f"{' and '.join(unused)} {'has' if len(unused) == 1 else 'have'} no use"
-    if AXIS in search.missing:
-        search.missing.pop(KIND, None)  # a wavelength supplies both
-    if search.missing:
-        phrases, hints = zip(*search.missing.values(), strict=True)
-        several = len(phrases) > 1
-        listed = several and any(" or " in phrase for phrase in phrases)
-        comma = "," if listed or any(", or " in phrase for phrase in phrases) else ""
-        raise ConversionError(
-            f"{search.heading()}: {f'{comma} and '.join(phrases)}{comma} "
-            f"{'are' if several else 'is'} missing" + (f"; {useless}" if unused else ""),
-            f"{'; and '.join(hints)} (see radcalc convert --help)",
-        )
-    if unused:
-        raise ConditionError(
-            f"{useless} in converting {describe(source)} to {describe(target)}",
-            f"the same without {' and '.join(unused)}",
-        )
+            raise _unlike(bridge)
+        links += _kind(bridge, start, end)
+        links += _axis(bridge, start, end)
+        links += _time(bridge, start, end)
+        links += _pupil(bridge, start, end)
+        links += _space(bridge, start, end)
+    bridge.refuse()
     return links
 
 
-def _unlike(search: _Search) -> RadcalcError:
+def _unlike(bridge: _Bridge) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
-    per_second = powers(time=-1)
-    if per_second in (search.source.dimension, search.target.dimension):
+    source, target, heading = bridge.source, bridge.target, bridge.heading
+    if PER_TIME in (source.dimension, target.dimension):
         return ConversionError(
-            f"{search.heading()}: a frequency counts cycles", "Hz, or cycle/s, for a frequency"
+            f"{heading}: a frequency counts cycles", "Hz, or cycle/s, for a frequency"
         )
-    spectral = c.OPTIONS["wavelength"].dimensions
-    if search.source.dimension in spectral and search.target.dimension in spectral:
+    spectral_units = SYMBOLS["wavelength"].dimensions
+    if source.dimension in spectral_units and target.dimension in spectral_units:
         return ConversionError(
-            f"{search.heading()}: no condition links them, but a photon has both",
-            f"radcalc photon 1{quote(search.source.text)}, with your number",
+            f"{heading}: no condition links them, but a photon has both",
+            f"{command('photon', f'1{quote(source.text)}')}, with your number",
         )
-    if {search.source.dimension, search.target.dimension} == {c.ANGLE, SOLID_ANGLE}:
-        option = "half-angle" if search.source.dimension == c.ANGLE else "solid-angle"
+    if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
+        name = "half-angle" if source.dimension == ANGLE else "solid-angle"
+        cone = command("solid-angle", "cone", **{name: f"1{quote(source.text)}"})
         return ConversionError(
-            f"{search.heading()}: no condition links them, a solid angle depends on the shape",
-            f"radcalc solid-angle cone --{option} 1{quote(search.source.text)}, with your number",
+            f"{heading}: no condition links them, a solid angle depends on the shape",
+            f"{cone}, with your number",
         )
-    hint = "radcalc units UNIT, which shows what a unit measures"
-    if notes := search.source.notes + search.target.notes:
+    hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
+    if notes := source.notes + target.notes:
         hint = "; ".join(notes)
-    elif search.target.atoms and all(power < 0 for _, power in search.target.atoms):
-        both = f"{search.source.text} {search.target.text}"
+    elif target.atoms and all(power < 0 for _, power in target.atoms):
+        both = f"{source.text} {target.text}"
         hint = f"quotes around '{quote(both)}', if that is one unit"
     return ConversionError(
-        f"{search.heading()}: they are different quantities, and no condition links them", hint
+        f"{heading}: they are different quantities, and no condition links them", hint
     )
 
 
-def _kind(search: _Search, start: Reading, end: Reading) -> Links:
+def _kind(bridge: _Bridge, start: Reading, end: Reading) -> Links:
     """Between radiant, luminous and photon."""
     if start.kind == end.kind:
         return []
-    light = search.wavelength()
+    light = bridge.wavelength()
     if light is not None:
         if LUMINOUS in (start.kind, end.kind):
-            search.use("observer")
+            bridge.conditions.use("observer")
         return [(spectral.kind_factor(light, end.kind, start.kind), 1)]
-    given = search.use(c.LINK)
+    given = bridge.conditions.use(LINK)
     if given is None:
-        search.want(KIND)
+        bridge.want(KIND)
         return []
-    if given.option.name == "spectrum":
-        return [(_spectral(search, given, start, end), 1)]
+    if given.name == "spectrum":
+        return [(_of_spectrum(bridge, given, start, end), 1)]
     factor = spectral.given_ratio(given, end.kind, start.kind)
     if factor is None:
+        both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
         raise ConditionError(
-            f"--efficacy {given.text} does not link {KIND_NAMES[start.kind]} "
-            f"and {KIND_NAMES[end.kind]} quantities",
-            {
-                "ev": "--efficacy 93lm/W",
-                "ep": "--efficacy 2.1umol/J",
-                "pv": "--efficacy 54lm.s/umol",
-            }["".join(sorted((start.kind, end.kind)))],
+            f"{option('efficacy', given.text)} does not link {both} quantities",
+            option("efficacy", EXAMPLES[frozenset((start.kind, end.kind))]),
         )
     return [(factor, 1)]
 
 
-def _spectral(search: _Search, given: Given, start: Reading, end: Reading) -> Factor:
+EXAMPLES = {
+    frozenset((RADIANT, LUMINOUS)): "93lm/W",
+    frozenset((RADIANT, PHOTON)): "2.1umol/J",
+    frozenset((LUMINOUS, PHOTON)): "54lm.s/umol",
+}
+
+
+def _of_spectrum(bridge: _Bridge, given: Given, start: Reading, end: Reading) -> Factor:
     """By a whole spectrum, with what refines it."""
     if start.axis or end.axis:
         raise ConditionError(
-            f"{search.heading()}: --spectrum links whole bands, not spectral densities",
-            "--wavelength LAMBDA for a density",
+            f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
+            f"{_WAVELENGTH} for a density",
         )
-    both = {start.kind, end.kind}
+    both, use = {start.kind, end.kind}, bridge.conditions.use
     return spectral.spectral_factor(
         given,
         end.kind,
         start.kind,
-        search.use("range") if RADIANT in both else None,
-        search.use("photon-range") if PHOTON in both else None,
-        search.use("observer") if LUMINOUS in both else None,
+        use("range") if RADIANT in both else None,
+        use("photon-range") if PHOTON in both else None,
+        use("observer") if LUMINOUS in both else None,
     )
 
 
-def _axis(search: _Search, start: Reading, end: Reading) -> Links:
+def _axis(bridge: _Bridge, start: Reading, end: Reading) -> Links:
     """Between spectral densities, and between a density and a band."""
     if start.axis == end.axis:
         return []
     if NONE not in (start.axis, end.axis):
-        return _jacobian(search, start.axis, end.axis)
-    band = search.use(c.BAND)
+        return _jacobian(bridge, start.axis, end.axis)
+    band = bridge.conditions.use(BAND)
     if band is None:
-        strip = any(is_per_length(unit) for unit in (search.source, search.target))
-        search.want(PER_LENGTH if strip else c.BAND)
+        strip = any(is_per_length(unit) for unit in (bridge.source, bridge.target))
+        bridge.want(PER_LENGTH if strip else BAND)
         return []
-    of_kind = search.given.get(c.LINK) if start.kind != end.kind else None
+    of_kind = bridge.conditions.given.get(LINK) if start.kind != end.kind else None
     width = spectral.bandwidth(band, of_kind)
     if end.axis == NONE:
-        return [*_jacobian(search, start.axis, spectral.band_axis(band)), (width, 1)]
-    return [(width, -1), *_jacobian(search, spectral.band_axis(band), end.axis)]
+        return [*_jacobian(bridge, start.axis, spectral.band_axis(band)), (width, 1)]
+    return [(width, -1), *_jacobian(bridge, spectral.band_axis(band), end.axis)]
 
 
-def _jacobian(search: _Search, start: str, end: str) -> Links:
+def _jacobian(bridge: _Bridge, start: str, end: str) -> Links:
     if start == end:
         return []
-    if {start, end} == {FREQUENCY, WAVENUMBER}:
+    if {start, end} == {PER_FREQUENCY, PER_WAVENUMBER}:
         return [(spectral.jacobian(None, start, end), 1)]
-    light = search.wavelength()
+    light = bridge.wavelength()
     if light is None:
-        search.want(AXIS)
+        bridge.want(AXIS)
         return []
     return [(spectral.jacobian(light, start, end), 1)]
 
 
-def _time(search: _Search, start: Reading, end: Reading) -> Links:
+def _time(bridge: _Bridge, start: Reading, end: Reading) -> Links:
     """Between energy and flux, exposure and irradiance."""
     if start.time == end.time:
         return []
-    given = search.use(c.TIME)
+    given = bridge.conditions.use(TIME)
     if given is None:
-        search.want(c.TIME)
+        bridge.want(TIME)
         return []
     return [(geometric.duration(given), end.time - start.time)]
 
 
-def _pupil(search: _Search, start: Reading, end: Reading) -> Links:
+def _pupil(bridge: _Bridge, start: Reading, end: Reading) -> Links:
     """Between luminance and trolands."""
     if start.retinal == end.retinal:
         return []
-    given = search.use(c.PUPIL)
+    given = bridge.conditions.use(PUPIL)
     if given is None:
-        search.want(c.PUPIL)
+        bridge.want(PUPIL)
         return []
     return [(geometric.pupil(given), 1 if end.retinal else -1)]
-
-
-def ways(start: Reading, end: Reading) -> list[dict[str, int]]:
-    """Every set of exponents of the spatial conditions that bridges area and solid angle."""
-    wanted = (end.area - start.area, end.solid_angle - start.solid_angle)
-    found = []
-    for exponents in product((0, 1, -1), repeat=len(SPATIAL)):
-        moved = tuple(
-            sum(p * step[i] for p, step in zip(exponents, SPATIAL.values(), strict=True))
-            for i in (0, 1)
-        )
-        way = {slot: power for slot, power in zip(SPATIAL, exponents, strict=True) if power}
-        # A reflector turns irradiance into radiance, whatever else has that dimension.
-        reflects = end.is_radiance - start.is_radiance
-        fits = moved == wanted and way.get(c.REFLECTANCE, reflects) == reflects
-        if fits and _is_physical(set(way), start.is_radiance or end.is_radiance):
-            found.append(way)
-    return found
-
-
-def _is_physical(slots: set[str], radiance: bool) -> bool:
-    """Whether the conditions mean together what their dimensions say.
-
-    An area and a distance are the far field of a source, between radiance and irradiance
-    alone: an area at a distance from a small source catches a cone of its light, no more than
-    a sphere's worth.  A cone and a distance are a lamp's: between radiance and intensity the
-    one would be exact and the other a far field.
-    """
-    if {c.AREA_SLOT, c.DISTANCE} <= slots:
-        return radiance and len(slots) == 2
-    return not (radiance and {c.CONE, c.DISTANCE} <= slots and c.REFLECTANCE not in slots)
-
-
-def _space(search: _Search, start: Reading, end: Reading) -> Links:
-    """Between flux, intensity, irradiance and radiance."""
-    radiance = start.is_radiance or end.is_radiance
-    exitance = is_exitance(search.source) or is_exitance(search.target)
-    across = start.area == end.area and start.solid_angle != end.solid_angle
-    if radiance and across and not exitance:
-        seen = _disc(search, end.solid_angle < start.solid_angle)
-        if seen:
-            return seen
-    given = set(SPATIAL) & set(search.given)
-    open_ways = ways(start, end)
-    if exitance:  # it leaves the source's surface: nothing is on the way yet
-        open_ways = [way for way in open_ways if not {c.DISTANCE, c.REFLECTANCE} & set(way)]
-    inside = [way for way in open_ways if set(way) <= given]
-    if len(inside) > 1:
-        flags = [search.given[slot].flag for slot in SPATIAL if slot in given]
-        raise ConditionError(
-            f"{search.heading()}: over-specified by {' and '.join(flags)}",
-            "fewer of them",
-        )
-    if inside and c.DISTANCE in given - set(inside[0]):
-        # a distance that finds no use beside an area: the lamp's cone is what is missing
-        cones = [way for way in open_ways if set(way) == {c.CONE, c.DISTANCE}]
-        if cones and c.CONE not in given:
-            _want_space(search, cones, {c.DISTANCE}, radiance)
-            return []
-    if not inside:
-        _want_space(search, open_ways, given, radiance)
-        return []
-    return _apply(search, inside[0], radiance)
-
-
-def _is_projected(slots: Iterable[str], radiance: bool) -> bool:
-    """Whether a cone stands between a radiance and an irradiance, exitance or flux.
-
-    With a reflector it does not: there the cone is the lamp's, between flux and intensity.
-    """
-    return radiance and c.REFLECTANCE not in slots
-
-
-def _want_space(
-    search: _Search, open_ways: list[dict[str, int]], given: set[str], radiance: bool
-) -> None:
-    """Note which spatial conditions are missing beside those given: the two shortest ways."""
-    possible = sorted((set(way) for way in open_ways), key=len)
-    pair = {c.AREA_SLOT, c.CONE} if radiance else {c.CONE, c.DISTANCE}
-    far = {c.AREA_SLOT, c.DISTANCE} if radiance else pair
-    extending = [
-        way for way in possible if given and given < way and way in (*SUGGESTED, pair, far)
-    ]
-    sensible = [way for way in possible if way in SUGGESTED or way == pair] or possible
-    alternatives: dict[str, str] = {}
-    if radiance and given == {c.DISTANCE} and {c.AREA_SLOT, c.DISTANCE} in possible:
-        search.used.add(c.DISTANCE)
-        search.missing[c.AREA_SLOT] = ("the size of the source", "--radius R or --area A")
-        return
-    for slots in (extending or sensible)[:2]:
-        search.used |= slots & given
-        cone = PROJECTED if _is_projected(slots, radiance) else c.CONE
-        needed = [cone if slot == c.CONE else slot for slot in SPATIAL if slot in slots - given]
-        phrases, hints = zip(*(WANTED[slot] for slot in needed), strict=True)
-        alternatives[" and ".join(phrases)] = " with ".join(hints)
-    plain = all(" and " not in phrase for phrase in alternatives)
-    phrase = (" or " if plain else ", or ").join(alternatives)
-    search.missing[c.CONE] = (phrase, ", or ".join(alternatives.values()))
-
-
-def _disc(search: _Search, forward: bool) -> Links:
-    """--radius and --distance between radiance and irradiance: the exact disc."""
-    source = search.given.get(c.AREA_SLOT)
-    distance = search.given.get(c.DISTANCE)
-    if not source or not distance or source.option.name == "area":
-        return []
-    if {c.CONE, c.REFLECTANCE} & set(search.given):
-        return []
-    search.used |= {c.AREA_SLOT, c.DISTANCE}
-    factor = geometric.disc(source, distance, search.use("incidence"))
-    return [_checked(factor, 1 if forward else -1)]
-
-
-def _apply(search: _Search, way: dict[str, int], radiance: bool) -> Links:
-    links: Links = []
-    for slot, power in way.items():
-        given = search.use(slot)
-        assert given is not None
-        if slot == c.AREA_SLOT:
-            factor = geometric.area(given)
-            if radiance and c.DISTANCE in way:
-                geometric.far_field(factor, search.given[c.DISTANCE])
-        elif slot == c.CONE:
-            projected = _is_projected(way, radiance)
-            factor = (
-                geometric.projected_solid_angle(given)
-                if projected
-                else geometric.solid_angle(given)
-            )
-        elif slot == c.DISTANCE:
-            factor = geometric.inverse_square(given, search.use("incidence"))
-        else:
-            factor = geometric.reflector(given)
-        links.append(_checked(factor, power))
-    return links
-
-
-def _checked(factor: Factor, power: int) -> tuple[Factor, int]:
-    """Refuse to divide by a factor of 0: nothing follows from no light."""
-    if power < 0 and any_true(factor.value == 0):
-        raise ConditionError(
-            f"{factor.assumption}: no light arrives, so nothing follows from it",
-            "a reflectance above 0, and an incidence below 90 deg",
-        )
-    return factor, power

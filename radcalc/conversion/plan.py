@@ -5,7 +5,7 @@ table; what stands between different quantities is in `link.py`, loaded only whe
 """
 
 from radcalc.errors import ConversionError, quote
-from radcalc.units.grammar import SMALLEST
+from radcalc.units.numbers import SMALLEST
 from radcalc.units.table import Unit, divide
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from radcalc.answer import Result, Step
-    from radcalc.conversion.conditions import Factor, Given
+    from radcalc.conversion.conditions import Factor
+    from radcalc.given import Given
 
 
 LARGEST = 1.7976931348623157e308
@@ -135,7 +136,7 @@ def derive(made: Plan, value: float) -> "list[Step]":
         steps.append(Step("SI units", "", f"{value:.6g} {source.text} = {over}"))
     for factor, power in made.links:
         sign = "*" if power > 0 else "/"
-        formula += f" {sign} {factor.symbol}"
+        formula += f" {sign} {factor.letter}"
         over += f" {sign} {factor.value:.6g} {factor.unit}"
     numbers = f"{over} = {made.apply(value) * target.factor:.6g} {wanted}"
     if (target.top, target.text) != (target.bottom, wanted):

@@ -4,18 +4,21 @@ from typing import Any, NamedTuple
 
 from radcalc import maths
 from radcalc.answer import Step
-from radcalc.conversion.conditions import LENGTH, Factor, Given, positive, require, show
-from radcalc.errors import ConditionError, quote
+from radcalc.conversion.conditions import Factor
+from radcalc.derivation import Formula, format_number
+from radcalc.errors import ConditionError, Impossible, option, quote
+from radcalc.given import Given, require
+from radcalc.laws import photon
 from radcalc.quantities.light import (
     AXIS,
-    FREQUENCY,
     LUMINOUS,
     NONE,
+    PER_FREQUENCY,
+    PER_WAVELENGTH,
+    PER_WAVENUMBER,
     PHOTON,
     RADIANT,
     RATIOS,
-    WAVELENGTH,
-    WAVENUMBER,
 )
 from radcalc.spectra.observers import (
     OBSERVERS,
@@ -25,6 +28,7 @@ from radcalc.spectra.observers import (
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.spectra.spectrum import PAR, Spectrum, range_text
+from radcalc.units.dimensions import FREQUENCY, LENGTH, WAVENUMBER
 
 
 class Light(NamedTuple):
@@ -43,13 +47,13 @@ class Light(NamedTuple):
 
 def light(given: Given, observer: Given | None) -> Light:
     """Turn a wavelength, frequency, wavenumber or photon energy into a wavelength."""
-    value = positive(given)
+    value = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
     if given.dimension == LENGTH:
         return Light(given, value, value, seen_by)
-    if given.dimension == AXIS[FREQUENCY]:
+    if given.dimension == FREQUENCY:
         vacuum = LIGHT / value
-    elif given.dimension == AXIS[WAVENUMBER]:
+    elif given.dimension == WAVENUMBER:
         vacuum = 1 / value
     else:
         vacuum = PLANCK * LIGHT / value
@@ -71,31 +75,24 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         efficacy = luminous_efficacy(of.table, of.observer)
         assumption = of.observer.assumption
         if not is_length:
-            assumption += f"; {given.text} is {show(of.table * 1e9)} nm in standard air"
+            assumption += f"; {given.text} is {format_number(of.table * 1e9)} nm in standard air"
         if maths.any_true(efficacy == 0):
             notes = (
                 f"nothing is seen at {given.text}: the table spans "
                 f"{of.observer.start}-{of.observer.end} nm",
             )
+        share = format_number(efficacy / of.observer.maximum)
         steps = (
-            Step(
+            Formula(
                 "luminous efficacy of one wavelength",
                 f"K = {of.observer.constant} {of.observer.label.split()[0]}",
-                f"K = {of.observer.maximum:g} lm/W * {show(efficacy / of.observer.maximum)}"
-                f" = {show(efficacy)} lm/W",
                 "CIE 018:2019",
-            ),
+            ).told(f"K = {of.observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W"),
         )
     if PHOTON in (over, under):
-        steps += (
-            Step(
-                "photon energy",
-                "Q = h c / lambda",
-                f"Q = h c / {show(of.vacuum * 1e9)} nm = {show(energy)} J",
-                "SI Brochure: exact h and c",
-            ),
-        )
-        photons = f"{given.text} is {show(of.vacuum * 1e9)} nm in vacuum"
+        found = f"{format_number(energy)} J"
+        steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, found),)
+        photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
         said = VACUUM.format(given.text) if is_length else photons
         assumption = "; ".join(filter(None, [assumption, said]))
         low, high = (end * 1e-9 for end in PAR)
@@ -128,7 +125,7 @@ def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) ->
         raise ConditionError(
             f"{range_text(watts_in)} leaves out most of the watts that are seen: "
             f"{efficacy:.6g} lm/W is more than any light gives",
-            "a wider --range",
+            f"a wider {option('range')}",
         )
 
 
@@ -159,8 +156,9 @@ def spectral_factor(
             amounts[kind] = seen_by.maximum * source.seen(seen_by)
             said.append(seen_by.assumption)
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
+        told = option("spectrum", quote(given.text))
         raise ConditionError(
-            f"--spectrum {quote(given.text)} has nothing that counts there: {'; '.join(said[1:])}",
+            f"{told} has nothing that counts there: {'; '.join(said[1:])}",
             "another spectrum or range",
         )
     if {over, under} == {RADIANT, LUMINOUS}:
@@ -168,22 +166,23 @@ def spectral_factor(
     value = amounts[over] / amounts[under]
     watts, lumens, photons = (amounts.get(kind, 1.0) for kind in (RADIANT, LUMINOUS, PHOTON))
     if PHOTON not in amounts:
-        shown = f"{show(lumens / watts)} lm/W"
+        shown = f"{format_number(lumens / watts)} lm/W"
     elif LUMINOUS not in amounts:
-        shown = f"{show(photons / AVOGADRO * 1e6 / watts)} umol/J"
+        shown = f"{format_number(photons / AVOGADRO * 1e6 / watts)} umol/J"
     else:
-        shown = f"{show(lumens / photons * AVOGADRO * 1e-6)} lm s/umol"
+        shown = f"{format_number(lumens / photons * AVOGADRO * 1e-6)} lm s/umol"
     names = {
         RADIANT: "int(S)",
         LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
         PHOTON: "int(S lambda/(h c))",
     }
-    step = Step(
+    formula = Formula(
         "ratio of kinds in a spectrum",
         f"K = {names[over]} / {names[under]}",
-        f"K = {show(amounts[over])} / {show(amounts[under])} = {show(value)}; that is {shown}",
         "trapezoid on the union of the data's and the observer's grids",
     )
+    ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
+    step = formula.told(f"K = {ratio} = {format_number(value)}; that is {shown}")
     said.insert(1, shown)
     notes = source.notes
     if lumens == 0:
@@ -211,7 +210,7 @@ def _most_lumens_per_photon() -> float:
 
 def given_ratio(given: Given, over: str, under: str) -> Factor | None:
     """A given efficacy as over / under, or None where it links two other kinds."""
-    value = positive(given)
+    value = given.value
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
     if LUMINOUS in pair:
@@ -223,10 +222,9 @@ def given_ratio(given: Given, over: str, under: str) -> Factor | None:
             scale, advice = AVOGADRO * 1e-6, "147lm.s/umol"
         lumens_per = value if pair[0] == LUMINOUS else 1 / value
         if maths.any_true(lumens_per > most * (1 + 1e-12)):
-            raise ConditionError(
-                f"--efficacy {quote(given.text)} is not possible: no light gives more than "
-                f"{shown.format(most * scale)}",
-                f"an efficacy of up to {advice}",
+            limit = f"no light gives more than {shown.format(most * scale)}"
+            raise Impossible(
+                given.name, given.text, f"an efficacy of up to {advice}", because=limit
             )
     text = f"an efficacy of {given.text}, as given"
     if pair == (over, under):
@@ -236,7 +234,7 @@ def given_ratio(given: Given, over: str, under: str) -> Factor | None:
     return None
 
 
-AXIS_UNITS = {WAVELENGTH: "m", FREQUENCY: "Hz", WAVENUMBER: "cycle/m"}
+AXIS_UNITS = {PER_WAVELENGTH: "m", PER_FREQUENCY: "Hz", PER_WAVENUMBER: "cycle/m"}
 
 
 def jacobian(of: Light | None, start: str, end: str) -> Factor:
@@ -245,26 +243,29 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
     `of` may be None between frequency and wavenumber, where only c stands between.
     """
     if of is None:
-        value = LIGHT if end == WAVENUMBER else 1 / LIGHT
-        formula = "J = d nu / d sigma = c" if end == WAVENUMBER else "J = d sigma / d nu = 1/c"
-        step = Step("density", formula, f"J = {show(value)}", "SI Brochure: exact c")
+        value = LIGHT if end == PER_WAVENUMBER else 1 / LIGHT
+        text = "J = d nu / d sigma = c" if end == PER_WAVENUMBER else "J = d sigma / d nu = 1/c"
+        step = Formula("density", text, "SI Brochure: exact c").told(f"J = {format_number(value)}")
         said = "wavenumber in vacuum, 1 cycle per wavelength"
         return Factor("J", value, _per_axis(start, end), said, (step,))
-    per_frequency = {WAVELENGTH: of.vacuum**2 / LIGHT, FREQUENCY: 1.0, WAVENUMBER: 1 / LIGHT}
-    value = per_frequency[start] / per_frequency[end]
-    greek = {WAVELENGTH: "lambda", FREQUENCY: "nu", WAVENUMBER: "sigma"}
-    forms = {
-        (WAVELENGTH, FREQUENCY): "lambda^2 / c",
-        (FREQUENCY, WAVELENGTH): "c / lambda^2",
-        (WAVELENGTH, WAVENUMBER): "lambda^2",
-        (WAVENUMBER, WAVELENGTH): "1 / lambda^2",
+    per_frequency = {
+        PER_WAVELENGTH: of.vacuum**2 / LIGHT,
+        PER_FREQUENCY: 1.0,
+        PER_WAVENUMBER: 1 / LIGHT,
     }
-    step = Step(
+    value = per_frequency[start] / per_frequency[end]
+    greek = {PER_WAVELENGTH: "lambda", PER_FREQUENCY: "nu", PER_WAVENUMBER: "sigma"}
+    forms = {
+        (PER_WAVELENGTH, PER_FREQUENCY): "lambda^2 / c",
+        (PER_FREQUENCY, PER_WAVELENGTH): "c / lambda^2",
+        (PER_WAVELENGTH, PER_WAVENUMBER): "lambda^2",
+        (PER_WAVENUMBER, PER_WAVELENGTH): "1 / lambda^2",
+    }
+    step = Formula(
         "density",
         f"J = |d {greek[start]} / d {greek[end]}| = {forms[start, end]}",
-        f"J = {show(value)} at {show(of.vacuum * 1e9)} nm",
         "E_nu = E_lambda lambda^2 / c",
-    )
+    ).told(f"J = {format_number(value)} at {format_number(of.vacuum * 1e9)} nm")
     assumption = f"spectral density at {of.given.text}"
     if of.given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(of.given.text)
@@ -278,11 +279,11 @@ def _per_axis(start: str, end: str) -> str:
 def bandwidth(given: Given, of_kind: Given | None) -> Factor:
     """The width of a band [m, Hz or cycle/m], in which a kind may be taken at one wavelength."""
     axis = band_axis(given)
-    width = positive(given)
-    if axis == WAVELENGTH:
+    width = given.value
+    if axis == PER_WAVELENGTH:
         require(given, not maths.any_true(width > 1e-3), "at most 1 mm: a band of wavelengths")
     said = f"constant over a band of {given.text}"
-    if of_kind is not None and of_kind.option.name == "wavelength":
+    if of_kind is not None and of_kind.name == "wavelength":
         said += f", in which everything is taken as at {of_kind.text}"
     return Factor("B", width, AXIS_UNITS[axis], said)
 

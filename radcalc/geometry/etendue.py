@@ -15,8 +15,8 @@ beams are in a medium of refractive index 1 (in another, n^2 G is what refractio
 import math
 
 from radcalc.geometry import projected
-from radcalc.geometry.solid import facing, refuse
-from radcalc.maths import Number, hypot, larger, power_of_two, sqrt
+from radcalc.geometry.solid import refuse
+from radcalc.maths import Number, hypot, larger, power_of_two, smaller, sqrt
 
 
 def patch_and_cone(area: Number, half_angle: Number) -> Number:
@@ -67,155 +67,6 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
         "a half angle from 0 to 90 deg",
     )
     return area * projected.cone(half_angle)
-
-
-def patch_and_aperture(area: Number, na: Number) -> Number:
-    """Etendue of a flat patch, such as the core of a fibre, and a numerical aperture in air.
-
-    Parameters
-    ----------
-    area : float or ndarray [m^2]
-        Area A of the patch.
-    na : float or ndarray [1]
-        Numerical aperture NA = sin(alpha), above 0 and at most 1.
-
-    Returns
-    -------
-    float or ndarray [m^2 sr]
-        Geometric extent G.
-
-    Raises
-    ------
-    ConditionError
-        If a numerical aperture is not above 0, or is above 1, which no cone in air has.
-
-    Notes
-    -----
-    ::
-
-        G = pi A NA^2
-
-    Exact, if every point of the patch has the same cone.
-
-    References
-    ----------
-    .. [1] CIE e-ILV 17-21-047, geometric extent.
-
-    Examples
-    --------
-    2 m^2 and a numerical aperture of 0.5, which is a cone of half angle 30 degrees:
-
-    >>> import math
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.patch_and_aperture(2.0, 0.5) / math.pi, 12)
-    0.5
-    """
-    refuse(
-        (na <= 0) | (na > 1),
-        "that numerical aperture is not possible",
-        "above 0 and, in air, at most 1",
-    )
-    return math.pi * area * na**2
-
-
-def patch_and_lens(area: Number, f_number: Number) -> Number:
-    """Etendue of a patch in the focal plane of a lens, from the lens's f-number.
-
-    Parameters
-    ----------
-    area : float or ndarray [m^2]
-        Area A of the patch, at the lens's axis (such as a pixel or a film).
-    f_number : float or ndarray [1]
-        F-number N, the focal length over the diameter of the entrance pupil; 0.5 or more.
-
-    Returns
-    -------
-    float or ndarray [m^2 sr]
-        Geometric extent G.
-
-    Raises
-    ------
-    ConditionError
-        If an f-number is below 0.5, where the sine would be above 1.
-
-    Notes
-    -----
-    ::
-
-        G = pi A / (4 N^2),  sin(alpha) = 1/(2 N)
-
-    Exact for a lens without losses that is focused at infinity and corrected for coma, so that it
-    meets Abbe's sine condition.  With tan(alpha) = 1/(2 N), as for a thin lens drawn with straight
-    rays, G would be pi A / (4 N^2 + 1); they differ by 1 % at f/5 and by 6 % at f/2.
-
-    References
-    ----------
-    .. [1] CIE e-ILV 17-21-047, geometric extent.
-
-    Examples
-    --------
-    At f/1 the cone has a half angle of 30 degrees, sin(alpha) = 1/2:
-
-    >>> import math
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.patch_and_lens(2.0, 1.0) / math.pi, 12)
-    0.5
-    """
-    refuse(f_number < 0.5, "that f-number is not possible", "0.5 or more, in air")
-    return math.pi * area / (4 * f_number**2)
-
-
-def two_patches(
-    area: Number, other: Number, distance: Number, tilt: Number = 0.0, incidence: Number = 0.0
-) -> Number:
-    """Etendue of two flat patches that are small beside their distance.
-
-    Parameters
-    ----------
-    area, other : float or ndarray [m^2]
-        Areas A1 and A2.
-    distance : float or ndarray [m]
-        Distance d between the patches, above 0.
-    tilt : float or ndarray [rad], optional
-        Angle t1 between the first patch's normal and the line to the second; 0 by default.
-    incidence : float or ndarray [rad], optional
-        Angle t2 between the second patch's normal and the line to the first; 0 by default.
-
-    Returns
-    -------
-    float or ndarray [m^2 sr]
-        Geometric extent G; 0 if one of the patches shows its edge or its back.
-
-    Raises
-    ------
-    ConditionError
-        If a distance is not above 0.
-
-    Notes
-    -----
-    ::
-
-        G = A1 cos(t1) A2 cos(t2) / d^2
-
-    The first term of a series in size over distance.  For two facing discs of radius R it is too
-    large by about the relative 2 (R/d)^2, which is 2 % at a distance of five diameters; see
-    `coaxial_discs`.
-
-    References
-    ----------
-    .. [1] CIE e-ILV 17-21-047, geometric extent.
-
-    Examples
-    --------
-    2 m^2 and 3 m^2 at 10 m, both turned by 60 degrees: 2 * 0.5 * 3 * 0.5 / 100.
-
-    >>> import math
-    >>> from radcalc.geometry import etendue
-    >>> round(etendue.two_patches(2.0, 3.0, 10.0, math.radians(60), math.radians(60)), 12)
-    0.015
-    """
-    refuse(distance <= 0, "the patches touch", "a distance above 0")
-    return area * facing(tilt) * other * facing(incidence) / distance**2
 
 
 def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
@@ -276,3 +127,92 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     root = hypot(distance, radius - other) * hypot(distance, radius + other)
     total = radius**2 + other**2 + distance**2
     return 2 * (math.pi * (radius * (other / sqrt(total + root))) * scale) ** 2
+
+
+def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
+    """Distance of two discs that face each other on one axis, from their etendue.
+
+    Parameters
+    ----------
+    radius, other : float or ndarray [m]
+        Radii of the two discs, above 0.
+    etendue : float or ndarray [m2 sr]
+        Above 0; discs that touched would have pi times the area of the smaller one.
+
+    Returns
+    -------
+    float or ndarray [m]
+        The distance of their planes.
+
+    Raises
+    ------
+    ConditionError
+        An etendue that discs of these radii do not have at any distance.
+
+    Notes
+    -----
+    ::
+
+        d^2 = (r1^2 - m) (r2^2 - m) / m    with m = G / pi^2
+
+    `coaxial_discs` solved for the distance.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import etendue
+    >>> round(etendue.discs_distance(1.0, 2.0, etendue.coaxial_discs(1.0, 2.0, 3.0)), 9)
+    3.0
+    """
+    part = _part_of_discs(etendue, smaller(radius, other))
+    return sqrt((radius**2 - part) * (other**2 - part) / part)
+
+
+def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
+    """Radius of one of two discs that face each other on one axis, from their etendue.
+
+    Parameters
+    ----------
+    other : float or ndarray [m]
+        Radius of the other disc, above 0.
+    distance : float or ndarray [m]
+        Distance of their planes, above 0.
+    etendue : float or ndarray [m2 sr]
+        Above 0 and below pi times the area of the other disc.
+
+    Returns
+    -------
+    float or ndarray [m]
+        The radius.
+
+    Raises
+    ------
+    ConditionError
+        An etendue that the other disc does not have with any disc at that distance.
+
+    Notes
+    -----
+    ::
+
+        r1^2 = m (r2^2 + d^2 - m) / (r2^2 - m)    with m = G / pi^2
+
+    `coaxial_discs` solved for a radius.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import etendue
+    >>> round(etendue.discs_radius(2.0, 3.0, etendue.coaxial_discs(1.0, 2.0, 3.0)), 9)
+    1.0
+    """
+    part = _part_of_discs(etendue, other)
+    return sqrt(part * (other**2 + distance**2 - part) / (other**2 - part))
+
+
+def _part_of_discs(etendue: Number, radius: Number) -> Number:
+    """G / pi^2, which must be less than the square of the smaller radius."""
+    part = etendue / math.pi**2
+    refuse(
+        (part <= 0) | (part >= radius**2),
+        "discs of these sizes have no such etendue at any distance",
+        "an etendue above 0 and below pi times the area of the smaller disc",
+    )
+    return part

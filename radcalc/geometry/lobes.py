@@ -188,3 +188,35 @@ def part(exponent: Number, within: Number) -> Number:
         within,
         exponent,
     )
+
+
+def solid_angle(exponent: Number) -> Number:
+    """Solid angle that, filled with a lobe's peak intensity, holds all of its flux.
+
+    Parameters
+    ----------
+    exponent : float or ndarray [1]
+        Exponent n of the lobe, 0 or more.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From above 0 to 2 pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = Phi / I0 = 2 pi / (n + 1)
+
+    The integral of cos^n(theta) over the hemisphere.
+
+    Examples
+    --------
+    A Lambertian surface, of exponent 1, has pi sr:
+
+    >>> from radcalc.geometry import lobes
+    >>> round(lobes.solid_angle(1.0), 6)
+    3.141593
+    """
+    return 2 * math.pi / (exponent + 1)

@@ -22,12 +22,20 @@ tests hold them to a relative 1e-12 of references that are computed with 80 digi
 import math
 from typing import Any
 
-from radcalc.errors import ConditionError
+from radcalc.geometry.cones import (
+    FULL,
+    HEMISPHERE,
+    SLACK,
+    check_tilt,
+    cone,
+    cone_of,
+    facing,
+    refuse,
+)
 from radcalc.geometry.numerics.special import cel
 from radcalc.geometry.polygons import polygon, triangle
 from radcalc.maths import (
     Number,
-    any_true,
     asin,
     atan2,
     cos,
@@ -36,6 +44,7 @@ from radcalc.maths import (
     piecewise,
     power_of_two,
     sin,
+    smaller,
     sqrt,
 )
 
@@ -56,147 +65,6 @@ __all__ = [
     "triangle",
     "zone",
 ]
-
-FULL = 4 * math.pi  # [sr] all directions
-HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
-# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
-# as somebody types them, are still within the sphere.
-SLACK = 1e-12
-
-
-def refuse(bad: Any, message: str, hint: str) -> None:
-    """Raise a `ConditionError` where a comparison holds.
-
-    All range checks of this package go through here, for floats and arrays alike.
-
-    Parameters
-    ----------
-    bad : bool or ndarray of bool
-        The comparison that must not hold, such as ``radius < 0``.  A comparison with NaN is
-        false, so NaN passes.
-    message : str
-        What is wrong.
-    hint : str
-        What would be right, shown after ``try:``.
-
-    Raises
-    ------
-    ConditionError
-        If `bad` is true, or true for any element of an array.
-
-    Examples
-    --------
-    >>> from radcalc.geometry.solid import refuse
-    >>> refuse(2.0 < 0, "a negative radius is not possible", "0 or more")
-    >>> refuse(-1.0 < 0, "a negative radius is not possible", "0 or more")
-    Traceback (most recent call last):
-        ...
-    radcalc.errors.ConditionError: a negative radius is not possible
-    try: 0 or more
-    """
-    if any_true(bad):
-        raise ConditionError(message, hint)
-
-
-def cone(half_angle: Number) -> Number:
-    """Solid angle of a circular cone, which is that of the spherical cap it cuts out.
-
-    Parameters
-    ----------
-    half_angle : float or ndarray [rad]
-        Angle alpha between the axis and the side, from 0 (nothing) through pi/2 (a hemisphere)
-        to pi (all directions).  The apex angle of a data sheet is twice this.
-
-    Returns
-    -------
-    float or ndarray [sr]
-        From 0 to 4 pi.
-
-    Raises
-    ------
-    ConditionError
-        If a half angle is negative or above pi.
-
-    Notes
-    -----
-    ::
-
-        Omega = 2 pi (1 - cos(alpha)) = 4 pi sin^2(alpha/2)
-
-    Exact for every half angle.  The second form is the one computed: for a narrow cone cos(alpha)
-    rounds to 1 and the difference loses its digits (below 1e-8 rad all of them).  The flux of a
-    source of uniform intensity I within the cone is I Omega.
-
-    References
-    ----------
-    .. [1] ISO 80000-3, solid angle.
-    .. [2] CIE e-ILV 17-21-109, solid angle.
-
-    Examples
-    --------
-    A cone of half angle 60 degrees is a quarter of all directions, pi sr:
-
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.cone(math.radians(60)) / math.pi, 12)
-    1.0
-
-    A narrow cone has the area of a small flat disc, pi alpha^2:
-
-    >>> solid.cone(1e-9)
-    3.141592653589793e-18
-    """
-    bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
-    refuse(bad, "a cone of that half angle is not possible", "from 0 to 180 deg")
-    return FULL * sin(half_angle / 2) ** 2
-
-
-def cone_of(solid_angle: Number) -> Number:
-    """Half angle of the circular cone of a given solid angle; the inverse of `cone`.
-
-    Parameters
-    ----------
-    solid_angle : float or ndarray [sr]
-        Solid angle Omega of the cone, from 0 to 4 pi.
-
-    Returns
-    -------
-    float or ndarray [rad]
-        Half angle, from 0 to pi.
-
-    Raises
-    ------
-    ConditionError
-        If a solid angle is negative or above 4 pi.  A relative excess of 1e-12 is taken as
-        4 pi, so that 12.566370614360 sr, as somebody types it, is accepted.
-
-    Notes
-    -----
-    ::
-
-        alpha = 2 arcsin(sqrt(Omega / (4 pi)))
-
-    Exact.  Small solid angles keep their digits.  Close to 4 pi the problem itself is badly
-    conditioned: the angle of the cone left out is as the square root of the solid angle left out,
-    so a rounding of 1e-16 in Omega is 1e-8 rad in alpha.
-
-    References
-    ----------
-    .. [1] ISO 80000-3, solid angle.
-
-    Examples
-    --------
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(math.degrees(solid.cone_of(math.pi)), 10)
-    60.0
-    >>> round(math.degrees(solid.cone_of(solid.HEMISPHERE)), 10)
-    90.0
-    """
-    part = solid_angle / FULL
-    bad = (part < 0) | (part > 1 + SLACK)
-    refuse(bad, "a cone of that solid angle is not possible", "from 0 to 4pi sr")
-    return 2 * asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
 
 
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
@@ -598,6 +466,45 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     return piecewise(far, _disc_from_afar, _disc_from_near, radius, height, offset)
 
 
+def rim_of(solid_angle: Number) -> Number:
+    """Angle of a disc's rim from its axis, seen from a place on the axis.
+
+    Parameters
+    ----------
+    solid_angle : float or ndarray [sr]
+        Of the disc, above 0 and below 2 pi.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        The half angle of the cone that the rim fills, whose tangent is R/h.
+
+    Raises
+    ------
+    ConditionError
+        A solid angle that no disc fills.
+
+    Notes
+    -----
+    The rim of a disc on its axis fills a cone, so this is `cone_of` below a hemisphere.
+
+    Examples
+    --------
+    A disc as far away as its radius, 2 pi (1 - 1/sqrt 2) sr, has its rim at 45 degrees:
+
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> round(math.degrees(solid.rim_of(2 * math.pi * (1 - math.sqrt(0.5)))), 9)
+    45.0
+    """
+    refuse(
+        (solid_angle <= 0) | (solid_angle >= HEMISPHERE),
+        "no disc seen from its axis fills that solid angle",
+        "more than 0 and less than 2pi sr",
+    )
+    return cone_of(solid_angle)
+
+
 RIM = 32  # points on a disc's rim; from four radii on, 26 give every digit
 
 
@@ -789,6 +696,49 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     return 4 * atan2(sin(a) * sin(b), hypot(cos(a), sin(a) * cos(b)))
 
 
+def pyramid_side(solid_angle: Number, other: Number) -> Number:
+    """Full apex angle of a right rectangular pyramid, from its solid angle and the other one.
+
+    Parameters
+    ----------
+    solid_angle : float or ndarray [sr]
+        Of the pyramid.
+    other : float or ndarray [rad]
+        The known full angle, face to face, above 0 and at most pi.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        The full angle between the other two faces, from 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        A solid angle that is too large for that angle, or an angle that no pyramid has.
+
+    Notes
+    -----
+    ::
+
+        sin(b/2) = sin(Omega/4) / sin(a/2)
+
+    `pyramid` solved for one of its angles.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import solid
+    >>> omega = solid.pyramid(math.radians(60), math.radians(40))
+    >>> round(math.degrees(solid.pyramid_side(omega, math.radians(60))), 9)
+    40.0
+    """
+    check_pyramid(other, other)
+    sine, widest = sin(solid_angle / 4), sin(other / 2)
+    bad = (solid_angle < 0) | (solid_angle > HEMISPHERE) | (sine > widest * (1 + SLACK))
+    refuse(bad, "no pyramid of that angle fills that solid angle", "a smaller solid angle")
+    return 2 * asin(smaller(sine / widest, 1.0 + 0 * sine))
+
+
 def check_pyramid(horizontal: Number, vertical: Number) -> None:
     """Refuse apex angles that no pyramid has.
 
@@ -866,61 +816,3 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
     return area / distance**2 * facing(tilt)
-
-
-def check_tilt(tilt: Number) -> None:
-    """Refuse an angle that is too large to be one from a normal.
-
-    Parameters
-    ----------
-    tilt : float or ndarray [rad]
-        Angle from a normal, to be from -pi to pi.
-
-    Raises
-    ------
-    ConditionError
-        If the size of an angle is above pi, as when degrees are taken for radians.
-
-    Examples
-    --------
-    >>> from radcalc.geometry.solid import check_tilt
-    >>> check_tilt(-1.0)
-    >>> check_tilt(45.0)
-    Traceback (most recent call last):
-        ...
-    radcalc.errors.ConditionError: that tilt is not possible
-    try: from 0 to 180 deg
-    """
-    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
-
-
-def facing(tilt: Number) -> Number:
-    """Cosine factor of a flat surface: the cosine of the incidence, 0 for light from behind.
-
-    Parameters
-    ----------
-    tilt : float or ndarray [rad]
-        Angle theta between the surface's normal and the light; the sign does not matter.
-
-    Returns
-    -------
-    float or ndarray [1]
-        From 0 to 1: cos(theta) below pi/2, 0 from there on.
-
-    Notes
-    -----
-    ::
-
-        max(cos(theta), 0)
-
-    The projected area of a surface, over its area.  It is 0 at exactly pi/2, where the rounded
-    cosine would be 6e-17.
-
-    Examples
-    --------
-    >>> import math
-    >>> from radcalc.geometry.solid import facing
-    >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
-    (0.5, 0.0)
-    """
-    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * t, tilt)

@@ -1,15 +1,15 @@
 """Checking an answer: whether it is right, and if not, what most likely went wrong."""
 
 import math
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.results import held, in_unit
-from radcalc.conversion.conditions import Given, show
-from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.calculators.results import in_unit, pick
+from radcalc.derivation import format_number
+from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.homework.answer import Claim, Tolerance, read_claim, read_tolerance
 from radcalc.homework.catalogue import Candidate, Problem, candidates, pairs
+from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, divide, resolve
 
@@ -37,19 +37,6 @@ class Verdict(NamedTuple):
     steps: tuple[Step, ...]
 
 
-class Question(NamedTuple):
-    """What was asked: the right results, what was given, and how to work it out anew.
-
-    `facts` say what else the mistakes depend on: the command, the shape, intervals.
-    """
-
-    values: list[Value]
-    given: dict[str, Given]
-    work_out: Callable[[dict[str, Given]], list[Value]]
-    facts: dict[str, Any]
-    steps: tuple[Step, ...] = ()
-
-
 MOST = 5  # diagnoses
 COARSEST = 0.05  # how far a number of one digit may be off a mistake's
 REMARKS = ("error",)  # results that say how good another is
@@ -62,7 +49,9 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     unit = resolve(unit_text)
     right = in_unit(target, unit)
     if not isinstance(right, float):
-        raise ConditionError("--check takes one answer, and there are several", "one value a call")
+        raise ConditionError(
+            f"{option('check')} takes one answer, and there are several", "one value a call"
+        )
     allowed = read_tolerance(tolerance, unit)
     if target.name == "azimuth":  # a turn more or less is the same direction
         turn = 2 * math.pi / divide(unit.top, unit.bottom)
@@ -96,10 +85,12 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
 def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
     """How the likeliest mistake leads from the right value to the answer."""
     unit = "" if verdict.unit == "1" else f" {verdict.unit}"
+    sizes = (verdict.right, verdict.ratio, verdict.claimed)
+    right, ratio, claimed = (format_number(size) for size in sizes)
     return Step(
         f"as it was answered: {found.done}",
         "",
-        f"{show(verdict.right)}{unit} * {show(verdict.ratio)} = {show(verdict.claimed)}{unit}",
+        f"{right}{unit} * {ratio} = {claimed}{unit}",
     )
 
 
@@ -109,12 +100,15 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
     Without a name it is the first that has that unit; where the number fits only another one,
     nothing can be said before it is named.
     """
+    told = option("check", quote(said.text))
     pool = _named(question, said) if said.name else _unnamed(question)
     if not said.unit:
         units = {unit for value in pool[:1] for unit in value.units}
         if len({value.name for value in pool}) > 1 or len(units) != 1:
             missing = "in which unit" if said.name else "which result is meant"
-            raise ConditionError(f"--check {quote(said.text)}: say {missing}", _ways(pool, said))
+            raise ConditionError(
+                f"{option('check', quote(said.text))}: say {missing}", _ways(pool, said)
+            )
         return pool[0], pool[0].units[0], False
     unit = resolve(said.unit)
     spelled = [value for value in pool if said.unit in value.units]
@@ -127,8 +121,7 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
         holding = [v for v in fitting if _holds(v, unit, said, tolerance)]
         if holding and fitting[0] not in holding:
             raise ConditionError(
-                f"--check {quote(said.text)} would be right for {holding[0].name}: say which "
-                "result is meant",
+                f"{told} would be right for {holding[0].name}: say which result is meant",
                 _ways([fitting[0], *holding], said),
             )
         return fitting[0], said.unit, False
@@ -141,22 +134,22 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
 
 def _named(question: Question, said: Claim) -> list[Value]:
     """The results of a name."""
-    named = [v for v in question.values if said.name in (v.name, v.also)]
-    shown = [v for v in named if v.units]
+    named = [v for v in question.answer.values if said.name in (v.name, v.also)]
+    shown = [v for v in named if not v.is_absent]
     if shown:
         return shown
     for value in named:
-        held(value.name, value.si)  # which says what it lacks
-    names = ", ".join(dict.fromkeys(v.name for v in question.values if v.units))
-    raise ConditionError(f"--check: there is no result '{quote(said.name)}'", names)
+        pick([value], value.name)  # which says what it lacks
+    names = ", ".join(dict.fromkeys(v.name for v in question.answer.values if not v.is_absent))
+    raise ConditionError(f"{option('check')}: there is no result '{quote(said.name)}'", names)
 
 
 def _unnamed(question: Question) -> list[Value]:
     """The results that a number alone may mean: what follows, then what was given."""
-    shown = [v for v in question.values if v.units and v.name not in REMARKS]
+    shown = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
     shown.sort(key=lambda value: value.given is not None)
     if not shown:
-        raise ConditionError("--check: there is nothing to check", "less of it given")
+        raise ConditionError(f"{option('check')}: there is nothing to check", "less of it given")
     return shown
 
 
@@ -168,7 +161,7 @@ def _holds(value: Value, unit: Unit, said: Claim, tolerance: str) -> bool:
 def _ways(values: list[Value], said: Claim) -> str:
     """How the answer can be said clearly."""
     ways = [
-        f"--check {value.name}={said.number}{unit.replace(' ', '.').removeprefix('1')}"
+        option("check", f"{value.name}={said.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value in values
         for unit in ([said.unit] if said.unit else value.units)
     ]
@@ -191,7 +184,7 @@ def _diagnoses(
     question: Question, target: Value, said: Claim, unit: str, right: float
 ) -> tuple[Diagnosis, ...]:
     """The mistakes that reproduce the answer to the digits typed, the likeliest first."""
-    problem = Problem(question.given, question.values, question.work_out, question.facts, target)
+    problem = Problem(question, target)
     scale = problem.right / right if right else 1.0
     found = _matching(candidates(problem), said, scale)
     if not found and said.digits >= 3:

@@ -3,9 +3,10 @@
 import math
 from typing import NamedTuple
 
-from radcalc.conversion.conditions import Option, read
-from radcalc.errors import ConditionError, NumberError, RadcalcError, quote
-from radcalc.units.grammar import read_number
+from radcalc.errors import ConditionError, NumberError, RadcalcError, option, quote
+from radcalc.given import read_as
+from radcalc.quantities.symbols import ANY, Symbol
+from radcalc.units.numbers import read_number
 from radcalc.units.table import NUMBER, Unit, divide
 
 
@@ -28,13 +29,16 @@ def read_claim(text: str) -> Claim:
         name, rest = "", text
     elif not name.strip():
         raise ConditionError(
-            f"--check {quote(text)} has no name before =", "--check illuminance=25lx"
+            f"{option('check', quote(text))} has no name before =",
+            option("check", "illuminance=25lx"),
         )
     rest = rest.strip().replace("\u2212", "-")
     try:
         value, end = read_number(rest)
     except NumberError as error:
-        raise NumberError(f"--check: {error.message}", f"--check 25lx; {error.hint}") from None
+        raise NumberError(
+            f"{option('check')}: {error.message}", f"{option('check', '25lx')}; {error.hint}"
+        ) from None
     number = rest[:end]
     digits, half = _digits(number, value)
     return Claim(text, name.strip(), value, rest[end:].strip(), number, digits, half)
@@ -73,24 +77,25 @@ class Tolerance(NamedTuple):
 def read_tolerance(text: str, unit: Unit) -> Tolerance:
     """Read 1%, 0.01, 0.5lx or 3sf."""
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
-    hint = "--tolerance 1%, 0.5lx (in the answer's unit) or 3sf (significant digits)"
+    told = option("tolerance", quote(text))
+    hint = f"{option('tolerance', '1%')}, 0.5lx (in the answer's unit) or 3sf (significant digits)"
     if text.endswith("sf"):
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
-            raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
+            raise ConditionError(f"{told} is not possible", hint)
         count = int(text[:-2])
         digits = f"within half a unit of digit {count}"
         return Tolerance(digits, "digits", count)
-    option = Option("tolerance", "", (NUMBER, unit.dimension), "a part or a quantity", "1%", "")
+    takes = "a part or a quantity"
+    symbol = Symbol("tolerance", "", (NUMBER, unit.dimension), "1%", limits=ANY, takes=takes)
     try:
-        given = read(option, text)
+        given = read_as(symbol, text)
     except RadcalcError as error:
-        raise ConditionError(
-            f"--tolerance: {error.message.removeprefix('--tolerance: ')}", hint
-        ) from None
+        name = option("tolerance")
+        raise ConditionError(f"{name}: {error.message.removeprefix(f'{name}: ')}", hint) from None
     if given.value < 0:
-        raise ConditionError(f"--tolerance {quote(text)} is not possible", hint)
+        raise ConditionError(f"{told} is not possible", hint)
     if given.unit is None and given.value >= 1:
-        raise ConditionError(f"--tolerance {quote(text)} has no unit", hint)
+        raise ConditionError(f"{told} has no unit", hint)
     if given.dimension == NUMBER and unit.dimension != NUMBER:
         return Tolerance(f"within {text}", "relative", given.value)
     if given.unit is None or given.unit.text in ("%", "1"):

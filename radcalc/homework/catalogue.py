@@ -10,10 +10,12 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from radcalc.answer import Value
-from radcalc.conversion.conditions import Given
 from radcalc.errors import RadcalcError
+from radcalc.given import Given
+from radcalc.homework.question import Question
 from radcalc.maths import is_array
 from radcalc.quantities.light import GRID
+from radcalc.quantities.symbols import INTERVAL, POINT
 
 
 class Candidate(NamedTuple):
@@ -29,19 +31,16 @@ class Candidate(NamedTuple):
 class Problem:
     """The question as the mistakes see it."""
 
-    def __init__(
-        self,
-        given: dict[str, Given],
-        values: list[Value],
-        work_out: Callable[[dict[str, Given]], list[Value]],
-        facts: dict[str, Any],
-        target: Value,
-    ) -> None:
-        """Hold it; `right` is the right value [SI] of the target."""
-        self.given, self.facts, self.target = given, facts, target
-        self.values = {v.name: v for v in values}
-        self._work_out = work_out
-        self.right = float(target.si)
+    def __init__(self, question: Question, target: Value) -> None:
+        self.given = {
+            name: one
+            for name, one in question.given.items()
+            if one.symbol.form not in (INTERVAL, POINT)
+        }
+        self.facts, self.target = question.facts, target
+        self.values = {value.name: value for value in question.answer.values}
+        self._work_out = question.work_out
+        self.right = float(target.amount)  # [SI]
 
     def si(self, name: str) -> float | None:
         """What was given or follows [SI]."""
@@ -50,7 +49,7 @@ class Problem:
             return None if is_array(value) else float(value)
         found = self.values.get(name)
         try:
-            return float(found.si) if found else None
+            return float(found.amount) if found else None
         except (RadcalcError, TypeError):
             return None
 
@@ -70,7 +69,7 @@ class Problem:
 
     def is_of(self, *commands: str) -> bool:
         """Whether the question is one of these commands'."""
-        return self.facts.get("command") in commands
+        return self.facts.command in commands
 
     def named(self, *dimensions: Any) -> list[Given]:
         """The inputs of some dimensions."""
@@ -91,9 +90,9 @@ class Problem:
     def of(self, given: dict[str, Given]) -> Iterator[float]:
         """The target from other inputs, where that is possible."""
         try:
-            for value in self._work_out(given):
+            for value in self._work_out(given).values:
                 if value.name == self.target.name and value.dimensions == self.target.dimensions:
-                    number = float(value.si)
+                    number = float(value.amount)
                     if math.isfinite(number):
                         yield number
                     return

@@ -5,30 +5,47 @@ of the cosine (a lobe).
 """
 
 import math
-from collections.abc import Callable
 from typing import Any
 
-from radcalc.calculators.worksheet import OVER_TIME
-from radcalc.conversion.conditions import show
-from radcalc.geometry import lobes, solid
+from radcalc.derivation import format_number
+from radcalc.errors import option
+from radcalc.geometry import cones, lobes
+from radcalc.laws.cones import APEX, CONE
+from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, Law, Relation
 from radcalc.maths import acos, exp, hypot, log, piecewise, sin
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
-RIGHT = math.pi / 2
-At = Callable[[str], Any]
 
 
 def _exponent_of(solid_angle: Any) -> Any:
     found = 2 * math.pi / solid_angle - 1
-    solid.refuse(
+    cones.refuse(
         found < -1e-9,
         "no lobe sends that flux at that intensity: it would fill more than a hemisphere",
-        "more intensity or less flux, or --distribution cone",
+        f"more intensity or less flux, or {option('distribution', 'cone')}",
     )
     return piecewise(found < 0, lambda n: 0.0 * n, lambda n: n, found)
 
 
+LOBE = Relation(
+    "flux of a lobe over its peak",
+    "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
+    ("solid-angle", "exponent"),
+    {
+        "solid-angle": lambda at: lobes.solid_angle(at("exponent")),
+        "exponent": lambda at: _exponent_of(at("solid-angle")),
+    },
+)
+BEAM_ANGLE = Relation(
+    "beam angle of a lobe",
+    "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
+    ("exponent", "beam-angle"),
+    {
+        "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
+        "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
+    },
+)
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
         Law(
@@ -55,17 +72,8 @@ LAWS: dict[str, list[AnyLaw]] = {
             (("intensity", 1), ("solid-angle", 1)),
             reference="ISO 80000-7, intensity",
         ),
-        Relation(
-            "solid angle of a cone",
-            "{solid-angle} = 4 pi sin^2({half-angle}/2) Omega0",
-            ("solid-angle", "half-angle"),
-            {
-                "solid-angle": lambda at: solid.cone(at("half-angle")),
-                "half-angle": lambda at: solid.cone_of(at("solid-angle")),
-            },
-            "ISO 80000-3, solid angle",
-        ),
-        Law("apex angle", "{apex-angle} = 2 {half-angle}", "apex-angle", (("half-angle", 1),), 2.0),
+        CONE,
+        APEX,
         Relation(
             "part of a cone",
             "{part} = sin^2({within}/2) / sin^2({half-angle}/2), at most 1",
@@ -88,24 +96,8 @@ LAWS: dict[str, list[AnyLaw]] = {
             "flux",
             (("intensity", 1), ("solid-angle", 1)),
         ),
-        Relation(
-            "flux of a lobe over its peak",
-            "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
-            ("solid-angle", "exponent"),
-            {
-                "solid-angle": lambda at: 2 * math.pi / (at("exponent") + 1),
-                "exponent": lambda at: _exponent_of(at("solid-angle")),
-            },
-        ),
-        Relation(
-            "beam angle of a lobe",
-            "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
-            ("exponent", "beam-angle"),
-            {
-                "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
-                "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
-            },
-        ),
+        LOBE,
+        BEAM_ANGLE,
         Relation(
             "field angle of a lobe",
             "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
@@ -159,7 +151,7 @@ ANY_LAWS: list[AnyLaw] = [
         "{cosine} = cos({incidence})",
         ("cosine", "incidence"),
         {
-            "cosine": lambda at: solid.facing(at("incidence")),
+            "cosine": lambda at: cones.facing(at("incidence")),
             "incidence": lambda at: _incidence_of(at("cosine")),
         },
     ),
@@ -173,7 +165,8 @@ ANY_LAWS: list[AnyLaw] = [
         },
     ),
     Law("flux within", "{flux-within} = {flux} {part}", "flux-within", (("flux", 1), ("part", 1))),
-    *OVER_TIME,
+    EXPOSURE,
+    ENERGY,
     Law(
         "flux on a receiver",
         "{received-flux} = {irradiance} {receiver-area}",
@@ -184,31 +177,24 @@ ANY_LAWS: list[AnyLaw] = [
 
 
 def _incidence_of(cosine: Any) -> Any:
-    solid.refuse(
+    cones.refuse(
         cosine > 1 + 1e-9,
         f"more light than that intensity sends to that distance (the cosine of the incidence "
-        f"would be {show(cosine)})",
+        f"would be {format_number(cosine)})",
         "another irradiance, intensity or distance",
     )
     return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
 
 
 def _height_of(distance: Any, lateral: Any) -> Any:
-    solid.refuse(
+    cones.refuse(
         distance <= lateral,
         "the distance is less than the offset",
-        "--distance is the straight line to the source",
+        f"{option('distance')} is the straight line to the source",
     )
     return (distance - lateral) ** 0.5 * (distance + lateral) ** 0.5
 
 
-INTERNAL = {
-    "cosine": "cos(theta)",
-    "share": "f",
-    "lateral": "x",
-    "part": "k",
-    "beam-part": "k_b",
-}
 INSIDE = Relation(
     "inside the cone",
     "{share} = 1 where {off-axis} is within {half-angle}, else 0",
@@ -236,7 +222,7 @@ FALL = Relation(
 
 def _exponent_at(share: Any, off_axis: Any) -> Any:
     """The exponent of a lobe from how much is left of its peak at an angle."""
-    solid.refuse(
+    cones.refuse(
         (share > 1 + 1e-9) | (share <= 0),
         "no lobe has that irradiance there: it is more than its peak would give, or nothing",
         "another intensity or irradiance",

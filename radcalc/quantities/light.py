@@ -5,47 +5,51 @@ of time, area and solid angle relative to a flux, and the axis of a spectral den
 is no graph of conversions: what stands between two quantities is the difference of these facts.
 """
 
+from typing import NamedTuple
+
 from radcalc.errors import quote
-from radcalc.units.table import BASES, NUMBER, Dimension, Unit
+from radcalc.units.dimensions import (
+    ANGLE,
+    AREA,
+    CYCLES,
+    ETENDUE,
+    FREQUENCY,
+    LENGTH,
+    LUMINOUS_FLUX,
+    MASS,
+    PHOTON_ENERGY,
+    PHOTON_FLUX,
+    POWER,
+    RETINAL_ILLUMINANCE,
+    SOLID_ANGLE,
+    SPECIFIC_HEAT,
+    SPEED,
+    TEMPERATURE,
+    TIME,
+    VOLUME,
+    WAVENUMBER,
+    times,
+)
+from radcalc.units.table import NUMBER, Dimension, Unit
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
-NONE, WAVELENGTH, FREQUENCY, WAVENUMBER = "", "lambda", "nu", "sigma"
+NONE, PER_WAVELENGTH, PER_FREQUENCY, PER_WAVENUMBER = "", "lambda", "nu", "sigma"
 DENSITY_NAMES = {
-    WAVELENGTH: "per wavelength",
-    FREQUENCY: "per frequency",
-    WAVENUMBER: "per wavenumber",
+    PER_WAVELENGTH: "per wavelength",
+    PER_FREQUENCY: "per frequency",
+    PER_WAVENUMBER: "per wavenumber",
 }
+DENSITY_SYMBOLS = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}
 EXITANCE_UNITS = ("radlux", "radphot")
 
 
-def powers(**exponents: int) -> Dimension:
-    """Write a dimension by the names of its bases."""
-    dimension = list(NUMBER)
-    for name, exponent in exponents.items():
-        dimension[BASES.index(name)] = exponent
-    return tuple(dimension)
-
-
-def times(a: Dimension, b: Dimension, power: int = 1) -> Dimension:
-    """The dimension of a * b**power."""
-    return tuple([x + power * y for x, y in zip(a, b, strict=True)])
-
-
-FLUX = {
-    RADIANT: powers(mass=1, length=2, time=-3),
-    LUMINOUS: powers(luminosity=1, angle=2),
-    PHOTON: powers(count=1, time=-1),
-}
+FLUX = {RADIANT: POWER, LUMINOUS: LUMINOUS_FLUX, PHOTON: PHOTON_FLUX}
 AXIS = {
     NONE: NUMBER,
-    WAVELENGTH: powers(length=1),
-    FREQUENCY: powers(cycle=1, time=-1),
-    WAVENUMBER: powers(cycle=1, length=-1),
+    PER_WAVELENGTH: LENGTH,
+    PER_FREQUENCY: FREQUENCY,
+    PER_WAVENUMBER: WAVENUMBER,
 }
-SOLID_ANGLE = powers(angle=2)
-AREA = powers(length=2)
-DURATION = powers(time=1)
-TROLAND = powers(retinal_illuminance=1)
 RATIOS = {
     (over, under): times(FLUX[over], FLUX[under], -1)
     for over in FLUX
@@ -78,50 +82,45 @@ GEOMETRIES = {
         "∫L dt",
     ),
 }
+KINDS = (RADIANT, LUMINOUS, PHOTON)  # the order of names, units and results
 EXITANCES = ("radiant exitance", "luminous exitance", "photon exitance")
 KIND_NAMES = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
 
 OTHERS = {
     NUMBER: ("number", ""),
-    powers(length=1): ("length", "l"),
+    LENGTH: ("length", "l"),
     AREA: ("area", "A"),
-    powers(length=3): ("volume", "V"),
-    powers(mass=1): ("mass", "m"),
-    DURATION: ("time", "t"),
-    powers(temperature=1): ("temperature", "T"),
-    powers(angle=1): ("angle", "α"),
+    VOLUME: ("volume", "V"),
+    MASS: ("mass", "m"),
+    TIME: ("time", "t"),
+    TEMPERATURE: ("temperature", "T"),
+    ANGLE: ("angle", "α"),
     SOLID_ANGLE: ("solid angle", "Ω"),
-    powers(cycle=1): ("number of cycles", ""),
-    AXIS[FREQUENCY]: ("frequency", "ν"),
-    AXIS[WAVENUMBER]: ("wavenumber", "σ"),
-    powers(length=2, angle=2): ("etendue", "G"),
-    TROLAND: ("retinal illuminance", "E_T"),
-    powers(mass=1, length=2, time=-2, count=-1): ("photon energy", "Q"),
+    CYCLES: ("number of cycles", ""),
+    FREQUENCY: ("frequency", "ν"),
+    WAVENUMBER: ("wavenumber", "σ"),
+    ETENDUE: ("etendue", "G"),
+    RETINAL_ILLUMINANCE: ("retinal illuminance", "E_T"),
+    PHOTON_ENERGY: ("photon energy", "Q"),
     RATIOS[LUMINOUS, RADIANT]: ("luminous efficacy", "K"),
     RATIOS[PHOTON, RADIANT]: ("photon efficacy", "K_p"),
     RATIOS[LUMINOUS, PHOTON]: ("luminous efficacy per photon", ""),
     RATIOS[RADIANT, LUMINOUS]: ("radiant flux per luminous flux", ""),
     RATIOS[PHOTON, LUMINOUS]: ("photons per luminous energy", ""),
-    powers(length=1, time=-1): ("speed", "v"),
-    powers(length=2, time=-2, temperature=-1): ("specific heat capacity", "c"),
+    SPEED: ("speed", "v"),
+    SPECIFIC_HEAT: ("specific heat capacity", "c"),
 }
 
 
-class Reading:
+class Reading(NamedTuple):
     """What a light quantity is: kind, geometry, axis of density; `retinal` for the troland."""
 
-    __slots__ = ("area", "axis", "kind", "retinal", "solid_angle", "time")
-
-    def __init__(
-        self, kind: str, time: int, area: int, solid_angle: int, axis: str, retinal: bool = False
-    ) -> None:
-        """Hold the facts."""
-        self.kind = kind
-        self.time = time
-        self.area = area
-        self.solid_angle = solid_angle
-        self.axis = axis
-        self.retinal = retinal
+    kind: str
+    time: int
+    area: int
+    solid_angle: int
+    axis: str
+    retinal: bool = False
 
     @property
     def geometry(self) -> tuple[int, int, int]:
@@ -137,23 +136,25 @@ class Reading:
     def name(self) -> str:
         """The quantity's name, as the CIE's vocabulary has it."""
         if self.retinal:
-            return OTHERS[TROLAND][0]
-        name = GEOMETRIES[self.geometry][0]["evp".index(self.kind)]
+            return OTHERS[RETINAL_ILLUMINANCE][0]
+        name = GEOMETRIES[self.geometry][0][KINDS.index(self.kind)]
         return f"spectral {name} ({DENSITY_NAMES[self.axis]})" if self.axis else name
 
     @property
     def symbol(self) -> str:
         """The quantity's symbol, such as E_v or L_e,λ."""
         if self.retinal:
-            return OTHERS[TROLAND][1]
-        greek = {NONE: "", WAVELENGTH: ",λ", FREQUENCY: ",ν", WAVENUMBER: ",σ"}[self.axis]
+            return OTHERS[RETINAL_ILLUMINANCE][1]
+        greek = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}[
+            self.axis
+        ]
         return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{greek}"
 
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
     """The dimension of a light quantity, from its facts."""
     time, area, solid_angle = geometry
-    dimension = times(FLUX[kind], DURATION, time)
+    dimension = times(FLUX[kind], TIME, time)
     dimension = times(dimension, AREA, -area)
     dimension = times(dimension, SOLID_ANGLE, -solid_angle)
     return times(dimension, AXIS[axis], -1)
@@ -169,7 +170,7 @@ GRID = {
 
 def read(unit: Unit) -> Reading | None:
     """Read the facts of a light quantity back from a unit; None for any other quantity."""
-    if unit.dimension == TROLAND:
+    if unit.dimension == RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
     facts = GRID.get(unit.dimension)
     return Reading(*facts) if facts else None
@@ -178,7 +179,7 @@ def read(unit: Unit) -> Reading | None:
 def is_per_length(unit: Unit) -> bool:
     """Whether a density per wavelength is written with no wavelength unit: the lm/m of a strip."""
     reading = read(unit)
-    if reading is None or reading.axis != WAVELENGTH:
+    if reading is None or reading.axis != PER_WAVELENGTH:
         return False
     if any(name.endswith("flick") for name, _ in unit.atoms):
         return False
@@ -199,7 +200,7 @@ def name_of(unit: Unit) -> str:
         plain = Reading(reading.kind, *reading.geometry, NONE)
         return f"{plain.name} per length"
     if is_exitance(unit):
-        return EXITANCES["evp".index(reading.kind)]
+        return EXITANCES[KINDS.index(reading.kind)]
     return reading.name
 
 
@@ -223,7 +224,12 @@ COHERENT_HEADS = {
     (PHOTON, 0): "photon/s",
     (PHOTON, 1): "photon",
 }
-COHERENT_AXES = {NONE: "", WAVELENGTH: "/m", FREQUENCY: "/Hz", WAVENUMBER: "/(cycle/m)"}
+COHERENT_AXES = {
+    NONE: "",
+    PER_WAVELENGTH: "/m",
+    PER_FREQUENCY: "/Hz",
+    PER_WAVENUMBER: "/(cycle/m)",
+}
 
 
 def coherent_unit(unit: Unit) -> str:

@@ -4,7 +4,7 @@ import unicodedata
 from collections.abc import Callable
 from typing import NamedTuple
 
-from radcalc.errors import RadcalcError, UsageError, nearest, quote
+from radcalc.errors import RadcalcError, UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import GEOMETRIES, NONE, is_exitance, is_per_length, name_of, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
@@ -54,13 +54,13 @@ def search(text: str) -> list[Found]:
         return found
     if unit and (measured := name_of(unit)):
         raise UsageError(
-            f"'{quote(text)}' measures {measured}, no quantity of light", "radcalc quantities"
+            f"'{quote(text)}' measures {measured}, no quantity of light", command("quantities")
         )
     known = {fold(name): name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)}
     near = [known[name] for name in nearest(fold(text), known, 3)]
     raise UsageError(
         f"no quantity is called '{quote(text)}'",
-        ", ".join(near) or "radcalc quantities, which lists them all",
+        ", ".join(near) or f"{command('quantities')}, which lists them all",
     )
 
 

@@ -3,13 +3,13 @@
 from typing import NamedTuple
 
 from radcalc.quantities.light import (
-    FREQUENCY,
     LUMINOUS,
     NONE,
+    PER_FREQUENCY,
+    PER_WAVELENGTH,
+    PER_WAVENUMBER,
     PHOTON,
     RADIANT,
-    WAVELENGTH,
-    WAVENUMBER,
     is_per_length,
     name_of,
     read,
@@ -33,9 +33,9 @@ AREAS = {0: ("",), 1: ("/m2", "/cm2")}
 CUSTOMARY_AREAS = {0: (), 1: ("/ft2", "/in2")}
 AXES = {
     NONE: ("",),
-    WAVELENGTH: ("/nm", "/um"),
-    FREQUENCY: ("/Hz", "/THz"),
-    WAVENUMBER: ("/cm-1",),
+    PER_WAVELENGTH: ("/nm", "/um"),
+    PER_FREQUENCY: ("/Hz", "/THz"),
+    PER_WAVENUMBER: ("/cm-1",),
 }
 PER_LENGTH = ("/m", "/cm", "/ft")
 PREFIXES = "km"

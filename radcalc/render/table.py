@@ -12,27 +12,24 @@ from rich.table import Table
 from rich.text import Text
 
 from radcalc.answer import Result, Row, columns
-from radcalc.quantities.language import ENGLISH, translate
+from radcalc.quantities.language import translate
+from radcalc.render import plain
+from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import derivation, number
 
 DIGITS = 6
+REMARKS_ARE_APART = False
 
 
-def render(
-    results: Sequence[Result],
-    width: int,
-    color: bool,
-    precision: int | None = None,
-    remarks: bool = True,
-    language: str = ENGLISH,
-) -> str:
+def results(results: Sequence[Result], style: Style) -> str:
     """The rows of all results in one table, what was assumed below, then the steps.
 
     The quantities' names are in the language, as far as it has them.
     """
+    precision, language, width, color = style.precision, style.language, style.width, style.color
     below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
     below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
-    if not remarks:
+    if not style.remarks:
         below = []
     below += [line for result in results for line in derivation(result.steps)]
     wide = _wide(results, precision, language)
@@ -57,6 +54,20 @@ def render(
         for row in rows
     ]
     return draw(header, lines, below, width, color, right=("value",))
+
+
+def records(records: Records, style: Style) -> str:
+    """A table of a list's own columns, and its notes below."""
+    notes = [f"note: {note}" for note in dict.fromkeys(records.notes)]
+    header = [name for name in records.table[0] if name != "note"]
+    lines = [[row[name] for name in header] for row in records.table]
+    below = notes if style.remarks else []
+    return draw(header, lines, below, style.width, style.color, records.right)
+
+
+def verdict(judgement: Judgement, style: Style) -> str:
+    """The words of plain text, with the digits of a table."""
+    return plain.verdict(judgement, style, DIGITS)
 
 
 def _quantity(row: Row, language: str) -> str:

@@ -11,8 +11,8 @@ from itertools import pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, RadcalcError, quote
-from radcalc.quantities.light import RADIANT, WAVELENGTH, read
+from radcalc.errors import ConditionError, RadcalcError, option, quote
+from radcalc.quantities.light import PER_WAVELENGTH, RADIANT, read
 from radcalc.spectra.spectrum import Table
 from radcalc.units.table import resolve
 
@@ -231,7 +231,7 @@ class _Reader:
                 raise self.error(
                     number,
                     f"there are {width - 1} columns of values",
-                    f"{self.name}:COLUMN (or --column) with one of: {named}",
+                    f"{self.name}:COLUMN (or {option('column')}) with one of: {named}",
                 )
             return 1, titles[1]
         if self.column in titles[1:]:
@@ -352,7 +352,7 @@ class _Reader:
                 facts = read(unit)
                 if facts is None or not unit.is_light:
                     continue  # a percentage, say: relative values
-                if facts.kind == RADIANT and facts.axis == WAVELENGTH and not facts.time:
+                if facts.kind == RADIANT and facts.axis == PER_WAVELENGTH and not facts.time:
                     return QUANTITIES[facts.area, facts.solid_angle], unit.factor * 1e-9
                 raise self.error(
                     0,

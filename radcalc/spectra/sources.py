@@ -3,12 +3,12 @@
 import math
 import os
 
-from radcalc.errors import ConditionError, RadcalcError, nearest, quote
-from radcalc.quantities.light import powers
+from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT
 from radcalc.spectra.spectrum import BlackBody, Lines, Range, Spectrum, Table
-from radcalc.units.grammar import split_quantity
+from radcalc.units.dimensions import FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
@@ -16,10 +16,9 @@ VISIBLE: Range = (380.0, 780.0)
 KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
-LENGTH = powers(length=1)
-FREQUENCY = powers(cycle=1, time=-1)
-TEMPERATURE = powers(temperature=1)
-HINT = "D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file (radcalc spectrum --list)"
+HINT = (
+    f"D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file ({command('spectrum', list='')})"
+)
 
 
 def spectrum(text: str, column: str = "") -> Spectrum:
@@ -29,7 +28,7 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     """
     text = text.strip()
     if column and (find_named(text) or (text.partition(":")[0].lower() in KINDS and ":" in text)):
-        raise ConditionError(f"--column has no use with {quote(text)}", "a file")
+        raise ConditionError(f"{option('column')} has no use with {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in KINDS:
         return _of_kind(kind.lower(), parameters, text)

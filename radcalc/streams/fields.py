@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Callable
 
-from radcalc.errors import NumberError, UsageError, nearest, quote
+from radcalc.errors import NumberError, UsageError, nearest, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
@@ -35,17 +35,16 @@ class Fields:
 
 def _range(text: str, part: str) -> tuple[int, int]:
     """The first and the last field of a part of a list; 0 for the last of a line."""
+    told = option("field", quote(text))
     first, dash, last = part.strip().partition("-")
     numbers = [first or "1", last or "0"] if dash else [first, first]
     if not all(number.isascii() and number.isdigit() for number in numbers):
-        raise UsageError(f"--field {quote(text)} is not a list of fields", FIELDS)
+        raise UsageError(f"{told} is not a list of fields", FIELDS)
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
-        raise UsageError(
-            f"--field {quote(text)} is not possible", f"fields are numbered from 1 to {MOST}"
-        )
+        raise UsageError(f"{told} is not possible", f"fields are numbered from 1 to {MOST}")
     if high and high < low:
-        raise UsageError(f"--field {quote(text)} has a decreasing range", FIELDS)
+        raise UsageError(f"{told} has a decreasing range", FIELDS)
     return low, high
 
 
@@ -54,7 +53,8 @@ def read_delimiter(text: str) -> bytes:
     character = NAMED.get(text.lower(), text)
     if len(character) != 1 or character in '"\n\r\0':
         raise UsageError(
-            f"--delimiter {quote(text)} is not one character", "a character, such as , or ; or tab"
+            f"{option('delimiter', quote(text))} is not one character",
+            "a character, such as , or ; or tab",
         )
     return os.fsencode(character)
 
@@ -120,7 +120,8 @@ class Cut:
             return Fields(str(cells.index(wanted) + 1))
         if count:
             raise UsageError(
-                f"the header of stdin has the column '{quote(name)}' {count} times", "--field N"
+                f"the header of stdin has the column '{quote(name)}' {count} times",
+                option("field", "N"),
             )
         names = [cell.decode("utf-8", "replace") for cell in cells if cell]
         near = nearest(name, names) or names
@@ -128,7 +129,7 @@ class Cut:
             f"the header of stdin has no column '{quote(name)}'",
             quote(", ".join(near))
             if len(cells) > 1
-            else "--delimiter X, with what cuts the fields",
+            else f"{option('delimiter', 'X')}, with what cuts the fields",
         )
 
     def convert(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:

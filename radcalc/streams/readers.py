@@ -6,10 +6,10 @@ Each is converted by itself, as a single conversion is, or many at a time where 
 from collections.abc import Callable
 
 from radcalc.conversion.plan import Plan
-from radcalc.errors import NumberError, RadcalcError, UsageError, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
-from radcalc.units.grammar import parse_number
+from radcalc.units.numbers import parse_number
 from radcalc.units.operands import read_quantity
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
@@ -19,7 +19,8 @@ NUMBER = b"0123456789.+-"
 class Numbers:
     """Texts that are bare numbers, all of one unit."""
 
-    example = "--field N for one of several fields, or radcalc convert - TARGET for 100 lx"
+    example = f"{option('field', 'N')} for one of several fields, or "
+    example += f"{command('convert', '-', 'TARGET')} for 100 lx"
 
     def __init__(self, made: Plan, precision: int | None = None) -> None:
         """Take the plan for all of them."""
@@ -68,7 +69,7 @@ class Quantities:
         if not unit:
             raise UsageError(
                 f"'{quote(text.decode())}' has no unit",
-                "radcalc convert - UNIT TARGET for bare numbers",
+                f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
             )
         return self._plan(unit), value
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from pint.util import UnitsContainer
 
 from radcalc.units.registry import DEFINITIONS, exact_registry
-from radcalc.units.table import BASES, MASS
+from radcalc.units.table import BASES, MASS_AT
 
 HERE = Path(__file__).parent
 BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
@@ -134,7 +134,7 @@ def worth(registry: Any, name: str) -> tuple[int, int, tuple[int, ...]]:
     powers = [0] * len(BASE_UNITS)
     for base, power in registry.get_dimensionality(container).items():
         powers[BASE_UNITS[base]] = int(power)
-    factor = Fraction(factor) / Fraction(1000) ** powers[MASS]  # Pint's base is the gram
+    factor = Fraction(factor) / Fraction(1000) ** powers[MASS_AT]  # Pint's base is the gram
     return factor.numerator, factor.denominator, tuple(powers)
 
 

@@ -1,7 +1,7 @@
 """The words of a conversion: VALUE UNIT [to] TARGET, in every way people write them."""
 
 from radcalc.errors import NumberError, UsageError, quote
-from radcalc.units.grammar import split_quantity
+from radcalc.units.numbers import split_quantity
 
 SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none

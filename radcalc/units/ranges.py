@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, quote
-from radcalc.units.grammar import split_quantity
+from radcalc.errors import ConditionError, option, quote
+from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
 T = TypeVar("T")
@@ -46,7 +46,8 @@ def one_by_one(
     lists = [name for name, values in given.items() if len(values) > 1 or name in long]
     if len(lists) > 1:
         raise ConditionError(
-            f"--{lists[0]} and --{lists[1]} are both lists", "a list for one of them, and a loop"
+            f"{option(lists[0])} and {option(lists[1])} are both lists",
+            "a list for one of them, and a loop",
         )
     count = max((len(values) for values in given.values()), default=1)
     cases = [

@@ -5,7 +5,7 @@ The numbers come from `compiled.py`, which `compile.py` prints from what Pint sa
 is rounded once.
 """
 
-from radcalc.errors import UnitError, nearest, quote
+from radcalc.errors import UnitError, command, nearest, quote
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -29,7 +29,8 @@ BASES = (
     "luminosity",
     "retinal_illuminance",
 )
-LENGTH, MASS, TIME, TEMPERATURE, ANGLE, CYCLE, COUNT, LUMINOSITY = range(8)  # the first ones
+# Where each of the first ones stands in it.
+LENGTH_AT, MASS_AT, TIME_AT, TEMPERATURE_AT, ANGLE_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = range(8)
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
@@ -37,7 +38,7 @@ INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 COMMON_PREFIXES = "GMkcmun"
-LUMINOUS_AND_COUNTED = (MASS, COUNT, LUMINOSITY)
+LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
 
 class Unit:
@@ -159,7 +160,9 @@ def resolve(text: str) -> Unit:
         if powers == LENGTH_ALONE and exponent == 1:
             inverted += below
             loose = "" if below else spelling
-        light |= bool(powers[COUNT] or powers[LUMINOSITY] or (powers[MASS] and powers[TIME]))
+        light |= bool(
+            powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT])
+        )
         if name in NOTES and NOTES[name] not in notes:
             notes += (NOTES[name],)
     if loose and light and "(" not in text:
@@ -179,7 +182,7 @@ def _as_wavenumber(unit: Unit, inverted: int) -> Unit:
         cycles, read = -1, f"{quote(unit.text)} is read as a density per wavenumber"
     if cycles:
         powers = list(unit.dimension)
-        powers[CYCLE] += cycles
+        powers[CYCLE_AT] += cycles
         unit.dimension = tuple(powers)
         unit.atoms = (*unit.atoms, ("cycle", cycles))
         unit.notes = (*unit.notes, read)
@@ -212,7 +215,7 @@ def _unknown(spelling: str) -> UnitError:
     near = suggest(spelling)
     return UnitError(
         f"unknown unit '{shown}'",
-        ", ".join(near) if near else "radcalc units, which lists them all",
+        ", ".join(near) if near else f"{command('units')}, which lists them all",
     )
 
 

@@ -9,7 +9,7 @@ from conftest import run
 from radcalc import cli
 from radcalc.errors import UsageError
 from radcalc.quantities.typical import VALUES, Typical, search
-from radcalc.units.grammar import split_quantity
+from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
 BASES = {

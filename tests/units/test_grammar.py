@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import NumberError, UnitError
-from radcalc.units.grammar import parse_number, parse_unit, split_quantity
+from radcalc.units.grammar import parse_unit
+from radcalc.units.numbers import parse_number, split_quantity
 
 SAME = [("W", 1), ("m", -2), ("sr", -1)]
 

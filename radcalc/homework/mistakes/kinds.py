@@ -3,20 +3,16 @@
 import math
 from collections.abc import Iterator
 
-from radcalc.conversion.conditions import LENGTH
 from radcalc.geometry import lobes, solid
 from radcalc.homework.catalogue import Problem, light_of, mistake
-from radcalc.quantities.light import AREA, DURATION, GRID, SOLID_ANGLE
+from radcalc.quantities.light import GRID
 from radcalc.spectra.observers import OBSERVERS
+from radcalc.units.dimensions import AREA, LENGTH, SOLID_ANGLE, TIME
 
 
 def _is_diffuse(p: Problem) -> bool:
     names = {"reflectance", "radiance", "exitance", "incident-irradiance", "hemisphere"}
-    return (
-        p.facts.get("command") == "lambertian"
-        or bool(names & set(p.given))
-        or bool(p.facts.get("per_pi"))
-    )
+    return p.facts.command == "lambertian" or bool(names & set(p.given)) or bool(p.facts.per_pi)
 
 
 @mistake(
@@ -52,7 +48,7 @@ def _two_pi(p: Problem) -> Iterator[float]:
 def _sphere(p: Problem) -> Iterator[float]:
     fluxes = {"flux", "luminous-flux", "radiant-flux", "photon-flux", "energy", "luminous-energy"}
     crossed = (p.target.name in fluxes) != bool(fluxes & set(p.given))
-    if "isotropic" in p.given or (p.facts.get("distribution") == "isotropic" and crossed):
+    if "isotropic" in p.given or (p.facts.distribution == "isotropic" and crossed):
         for factor in (2.0, 4.0, 4 * math.pi):
             yield p.right * factor
             yield p.right / factor
@@ -87,7 +83,7 @@ def _spot(p: Problem) -> Iterator[float]:
         omega = solid.cone(half)
     if omega is None and n is not None:
         omega = 2 * math.pi / (n + 1)
-    if omega and light_of(p) and p.facts.get("command") in ("point-source", "convert"):
+    if omega and light_of(p) and p.facts.command in ("point-source", "convert"):
         yield p.right * 4 * math.pi / omega
         yield p.right * omega / (4 * math.pi)
 
@@ -126,7 +122,7 @@ def _rho(p: Problem) -> Iterator[float]:
     "sin(alpha) = 1/(2 N)",
 )
 def _four(p: Problem) -> Iterator[float]:
-    if p.facts.get("command") == "etendue" and "f-number" in p.given:
+    if p.facts.command == "etendue" and "f-number" in p.given:
         yield p.right * 4
 
 
@@ -137,7 +133,7 @@ def _four(p: Problem) -> Iterator[float]:
     "lm = 683 V(lambda) W for one wavelength; a spectrum has its own efficacy",
 )
 def _km(p: Problem) -> Iterator[float]:
-    efficacy = p.facts.get("efficacy") or p.si("luminous-efficacy")
+    efficacy = p.facts.efficacy or p.si("luminous-efficacy")
     if efficacy and p.target.name == "luminous-efficacy":
         yield 683.0
     elif efficacy and light_of(p):
@@ -156,12 +152,7 @@ def _km(p: Problem) -> Iterator[float]:
 def _night(p: Problem) -> Iterator[float]:
     day, night = OBSERVERS["photopic"].maximum, OBSERVERS["scotopic"].maximum
     name = p.target.name
-    if (
-        "efficacy" in name
-        or "scotopic" in name
-        or p.facts.get("efficacy")
-        or p.si("luminous-efficacy")
-    ):
+    if "efficacy" in name or "scotopic" in name or p.facts.efficacy or p.si("luminous-efficacy"):
         for ratio in (night / day, 1700 / 683):
             yield p.right * ratio
             yield p.right / ratio
@@ -174,7 +165,7 @@ def _night(p: Problem) -> Iterator[float]:
     "h c / lambda takes the wavelength in metres",
 )
 def _nano(p: Problem) -> Iterator[float]:
-    if "wavelength" in p.given or p.facts.get("command") == "photon":
+    if "wavelength" in p.given or p.facts.command == "photon":
         for factor in (1e9, 1e-9, 1e7, 1e-7, 1e2, 1e-2):
             yield p.right * factor
 
@@ -218,9 +209,9 @@ def _width(p: Problem) -> Iterator[float]:
     "E_nu = E_lambda lambda^2 / c: the width of the interval changes too",
 )
 def _jacobian(p: Problem) -> Iterator[float]:
-    factor = p.facts.get("jacobian")
+    factor = p.facts.jacobian
     if factor:
-        yield p.facts["unchanged"]
+        yield p.facts.unchanged
         yield p.right / factor
         yield p.right / factor**2
 
@@ -245,7 +236,7 @@ def _log(p: Problem) -> Iterator[float]:
 )
 def _squared(p: Problem) -> Iterator[float]:
     n = p.si("f-number")
-    if n and p.facts.get("command") == "ev":
+    if n and p.facts.command == "ev":
         if p.target.name in ("ev", "ev100"):
             yield p.right - math.log2(n)
         elif (
@@ -263,7 +254,7 @@ def _squared(p: Problem) -> Iterator[float]:
 )
 def _constants(p: Problem) -> Iterator[float]:
     k, c = p.si("k"), p.si("c")
-    if k and c and p.facts.get("command") == "ev":
+    if k and c and p.facts.command == "ev":
         if p.target.name == "luminance":
             yield p.right * c / k
         elif p.target.name == "illuminance":
@@ -280,7 +271,7 @@ def _constants(p: Problem) -> Iterator[float]:
     "EV100 = EV - log2(S / 100)",
 )
 def _iso(p: Problem) -> Iterator[float]:
-    if "iso" in p.given and p.facts.get("command") == "ev":
+    if "iso" in p.given and p.facts.command == "ev":
         yield from p.anew(iso=100.0)
 
 
@@ -291,9 +282,9 @@ def _iso(p: Problem) -> Iterator[float]:
     "a watt is a joule per second",
 )
 def _seconds(p: Problem) -> Iterator[float]:
-    for one in p.named(DURATION):
+    for one in p.named(TIME):
         if isinstance(one.number, (int, float)) and one.unit and one.unit.text != "s":
-            yield from p.anew(**{one.option.name: float(one.number)})
+            yield from p.anew(**{one.name: float(one.number)})
 
 
 @mistake(
@@ -304,10 +295,10 @@ def _seconds(p: Problem) -> Iterator[float]:
 )
 def _length(p: Problem) -> Iterator[float]:
     for one in p.named(LENGTH):
-        if one.option.name == "wavelength":
+        if one.name == "wavelength":
             continue
         for factor in (100.0, 0.01, 1000.0, 0.001, 0.3048, 1 / 0.3048):
-            yield from p.anew(**{one.option.name.replace("-", "_"): one.value * factor})
+            yield from p.anew(**{one.name.replace("-", "_"): one.value * factor})
 
 
 @mistake(
@@ -319,7 +310,7 @@ def _length(p: Problem) -> Iterator[float]:
 def _area(p: Problem) -> Iterator[float]:
     for one in p.named(AREA):
         for factor in (1e2, 1e-2, 1e3, 1e-3, 1e4, 1e-4, 1e6, 1e-6):
-            yield from p.anew(**{one.option.name.replace("-", "_"): one.value * factor})
+            yield from p.anew(**{one.name.replace("-", "_"): one.value * factor})
         for factor in (1e2, 1e-2, 1e4, 1e-4):  # where the patch would be too large for its law
             yield p.right * factor
 

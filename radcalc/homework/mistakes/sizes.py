@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator
 
-from radcalc.conversion.conditions import ANGLE
 from radcalc.geometry import solid
 from radcalc.homework.catalogue import Problem, light_of, mistake
+from radcalc.units.dimensions import ANGLE
 
 
 @mistake(
@@ -90,11 +90,11 @@ def _radians(p: Problem) -> Iterator[float]:
             continue
         turned = math.fmod(abs(number), 2 * math.pi)
         for angle in (turned, 2 * math.pi - turned):
-            yield from p.anew(**{one.option.name.replace("-", "_"): angle})
-        if one.option.name == "incidence" and math.cos(one.value):
+            yield from p.anew(**{one.name.replace("-", "_"): angle})
+        if one.name == "incidence" and math.cos(one.value):
             yield p.right * math.cos(number) / math.cos(one.value)
-        if one.option.name in ("half-angle", "apex-angle") and p.target.name == "solid-angle":
-            half = number if one.option.name == "half-angle" else number / 2
+        if one.name in ("half-angle", "apex-angle") and p.target.name == "solid-angle":
+            half = number if one.name == "half-angle" else number / 2
             yield 2 * math.pi * (1 - math.cos(half))
     yield from _radian_sines(p)
     if ANGLE in p.target.dimensions:
@@ -119,7 +119,7 @@ def _radian_sines(p: Problem) -> Iterator[float]:
 def _aside(p: Problem) -> tuple[float, float] | None:
     """The height above a flat source and the slant distance, off its axis."""
     height, offset = p.si("height"), p.si("offset")
-    if height and offset and p.facts.get("shape") in ("disc", "rectangle"):
+    if height and offset and p.facts.shape in ("disc", "rectangle"):
         return height, math.hypot(height, offset)
     return None
 
@@ -202,7 +202,7 @@ def _surface(p: Problem) -> Iterator[float]:
     radius, away = p.si("radius"), p.si("distance")
     if "diameter" in p.given:
         radius = p.given["diameter"].value / 2
-    if p.facts.get("shape") == "sphere" and radius and away:
+    if p.facts.shape == "sphere" and radius and away:
         if "distance" in p.given:
             yield from p.anew(distance=away - radius)
             yield from p.anew(distance=away + radius)
@@ -219,10 +219,10 @@ def _surface(p: Problem) -> Iterator[float]:
 def _tangent(p: Problem) -> Iterator[float]:
     radius = p.si("radius") or (p.si("diameter") or 0) / 2
     away = p.si("distance") or p.si("height")
-    if not radius or not away or p.facts.get("shape") not in ("sphere", "disc"):
+    if not radius or not away or p.facts.shape not in ("sphere", "disc"):
         return
     ratio = radius / away
-    if p.facts["shape"] == "sphere":
+    if p.facts.shape == "sphere":
         half = math.atan(ratio)
         others = {
             "solid-angle": solid.cone(half),
@@ -311,7 +311,7 @@ def _projected(p: Problem) -> Iterator[float]:
     "the zone is the outer cap less the inner one: 2 pi (cos t0 - cos t1)",
 )
 def _caps(p: Problem) -> Iterator[float]:
-    polar = p.facts.get("polar")
+    polar = p.facts.polar
     if polar and p.target.name in ("solid-angle", "projected-solid-angle", "integral"):
         inner, outer = map(solid.cone, polar)
         part = p.right / (outer - inner) if outer > inner else 0.0

@@ -1,0 +1,47 @@
+"""--check and --tolerance: whether a number is the right answer."""
+
+from typing import TYPE_CHECKING
+
+import click
+
+from radcalc import stdio
+from radcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from radcalc.cli.options import Output
+    from radcalc.homework.question import Question
+
+OPTIONS = (
+    click.Option(
+        ["--check"],
+        metavar="[NAME=]VALUE[UNIT]",
+        help="Say whether that answer is right, and if not, what went wrong (status 1).",
+    ),
+    click.Option(
+        ["--tolerance"],
+        metavar="1%",
+        help="How near it must be: 1% (the default), 0.5lx, or 3sf for significant digits.",
+    ),
+)
+
+
+def refuse_idle(check: str | None, tolerance: str | None) -> None:
+    """Refuse a tolerance of nothing."""
+    if tolerance is not None and check is None:
+        raise UsageError("--tolerance has no use without --check", "--check VALUE with it")
+
+
+def refuse_several(count: int) -> None:
+    """Refuse to judge one number by several answers."""
+    if count > 1:
+        raise UsageError("--check takes one answer, and there are several", "one value a call")
+
+
+def judge(question: "Question", claim: str, tolerance: str | None, shown: "Output") -> int:
+    """Say whether an answer is right, and what went wrong; return the exit status."""
+    from radcalc.homework import check
+    from radcalc.render.formats import Judgement
+
+    verdict = check(question, claim, tolerance or "1%")
+    shown.judge(Judgement(verdict, question.answer.assumptions, question.answer.notes))
+    return stdio.ANSWERED if verdict.is_right else stdio.WRONG

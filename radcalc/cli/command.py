@@ -1,0 +1,178 @@
+"""A command whose sections are its options: the help shows them so, with the examples first."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import click
+
+from radcalc.cli import check, options
+from radcalc.cli.spelling import Shell
+from radcalc.errors import UsageError, quote
+from radcalc.quantities.light import KINDS
+from radcalc.quantities.symbols import (
+    CHOICE,
+    FLAG,
+    SPECIFIC,
+    SYMBOLS,
+    Symbol,
+    light_unit,
+    names_of_kinds,
+)
+
+LIGHT = ("wavelength", "spectrum", "efficacy", "observer", "range", "photon-range")
+GET = click.Option(
+    ["-g", "--get", "wanted"],
+    multiple=True,
+    metavar="NAME[:UNIT]",
+    help="The bare number of that result (repeatable; coherent SI without a unit).",
+)
+Member = str | click.Option  # the name of a symbol, or an option that is none
+
+
+def define(
+    name: str,
+    sections: dict[str, Sequence[Member]],
+    words: str = "",
+    kinds: Sequence[str] = KINDS,
+    calculates: bool = True,
+    output: Sequence[click.Option] = (),
+    complete: Callable[..., Any] | None = None,
+    cls: "type[SectionedCommand] | None" = None,
+) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
+    """Make a command of a function, whose docstring is the help.
+
+    `sections` are the titles of the help, with the symbols and other options below them; `words`
+    says what its operands are, and `complete` completes them; light quantities are taken in
+    `kinds`.  A command that calculates has the options that ask for results; `output` are more
+    options of the output, and `cls` is the class of the command.
+
+    The function is called with `typed`, the texts of the symbols that were given, where it has
+    any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
+    by its name.
+    """
+    sections = dict(sections)
+    if calculates:
+        own = sections.pop("Results", ())
+        sections["Results"] = (*own, GET, *check.OPTIONS)
+    groups = {
+        title: [option for member in members for option in _options(member, name, kinds)]
+        for title, members in sections.items()
+    }
+    symbols = {
+        option.name: option.opts[-1].removeprefix("--")
+        for group in groups.values()
+        for option in group
+        if isinstance(option, SymbolOption)
+    }
+    last = [*options.OPTIONS, *([options.STEPS] if calculates else output)]
+    params: list[click.Parameter] = [option for group in groups.values() for option in group]
+    if words:
+        operands = click.Argument(["words"], nargs=-1, metavar=words, shell_complete=complete)
+        params.insert(0, operands)
+
+    def decorate(function: Callable[..., Any]) -> "SectionedCommand":
+        def call(**values: Any) -> Any:
+            shown = options.decide(**{key: values.pop(key) for key in OUTPUT_NAMES})
+            typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
+            given = {key: text for key, text in typed.items() if text not in (None, False)}
+            if calculates:
+                from radcalc.cli.calculator import Asked
+
+                values["asked"] = Asked.of(values)
+            if symbols:
+                values["typed"] = given
+            return function(shown=shown, **values)
+
+        return (cls or SectionedCommand)(
+            name,
+            callback=call,
+            params=[*params, *last],
+            help=function.__doc__,
+            context_settings={"max_content_width": 100},
+            sections={**groups, "Output": last},
+        )
+
+    return decorate
+
+
+OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet")
+
+
+class SymbolOption(click.Option):
+    """The option of a symbol of the vocabulary."""
+
+
+def _options(member: Member, command_name: str, kinds: Sequence[str]) -> list[click.Option]:
+    """The options of a symbol; a light quantity has hidden ones for the names of its kinds."""
+    if isinstance(member, click.Option):
+        return [member]
+    symbol = SYMBOLS[member]
+    example, text = symbol.shown_in(command_name)
+    text = text.format_map(Spelled())
+    if member != symbol.generic:
+        return [_option(symbol, example, text)]
+    others = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in kinds]
+    if others:
+        text = f"{text.rstrip('.')} (also --{', --'.join(others)})."
+    if len(kinds) == 1:
+        example = f"100{light_unit(member, kinds[0])}".replace(" ", ".")
+    hidden = []
+    for other in others:
+        shown, said = SYMBOLS[other].shown_in(command_name)
+        hidden.append(_option(SYMBOLS[other], shown, said.format_map(Spelled()), hidden=True))
+    return [_option(symbol, example, text), *hidden]
+
+
+def _option(symbol: Symbol, example: str, text: str, hidden: bool = False) -> SymbolOption:
+    kind: dict[str, Any] = {"metavar": example}
+    if symbol.form == FLAG:
+        kind = {"is_flag": True}
+    elif symbol.form == CHOICE:
+        kind = {"type": click.Choice(symbol.choices, case_sensitive=False)}
+    return SymbolOption([f"--{symbol.name}"], help=text, hidden=hidden, **kind)
+
+
+class Spelled(dict[str, str]):
+    """What stands for the {name} of a symbol in a help text."""
+
+    def __missing__(self, name: str) -> str:
+        """The option."""
+        return Shell.option(name, "")
+
+
+class SectionedCommand(click.Command):
+    """Options are listed under the titles of `sections`."""
+
+    def __init__(
+        self, *args: Any, sections: dict[str, Sequence[click.Option]], **kwargs: Any
+    ) -> None:
+        super().__init__(*args, **kwargs)
+        self.sections = sections
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Refuse an option that is given twice: the first would be ignored silently."""
+        several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
+        seen: set[str] = set()
+        for word in args[: args.index("--")] if "--" in args else args:
+            name = word.partition("=")[0]
+            if word.startswith("--") and name in seen - several:
+                raise UsageError(f"{quote(name)} is given twice", "it once, or a list of values")
+            seen.add(name)
+        rest = super().parse_args(ctx, args)
+        for parameter in self.params:
+            value = ctx.params.get(parameter.name or "")
+            if value == "" or (
+                isinstance(value, tuple) and "" in value and parameter.opts[0][0] == "-"
+            ):
+                raise UsageError(f"{parameter.opts[0]} is empty", "a value, or without the option")
+        return rest
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write one list of options a section."""
+        for title, listed in self.sections.items():
+            of_output = title == "Output"
+            shown = [*listed, self.get_help_option(ctx)] if of_output else listed
+            records = [option.get_help_record(ctx) for option in shown if option]
+            if any(records):
+                with formatter.section(title):
+                    formatter.write_dl([record for record in records if record])

@@ -1,0 +1,134 @@
+"""The options of output that every command shares, and what they decide."""
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import click
+
+from radcalc import stdio
+from radcalc.answer import Result
+from radcalc.cli.spelling import spelled
+from radcalc.errors import UsageError
+from radcalc.quantities.language import ENGLISH, language
+from radcalc.render.formats import (
+    FORMATS,
+    JSON,
+    PLAIN,
+    TABLE,
+    Judgement,
+    Records,
+    Style,
+    renderer,
+)
+
+
+class Output(NamedTuple):
+    """How an answer is to be shown, decided once."""
+
+    format: str
+    style: Style
+
+    def show(self, results: Sequence[Result]) -> None:
+        """Write the results to standard output, and remarks on them to standard error."""
+        results = [result.spelled(spelled) for result in results]
+        form = renderer(self.format)
+        stdio.write(form.results(results, self._on_terminal()))
+        if form.REMARKS_ARE_APART:
+            self.remark(results)
+
+    def records(self, records: Records) -> None:
+        """Write a list of what there is."""
+        stdio.write(renderer(self.format).records(records, self._on_terminal()))
+
+    def judge(self, judgement: Judgement) -> None:
+        """Write whether an answer is right."""
+        said = Result(
+            (),
+            tuple(judgement.assumptions),
+            tuple(judgement.notes),
+            judgement.verdict.steps,
+        ).spelled(spelled)
+        judgement = judgement._replace(assumptions=said.assumptions, notes=said.notes)
+        stdio.write(renderer(self.format).verdict(judgement, self.style))
+        if self.format != JSON:
+            self.remark([said])
+
+    def remark(self, results: Sequence[Result]) -> None:
+        """Write to standard error what was assumed and noted, once each, and the derivations."""
+        from radcalc.render.plain import derivation
+
+        lines: list[str] = []
+        if self.style.remarks:
+            said = [line for r in results for line in stdio.remarks(r.assumptions, r.notes)]
+            lines = [spelled(line) for line in dict.fromkeys(said)]
+        stdio.say(lines + [line for r in results for line in derivation(r.steps)])
+
+    def _on_terminal(self) -> Style:
+        """The style, with the terminal's width where a table is drawn; 80 where there is none."""
+        if self.format != TABLE:
+            return self.style
+        import shutil  # costs as much as a conversion, and only tables need it
+
+        return self.style._replace(width=shutil.get_terminal_size((80, 24)).columns)
+
+
+OPTIONS = (
+    click.Option(["-n", "--number"], is_flag=True, help="Bare numbers only."),
+    click.Option(
+        ["--format", "format_"],
+        type=click.Choice(FORMATS),
+        help="Default: a table on a terminal, plain text elsewhere.",
+    ),
+    click.Option(["--json", "json_"], is_flag=True, help="Short for --format json."),
+    click.Option(
+        ["--precision"],
+        type=click.IntRange(1, 17),
+        metavar="N",
+        help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
+    ),
+    click.Option(
+        ["--color"],
+        type=click.Choice(["auto", "always", "never"]),
+        default="auto",
+        help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
+    ),
+    click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
+)
+STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
+
+
+def decide(
+    format_: str | None, json_: bool, number: bool, precision: int | None, color: str, quiet: bool
+) -> Output:
+    """Choose the format from the options and from what standard output is."""
+    if json_ and format_ not in (None, JSON):
+        raise UsageError(f"--json and --format {format_} contradict each other", "one of them")
+    if number and (json_ or format_ not in (None, PLAIN)):
+        raise UsageError("--number is plain text, and contradicts another format", "-n alone")
+    chosen = JSON if json_ else PLAIN if number else format_
+    terminal = stdio.is_terminal()
+    if chosen is None:
+        chosen = TABLE if terminal else PLAIN
+    spoken = language() if chosen == TABLE else ENGLISH
+    colored = wants_color(color, terminal)
+    return Output(chosen, Style(precision, number, 80, colored, spoken, not quiet))
+
+
+def wants_color(color: str, terminal: bool) -> bool:
+    """--color, then NO_COLOR, then FORCE_COLOR, then whether this is a terminal."""
+    if color != "auto":
+        return color == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return terminal and os.environ.get("TERM", "") not in ("", "dumb") and sys.stdout is not None
+
+
+def refuse_number_options(shown: Output, command: str) -> None:
+    """Refuse -n and --precision, which have no use with a list."""
+    if shown.style.bare or shown.style.precision:
+        useless = "-n" if shown.style.bare else "--precision"
+        raise UsageError(f"{useless} has no use with {command}", f"radcalc {command} alone")

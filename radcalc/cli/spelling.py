@@ -1,0 +1,28 @@
+"""How the shell spells the symbols and commands that messages mention."""
+
+from radcalc.errors import spell
+
+
+class Shell:
+    """Options begin with two dashes, and a command is what one types."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`--height 6m`."""
+        return f"--{name} {value}".rstrip()
+
+    @staticmethod
+    def command(*words: str) -> str:
+        """`radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
+        typed = [f"--{word.replace('=', ' ')}".rstrip() if "=" in word else word for word in words]
+        return " ".join(["radcalc", *typed])
+
+    @staticmethod
+    def manual(name: str) -> str:
+        """Where the command is described."""
+        return f"radcalc {name} --help"
+
+
+def spelled(text: str) -> str:
+    """A text with what it mentions, as one types it at a shell."""
+    return spell(text, Shell)

@@ -1,0 +1,290 @@
+"""Cones [sr], which is how a sphere is seen, and the cosine of the light on a surface.
+
+Angles in radians; every argument is a float or an array, and arrays are broadcast together.
+These are the parts of the geometry that a conversion needs; the other shapes are in `solid` and
+`projected`.
+"""
+
+import math
+from typing import Any
+
+from radcalc.errors import ConditionError
+from radcalc.maths import Number, any_true, asin, cos, piecewise, sin, sqrt
+
+FULL = 4 * math.pi  # [sr] all directions
+HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
+# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
+# as somebody types them, are still within the sphere.
+SLACK = 1e-12
+
+
+def refuse(bad: Any, message: str, hint: str) -> None:
+    """Raise a `ConditionError` where a comparison holds.
+
+    All range checks of this package go through here, for floats and arrays alike.
+
+    Parameters
+    ----------
+    bad : bool or ndarray of bool
+        The comparison that must not hold, such as ``radius < 0``.  A comparison with NaN is
+        false, so NaN passes.
+    message : str
+        What is wrong.
+    hint : str
+        What would be right, shown after ``try:``.
+
+    Raises
+    ------
+    ConditionError
+        If `bad` is true, or true for any element of an array.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import refuse
+    >>> refuse(2.0 < 0, "a negative radius is not possible", "0 or more")
+    >>> refuse(-1.0 < 0, "a negative radius is not possible", "0 or more")
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: a negative radius is not possible
+    try: 0 or more
+    """
+    if any_true(bad):
+        raise ConditionError(message, hint)
+
+
+def cone(half_angle: Number) -> Number:
+    """Solid angle of a circular cone, which is that of the spherical cap it cuts out.
+
+    Parameters
+    ----------
+    half_angle : float or ndarray [rad]
+        Angle alpha between the axis and the side, from 0 (nothing) through pi/2 (a hemisphere)
+        to pi (all directions).  The apex angle of a data sheet is twice this.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 4 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a half angle is negative or above pi.
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - cos(alpha)) = 4 pi sin^2(alpha/2)
+
+    Exact for every half angle.  The second form is the one computed: for a narrow cone cos(alpha)
+    rounds to 1 and the difference loses its digits (below 1e-8 rad all of them).  The flux of a
+    source of uniform intensity I within the cone is I Omega.
+
+    References
+    ----------
+    .. [1] ISO 80000-3, solid angle.
+    .. [2] CIE e-ILV 17-21-109, solid angle.
+
+    Examples
+    --------
+    A cone of half angle 60 degrees is a quarter of all directions, pi sr:
+
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(cones.cone(math.radians(60)) / math.pi, 12)
+    1.0
+
+    A narrow cone has the area of a small flat disc, pi alpha^2:
+
+    >>> cones.cone(1e-9)
+    3.141592653589793e-18
+    """
+    bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
+    refuse(bad, "a cone of that half angle is not possible", "from 0 to 180 deg")
+    return FULL * sin(half_angle / 2) ** 2
+
+
+def cone_of(solid_angle: Number) -> Number:
+    """Half angle of the circular cone of a given solid angle; the inverse of `cone`.
+
+    Parameters
+    ----------
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega of the cone, from 0 to 4 pi.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        Half angle, from 0 to pi.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is negative or above 4 pi.  A relative excess of 1e-12 is taken as
+        4 pi, so that 12.566370614360 sr, as somebody types it, is accepted.
+
+    Notes
+    -----
+    ::
+
+        alpha = 2 arcsin(sqrt(Omega / (4 pi)))
+
+    Exact.  Small solid angles keep their digits.  Close to 4 pi the problem itself is badly
+    conditioned: the angle of the cone left out is as the square root of the solid angle left out,
+    so a rounding of 1e-16 in Omega is 1e-8 rad in alpha.
+
+    References
+    ----------
+    .. [1] ISO 80000-3, solid angle.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(math.degrees(cones.cone_of(math.pi)), 10)
+    60.0
+    >>> round(math.degrees(cones.cone_of(cones.HEMISPHERE)), 10)
+    90.0
+    """
+    part = solid_angle / FULL
+    bad = (part < 0) | (part > 1 + SLACK)
+    refuse(bad, "a cone of that solid angle is not possible", "from 0 to 4pi sr")
+    return 2 * asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
+
+
+def projected_cone(half_angle: Number) -> Number:
+    """Projected solid angle of a cone, onto the plane across its axis.
+
+    Parameters
+    ----------
+    half_angle : float or ndarray [rad]
+        From the axis to the edge, from 0 to pi; what is behind the plane does not count.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to pi, which it is from a half angle of pi/2 on.
+
+    Raises
+    ------
+    ConditionError
+        A half angle outside 0 to pi.
+
+    Notes
+    -----
+    ::
+
+        Omega_p = pi sin^2(alpha)
+
+    The integral of cos(theta) over the cone: what a uniform radiance is multiplied by to give the
+    irradiance on that plane (ISO 80000-7, radiance and irradiance).
+
+    Examples
+    --------
+    A half angle of 30 degrees projects to a quarter of the hemisphere's pi:
+
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(cones.projected_cone(math.radians(30)) / math.pi, 12)
+    0.25
+    """
+    cone(half_angle)  # refuses what is no cone
+    return math.pi * piecewise(
+        half_angle < math.pi / 2, lambda a: sin(a) ** 2, lambda a: 1.0 + 0 * a, half_angle
+    )
+
+
+def projected_cone_of(solid_angle: Number) -> Number:
+    """Half angle of the cone of a projected solid angle, up to a hemisphere.
+
+    Parameters
+    ----------
+    solid_angle : float or ndarray [sr]
+        Projected onto the plane across the axis, from 0 to pi.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to pi/2.
+
+    Raises
+    ------
+    ConditionError
+        A projected solid angle outside 0 to pi.
+
+    Notes
+    -----
+    ::
+
+        alpha = arcsin sqrt(Omega_p / pi)
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import cones
+    >>> round(math.degrees(cones.projected_cone_of(math.pi / 4)), 12)
+    30.0
+    """
+    part = solid_angle / math.pi
+    bad = (part < 0) | (part > 1 + SLACK)
+    refuse(bad, "a cone of that projected solid angle is not possible", "from 0 to pi sr")
+    return asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
+
+
+def check_tilt(tilt: Number) -> None:
+    """Refuse an angle that is too large to be one from a normal.
+
+    Parameters
+    ----------
+    tilt : float or ndarray [rad]
+        Angle from a normal, to be from -pi to pi.
+
+    Raises
+    ------
+    ConditionError
+        If the size of an angle is above pi, as when degrees are taken for radians.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.solid import check_tilt
+    >>> check_tilt(-1.0)
+    >>> check_tilt(45.0)
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: that tilt is not possible
+    try: from 0 to 180 deg
+    """
+    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
+
+
+def facing(tilt: Number) -> Number:
+    """Cosine factor of a flat surface: the cosine of the incidence, 0 for light from behind.
+
+    Parameters
+    ----------
+    tilt : float or ndarray [rad]
+        Angle theta between the surface's normal and the light; the sign does not matter.
+
+    Returns
+    -------
+    float or ndarray [1]
+        From 0 to 1: cos(theta) below pi/2, 0 from there on.
+
+    Notes
+    -----
+    ::
+
+        max(cos(theta), 0)
+
+    The projected area of a surface, over its area.  It is 0 at exactly pi/2, where the rounded
+    cosine would be 6e-17.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry.solid import facing
+    >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
+    (0.5, 0.0)
+    """
+    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * t, tilt)

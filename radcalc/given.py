@@ -1,0 +1,314 @@
+"""What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
+
+import math
+from typing import Any, NamedTuple
+
+from radcalc import maths
+from radcalc.derivation import format_number
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    Impossible,
+    MissingInput,
+    NumberError,
+    RadcalcError,
+    option,
+    quote,
+)
+from radcalc.quantities.light import describe
+from radcalc.quantities.symbols import (
+    CHOICE,
+    FLAG,
+    INTERVAL,
+    LINKS,
+    POINT,
+    REFINEMENTS,
+    SPECTRUM,
+    SYMBOLS,
+    WAVELENGTHS,
+    Limits,
+    Symbol,
+)
+from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.numbers import parse_number, split_quantity
+from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
+
+EXTREME = 1e100  # squares and ratios of what is within stay within a float
+SLACK = 1e-12  # what the digits of a limit, as typed, may add to it: 12.566370614359sr
+
+
+class Given(NamedTuple):
+    """A value that was given: the symbol, the text as typed, the value in SI units.
+
+    `number` and `unit` are those typed; `is_exact` where no text was, but a number of Python's.
+    """
+
+    symbol: Symbol
+    text: str
+    value: Any
+    dimension: Dimension = NUMBER
+    number: Any = None
+    unit: Unit | None = None
+    is_exact: bool = False
+
+    @property
+    def name(self) -> str:
+        """The symbol's name."""
+        return self.symbol.name
+
+    @property
+    def unit_text(self) -> str:
+        """The unit as typed; for a bare number 1."""
+        return self.unit.text if self.unit else "1"
+
+
+Inputs = dict[str, Given]
+
+
+def read(name: str, value: Any) -> Given:
+    """Read what was given for a symbol of the vocabulary.
+
+    `value` is a text as on the command line, True for a flag, a number, or a number (or an
+    array) with a `Unit`, and with a text if that says it better.
+    """
+    return read_as(SYMBOLS[name], value)
+
+
+def read_as(symbol: Symbol, value: Any) -> Given:
+    """Read what was given for a symbol, which may stand in no table."""
+    reader = _READERS.get(symbol.form)
+    return reader(symbol, value) if reader else _read_quantity(symbol, value)
+
+
+def _read_quantity(symbol: Symbol, value: Any) -> Given:
+    name = symbol.name
+    if isinstance(value, str):
+        text = value.strip().replace("\u2212", "-")
+        number, unit_text = _split(symbol, text)
+        unit = resolve(unit_text) if unit_text else None
+    elif isinstance(value, tuple):
+        number, unit, *said = value
+        text = said[0] if said else f"{format_number(number)} {unit.text}"
+    else:
+        number, unit, text = value, None, format_number(value)
+    dimension = unit.dimension if unit else NUMBER
+    if dimension not in symbol.dimensions:
+        if unit is None:
+            written = _with_unit(symbol, quote(text))
+            raise ConditionError(
+                f"{option(name, quote(text))} has no unit",
+                f"{option(name, written)} (one word, no blank)",
+            )
+        raise ConditionError(
+            f"{option(name)} takes {symbol.takes}, not {describe(unit)}",
+            option(name, symbol.example),
+        )
+    given = Given(
+        symbol,
+        text,
+        _in_si(name, text, number, unit),
+        dimension,
+        number,
+        unit,
+        not isinstance(value, str),
+    )
+    hold(given, symbol.limits)
+    return given
+
+
+def _split(symbol: Symbol, text: str) -> tuple[float, str]:
+    try:
+        return split_quantity(text)
+    except NumberError as error:
+        hint = error.hint
+        if "," in text and symbol.dimensions == (NUMBER,):
+            parts = ",".join(p if "." in p else f"{p}.0" for p in text.split(","))
+            hint = f"{parts}, if that is a list"
+        raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
+
+
+def _with_unit(symbol: Symbol, number: str) -> str:
+    if ANGLE in symbol.dimensions and ("pi" in number or "π" in number):
+        return f"{number}rad"
+    return number + symbol.example.lstrip("0123456789.")
+
+
+def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
+    """The value in SI units; extremes that no light reaches would only overflow later."""
+    value = number * (divide(unit.top, unit.bottom) if unit else 1)
+    size = abs(value)
+    extreme = (size > EXTREME) | ((size < 1 / EXTREME) & (size != 0)) | (size != size)
+    if maths.any_true(extreme):
+        raise ConditionError(
+            f"{option(name, quote(text))} is beyond what radcalc reckons with",
+            f"values from {1 / EXTREME:g} to {EXTREME:g} in SI units",
+        )
+    return value
+
+
+def hold(given: Given, limits: Limits) -> None:
+    """Refuse a value outside limits, naming the limit.
+
+    Whoever is below the lowest value of a symbol that starts at 0 is told that first.
+    """
+    value = given.value
+    low, high = limits.low, limits.high
+    below = value <= low if limits.without_low else value < low * (1 + SLACK)
+    if maths.any_true(below):
+        said = limits.said
+        if low == 0 and limits.without_low:
+            said = "more than 0"
+        raise Impossible(given.name, given.text, said)
+    above = value >= high if limits.without_high else value > high * (1 + SLACK)
+    if maths.any_true(above):
+        raise Impossible(given.name, given.text, limits.said)
+
+
+def require(given: Given, good: bool, limit: str) -> None:
+    """Refuse a value that the case at hand makes impossible, naming the limit."""
+    if not good:
+        raise Impossible(given.name, given.text, limit)
+
+
+def _read_choice(symbol: Symbol, value: Any) -> Given:
+    if value not in symbol.choices:
+        raise ConditionError(
+            f"{option(symbol.name)} does not know '{quote(str(value))}'", ", ".join(symbol.choices)
+        )
+    return Given(symbol, str(value), value)
+
+
+def _read_flag(symbol: Symbol, value: Any) -> Given:
+    if value is not True:
+        raise ConditionError(
+            f"{option(symbol.name)} takes no value", f"{option(symbol.name)} alone"
+        )
+    return Given(symbol, "", True)
+
+
+def _read_spectrum(symbol: Symbol, value: Any) -> Given:
+    from radcalc.spectra.sources import spectrum
+
+    text = str(value).strip()
+    return Given(symbol, text, spectrum(text))
+
+
+def _read_wavelengths(symbol: Symbol, value: Any) -> Given:
+    """LOW:HIGH, two wavelengths [nm]."""
+    text = str(value).strip()
+    parts = text.split(":")
+    ends = [read("wavelength", end) for end in parts] if all(map(_is_length, parts)) else []
+    if len(ends) != 2:
+        raise ConditionError(
+            f"{option(symbol.name, quote(text))} is not a range of wavelengths",
+            option(symbol.name, symbol.example),
+        )
+    low, high = (round(end.value * 1e9, 9) for end in ends)
+    if low >= high:
+        raise ConditionError(
+            f"{option(symbol.name, quote(text))} ends before it starts",
+            f"{ends[1].text}:{ends[0].text}",
+        )
+    return Given(symbol, text, (low, high))
+
+
+def _is_length(text: str) -> bool:
+    try:
+        value, unit = split_quantity(text)
+        return value > 0 and bool(unit) and resolve(unit).dimension == LENGTH
+    except RadcalcError:
+        return False
+
+
+def read_interval(name: str, text: str) -> Given:
+    """Read A:B, two angles [rad] of a symbol; an interval of azimuths may lead across +x."""
+    parts = text.split(":")
+    example = option(name, "30deg:60deg")
+    told = option(name, quote(text))
+    if len(parts) != 2:
+        raise ConditionError(f"{told} is not an interval", f"{example}, from A to B")
+    symbol = SYMBOLS[name]._replace(limits=Limits())
+    low, high = (read_as(symbol, part).value for part in parts)
+    if low == high:
+        raise ConditionError(f"{told} has no width", example)
+    if low > high:
+        hint = option(name, f"{parts[1]}:{parts[0]}")
+        if name == "azimuth":  # across +x
+            hint = option(name, f"{parts[0]}:{math.degrees(high) + 360:.12g}deg")
+        raise ConditionError(f"{told} ends before it starts", hint)
+    return Given(symbol._replace(form=INTERVAL), text, (low, high))
+
+
+Point = tuple[float, float, float]
+
+
+def read_point(text: str, what: str) -> Point:
+    """Read X,Y,Z, three bare numbers in any one unit; `what` is said where it is none."""
+    parts = text.split(",")
+    hint = "X,Y,Z, in one unit that is not written: 1,0,0.5"
+    if len(parts) != 3:
+        count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} '{quote(text)}' has {count}, not three", hint)
+    try:
+        x, y, z = (parse_number(part) for part in parts)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
+    if max(abs(x), abs(y), abs(z)) > EXTREME:
+        raise NumberError(f"{what} '{quote(text)}' is too far away", "coordinates up to 1e100")
+    return x, y, z
+
+
+def _read_point(symbol: Symbol, value: Any) -> Given:
+    return Given(symbol, str(value), read_point(str(value), option(symbol.name)))
+
+
+_READERS = {
+    CHOICE: _read_choice,
+    FLAG: _read_flag,
+    SPECTRUM: _read_spectrum,
+    WAVELENGTHS: _read_wavelengths,
+    POINT: _read_point,
+}
+
+
+def sort(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
+    """Tell light quantities, what links their kinds, and the rest from each other."""
+    quantities = {n: one for n, one in given.items() if one.symbol.generic}
+    links = {n: one for n, one in given.items() if n in (*LINKS, *REFINEMENTS)}
+    rest = {n: one for n, one in given.items() if n not in quantities and n not in links}
+    return quantities, links, rest
+
+
+def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:
+    """The one of several inputs that was given."""
+    found = [inputs[name] for name in names if name in inputs]
+    if not found:
+        examples = [SYMBOLS[name].example for name in names]
+        raise MissingInput(f"{what} is missing", names, hint, examples)
+    if len(found) > 1:
+        given = [one.name for one in found]
+        raise Exclusive(given, f"contradict each other: both give {what}")
+    return found[0]
+
+
+def radius_of(given: Given) -> Any:
+    """A radius [m], given as such or as a diameter."""
+    return given.value / (2 if given.name.endswith("diameter") else 1)
+
+
+def half_angle_of(given: Given, most: int = 180) -> Any:
+    """A half angle [rad], given as such or as the apex angle, of at most so many degrees."""
+    factor = 2 if given.name == "apex-angle" else 1
+    limit = Limits(0.0, math.radians(factor * most), f"at most {factor * most} deg", True)
+    hold(given, limit)
+    return given.value / factor
+
+
+def angle_of(inputs: Inputs, name: str) -> Any:
+    """An angle from a normal [rad], whichever way it is counted; 0 where none is given."""
+    return abs(inputs[name].value) if name in inputs else 0.0
+
+
+def offset_of(inputs: Inputs, name: str = "offset") -> Any:
+    """A distance aside [m]; 0 where none is given."""
+    return inputs[name].value if name in inputs else 0.0

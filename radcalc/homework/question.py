@@ -1,0 +1,110 @@
+"""What was asked: a calculator's or a conversion's question, with what its mistakes depend on."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from radcalc.answer import Answer, Step, Value
+from radcalc.conversion import spectral
+from radcalc.conversion.plan import derive, plan
+from radcalc.given import Given, Inputs
+from radcalc.quantities.light import LUMINOUS, RADIANT, name_of, read, symbol_of
+from radcalc.spectra.observers import luminous_efficacy
+from radcalc.units.table import Unit
+
+PER_PI = ("lambert", "apostilb", "skot", "blondel", "bril")  # units that carry 1/pi
+
+
+class Facts(NamedTuple):
+    """What the usual mistakes depend on beside the inputs.
+
+    `shape` is that of the source or of the solid angle, `distribution` that of a point source.
+    Of a conversion `efficacy` [lm/W] is that of its light, `jacobian` the factor between its
+    spectral densities, `unchanged` the target [SI] with the source's number, and `per_pi` tells
+    whether one of its units carries 1/pi.
+    """
+
+    command: str
+    shape: str = ""
+    distribution: str = ""
+    polar: tuple[float, float] | None = None
+    efficacy: float | None = None
+    jacobian: float | None = None
+    unchanged: float = 0.0
+    per_pi: bool = False
+
+
+class Question(NamedTuple):
+    """The right answer, what was given, and how to work it out anew from other inputs."""
+
+    answer: Answer
+    given: Inputs
+    work_out: Callable[[Inputs], Answer]
+    facts: Facts
+    steps: tuple[Step, ...] = ()
+
+
+def of_calculator(
+    command: str,
+    shape: str,
+    given: Inputs,
+    work_out: Callable[[Inputs], Answer],
+    steps: bool = False,
+) -> Question:
+    """The question that a calculator answers from what is given."""
+    answer = work_out(given)
+    distribution, polar = "", None
+    if command == "point-source":
+        from radcalc.calculators.point_source import spread
+
+        distribution = spread(given)
+    if "polar" in given and isinstance(given["polar"].value, tuple):
+        polar = given["polar"].value
+    facts = Facts(command, shape, distribution, polar)
+    return Question(answer, given, work_out, facts, tuple(answer.steps) if steps else ())
+
+
+def of_conversion(
+    value: float, source: Unit, target: Unit, given: Sequence[Given], steps: bool = False
+) -> Question:
+    """The question what a value is in another unit, under conditions."""
+
+    def work_out(conditions: Inputs) -> Answer:
+        made = plan(source, target, list(conditions.values()))
+        result = Value(
+            "value",
+            name_of(target) or "value",
+            symbol_of(target),
+            made.apply(value) * target.factor,
+            (target.dimension,),
+            (target.text,),
+            also=name_of(target).replace(" ", "-"),
+        )
+        derivation = derive(made, value) if steps else ()
+        return Answer([result], made.assumptions, made.notes, derivation)
+
+    conditions = {one.name: one for one in given}
+    answer = work_out(conditions)
+    facts = _facts_of_conversion(source, target, conditions)
+    facts = facts._replace(unchanged=value * target.factor)
+    return Question(answer, conditions, work_out, facts, tuple(answer.steps))
+
+
+def _facts_of_conversion(source: Unit, target: Unit, given: Inputs) -> Facts:
+    names = [name for unit in (source, target) for name, _ in unit.atoms]
+    facts = Facts("convert", per_pi=any(word in name for name in names for word in PER_PI))
+    if "wavelength" in given:
+        light = spectral.light(given["wavelength"], given.get("observer"))
+        efficacy: Any = luminous_efficacy(light.table, light.observer)
+        facts = facts._replace(efficacy=efficacy)
+        start, end = read(source), read(target)
+        if start and end and start.axis != end.axis and start.axis and end.axis:
+            jacobian = spectral.jacobian(light, start.axis, end.axis).value
+            facts = facts._replace(jacobian=jacobian)
+    elif "spectrum" in given:
+        refined = given.get("range"), given.get("photon-range"), given.get("observer")
+        factor = spectral.spectral_factor(given["spectrum"], LUMINOUS, RADIANT, *refined)
+        facts = facts._replace(efficacy=factor.value)
+    elif "efficacy" in given:
+        ratio = spectral.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
+        facts = facts._replace(efficacy=ratio.value if ratio else None)
+    return facts

@@ -1,0 +1,26 @@
+"""The solid angles of a cone, plain and projected, solved both ways."""
+
+from radcalc.geometry import cones
+from radcalc.laws.law import Law, Relation
+
+CONE = Relation(
+    "solid angle of a cone",
+    "{solid-angle} = 4 pi sin^2({half-angle}/2) Omega0",
+    ("solid-angle", "half-angle"),
+    {
+        "solid-angle": lambda at: cones.cone(at("half-angle")),
+        "half-angle": lambda at: cones.cone_of(at("solid-angle")),
+    },
+    "ISO 80000-3, solid angle",
+)
+PROJECTED_CONE = Relation(
+    "projected solid angle of a cone",
+    "{projected-solid-angle} = pi sin^2({half-angle}) Omega0",
+    ("projected-solid-angle", "half-angle"),
+    {
+        "projected-solid-angle": lambda at: cones.projected_cone(at("half-angle")),
+        "half-angle": lambda at: cones.projected_cone_of(at("projected-solid-angle")),
+    },
+    "ISO 80000-7, radiance and irradiance",
+)
+APEX = Law("apex angle", "{apex-angle} = 2 {half-angle}", "apex-angle", (("half-angle", 1),), 2.0)

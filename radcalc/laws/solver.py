@@ -1,0 +1,166 @@
+"""Solving laws for whatever is missing, and checking them against what is given twice."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from radcalc.answer import Step
+from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
+from radcalc.errors import ConditionError, NumberError
+from radcalc.laws.law import AnyLaw, Relation
+from radcalc.maths import any_true, is_array
+from radcalc.units.numbers import read_number
+
+EXACT = 1e-9  # what rounding in the arithmetic may add
+FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
+
+
+class Known(NamedTuple):
+    """A value, how far it may be off as typed (relative), and its text where it was given."""
+
+    value: Any
+    rounding: float = 0.0
+    text: str = ""
+
+
+Values = dict[str, Known]
+
+
+class Solution(NamedTuple):
+    """Every value that follows, and how: the law and the symbol it was solved for."""
+
+    values: Values
+    used: list[tuple[AnyLaw, str]]
+
+
+class Disagreement(ConditionError):
+    """Two values of one symbol, by a law; whoever knows what was given says it with units."""
+
+    def __init__(self, law: AnyLaw, name: str, given: Any, found: Any) -> None:
+        super().__init__(f"{name} contradicts the others by the law '{law.name}'", "fewer of them")
+        self.law, self.name, self.given, self.found = law, name, given, found
+
+
+def rounding(text: str) -> float:
+    """How far a number may be off as typed: half a unit of its last digit, relative to it.
+
+    A short number counts as three digits: 2m is meant as 2.00 m.
+    """
+    number = text[: read_number(text)[1]]
+    digits = ""
+    for character in number.lstrip("+-"):
+        if character in "0123456789":
+            digits += character
+        elif character != ".":
+            break
+    digits = digits.lstrip("0")
+    if not digits or not {"/", "p", "π"}.isdisjoint(number):
+        return EXACT
+    digits = digits.ljust(FEWEST_DIGITS, "0")
+    return 0.5 / float(digits)
+
+
+def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None) -> Solution:
+    """Everything that follows from what is given; what is given twice is checked.
+
+    Each law that lacks one symbol gives it, until no law lacks just one.  A law that lacks none,
+    and gave none, is checked to the precision typed.  `steps` are those by which the marked
+    values of logarithmic symbols differ from exact ones.
+    """
+    values, used = dict(given), []
+    waiting = list(laws)
+    found = True
+    while found:
+        found = False
+        for law in tuple(waiting):
+            missing = [name for name in law.names if name not in values]
+            if not missing:
+                _check(law, values, given, steps or {})
+                waiting.remove(law)
+            elif len(missing) == 1 and missing[0] in law.targets:
+                values[missing[0]] = _follow(law, missing[0], values)
+                used.append((law, missing[0]))
+                waiting.remove(law)
+                found = True
+    return Solution(values, used)
+
+
+def _follow(law: AnyLaw, target: str, values: Values) -> Known:
+    """The target by the law, with what the roundings of the others make of it."""
+    value = law.solve(target, lambda name: values[name].value)
+    if is_array(value):
+        return Known(value, max(values[name].rounding for name in law.names if name != target))
+    if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):
+        raise NumberError(
+            f"the {target.replace('-', ' ')} cannot be held by a number", "less extreme values"
+        )
+    off = 0.0
+    for name in law.names:
+        if name != target and values[name].rounding and value:
+            off += abs(_moved(law, target, name, values) / value - 1)
+    return Known(value, off)
+
+
+def _moved(law: AnyLaw, target: str, name: str, values: Values) -> float:
+    """The target with one symbol moved by its rounding."""
+    for sign in (1, -1):
+        at = {n: values[n].value for n in law.names if n != target}
+        at[name] *= 1 + sign * values[name].rounding
+        try:
+            found = law.solve(target, at.__getitem__)
+        except (ConditionError, ValueError, ZeroDivisionError):
+            continue  # past a limit: an incidence typed as 90 deg is not meant as 90.05
+        if not isinstance(found, complex):
+            return float(found)
+    return float(values[target].value) if target in values else float("nan")
+
+
+def _check(law: AnyLaw, values: Values, given: Values, steps: dict[str, float]) -> None:
+    """Refuse values that contradict each other by a law."""
+    names = [name for name in law.targets if name in given] or list(law.targets)
+    name = names[0]
+    other = _follow(law, name, values)
+    value = values[name].value
+    allowed = values[name].rounding + other.rounding + EXACT
+    difference = abs(value - other.value)
+    if any_true(difference > allowed * abs(value) + steps.get(name, 1e-300)):
+        raise Disagreement(law, name, value, other.value)
+
+
+def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
+    """The symbols that follow from those that are known, whatever their values."""
+    known, before = set(known), -1
+    while before != len(known):
+        before = len(known)
+        for law in laws:
+            missing = [name for name in law.names if name not in known]
+            if len(missing) == 1 and missing[0] in law.targets:
+                known.add(missing[0])
+    return known
+
+
+def derivation(solution: Solution, kind: str) -> list[Step]:
+    """The derivation: each law in symbols, then in numbers; light quantities are of a kind."""
+    return [_step(law, target, solution.values, kind) for law, target in solution.used]
+
+
+def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
+    """A law solved for whichever of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`."""
+
+    def write(name: str, is_raised: bool) -> str:
+        if name == target:
+            return letter_of(name)
+        value, unit = values[name].value, coherent_unit_of(name, kind)
+        text = format_value(value, unit)
+        return text if unit in ("1", "rad") or is_array(value) else f"({text})"
+
+    letter, value = letter_of(target), values[target].value
+    unit = coherent_unit_of(target, kind)
+    found = format_value(value, unit)
+    if isinstance(law, Relation) and law.template.startswith(f"{{{target}}} = "):
+        others = {name: values[name].value for name in law.names if name != target}
+        return law.formula.step(others, found)
+    numbers = fill(law.template, write)
+    told = f"{numbers} = {found}"
+    if not numbers.startswith(f"{letter} = "):
+        told = f"{numbers}, so {letter} = {found}"
+    return law.formula.told(told)

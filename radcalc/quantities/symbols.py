@@ -1,0 +1,496 @@
+"""The vocabulary: one row for each symbol that can be given, follows, or stands in a law.
+
+Options, keywords, results, error texts, completions and the option items of the manual are read
+from here.  A help text names another symbol as {name}: the command line and the Python API spell
+it in their own ways.
+"""
+
+import math
+from typing import NamedTuple
+
+from radcalc.quantities.light import (
+    EXITANCES,
+    GEOMETRIES,
+    KINDS,
+    LUMINOUS,
+    OTHERS,
+    PHOTON,
+    RADIANT,
+    RATIOS,
+    light_dimension,
+)
+from radcalc.units.dimensions import (
+    ANGLE,
+    AREA,
+    COHERENT,
+    ENERGY,
+    ETENDUE,
+    FREQUENCY,
+    ILLUMINANCE,
+    LENGTH,
+    LUMINANCE,
+    MASS,
+    PHOTON_ENERGY,
+    SOLID_ANGLE,
+    SPECIFIC_HEAT,
+    TEMPERATURE,
+    TIME,
+    WAVENUMBER,
+    times,
+)
+from radcalc.units.table import NUMBER, Dimension
+
+INFINITE = math.inf
+
+
+class Limits(NamedTuple):
+    """The values [SI] that a symbol can have, and how that is said."""
+
+    low: float = -INFINITE
+    high: float = INFINITE
+    said: str = ""
+    without_low: bool = False
+    without_high: bool = False
+
+
+ANY = Limits()
+POSITIVE = Limits(0.0, said="more than 0", without_low=True)
+FROM_ZERO = Limits(0.0, said="0 or more")
+PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
+BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
+TURN = Limits(-math.pi, math.pi, "from -180 to 180 deg")
+EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
+
+# How the value of a symbol is written.
+QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
+SPECTRUM, WAVELENGTHS, INTERVAL, POINT = "spectrum", "range of wavelengths", "interval", "point"
+
+
+NOWHERE: dict[str, tuple[str, str]] = {}
+
+
+class Symbol(NamedTuple):
+    """A symbol: what it is called, what it measures, and which values it can have.
+
+    `dimensions` are those in which it can be given or asked for, the first is its own; `unit` is
+    the one in which it is shown.  `narrower` has, for commands in which it means less, another
+    example and help.  A light quantity has its geometry, and its kind where its name fixes it.
+    """
+
+    name: str
+    letter: str
+    dimensions: tuple[Dimension, ...]
+    example: str = ""
+    help: str = ""
+    limits: Limits = POSITIVE
+    label: str = ""
+    unit: str = ""
+    takes: str = ""
+    form: str = QUANTITY
+    choices: tuple[str, ...] = ()
+    narrower: dict[str, tuple[str, str]] = NOWHERE
+    geometry: tuple[int, int, int] | None = None
+    kind: str = ""
+    generic: str = ""
+
+    def shown_in(self, command: str) -> tuple[str, str]:
+        """The example and the help, as a command means the symbol."""
+        return self.narrower.get(command, (self.example, self.help))
+
+
+def _article(noun: str) -> str:
+    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+
+
+def _symbol(
+    dimension: Dimension,
+    name: str,
+    letter: str = "",
+    example: str = "",
+    help_: str = "",
+    limits: Limits = POSITIVE,
+    *,
+    also: tuple[Dimension, ...] = (),
+    label: str = "",
+    unit: str = "",
+    takes: str = "",
+    **narrower: str | tuple[str, str],
+) -> Symbol:
+    """A row whose unit and wording follow from its dimension, unless they are given.
+
+    What remains are other texts, or an example and a text, for single commands.
+    """
+    if not takes:
+        takes = "a number from 0 to 1" if limits is PART else _article(OTHERS[dimension][0])
+    return Symbol(
+        name,
+        letter,
+        (dimension, *also),
+        example,
+        help_,
+        limits,
+        label or name.replace("-", " "),
+        unit or ("deg" if dimension == ANGLE else COHERENT[dimension]),
+        takes,
+        narrower=_narrower(example, narrower),
+    )
+
+
+def _narrower(example: str, texts: dict[str, str | tuple[str, str]]) -> dict[str, tuple[str, str]]:
+    """Example and help by command; where there is a help alone, the example is the usual one."""
+    return {
+        command.replace("_", "-"): (example, text) if isinstance(text, str) else text
+        for command, text in texts.items()
+    }
+
+
+def _length(name: str, letter: str, *words: str, **more: str | tuple[str, str]) -> Symbol:
+    return _symbol(LENGTH, name, letter, *words, **more)  # type: ignore[arg-type]
+
+
+def _area(name: str, letter: str, *words: str, **more: str | tuple[str, str]) -> Symbol:
+    return _symbol(AREA, name, letter, *words, **more)  # type: ignore[arg-type]
+
+
+def _text(
+    form: str,
+    name: str,
+    takes: str,
+    example: str,
+    help_: str,
+    choices: tuple[str, ...] = (),
+    **narrower: str | tuple[str, str],
+) -> Symbol:
+    """A row of what is no quantity."""
+    return Symbol(
+        name,
+        "",
+        (),
+        example,
+        help_,
+        ANY,
+        name,
+        takes=takes,
+        form=form,
+        choices=choices,
+        narrower=_narrower(example, narrower),
+    )
+
+
+DISTRIBUTIONS = ("isotropic", "cone", "lobe")
+OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
+
+_ROWS = (
+    # The light, and what links its kinds.
+    _symbol(
+        LENGTH, "wavelength", "λ", "555nm",
+        "Light of one wavelength (or frequency, wavenumber, photon energy).",
+        also=(FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY), unit="nm",
+        takes="a wavelength, frequency, wavenumber or photon energy",
+    ),
+    _text(
+        SPECTRUM, "spectrum", "a spectrum", "D65",
+        "Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ...",
+        mesopic=("SOURCE", "A spectrum, for its S/P ratio."),
+    ),
+    _symbol(
+        RATIOS[LUMINOUS, RADIANT], "efficacy", "K", "93lm/W",
+        "A given ratio of two kinds: 93lm/W, 2.1umol/J, 54lm.s/umol.",
+        also=tuple(RATIOS[pair] for pair in RATIOS if pair != (LUMINOUS, RADIANT)),
+        unit="lm/W", takes="a ratio of two kinds",
+    ),
+    _text(
+        CHOICE, "observer", "an observer", "photopic",
+        "Whose eyes see {wavelength} or {spectrum}.", OBSERVER_NAMES,
+        photon="Whose eyes the luminous efficiency is for.",
+        spectrum="Whose eyes the luminous efficacy is for.",
+    ),
+    _text(
+        WAVELENGTHS, "range", "two wavelengths", "380nm:780nm",
+        "Where the watts of {spectrum} are counted.",
+        spectrum=("LOW:HIGH", "Where watts are counted."),
+    ),
+    _text(
+        WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
+        "Where the photons of {spectrum} are counted (default 400nm:700nm).",
+        spectrum=("LOW:HIGH", "Where photons are counted."),
+    ),
+    _symbol(
+        LENGTH, "bandwidth", "B", "10nm",
+        "Width of a band in which the spectral density is constant.",
+        also=(FREQUENCY, WAVENUMBER), takes="a width in wavelength, frequency or wavenumber",
+    ),
+    # Sizes and places.
+    _length("radius", "R", "10cm", "Radius of the source.",
+            convert="Radius of a circular area."),
+    _length("diameter", "D", "20cm", "Diameter of the source.",
+            convert="Diameter of a circular area."),
+    _length("width", "w", "2m", "Width of the source, along x.",
+            etendue="Width of a rectangular source."),
+    _length("length", "l", "1m", "Length of the source, along y.",
+            etendue="Length of a rectangular source."),
+    _area("area", "A", "1cm2", "Area of the source.",
+          convert=("1m2", "Uniform over that area.")),
+    _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
+            convert="Straight line from a small source to the receiver.",
+            etendue="Straight line from the source to the receiver.",
+            point_source="Straight line from the source to the receiver.",
+            lambertian="Straight line to the centre of the source."),
+    _length("height", "h", "50cm", "Height above the source's plane, along its axis.",
+            point_source="Height of the source above the receiver's plane, along its axis."),
+    _symbol(LENGTH, "offset", "x", "20cm",
+            "How far aside of the source's axis, along x (with {height}).", ANY),
+    _symbol(LENGTH, "offset-y", "y", "20cm", "How far aside of it along y (with {height}).", ANY,
+            label="offset along y"),
+    _symbol(ANGLE, "tilt", "θ_s", "60deg",
+            "Angle by which the source is turned from the line of sight.", TURN),
+    _symbol(ANGLE, "incidence", "θ", "30deg",
+            "Angle between the light and the receiver's normal.", TURN,
+            convert=("45deg", "Angle between the light and the receiver's normal "
+                     "(with {distance}).")),
+    _area("receiver-area", "A_r", "4cm2", "Area of the receiver."),
+    _length("receiver-radius", "R_r", "1m", "Radius of the receiver."),
+    _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver."),
+    # Cones and lobes.
+    _symbol(ANGLE, "half-angle", "α", "30deg", "Half angle of a cone, from its axis to its edge.",
+            Limits(0.0, math.pi, "at most 180 deg", without_low=True),
+            convert="Uniform over the cone of that half angle, from axis to edge.",
+            point_source="Half angle of a uniform cone, from its axis to its edge.",
+            lambertian="Half angle of the part of a hemisphere that shines, about its zenith.",
+            integrate="The cone of that half angle about +z."),
+    _symbol(ANGLE, "apex-angle", "2α", "60deg", "Full angle of a cone, from edge to edge.",
+            Limits(0.0, 2 * math.pi, "at most 360 deg", without_low=True),
+            convert="Uniform over the cone of that full angle, from edge to edge.",
+            point_source="Full angle of a uniform cone, from edge to edge."),
+    _symbol(SOLID_ANGLE, "solid-angle", "Ω", "1sr", "Solid angle.",
+            Limits(0.0, 4 * math.pi, "at most 4pi sr", without_low=True),
+            convert="Uniform over that solid angle.",
+            point_source="Solid angle of a uniform cone.",
+            solid_angle="Solid angle of the shape."),
+    _symbol(SOLID_ANGLE, "projected-solid-angle", "Ω_p", "1sr",
+            "Solid angle projected along the cone's axis.",
+            Limits(0.0, math.pi, "at most pi sr, a hemisphere", without_low=True)),
+    _text(FLAG, "isotropic", "", "", "Uniform in all directions, over 4 pi sr."),
+    _text(FLAG, "hemisphere", "", "", "Uniform over a hemisphere.",
+          integrate="The hemisphere about +z."),
+    _text(FLAG, "sphere", "", "", "All directions."),
+    _symbol(NUMBER, "configuration-factor", "F", "0.1", "Configuration factor."),
+    _symbol(NUMBER, "sphere-fraction", "Ω/4π", label="fraction of the sphere"),
+    _symbol(NUMBER, "exponent", "n", "3", "Exponent of a cosine-power lobe.", FROM_ZERO,
+            convert=("1", "A lobe that falls off as a power of the cosine; 1 is Lambertian.")),
+    _symbol(ANGLE, "beam-angle", "FWHM", "30deg",
+            "Full angle of a lobe, where half the peak is left.", BEAM,
+            convert="A cosine-power lobe of that full angle at half the peak intensity."),
+    _symbol(ANGLE, "field-angle", "FWTM", "60deg",
+            "Full angle of a lobe, where a tenth of it is left.", BEAM),
+    _symbol(ANGLE, "within", "β", "45deg", "Half angle within which the flux is wanted.",
+            Limits(0.0, math.pi, "from 0 to 180 deg", without_low=True),
+            label="half angle of the part"),
+    _symbol(ANGLE, "off-axis", "γ", "20deg", "Angle between the source's axis and the light.",
+            label="angle off the axis"),
+    # Directions and shapes.
+    _symbol(ANGLE, "polar", "θ", "45deg", "Polar angle, from +z.",
+            Limits(0.0, math.pi, "from 0 to 180 deg"),
+            solid_angle=("30deg:60deg", "Polar angles of a zone, from +z."),
+            integrate=("30deg:60deg", "A zone between two polar angles.")),
+    _symbol(ANGLE, "azimuth", "φ", "30deg", "Azimuth, from +x towards +y.", ANY,
+            solid_angle=("0deg:90deg", "Azimuths of a zone (default: all)."),
+            integrate=("0deg:90deg", "Only between these azimuths.")),
+    _symbol(ANGLE, "elevation", "h", "45deg", "Elevation above the plane of x and y.",
+            Limits(-math.pi / 2, math.pi / 2, "from -90 to 90 deg")),
+    _symbol(ANGLE, "horizontal", "a", "60deg",
+            "Full angle between the pyramid's left and right face."),
+    _symbol(ANGLE, "vertical", "b", "40deg", "Full angle between its upper and lower face."),
+    # Etendues.
+    _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr"),
+    _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
+    _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
+            Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
+    _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", label="f-number"),
+    # Surfaces, eyes, meters, bodies.
+    _symbol(NUMBER, "reflectance", "ρ", "0.8", "Of the reflector, 0 to 1.", PART,
+            convert="A Lambertian reflector, 0 to 1 or in %."),
+    _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle.",
+          solid_angle="Seen from above a corner of the rectangle."),
+    _text(FLAG, "perpendicular", "", "", "Its normal runs along the rectangle's length."),
+    _text(CHOICE, "distribution", "a distribution", "lobe",
+          "How the light is spread (isotropic, unless an option of a cone or a lobe is given).",
+          DISTRIBUTIONS),
+    _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
+    _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto."),
+    _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
+    _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
+            convert="Constant over that time.",
+            ev=("1/100s", "Exposure time."),
+            calorimeter="How long it is in the light."),
+    _symbol(NUMBER, "ev", "EV", "12", "Exposure value, of f-number and time.", EXPOSURE_VALUE,
+            label="exposure value"),
+    _symbol(NUMBER, "ev100", "EV100", "15", "Exposure value at ISO 100, of the light.",
+            EXPOSURE_VALUE, label="exposure value at ISO 100"),
+    _symbol(NUMBER, "iso", "S", "100", "Speed of the film or sensor (100).", label="ISO speed"),
+    _symbol(times(LUMINANCE, TIME), "k", "K", "12.5cd.s/m2",
+            "The meter's constant for reflected light (12.5 cd s/m2).",
+            label="meter constant K", takes="a luminance times a time"),
+    _symbol(times(ILLUMINANCE, TIME), "c", "C", "250lx.s",
+            "The meter's constant for incident light (250 lx s).",
+            label="meter constant C", takes="an illuminance times a time"),
+    _symbol(LUMINANCE, "saturation-luminance", "L_sat", "4000cd/m2",
+            "Luminance at which the sensor saturates.", takes="a luminance"),
+    _symbol(MASS, "mass", "m", "10g", "Mass of the body that is heated."),
+    _symbol(SPECIFIC_HEAT, "specific-heat", "c", "385J/kg/K", "Its specific heat capacity."),
+    _symbol(TEMPERATURE, "temperature-rise", "ΔT", "2K", "How much warmer it gets.",
+            takes="a temperature difference"),
+    _symbol(ENERGY, "heat", "Q_h", "10J", "Heat that the body takes up.", takes="a heat"),
+    _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
+            Limits(0.0, 1.0, PART.said, without_low=True), takes="a number from 0 to 1"),
+    _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),
+    # Photons, spectra and what the eye makes of them.
+    _symbol(FREQUENCY, "frequency", "ν", unit="THz"),
+    _symbol(WAVENUMBER, "wavenumber", "σ", unit="cm-1"),
+    _symbol(PHOTON_ENERGY, "photon-energy", "Q", also=(ENERGY,), unit="eV"),
+    _symbol(NUMBER, "luminous-efficiency", "V"),
+    _symbol(RATIOS[LUMINOUS, RADIANT], "luminous-efficacy", "K", unit="lm/W"),
+    _symbol(NUMBER, "scotopic-luminous-efficiency", "V'"),
+    _symbol(RATIOS[LUMINOUS, RADIANT], "scotopic-luminous-efficacy", "K'", unit="lm/W"),
+    _symbol(NUMBER, "sp-ratio", "S/P", "2", "The light's ratio of scotopic to photopic.",
+            Limits(0.0, 73.0, "more than 0, up to 73", without_low=True),
+            label="scotopic/photopic ratio"),
+    _symbol(RATIOS[PHOTON, RADIANT], "photon-efficacy", "K_p", unit="umol/J"),
+    _symbol(RATIOS[LUMINOUS, PHOTON], "lux-per-ppfd", "", label="lux per PPFD",
+            unit="lm.s/umol"),
+    _symbol(LENGTH, "peak-wavelength", "λ_p", unit="nm"),
+    _symbol(LENGTH, "centroid-wavelength", "λ_c", unit="nm"),
+    _symbol(LENGTH, "fwhm", "Δλ", label="full width at half maximum", unit="nm"),
+    _symbol(LENGTH, "range-start", "λ_1", label="start of range", unit="nm"),
+    _symbol(LENGTH, "range-end", "λ_2", label="end of range", unit="nm"),
+    _symbol(NUMBER, "range-fraction", "", label="fraction in range", unit="%"),
+    _symbol(NUMBER, "x", "x", limits=ANY, label="chromaticity x"),
+    _symbol(NUMBER, "y", "y", limits=ANY, label="chromaticity y"),
+    _symbol(NUMBER, "z", "z", limits=ANY),
+    _symbol(TEMPERATURE, "cct", "T_cp", label="correlated colour temperature"),
+    _symbol(NUMBER, "duv", "Duv", limits=ANY, label="distance from the Planckian"),
+    _symbol(NUMBER, "cri", "R_a", limits=ANY, label="colour rendering index"),
+    _symbol(TEMPERATURE, "temperature", "T"),
+    _symbol(LUMINANCE, "mesopic-luminance", "L_mes", "0.1cd/m2",
+            "The luminance that the half-adapted eye sees.", takes="a luminance"),
+    _symbol(LUMINANCE, "scotopic-luminance", "L'", "0.2cd/m2",
+            "The luminance as the dark-adapted eye sees it.", takes="a luminance"),
+    _symbol(NUMBER, "adaptation", "m", limits=ANY, label="adaptation coefficient"),
+    _symbol(SOLID_ANGLE, "integral", "∫f dΩ", limits=ANY),
+    _symbol(SOLID_ANGLE, "error", "", limits=ANY, label="estimate of the error"),
+)  # fmt: skip
+# What stands in laws alone, and is neither given nor shown.
+_INNER = (
+    _symbol(NUMBER, "cosine", "cos(theta)"),
+    _symbol(NUMBER, "cosine-of-source", "cos(theta_s)"),
+    _symbol(NUMBER, "share", "f"),
+    _symbol(NUMBER, "part", "k"),
+    _symbol(NUMBER, "beam-part", "k_b"),
+    _symbol(LENGTH, "lateral", "x"),
+    _symbol(AREA, "apparent-area", "A_p"),
+    _symbol(FREQUENCY, "light", "b", unit="Hz"),
+    _symbol(LENGTH, "size", "s"),
+)
+INNER = frozenset(symbol.name for symbol in _INNER)
+
+# Light quantities by generic names, which serve every kind: geometry, letter, help, and how the
+# names of one kind are made of those of the grid.
+_LIGHT = (
+    ("flux", (0, 0, 0), "Φ", "All the flux", "{}"),
+    ("intensity", (0, 0, 1), "I", "The intensity on the source's axis", "{}"),
+    ("irradiance", (0, 1, 0), "E", "The irradiance on the receiver", "{}"),
+    ("exitance", (0, 1, 0), "M", "The exitance of the source", "{}"),
+    ("radiance", (0, 1, 1), "L", "The uniform radiance of the source", "{}"),
+    ("exposure", (1, 1, 0), "H", "The exposure of the receiver (with {time})", "{}"),
+    ("energy", (1, 0, 0), "Q", "All the energy (with {time})", "{}"),
+    ("incident-irradiance", (0, 1, 0), "E_i",
+     "The irradiance on the reflector (with {reflectance})", "incident-{}"),
+    ("received-flux", (0, 0, 0), "Φ_r", "", "received-{}"),
+    ("flux-within", (0, 0, 0), "Φ_w", "", "{}-within"),
+    ("beam-flux", (0, 0, 0), "Φ_b", "", ""),
+    ("far-field-irradiance", (0, 1, 0), "E_ff", "", "far-field-{}"),
+)  # fmt: skip
+# geometry -> the unit to show of each kind, and the coherent one of a derivation
+LIGHT_UNITS = {
+    (0, 0, 0): (("W", "lm", "umol/s"), ("W", "lm", "photon/s")),
+    (0, 0, 1): (("W/sr", "cd", "umol/s/sr"), ("W/sr", "cd", "photon/s/sr")),
+    (0, 1, 0): (("W/m2", "lx", "umol/m2/s"), ("W/m2", "lx", "photon/m2/s")),
+    (0, 1, 1): (("W/m2/sr", "cd/m2", "umol/m2/s/sr"), ("W/m2/sr", "cd/m2", "photon/m2/s/sr")),
+    (1, 1, 0): (("J/m2", "lx s", "umol/m2"), ("J/m2", "lx s", "photon/m2")),
+    (1, 0, 0): (("J", "lm s", "umol"), ("J", "lm s", "photon")),
+}
+
+
+def light_unit(name: str, kind: str, coherent: bool = False) -> str:
+    """The unit to show of a light quantity by its generic name, or its coherent one."""
+    geometry = SYMBOLS[name].geometry
+    assert geometry is not None
+    text = LIGHT_UNITS[geometry][coherent][KINDS.index(kind)]
+    return "lm/m2" if text == "lx" and name == "exitance" else text
+
+
+def _of_light(
+    name: str, generic: str, kind: str, row: tuple[str, tuple[int, int, int], str, str, str]
+) -> Symbol:
+    """A light quantity, by its generic name (no kind) or by that of one kind."""
+    _, geometry, letter, help_, _ = row
+    unit = LIGHT_UNITS[geometry][0][KINDS.index(kind or LUMINOUS)]
+    if unit == "lx" and generic == "exitance":
+        unit = "lm/m2"
+    label = name.replace("-", " ")
+    if kind and help_:
+        help_ = f"{help_}, as {label}"
+    return Symbol(
+        name,
+        letter if "_" in letter or not kind else f"{letter}_{kind}",
+        tuple(light_dimension(k, geometry, "") for k in ((kind,) if kind else KINDS)),
+        _EXAMPLES.get(name, f"100{unit}".replace(" ", ".")),
+        f"{help_}." if help_ else "",
+        POSITIVE,
+        label,
+        unit,
+        _article(label),
+        narrower=_NARROWER.get(name, {}),
+        geometry=geometry,
+        kind=kind,
+        generic=generic,
+    )
+
+
+_EXAMPLES = {"luminance": "1000cd/m2", "illuminance": "10klx"}
+_NARROWER: dict[str, dict[str, tuple[str, str]]] = {
+    "luminance": {
+        "ev": (_EXAMPLES["luminance"], "Luminance of the scene."),
+        "mesopic": ("0.1cd/m2", "The photopic luminance."),
+    },
+    "illuminance": {"ev": (_EXAMPLES["illuminance"], "Illuminance on the scene.")},
+}
+
+
+def specific_name(generic: str, kind: str) -> str:
+    """The name of a light quantity in one kind: flux and luminous give luminous-flux."""
+    _, geometry, _, _, pattern = _LIGHT_ROWS[generic]
+    if not pattern:
+        return generic if kind == RADIANT else f"{_KIND_WORDS[kind]}-{generic}"
+    names = EXITANCES if generic == "exitance" else GEOMETRIES[geometry][0]
+    return pattern.format(names[KINDS.index(kind)].replace(" ", "-"))
+
+
+_KIND_WORDS = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
+_LIGHT_ROWS = {row[0]: row for row in _LIGHT}
+SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
+SPECIFIC: dict[str, tuple[str, str]] = {}  # name of one kind -> generic name and kind
+for _name, _row in _LIGHT_ROWS.items():
+    SYMBOLS[_name] = _of_light(_name, _name, "", _row)
+    for _kind in KINDS:
+        _own = specific_name(_name, _kind)
+        if _own != _name:
+            SPECIFIC[_own] = (_name, _kind)
+            SYMBOLS[_own] = _of_light(_own, _name, _kind, _row)
+LINKS = ("wavelength", "spectrum", "efficacy")  # what links the kinds of light
+REFINEMENTS = ("observer", "range", "photon-range")  # what only refines a link
+
+
+def names_of_kinds(generic: str) -> tuple[str, ...]:
+    """The names of one kind that go with a generic name."""
+    return tuple(name for name, (own, _) in SPECIFIC.items() if own == generic)

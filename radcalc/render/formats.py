@@ -1,0 +1,67 @@
+"""The formats of an answer: a module each, in which three functions make a text of it.
+
+`results(results, style)` is for answers, `records(records, style)` for lists of what there is,
+`verdict(judgement, style)` for whether an answer is right.  `REMARKS_ARE_APART` says that what
+was assumed and noted goes to standard error instead.
+"""
+
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from typing import Any, NamedTuple, Protocol, cast
+
+from radcalc.answer import Result
+from radcalc.quantities.language import ENGLISH
+
+TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
+FORMATS = (TABLE, PLAIN, JSON, CSV)
+
+
+class Style(NamedTuple):
+    """How a text is to look: digits, bare numbers, width, colour, language, with remarks or not."""
+
+    precision: int | None = None
+    bare: bool = False
+    width: int = 80
+    color: bool = False
+    language: str = ENGLISH
+    remarks: bool = True
+
+
+class Records(NamedTuple):
+    """Rows of named fields; a table has its own, and the notes below it, not beside.
+
+    A field may be a list of texts, which JSON keeps; elsewhere they are parted by commas.
+    """
+
+    rows: Sequence[Mapping[str, Any]]
+    notes: Sequence[str]
+    table: Sequence[Mapping[str, str]]
+    right: Sequence[str] = ()
+
+
+class Judgement(NamedTuple):
+    """What is said of an answer, and what was assumed and noted in working out the right one."""
+
+    verdict: Any
+    assumptions: Sequence[str]
+    notes: Sequence[str]
+
+
+class Renderer(Protocol):
+    """What the module of a format has."""
+
+    REMARKS_ARE_APART: bool
+
+    def results(self, results: Sequence[Result], style: Style) -> str:
+        """The text of one answer, or of several."""
+
+    def records(self, records: Records, style: Style) -> str:
+        """The text of a list."""
+
+    def verdict(self, judgement: Judgement, style: Style) -> str:
+        """The text of a judgement."""
+
+
+def renderer(name: str) -> Renderer:
+    """The module of a format, loaded when it is needed."""
+    return cast(Renderer, import_module(f"radcalc.render.{name}"))
