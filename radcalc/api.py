@@ -1,18 +1,90 @@
 """The Python API: Pint quantities in and out, arrays welcome."""
 
 from collections.abc import Callable
-from typing import Any
+from functools import wraps
+from typing import Any, TypeVar
 
 from radcalc.answer import Answer, Result
-from radcalc.conversion.conditions import OPTIONS, Given, give
+from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import Plan, answer, plan
-from radcalc.errors import ConditionError, UnitError, nearest, quote
+from radcalc.errors import ConditionError, RadcalcError, UnitError, nearest, quote, spell
+from radcalc.given import Given, Inputs, read
+from radcalc.quantities.symbols import FLAG, INNER, SYMBOLS
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
 Quantity: Any = light_registry().Quantity
+T = TypeVar("T")
+FUNCTIONS = ("convert", "explain", "point_source", "lambertian", "ev", "calorimeter")
 
 
+class Python:
+    """How Python spells the symbols and commands that messages mention."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`height="6 m"`; a value in capitals stands for any, and a flag is set to True."""
+        keyword = name.replace("-", "_")
+        if not value:
+            return keyword
+        if value.isupper() and value.isalpha():
+            return f"{keyword}={value}"
+        return f'{keyword}="{_apart(value)}"'
+
+    @staticmethod
+    def command(*words: str) -> str:
+        """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
+        function = words[0].replace("-", "_")
+        if function not in FUNCTIONS:
+            told = [f"--{w.replace('=', ' ')}" if "=" in w else w for w in words]
+            return f"`{' '.join(['radcalc', *told])}` at a shell"
+        pairs = [word.partition("=") for word in words[1:]]
+        arguments = [Python.option(key, value) if eq else f'"{key}"' for key, eq, value in pairs]
+        return f"radcalc.{function}({', '.join(arguments)})"
+
+    @staticmethod
+    def manual(name: str) -> str:
+        """Where the function is described."""
+        return f"help(radcalc.{name.replace('-', '_')})"
+
+
+class PythonHint(Python):
+    """In a hint a flag is what one types."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`isotropic=True`."""
+        is_flag = name in SYMBOLS and SYMBOLS[name].form == FLAG
+        return f"{Python.option(name, '')}=True" if is_flag else Python.option(name, value)
+
+
+def _apart(value: str) -> str:
+    """A blank between a number and its unit: 6m becomes 6 m."""
+    end = next((k for k, c in enumerate(value) if c.isalpha() or c in "%°µ"), len(value))
+    is_number = value[:end].strip("0123456789.+-") == "" and 0 < end < len(value)
+    return f"{value[:end]} {value[end:]}" if is_number else value
+
+
+def in_python(function: Callable[..., T]) -> Callable[..., T]:
+    """Raise errors whose texts name keywords in place of options."""
+
+    @wraps(function)
+    def call(*args: Any, **kwargs: Any) -> T:
+        try:
+            return function(*args, **kwargs)
+        except RadcalcError as error:
+            error.message = spell(error.message, Python)
+            error.hint = spell(error.hint, PythonHint)
+            raise
+
+    return call
+
+
+def _in_words(text: str) -> str:
+    return spell(text, Python)
+
+
+@in_python
 def convert(value: Any, target: str, **conditions: Any) -> Any:
     """Convert a quantity to another unit, or to another quantity under conditions.
 
@@ -48,6 +120,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     return Quantity(made.apply(magnitude), light_registry().container(made.target))
 
 
+@in_python
 def explain(value: Any, target: str, **conditions: Any) -> Result:
     """Convert as `convert` does, and give what was assumed, noted and derived with the value.
 
@@ -72,9 +145,10 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     ('uniform over 4 pi sr (isotropic)',)
     """
     made, magnitude = _plan(value, target, conditions)
-    return answer(made, float(magnitude), steps=True)
+    return answer(made, float(magnitude), steps=True).spelled(_in_words)
 
 
+@in_python
 def point_source(
     *, distribution: str | None = None, any_incidence: bool = False, **given: Any
 ) -> dict[str, Any]:
@@ -105,15 +179,13 @@ def point_source(
     >>> print(point_source(flux="800lm", distance="2m")["irradiance"].round(3))
     15.915 lux
     """
-    from radcalc.calculators.point_source import DISTRIBUTIONS
-    from radcalc.calculators.point_source import point_source as law
+    from radcalc.calculators.point_source import point_source as work_out
 
-    if distribution not in (None, *DISTRIBUTIONS):
-        message = f"there is no distribution '{quote(str(distribution))}'"
-        raise ConditionError(message, ", ".join(DISTRIBUTIONS))
-    return _results(law, _inputs(given), distribution, any_incidence)
+    inputs = _inputs({"distribution": distribution, **given})
+    return _results(lambda: work_out(inputs, any_incidence))
 
 
+@in_python
 def lambertian(
     shape: str = "patch", *, corner: bool = False, perpendicular: bool = False, **given: Any
 ) -> dict[str, Any]:
@@ -143,15 +215,16 @@ def lambertian(
     >>> print(lambertian(luminance="100cd/m2", area="0.1m2")["flux"].round(3))
     31.416 lumen
     """
-    from radcalc.calculators.lambertian import lambertian as law
+    from radcalc.calculators.lambertian import lambertian as work_out
     from radcalc.calculators.shapes import SHAPES
 
     if shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
-    chosen = {"corner": corner, "perpendicular": perpendicular}
-    return _results(law, shape, _inputs(given), tuple(name for name, on in chosen.items() if on))
+    inputs = _inputs({"corner": corner, "perpendicular": perpendicular, **given})
+    return _results(lambda: work_out(shape, inputs))
 
 
+@in_python
 def ev(**given: Any) -> dict[str, Any]:
     """Exposure values, and the light that a meter shows them for.
 
@@ -175,11 +248,13 @@ def ev(**given: Any) -> dict[str, Any]:
     >>> print(ev(ev100=15)["luminance"])
     4096.0 candela / metre ** 2
     """
-    from radcalc.calculators.ev import ev as law
+    from radcalc.calculators.ev import ev as work_out
 
-    return _results(law, _inputs(given))
+    inputs = _inputs(given)
+    return _results(lambda: work_out(inputs))
 
 
+@in_python
 def calorimeter(**given: Any) -> dict[str, Any]:
     """The radiant flux that heats a body, or how warm a flux makes it.
 
@@ -203,44 +278,50 @@ def calorimeter(**given: Any) -> dict[str, Any]:
     >>> print(calorimeter(energy="7.7J", mass="10g", specific_heat="385J/kg/K")["temperature_rise"])
     2.0 kelvin
     """
-    from radcalc.calculators.calorimeter import calorimeter as law
+    from radcalc.calculators.calorimeter import calorimeter as work_out
 
-    return _results(law, _inputs(given))
+    inputs = _inputs(given)
+    return _results(lambda: work_out(inputs))
 
 
-def _inputs(given: dict[str, Any]) -> dict[str, Given]:
+def _inputs(given: dict[str, Any]) -> Inputs:
     """Read what a calculator is given."""
-    from radcalc.calculators import inputs, light
-
-    known = {*inputs.INPUTS, *light.INPUTS, *light.SPECIFIC, *light.LINKS, *light.REFINEMENTS}
-    found = {}
-    for name, value in given.items():
-        option = name.replace("_", "-")
-        if option not in known:
-            near = nearest(option, known)
-            raise ConditionError(f"there is no input '{quote(name)}'", ", ".join(near))
-        if value is None:
-            continue
-        if _is_quantity(value):
-            value = (value.magnitude, from_container(value._units))
-        found[option] = light.read_any(option, value)
-    return found
+    known = [name for name, symbol in SYMBOLS.items() if symbol.help and name not in INNER]
+    return {
+        name: one
+        for keyword, value in given.items()
+        if (one := _given(keyword, value, known, "input")) and (name := one.name)
+    }
 
 
-def _results(law: Callable[..., Answer], *words: Any) -> dict[str, Any]:
+def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
+    """Read one keyword; None and False are as if it were not there."""
+    name = keyword.replace("_", "-")
+    if name not in known:
+        near = nearest(name, known) if what == "input" else known
+        keywords = ", ".join(one.replace("-", "_") for one in near)
+        raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords)
+    if value is None or value is False:
+        return None
+    if _is_quantity(value):
+        value = (value.magnitude, from_container(value._units))
+    return read(name, value)
+
+
+def _results(work_out: Callable[[], Answer]) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
     from radcalc.calculators.results import in_unit
 
     try:
-        answer = law(*words)
+        answer = work_out()
     except ValueError as error:
         if "broadcast" not in str(error):
             raise
         raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
     found: dict[str, Any] = {}
-    for value in answer[0]:
+    for value in answer.values:
         name = value.name.replace("-", "_")
-        if value.units and name not in found:
+        if not value.is_absent and name not in found:
             unit = resolve(value.units[0])
             found[name] = Quantity(in_unit(value, unit), light_registry().container(unit))
     return found
@@ -256,7 +337,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         value = light_registry().parse_expression(value)
     elif not _is_quantity(value):
         value = Quantity(value, "1")
-    given = [_given(name, condition) for name, condition in conditions.items()]
+    given = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
     made = plan(from_container(value._units), resolve(target), [g for g in given if g])
     return made, value.magnitude
 
@@ -269,14 +350,3 @@ def _is_quantity(value: Any) -> bool:
             f"'{quote(str(value))}' is a quantity of another registry", "radcalc.Quantity"
         )
     return False
-
-
-def _given(name: str, value: Any) -> Given | None:
-    option = name.replace("_", "-")
-    if option not in OPTIONS:
-        raise ConditionError(f"there is no condition '{quote(name)}'", ", ".join(OPTIONS))
-    if value is None or value is False:
-        return None
-    if _is_quantity(value):
-        value = (value.magnitude, from_container(value._units))
-    return give(option, value)

@@ -13,7 +13,7 @@ import pint
 from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError
-from radcalc.units import grammar, table
+from radcalc.units import numbers, table
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
@@ -47,7 +47,7 @@ class LightRegistry(Registry):
         """Read a number and a unit with radcalc's grammar."""
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
-        value, unit = grammar.split_quantity(input_string)
+        value, unit = numbers.split_quantity(input_string)
         return self.Quantity(value, self.container(table.resolve(unit or "1")))
 
 
