@@ -36,8 +36,8 @@ class Python:
         """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
         function = words[0].replace("-", "_")
         if function not in FUNCTIONS:
-            told = [f"--{w.replace('=', ' ')}" if "=" in w else w for w in words]
-            return f"`{' '.join(['radcalc', *told])}` at a shell"
+            told = " ".join(word for word in words if "=" not in word)
+            return f"`radcalc {told}` at a shell"
         pairs = [word.partition("=") for word in words[1:]]
         arguments = [Python.option(key, value) if eq else f'"{key}"' for key, eq, value in pairs]
         return f"radcalc.{function}({', '.join(arguments)})"

@@ -22,6 +22,8 @@ def quote(text: str) -> str:
     text = text.replace("\u2212", "-")
     if len(text) > SHOWN:
         text = text[: SHOWN - 3] + "..."
+    if text.isprintable():
+        return text
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
@@ -161,6 +163,14 @@ class MissingInput(UsageError):
         examples = [option(*pair) for pair in zip(symbols, values, strict=False)]
         super().__init__(what, hint or " or ".join(examples or map(option, symbols)))
         self.symbols = tuple(symbols)
+
+
+class MissingUnit(ConditionError):
+    """A bare number for a symbol that has a unit; `written` is the number with a likely one."""
+
+    def __init__(self, symbol: str, text: str, written: str) -> None:
+        super().__init__(f"{option(symbol, text)} has no unit", option(symbol, written))
+        self.symbol, self.text, self.written = symbol, text, written
 
 
 class Unused(ConditionError):

@@ -10,6 +10,7 @@ from radcalc.errors import (
     Exclusive,
     Impossible,
     MissingInput,
+    MissingUnit,
     NumberError,
     RadcalcError,
     option,
@@ -95,10 +96,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     if dimension not in symbol.dimensions:
         if unit is None:
             written = _with_unit(symbol, quote(text))
-            raise ConditionError(
-                f"{option(name, quote(text))} has no unit",
-                f"{option(name, written)} (one word, no blank)",
-            )
+            raise MissingUnit(name, quote(text), written)
         raise ConditionError(
             f"{option(name)} takes {symbol.takes}, not {describe(unit)}",
             option(name, symbol.example),

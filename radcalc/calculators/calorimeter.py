@@ -15,6 +15,17 @@ PAGE = Page(
     (*BODY, "absorptance", "time", "receiver-area"),
     QUANTITIES,
     ("heat", *BODY, "absorptance", "time", "receiver-area"),
+    about="Give the radiant flux that heats a body, or how warm a flux makes it.",
+    sections={
+        "Light": QUANTITIES,
+        "Body": (*BODY, "absorptance", "receiver-area", "time"),
+    },
+    examples=(
+        "mass=10g specific-heat=385J/kg/K temperature-rise=2K time=30s",
+        "irradiance=1000W/m2 receiver-area=20cm2 absorptance=0.95 time=1min mass=10g "
+        "specific-heat=385J/kg/K get=temperature-rise:K",
+    ),
+    kinds=(RADIANT,),
 )
 
 

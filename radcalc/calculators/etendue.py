@@ -24,7 +24,31 @@ ROUND = ("radius", "diameter")
 WITH_CONE = (*SOURCES, *CONES, "etendue")
 WITH_RECEIVER = (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence", "etendue")
 RESULTS = ("projected-solid-angle", "configuration-factor", "far-field-etendue")
-PAGE = Page("", (), ("flux", "radiance"))
+PAGE = Page(
+    "",
+    (),
+    ("flux", "radiance"),
+    about="Give the etendue of a source, and the flux that a radiance sends through it.",
+    sections={
+        "Source": (*SOURCES, "tilt"),
+        "Cone of its light": CONES,
+        "Receiver": (*RECEIVERS, "distance", "incidence"),
+        "Light": ("etendue", "radiance", "flux"),
+    },
+    examples=(
+        "area=1mm2 half-angle=90deg",
+        "diameter=200um na=0.22",
+        "width=14.5mm length=8.2mm f-number=2.4",
+        "area=1cm2 receiver-area=4cm2 distance=1m tilt=60deg",
+        "radius=1m receiver-radius=1m distance=0.5m,1m,2m",
+        "area=1mm2 half-angle=30deg radiance=1e6cd/m2 get=flux:lm",
+        "etendue=1mm2.sr area=4mm2 get=half-angle:deg",
+        "etendue=1mm2.sr flux=1W",
+    ),
+    remarks="A source and a cone, or a source and a receiver: two discs ({radius}, "
+    "{receiver-radius}) that face each other are exact, other patches must be small beside their "
+    "distance.  Any sufficient set of them, the etendue, the flux and the radiance gives the rest.",
+)
 
 
 def etendue(given: Inputs) -> Answer:

@@ -22,6 +22,20 @@ PAGE = Page(
         "k",
         "c",
     ),
+    about="Give exposure values, and the light that a light meter shows them for.",
+    sections={
+        "Light": LIGHT,
+        "Camera": ("ev", "f-number", "time", "iso"),
+        "Meter": ("k", "c"),
+    },
+    examples=(
+        "ev100=15",
+        "luminance=1000cd/m2",
+        "f-number=16 time=1/100s iso=100",
+        "illuminance=500lx f-number=4 iso=400 get=time:ms",
+    ),
+    remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
+    "of the light.",
 )
 
 

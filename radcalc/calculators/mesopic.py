@@ -12,6 +12,16 @@ PAGE = Page(
     "a mesopic luminance",
     ("luminance", "sp-ratio", "spectrum", "mesopic-luminance", "scotopic-luminance"),
     others=RESULTS,
+    about="Give the mesopic luminance of CIE 191:2010, between night and day.",
+    sections={
+        "Light": ("luminance", "sp-ratio", "spectrum"),
+        "Solved for the others": ("mesopic-luminance", "scotopic-luminance"),
+    },
+    examples=(
+        "luminance=0.1cd/m2 sp-ratio=2",
+        "luminance=0.5cd/m2 spectrum=LED-B3",
+        "mesopic-luminance=0.1cd/m2 sp-ratio=2 get=luminance:cd/m2",
+    ),
 )
 HIGHEST = 1e12  # cd/m2, beyond any source
 

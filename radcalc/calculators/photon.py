@@ -8,7 +8,7 @@ from radcalc.conversion import spectral
 from radcalc.derivation import format_number
 from radcalc.given import Given, Inputs
 from radcalc.laws.photon import LAWS
-from radcalc.laws.solver import Known, derivation, solve
+from radcalc.laws.solver import Derivation, Known, solve
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, PHOTON_ENERGY, WAVENUMBER
 
@@ -41,7 +41,7 @@ def photon(given: Inputs) -> Answer:
     notes = []
     if not any(one.si for one in values if one.name.endswith("efficiency")):
         notes.append(f"nothing is seen at {wave.text}: it lies outside the tables")
-    return Answer(values, _assumptions(light, wave), notes, derivation(solution, ""))
+    return Answer(values, _assumptions(light, wave), notes, Derivation(solution))
 
 
 def _seen(kind: str, wavelength: Any, observer: Observer) -> list[Value]:

@@ -11,6 +11,7 @@ from radcalc.given import Given
 from radcalc.maths import is_array, is_column
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import LINKS, SYMBOLS
+from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import Unit, resolve
 
 
@@ -30,7 +31,7 @@ def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") ->
 def known(given: Given, *others: str) -> Value:
     """An input as a result: in the unit it was given in, as it was typed; then in others."""
     text = given.unit_text
-    units = (text, *(unit for unit in others if unit != text))
+    units = (text, *(unit for unit in others if unit != text.replace(".", " ")))
     return value(given.name, given.value, *units)._replace(given=given.number)
 
 
@@ -53,9 +54,18 @@ def in_unit(value: Value, unit: Unit) -> Any:
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
     if value.given is not None and unit.text == value.units[0]:
-        return value.given + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
+        return value.given + 0.0
     ratio = exact_ratio(Unit("SI", 1, 1, unit.dimension, ()), unit)
     return held(value.name, amount * (float(ratio) if is_array(amount) else ratio))
+
+
+def _shown(value: Value, text: str) -> Any:
+    """A value in one of the units it is shown in, of which most are coherent or as typed."""
+    if value.given is not None and text == value.units[0]:
+        return value.given + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
+    if text == COHERENT.get(value.dimensions[0]):
+        return held(value.name, value.amount)
+    return in_unit(value, resolve(text))
 
 
 def _refuse_absent(value: Value) -> None:
@@ -70,6 +80,8 @@ def _refuse_absent(value: Value) -> None:
 
 def held(name: str, number: Any) -> Any:
     """A result as floats, unless it has left what a number can hold."""
+    if type(number) is float and number - number == 0:
+        return number + 0.0
     if is_column(number):
         good = bool((abs(number) < math.inf).all())
     else:
@@ -101,7 +113,7 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     Of several answers each begins with what was given, which tells them apart.
     """
     found = [
-        Row(v.label, v.letter, in_unit(v, resolve(text)), text, case, v.name, v.given is not None)
+        Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None)
         for v in values
         for text in v.units
     ]

@@ -148,7 +148,7 @@ def _hemisphere(sheet: Worksheet) -> Seen:
 
 def _cone(sheet: Worksheet) -> Seen:
     one_of(sheet.given, "the size of the cone", *CONES)
-    laws = [CONE, PROJECTED_CONE, *([APEX] if "apex-angle" in sheet.given else [])]
+    laws: list[AnyLaw] = [CONE, PROJECTED_CONE, *([APEX] if "apex-angle" in sheet.given else [])]
     sheet.solve(laws)
     if sheet.at("half-angle") > math.pi / 2:
         sheet.notes.append("what is behind that plane does not count: a hemisphere is left")

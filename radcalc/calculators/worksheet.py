@@ -1,6 +1,7 @@
 """The worksheet of a calculator: what is given, the laws, and everything that follows."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
@@ -20,15 +21,16 @@ from radcalc.errors import (
 from radcalc.given import Given, Inputs, sort
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import (
+    Derivation,
     Disagreement,
     Known,
     Solution,
-    derivation,
     reached,
     rounding,
     solve,
 )
-from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS
+from radcalc.quantities.light import KINDS
+from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
 
 # What a calculator is about: what leads nowhere near one of these has no use.
 GOALS = frozenset(name for name, symbol in SYMBOLS.items() if symbol.generic == name) | {
@@ -47,13 +49,21 @@ class Page(NamedTuple):
     """What a calculator's page has on it.
 
     `takes` are the symbols that can be given; `light` those results that are light quantities,
-    by generic names, and `others` the rest, in the order in which they are shown.
+    by generic names, and `others` the rest, in the order in which they are shown.  A page that
+    has an `about` is a command of its own: one line that says what it gives, the symbols that
+    can be given by the section of its help, examples (NAME=VALUE for each symbol), remarks in
+    which {name} is a symbol, and the kinds of light that it takes.
     """
 
     title: str
     takes: tuple[str, ...]
     light: tuple[str, ...] = ()
     others: tuple[str, ...] = ()
+    about: str = ""
+    sections: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    examples: tuple[str, ...] = ()
+    remarks: str = ""
+    kinds: tuple[str, ...] = KINDS
 
 
 class Worksheet:
@@ -84,7 +94,9 @@ class Worksheet:
 
     def know(self, name: str, value: Any, *of: Given) -> None:
         """Add a value: one that was given, or one that goes without saying."""
-        off = max((rounding(one.text) for one in of if not one.is_exact), default=0.0)
+        off = 0.0
+        for one in of:
+            off = max(off, 0.0 if one.is_exact else rounding(one.text))
         self.known[name] = Known(value, off, of[0].text if of else "")
 
     def assume(self, *texts: str) -> None:
@@ -97,7 +109,9 @@ class Worksheet:
 
     def has(self, *names: str) -> bool:
         """Whether one of the symbols is known, or follows."""
-        return any(name in self.solution.values or name in self.known for name in names)
+        return not (
+            self.solution.values.keys().isdisjoint(names) and self.known.keys().isdisjoint(names)
+        )
 
     def at(self, name: str) -> Any:
         """A value."""
@@ -117,13 +131,13 @@ class Worksheet:
         except Disagreement as error:
             raise self._contradiction(error, steps or {}) from None
 
-    def answer(self, laws: Sequence[AnyLaw], before: Iterable[Value] = ()) -> Answer:
+    def answer(self, laws: Sequence[AnyLaw], first: Iterable[Value] = ()) -> Answer:
         """Everything that follows, once it is solved; nothing that is given may be idle."""
         self._refuse_idle(laws)
         values = self.solution.values
         found = {name: self.at(name) for name in self.page.light if name in values}
         shown = light.show_light(self.lit, found)
-        results = [*before, *(row for name in found for row in shown.values[name])]
+        results = [*first, *(row for name in found for row in shown.values[name])]
         for name in self.page.others:
             if name in self.given and self.given[name].symbol.form == QUANTITY:
                 results.append(known(self.given[name]))
@@ -133,12 +147,8 @@ class Worksheet:
         if efficacy is not None:
             results.append(value("luminous-efficacy", efficacy))
         results += self._absent(laws)
-        steps = [
-            *self.lit.steps,
-            *self.placed,
-            *derivation(self.solution, self.lit.kind),
-            *shown.steps,
-        ]
+        before = [*self.lit.steps, *self.placed]
+        steps = Derivation(self.solution, self.lit.kind, before, shown.steps)
         assumptions = tuple(dict.fromkeys([*self.assumptions, *shown.assumptions]))
         return Answer(
             results, assumptions, tuple(dict.fromkeys([*self.notes, *shown.notes])), steps
@@ -182,7 +192,7 @@ class Worksheet:
                 return [n for n in others if name in reached(laws, {*known, n})]
 
             symbol = SYMBOLS[name]
-            also = light.specific_name(name, self.lit.kind) if name == symbol.generic else ""
+            also = specific_name(name, self.lit.kind) if name == symbol.generic else ""
             label = symbol.label
             rows.append(
                 Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)

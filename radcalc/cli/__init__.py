@@ -8,7 +8,7 @@ import click
 from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.cli.spelling import Shell
-from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
+from radcalc.errors import MissingUnit, NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.units.numbers import read_number
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -48,8 +48,16 @@ class Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         from importlib import import_module
+        from importlib.util import find_spec
 
-        command: click.Command = import_module(f"radcalc.cli.{cmd_name.replace('-', '_')}").command
+        own = f"radcalc.cli.{cmd_name.replace('-', '_')}"
+        command: click.Command
+        if find_spec(own):
+            command = import_module(own).command
+        else:  # what a calculator's page says is all that there is to it
+            from radcalc.cli.command import of_page
+
+            command = of_page(cmd_name)
         command.short_help = COMMANDS[cmd_name]
         return command
 
@@ -118,6 +126,8 @@ def run(words: list[str]) -> int:
         stdio.write("")
         return status if isinstance(status, int) else stdio.ANSWERED
     except RadcalcError as error:
+        if isinstance(error, MissingUnit):
+            error.hint += " (one word, no blank)"  # where the shell would cut it
         return stdio.complain(error, Shell)
     except click.UsageError as error:
         return stdio.complain(_usage(error, words), Shell)

@@ -1,6 +1,7 @@
 """A command whose sections are its options: the help shows them so, with the examples first."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from importlib import import_module
 from typing import Any
 
 import click
@@ -31,7 +32,7 @@ Member = str | click.Option  # the name of a symbol, or an option that is none
 
 def define(
     name: str,
-    sections: dict[str, Sequence[Member]],
+    sections: Mapping[str, Sequence[Member]],
     words: str = "",
     kinds: Sequence[str] = KINDS,
     calculates: bool = True,
@@ -93,6 +94,39 @@ def define(
         )
 
     return decorate
+
+
+def of_page(name: str) -> "SectionedCommand":
+    """Make a command of a calculator's page."""
+    module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
+    page, work_out = module.PAGE, getattr(module, name.replace("-", "_"))
+
+    def calculate(typed: dict[str, Any], asked: Any, shown: options.Output) -> int:
+        from radcalc.cli.calculator import cases, run
+
+        return run(cases(typed, arrays=True), work_out, asked, shown, name)
+
+    examples = [_example(Shell.command(name, *line.split())) for line in page.examples]
+    calculate.__doc__ = "\n\n".join(
+        [
+            page.about,
+            "\b\nExamples:\n" + "\n".join(examples),
+            page.remarks.format_map(Spelled()),
+        ]
+    )
+    return define(name, page.sections, kinds=page.kinds)(calculate)
+
+
+def _example(line: str) -> str:
+    """An example in the help, over several lines where it is long."""
+    lines = [""]
+    for part in line.split(" --"):
+        word = f" --{part}" if lines != [""] else part
+        if len(lines[-1]) + len(word) > 78:
+            lines[-1] += " \\"
+            lines.append("   ")
+        lines[-1] += word
+    return "\n".join(f"  {part}" for part in lines)
 
 
 OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet")

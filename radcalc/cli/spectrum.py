@@ -8,7 +8,8 @@ from radcalc.cli.calculator import Asked, run
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
-from radcalc.given import SYMBOLS, Given, read
+from radcalc.given import Given, read
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.sources import names, spectrum
 from radcalc.units.ranges import read_spectra
 

@@ -9,12 +9,12 @@ class Shell:
     @staticmethod
     def option(name: str, value: str) -> str:
         """`--height 6m`."""
-        return f"--{name} {value}".rstrip()
+        return f"{'-g' if name == 'get' else f'--{name}'} {value}".rstrip()
 
     @staticmethod
     def command(*words: str) -> str:
         """`radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
-        typed = [f"--{word.replace('=', ' ')}".rstrip() if "=" in word else word for word in words]
+        typed = [Shell.option(*word.split("=", 1)) if "=" in word else word for word in words]
         return " ".join(["radcalc", *typed])
 
     @staticmethod

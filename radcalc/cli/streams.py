@@ -71,7 +71,7 @@ def refuse_second_reader(typed: dict[str, Any]) -> None:
 def convert(
     words: list[str],
     asked: Asked,
-    cases: Sequence[tuple[str, list[Given]]],
+    cases: Sequence[tuple[str, Sequence[Given]]],
     steps: bool,
     shown: Output,
 ) -> int:
@@ -130,7 +130,7 @@ def convert(
     return stdio.ANSWERED if good else stdio.FAILED
 
 
-def _given(cases: Sequence[tuple[str, list[Given]]], steps: bool) -> list[Given]:
+def _given(cases: Sequence[tuple[str, Sequence[Given]]], steps: bool) -> Sequence[Given]:
     """The conditions, of which there is one case."""
     if steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")

@@ -60,6 +60,9 @@ Links = list[tuple[Factor, int]]
 # Area and solid angle
 
 
+Supply = dict[str, Callable[[Conditions], Factor]]
+
+
 class Way(NamedTuple):
     """The powers of the conditions that lead from one geometry to another.
 
@@ -68,7 +71,7 @@ class Way(NamedTuple):
     """
 
     powers: dict[str, int]
-    supply: dict[str, Callable[[Conditions], Factor]]
+    supply: Supply
     is_suggested: bool = True
     extends: bool = True  # whether it is suggested to somebody who gave a part of it
 
@@ -104,9 +107,9 @@ def _disc(conditions: Conditions) -> Factor:
     return geometric.disc(source, distance, conditions.use("incidence"))
 
 
-PLAIN = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
-AT_RADIANCE = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
-FAR = {**PLAIN, AREA: _far_area}
+PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
+AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
+FAR: Supply = {**PLAIN, AREA: _far_area}
 DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
 
 FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)

@@ -1,7 +1,7 @@
 """The solid angles of a cone, plain and projected, solved both ways."""
 
 from radcalc.geometry import cones
-from radcalc.laws.law import Law, Relation
+from radcalc.laws.law import Relation, law
 
 CONE = Relation(
     "solid angle of a cone",
@@ -23,4 +23,4 @@ PROJECTED_CONE = Relation(
     },
     "ISO 80000-7, radiance and irradiance",
 )
-APEX = Law("apex angle", "{apex-angle} = 2 {half-angle}", "apex-angle", (("half-angle", 1),), 2.0)
+APEX = law("apex angle", "{apex-angle} = 2 {half-angle}")

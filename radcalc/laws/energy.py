@@ -1,8 +1,6 @@
 """What a constant light adds up to over a time."""
 
-from radcalc.laws.law import Law
+from radcalc.laws.law import law
 
-ENERGY = Law("energy", "{energy} = {flux} {time}", "energy", (("flux", 1), ("time", 1)))
-EXPOSURE = Law(
-    "exposure", "{exposure} = {irradiance} {time}", "exposure", (("irradiance", 1), ("time", 1))
-)
+ENERGY = law("energy", "{energy} = {flux} {time}")
+EXPOSURE = law("exposure", "{exposure} = {irradiance} {time}")

@@ -1,27 +1,11 @@
 """Light measured by the heat that it leaves in a body."""
 
 from radcalc.laws.energy import ENERGY
-from radcalc.laws.law import AnyLaw, Law
+from radcalc.laws.law import AnyLaw, law
 
 LAWS: list[AnyLaw] = [
-    Law(
-        "heat of a body",
-        "{heat} = {mass} {specific-heat} {temperature-rise}",
-        "heat",
-        (("mass", 1), ("specific-heat", 1), ("temperature-rise", 1)),
-    ),
-    Law(
-        "absorbed light",
-        "{heat} = {absorptance} {energy}",
-        "heat",
-        (("absorptance", 1), ("energy", 1)),
-        reference="ISO 80000-7, absorptance",
-    ),
+    law("heat of a body", "{heat} = {mass} {specific-heat} {temperature-rise}"),
+    law("absorbed light", "{heat} = {absorptance} {energy}", "ISO 80000-7, absorptance"),
     ENERGY,
-    Law(
-        "flux on a receiver",
-        "{flux} = {irradiance} {receiver-area}",
-        "flux",
-        (("irradiance", 1), ("receiver-area", 1)),
-    ),
+    law("flux on a receiver", "{flux} = {irradiance} {receiver-area}"),
 ]

@@ -5,6 +5,7 @@ symbols can be had from.  A `Relation` is what is no monomial: a function for ea
 be solved for.  All values are in coherent SI units, floats or arrays.
 """
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -16,7 +17,7 @@ At = Callable[[str], Any]  # gives the value of a symbol
 
 
 class Law(NamedTuple):
-    """A monomial law: `result` = `constant` * product of the `powers`.
+    """A monomial law: the first of the `names` = `constant` * product of the `powers`.
 
     `template` is the formula with {names} in it; `unit` that of the constant, in which Omega0,
     one photon and one cycle are written out.
@@ -24,16 +25,16 @@ class Law(NamedTuple):
 
     name: str
     template: str
-    result: str
+    names: tuple[str, ...]
     powers: tuple[tuple[str, float], ...]
     constant: float = 1.0
     unit: str = "1"
     reference: str = ""
 
     @property
-    def names(self) -> tuple[str, ...]:
-        """The symbols that it links."""
-        return (self.result, *(name for name, _ in self.powers))
+    def result(self) -> str:
+        """The symbol on the left."""
+        return self.names[0]
 
     @property
     def targets(self) -> tuple[str, ...]:
@@ -55,9 +56,9 @@ class Law(NamedTuple):
                 product = product / at(name)
             else:
                 product = product * at(name) ** exponent
-        if target == self.result:
+        if target == self.names[0]:
             return product
-        result = at(self.result)
+        result = at(self.names[0])
         if any_true(product == 0) or (power < 0 and any_true(result == 0)):
             raise ConditionError(
                 f"no light arrives, so no {target.replace('-', ' ')} follows from it",
@@ -65,6 +66,35 @@ class Law(NamedTuple):
             )
         quotient = result / product
         return quotient if power == 1 else quotient ** (1 / power)
+
+
+def law(
+    name: str, template: str, reference: str = "", constant: float = 1.0, unit: str = "1"
+) -> Law:
+    """A monomial law, read from its formula: `{flux} = 4 pi Omega0 {intensity}`.
+
+    Factors stand beside each other, with a power behind ^; a solidus goes with the factor or the
+    bracket behind it.  Numbers, pi and Omega0 (1 sr) are read; `constant` and its `unit` are what
+    the other letters of the formula stand for.
+    """
+    result, _, right = template.partition(" = ")
+    powers: list[tuple[str, float]] = []
+    steradians, sign, is_in_bracket = 0, 1, False
+    for word in right.replace("(", "( ").replace(")", " )").split():
+        factor, _, power = word.partition("^")
+        exponent = sign * float(power or 1)
+        if factor.startswith("{"):
+            powers.append((factor.strip("{}"), exponent))
+        elif factor == "Omega0":
+            steradians += sign
+        elif factor == "pi" or factor[0].isdigit():
+            constant *= (math.pi if factor == "pi" else float(factor)) ** exponent
+        is_in_bracket = word == "(" or (is_in_bracket and word != ")")
+        sign = -1 if word == "/" or (sign < 0 and is_in_bracket) else 1
+    if steradians:
+        unit = "sr" if steradians > 0 else "1/sr"
+    names = (result.strip("{}"), *(symbol for symbol, _ in powers))
+    return Law(name, template, names, tuple(powers), constant, unit, reference)
 
 
 class Relation(NamedTuple):

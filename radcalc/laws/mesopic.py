@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.laws.law import AnyLaw, At, Law, Relation
+from radcalc.laws.law import AnyLaw, At, Relation, law
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
 A, B, SCOTOPIC_AT_555 = 0.7670, 0.3334, 683 / 1699
@@ -71,12 +71,7 @@ def _ratio(at: At) -> Any:
     return ratio
 
 
-SCOTOPIC = Law(
-    "scotopic luminance",
-    "{scotopic-luminance} = {sp-ratio} {luminance}",
-    "scotopic-luminance",
-    (("sp-ratio", 1), ("luminance", 1)),
-)
+SCOTOPIC = law("scotopic luminance", "{scotopic-luminance} = {sp-ratio} {luminance}")
 ADAPTATION = Relation(
     "adaptation of the eye",
     "{adaptation} = 0.7670 + 0.3334 log10({mesopic-luminance} m2/cd), from 0 to 1",

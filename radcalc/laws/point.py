@@ -12,7 +12,7 @@ from radcalc.errors import option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, Law, Relation
+from radcalc.laws.law import AnyLaw, Relation, law
 from radcalc.maths import acos, exp, hypot, log, piecewise, sin
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
@@ -48,15 +48,7 @@ BEAM_ANGLE = Relation(
 )
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
-        Law(
-            "isotropic source",
-            "{flux} = 4 pi Omega0 {intensity}",
-            "flux",
-            (("intensity", 1),),
-            4 * math.pi,
-            "sr",
-            "ISO 80000-7, intensity",
-        ),
+        law("isotropic source", "{flux} = 4 pi Omega0 {intensity}", "ISO 80000-7, intensity"),
         Relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
@@ -65,13 +57,7 @@ LAWS: dict[str, list[AnyLaw]] = {
         ),
     ],
     CONICAL: [
-        Law(
-            "uniform cone",
-            "{flux} = {intensity} {solid-angle}",
-            "flux",
-            (("intensity", 1), ("solid-angle", 1)),
-            reference="ISO 80000-7, intensity",
-        ),
+        law("uniform cone", "{flux} = {intensity} {solid-angle}", "ISO 80000-7, intensity"),
         CONE,
         APEX,
         Relation(
@@ -90,12 +76,7 @@ LAWS: dict[str, list[AnyLaw]] = {
         ),
     ],
     LOBED: [
-        Law(
-            "flux of a lobe",
-            "{flux} = {intensity} {solid-angle}",
-            "flux",
-            (("intensity", 1), ("solid-angle", 1)),
-        ),
+        law("flux of a lobe", "{flux} = {intensity} {solid-angle}"),
         LOBE,
         BEAM_ANGLE,
         Relation(
@@ -119,30 +100,17 @@ LAWS: dict[str, list[AnyLaw]] = {
             ("beam-part", "beam-angle", "exponent"),
             {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
         ),
-        Law(
-            "flux in the beam",
-            "{beam-flux} = {flux} {beam-part}",
-            "beam-flux",
-            (("flux", 1), ("beam-part", 1)),
-        ),
+        law("flux in the beam", "{beam-flux} = {flux} {beam-part}"),
     ],
 }
-INVERSE_SQUARE = Law(
+INVERSE_SQUARE = law(
     "inverse square law",
     "{irradiance} = {intensity} {cosine} Omega0 / {distance}^2",
-    "irradiance",
-    (("intensity", 1), ("cosine", 1), ("distance", -2)),
-    1.0,
-    "sr",
     "ISO 80000-7, intensity and irradiance",
 )
-OFF_AXIS = Law(
+OFF_AXIS = law(
     "inverse square law, off the source's axis",
     "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
-    "irradiance",
-    (("intensity", 1), ("share", 1), ("cosine", 1), ("distance", -2)),
-    1.0,
-    "sr",
     "ISO 80000-7, intensity and irradiance",
 )
 ANY_LAWS: list[AnyLaw] = [
@@ -164,15 +132,10 @@ ANY_LAWS: list[AnyLaw] = [
             "height": lambda at: _height_of(at("distance"), at("lateral")),
         },
     ),
-    Law("flux within", "{flux-within} = {flux} {part}", "flux-within", (("flux", 1), ("part", 1))),
+    law("flux within", "{flux-within} = {flux} {part}"),
     EXPOSURE,
     ENERGY,
-    Law(
-        "flux on a receiver",
-        "{received-flux} = {irradiance} {receiver-area}",
-        "received-flux",
-        (("irradiance", 1), ("receiver-area", 1)),
-    ),
+    law("flux on a receiver", "{received-flux} = {irradiance} {receiver-area}"),
 ]
 
 

@@ -1,7 +1,7 @@
 """Solid angles of shapes: spheres, discs, pyramids, small patches, solved both ways."""
 
 from radcalc.geometry import cones, solid
-from radcalc.laws.law import Law, Relation
+from radcalc.laws.law import Relation, law
 from radcalc.maths import tan
 
 SPHERE = Relation(
@@ -40,11 +40,4 @@ PYRAMID = Relation(
         "vertical": lambda at: solid.pyramid_side(at("solid-angle"), at("horizontal")),
     },
 )
-PATCH = Law(
-    "small patch",
-    "{solid-angle} = {area} {cosine-of-source} / {distance}^2 Omega0",
-    "solid-angle",
-    (("area", 1), ("cosine-of-source", 1), ("distance", -2)),
-    1.0,
-    "sr",
-)
+PATCH = law("small patch", "{solid-angle} = {area} {cosine-of-source} / {distance}^2 Omega0")

@@ -1,6 +1,7 @@
 """Solving laws for whatever is missing, and checking them against what is given twice."""
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from radcalc.answer import Step
@@ -72,13 +73,13 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     while found:
         found = False
         for law in tuple(waiting):
-            missing = [name for name in law.names if name not in values]
+            missing = set(law.names).difference(values)
             if not missing:
                 _check(law, values, given, steps or {})
                 waiting.remove(law)
-            elif len(missing) == 1 and missing[0] in law.targets:
-                values[missing[0]] = _follow(law, missing[0], values)
-                used.append((law, missing[0]))
+            elif len(missing) == 1 and (target := missing.pop()) in law.targets:
+                values[target] = _follow(law, target, values)
+                used.append((law, target))
                 waiting.remove(law)
                 found = True
     return Solution(values, used)
@@ -86,7 +87,8 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
 
 def _follow(law: AnyLaw, target: str, values: Values) -> Known:
     """The target by the law, with what the roundings of the others make of it."""
-    value = law.solve(target, lambda name: values[name].value)
+    at = {name: values[name].value for name in law.names if name != target}
+    value = law.solve(target, at.__getitem__)
     if is_array(value):
         return Known(value, max(values[name].rounding for name in law.names if name != target))
     if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):
@@ -138,9 +140,35 @@ def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
     return known
 
 
-def derivation(solution: Solution, kind: str) -> list[Step]:
-    """The derivation: each law in symbols, then in numbers; light quantities are of a kind."""
-    return [_step(law, target, solution.values, kind) for law, target in solution.used]
+class Derivation(Sequence[Step]):
+    """The steps of an answer, worked out when somebody looks at them.
+
+    Each law that was used in symbols, then in numbers; light quantities are of a kind.  `before`
+    and `after` are steps of what was worked out elsewhere.
+    """
+
+    def __init__(
+        self,
+        solution: Solution,
+        kind: str = "",
+        before: Sequence[Step] = (),
+        after: Sequence[Step] = (),
+    ) -> None:
+        self._solution, self._kind, self._before, self._after = solution, kind, before, after
+
+    @cached_property
+    def _steps(self) -> list[Step]:
+        values, kind = self._solution.values, self._kind
+        laws = (_step(law, target, values, kind) for law, target in self._solution.used)
+        return [*self._before, *laws, *self._after]
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self._before) + len(self._solution.used) + len(self._after)
+
+    def __getitem__(self, index: Any) -> Any:
+        """One of them, or a part."""
+        return self._steps[index]
 
 
 def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:

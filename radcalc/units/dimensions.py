@@ -38,6 +38,7 @@ LUMINOUS_FLUX = powers(luminosity=1, angle=2)
 PHOTON_FLUX = powers(count=1, time=-1)
 RETINAL_ILLUMINANCE = powers(retinal_illuminance=1)
 ILLUMINANCE = times(LUMINOUS_FLUX, AREA, -1)
+LUMINOUS_INTENSITY = times(LUMINOUS_FLUX, SOLID_ANGLE, -1)
 LUMINANCE = times(ILLUMINANCE, SOLID_ANGLE, -1)
 
 # The coherent unit of each, in which a derivation shows it.
@@ -56,6 +57,9 @@ COHERENT = {
     ENERGY: "J",
     PHOTON_ENERGY: "J",
     SPECIFIC_HEAT: "J/kg/K",
+    POWER: "W",
+    LUMINOUS_FLUX: "lm",
+    LUMINOUS_INTENSITY: "cd",
     ILLUMINANCE: "lx",
     LUMINANCE: "cd/m2",
     times(ILLUMINANCE, TIME): "lx s",

@@ -70,7 +70,7 @@ class _Scanner:
 
     def skip_blanks(self) -> bool:
         start = self.at
-        while self.peek() == " ":
+        while self.text.startswith(" ", self.at):
             self.at += 1
         return self.at > start
 

@@ -66,7 +66,7 @@ def read_spectra(text: str) -> list[str]:
 
 
 def _has_unit(part: str) -> bool:
-    return part.strip()[-1:] in ("%", "°") or any(c.isalpha() for c in part)
+    return part.strip()[-1:] in ("%", "°") or any(map(str.isalpha, part))
 
 
 def read_array(text: str) -> tuple[Any, Unit, str] | None:
