@@ -1,6 +1,7 @@
 """What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from radcalc import maths
@@ -23,6 +24,7 @@ from radcalc.quantities.symbols import (
     INTERVAL,
     LINKS,
     POINT,
+    QUANTITY,
     REFINEMENTS,
     SPECTRUM,
     SYMBOLS,
@@ -32,6 +34,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.units.dimensions import ANGLE, LENGTH
 from radcalc.units.numbers import parse_number, split_quantity
+from radcalc.units.ranges import read_array, read_series, read_spectra
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
 EXTREME = 1e100  # squares and ratios of what is within stay within a float
@@ -64,6 +67,18 @@ class Given(NamedTuple):
 
 
 Inputs = dict[str, Given]
+
+
+def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
+    """The values of a list or a range; a range of wavelengths, or a file's name, is one value."""
+    form = SYMBOLS[name].form
+    if form == SPECTRUM:
+        return read_spectra(text)
+    if form != QUANTITY:
+        return [text]
+    if arrays and name not in LINKS and (values := read_array(text)):
+        return [values]
+    return read_series(text)
 
 
 def read(name: str, value: Any) -> Given:

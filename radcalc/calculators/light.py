@@ -7,7 +7,6 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 from typing import Any, NamedTuple
 
 from radcalc.answer import Step, Value
-from radcalc.conversion import spectral
 from radcalc.conversion.conditions import Factor
 from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
 from radcalc.given import Given, Inputs
@@ -101,6 +100,10 @@ def _refuse_idle_refinements(links: Inputs) -> None:
 
 def _factor(links: Inputs, over: str, under: str) -> Factor | None:
     """The ratio of two kinds, as the conditions have it; None where they do not link them."""
+    if not links:
+        return None
+    from radcalc.conversion import spectral  # with the tables of the observers
+
     observer = links.get("observer")
     if "wavelength" in links:
         return spectral.kind_factor(spectral.light(links["wavelength"], observer), over, under)

@@ -48,16 +48,17 @@ class Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         from importlib import import_module
-        from importlib.util import find_spec
 
         own = f"radcalc.cli.{cmd_name.replace('-', '_')}"
         command: click.Command
-        if find_spec(own):
+        try:
             command = import_module(own).command
-        else:  # what a calculator's page says is all that there is to it
+        except ModuleNotFoundError as error:
+            if error.name != own:
+                raise
             from radcalc.cli.command import of_page
 
-            command = of_page(cmd_name)
+            command = of_page(cmd_name)  # a calculator's page says all that there is to it
         command.short_help = COMMANDS[cmd_name]
         return command
 

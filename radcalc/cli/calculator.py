@@ -9,12 +9,11 @@ from radcalc.calculators.results import pick, rows
 from radcalc.cli import check
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.given import Inputs, read, read_interval
+from radcalc.given import Inputs, read, read_interval, values_of
 from radcalc.maths import is_array, is_column
-from radcalc.quantities.symbols import LINKS, QUANTITY, SPECTRUM, SYMBOLS
 from radcalc.render.formats import PLAIN, TABLE
 from radcalc.render.plain import DIGITS, number
-from radcalc.units.ranges import MOST, one_by_one, read_array, read_series, read_spectra
+from radcalc.units.ranges import MOST, one_by_one
 
 LINES = 1000  # formatted at a time
 Case = tuple[str, Inputs]
@@ -51,24 +50,12 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
     given = {
         name: [read_interval(name, text)]
         if name in intervals
-        else [read(name, part) for part in parts(name, text, arrays)]
+        else [read(name, part) for part in values_of(name, text, arrays)]
         for name, text in typed.items()
     }
     long = [name for name, values in given.items() if is_array(values[0].value)]
     varied, each = one_by_one(given, long)
     return [(case[varied].text if varied else "", case) for case in each]
-
-
-def parts(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
-    """The values of a list or a range; a range of wavelengths, or a file's name, is one value."""
-    form = SYMBOLS[name].form
-    if form == SPECTRUM:
-        return read_spectra(text)
-    if form != QUANTITY:
-        return [text]
-    if arrays and name not in LINKS and (values := read_array(text)):
-        return [values]
-    return read_series(text)
 
 
 def shape(word: str, names: Sequence[str]) -> str:

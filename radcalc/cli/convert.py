@@ -9,12 +9,11 @@ from radcalc import stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
-from radcalc.cli.calculator import parts
 from radcalc.cli.command import LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConversionError, UsageError
-from radcalc.given import Given, read
+from radcalc.given import Given, read, values_of
 from radcalc.units.operands import read_operands
 from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
@@ -137,7 +136,9 @@ def command(
 
 def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
     """The conditions as given; several times where one of them is a list or a range."""
-    given = {name: [read(name, part) for part in parts(name, text)] for name, text in typed.items()}
+    given = {
+        name: [read(name, part) for part in values_of(name, text)] for name, text in typed.items()
+    }
     varied, each = one_by_one(given)
     return [
         (f"{varied} {case[varied].text}" if varied else "", list(case.values())) for case in each

@@ -9,13 +9,12 @@ condition without use, or one too many, is refused as well.
 from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
-from radcalc.conversion import geometric, spectral
+from radcalc.conversion import geometric
 from radcalc.conversion.conditions import (
     AREA,
     BAND,
     CONE,
     DISTANCE,
-    LINK,
     PUPIL,
     REFLECTANCE,
     TIME,
@@ -37,17 +36,9 @@ from radcalc.errors import (
 from radcalc.given import Given
 from radcalc.maths import any_true
 from radcalc.quantities.light import (
-    KIND_NAMES,
-    LUMINOUS,
-    NONE,
-    PER_FREQUENCY,
-    PER_WAVENUMBER,
-    PHOTON,
-    RADIANT,
     Reading,
     describe,
     is_exitance,
-    is_per_length,
     read,
 )
 from radcalc.quantities.symbols import SYMBOLS
@@ -150,7 +141,7 @@ def ways(start: tuple[int, int], end: tuple[int, int]) -> tuple[tuple[Way, ...],
     return WAYS.get((end, start), ()), -1
 
 
-def _space(bridge: "_Bridge", start: Reading, end: Reading) -> Links:
+def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
     """Between flux, intensity, irradiance and radiance."""
     conditions = bridge.conditions
     given = {slot for slot in PLAIN if slot in conditions.given}
@@ -238,7 +229,7 @@ WANTED = {
 }
 
 
-class _Bridge:
+class Bridge:
     """Two units of different quantities, the conditions between them, and what is lacking."""
 
     def __init__(self, source: Unit, target: Unit, given: Sequence[Given]) -> None:
@@ -273,14 +264,6 @@ class _Bridge:
         phrase = (" or " if plain else ", or ").join(alternatives)
         self.lacking["space"] = (phrase, ", or ".join(alternatives.values()))
 
-    def wavelength(self) -> spectral.Light | None:
-        """The wavelength given, or None; used, with its observer where it is one of light seen."""
-        given = self.conditions.given.get(LINK)
-        if given is None or given.name != "wavelength":
-            return None
-        self.conditions.used.add(LINK)
-        return spectral.light(given, self.conditions.given.get("observer"))
-
     def refuse(self) -> None:
         """Refuse what is missing, and what has no use."""
         unused = self.conditions.unused
@@ -314,14 +297,16 @@ class _Bridge:
 
 def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
     """Find the factors, with their powers, that turn the source's quantity into the target's."""
-    bridge = _Bridge(source, target, given)
+    bridge = Bridge(source, target, given)
     start, end = read(source), read(target)
     links: Links = []
     if source.dimension != target.dimension:
         if start is None or end is None:
             raise _unlike(bridge)
-        links += _kind(bridge, start, end)
-        links += _axis(bridge, start, end)
+        if (start.kind, start.axis) != (end.kind, end.axis):
+            from radcalc.conversion import spectral  # with the tables of the observers
+
+            links += spectral.between(bridge, start, end)
         links += _time(bridge, start, end)
         links += _pupil(bridge, start, end)
         links += _space(bridge, start, end)
@@ -329,7 +314,7 @@ def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
     return links
 
 
-def _unlike(bridge: _Bridge) -> RadcalcError:
+def _unlike(bridge: Bridge) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if PER_TIME in (source.dimension, target.dimension):
@@ -360,87 +345,7 @@ def _unlike(bridge: _Bridge) -> RadcalcError:
     )
 
 
-def _kind(bridge: _Bridge, start: Reading, end: Reading) -> Links:
-    """Between radiant, luminous and photon."""
-    if start.kind == end.kind:
-        return []
-    light = bridge.wavelength()
-    if light is not None:
-        if LUMINOUS in (start.kind, end.kind):
-            bridge.conditions.use("observer")
-        return [(spectral.kind_factor(light, end.kind, start.kind), 1)]
-    given = bridge.conditions.use(LINK)
-    if given is None:
-        bridge.want(KIND)
-        return []
-    if given.name == "spectrum":
-        return [(_of_spectrum(bridge, given, start, end), 1)]
-    factor = spectral.given_ratio(given, end.kind, start.kind)
-    if factor is None:
-        both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
-        raise ConditionError(
-            f"{option('efficacy', given.text)} does not link {both} quantities",
-            option("efficacy", EXAMPLES[frozenset((start.kind, end.kind))]),
-        )
-    return [(factor, 1)]
-
-
-EXAMPLES = {
-    frozenset((RADIANT, LUMINOUS)): "93lm/W",
-    frozenset((RADIANT, PHOTON)): "2.1umol/J",
-    frozenset((LUMINOUS, PHOTON)): "54lm.s/umol",
-}
-
-
-def _of_spectrum(bridge: _Bridge, given: Given, start: Reading, end: Reading) -> Factor:
-    """By a whole spectrum, with what refines it."""
-    if start.axis or end.axis:
-        raise ConditionError(
-            f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
-            f"{_WAVELENGTH} for a density",
-        )
-    both, use = {start.kind, end.kind}, bridge.conditions.use
-    return spectral.spectral_factor(
-        given,
-        end.kind,
-        start.kind,
-        use("range") if RADIANT in both else None,
-        use("photon-range") if PHOTON in both else None,
-        use("observer") if LUMINOUS in both else None,
-    )
-
-
-def _axis(bridge: _Bridge, start: Reading, end: Reading) -> Links:
-    """Between spectral densities, and between a density and a band."""
-    if start.axis == end.axis:
-        return []
-    if NONE not in (start.axis, end.axis):
-        return _jacobian(bridge, start.axis, end.axis)
-    band = bridge.conditions.use(BAND)
-    if band is None:
-        strip = any(is_per_length(unit) for unit in (bridge.source, bridge.target))
-        bridge.want(PER_LENGTH if strip else BAND)
-        return []
-    of_kind = bridge.conditions.given.get(LINK) if start.kind != end.kind else None
-    width = spectral.bandwidth(band, of_kind)
-    if end.axis == NONE:
-        return [*_jacobian(bridge, start.axis, spectral.band_axis(band)), (width, 1)]
-    return [(width, -1), *_jacobian(bridge, spectral.band_axis(band), end.axis)]
-
-
-def _jacobian(bridge: _Bridge, start: str, end: str) -> Links:
-    if start == end:
-        return []
-    if {start, end} == {PER_FREQUENCY, PER_WAVENUMBER}:
-        return [(spectral.jacobian(None, start, end), 1)]
-    light = bridge.wavelength()
-    if light is None:
-        bridge.want(AXIS)
-        return []
-    return [(spectral.jacobian(light, start, end), 1)]
-
-
-def _time(bridge: _Bridge, start: Reading, end: Reading) -> Links:
+def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
     """Between energy and flux, exposure and irradiance."""
     if start.time == end.time:
         return []
@@ -451,7 +356,7 @@ def _time(bridge: _Bridge, start: Reading, end: Reading) -> Links:
     return [(geometric.duration(given), end.time - start.time)]
 
 
-def _pupil(bridge: _Bridge, start: Reading, end: Reading) -> Links:
+def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:
     """Between luminance and trolands."""
     if start.retinal == end.retinal:
         return []

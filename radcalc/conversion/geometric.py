@@ -1,16 +1,19 @@
-"""Factors of geometry and time: areas, cones, distances, reflectors, the pupil, durations."""
+"""Factors of geometry and time: areas, cones, distances, reflectors, the pupil, durations.
+
+The laws whose formulas the steps show are imported where they are used: most conversions need
+one of them, and a conversion is to start fast.
+"""
 
 import math
 from typing import Any
 
 from radcalc import maths
+from radcalc.answer import Step
 from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, command, option, quote
 from radcalc.geometry import cones, lobes
 from radcalc.given import Given, half_angle_of, radius_of, require
-from radcalc.laws.cones import CONE, PROJECTED_CONE
-from radcalc.laws.point import BEAM_ANGLE, LOBE
 
 INVERSE_SQUARE = Formula(
     "inverse square law", "q = Omega0 / {distance}^2", "ISO 80000-7, intensity and irradiance"
@@ -28,7 +31,7 @@ def area(given: Given) -> Factor:
     """The area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
-    from radcalc.laws.surface import CIRCLE  # which loads more geometry than most conversions need
+    from radcalc.laws.surface import CIRCLE
 
     radius = radius_of(given)
     value = math.pi * radius**2
@@ -52,6 +55,8 @@ def solid_angle(given: Given) -> Factor:
         return Factor("Omega", given.value, "sr", f"uniform over {given.text}")
     if given.name in ("exponent", "beam-angle"):
         return _lobe(given)
+    from radcalc.laws.cones import CONE
+
     half = half_angle_of(given)
     omega = cones.cone(half)
     shown = f"{format_number(omega)} sr"
@@ -62,7 +67,10 @@ def solid_angle(given: Given) -> Factor:
 
 def _lobe(given: Given) -> Factor:
     """A cosine-power lobe: the solid angle that, at the peak intensity, holds all the flux."""
-    exponent, steps = given.value, ()
+    from radcalc.laws.point import BEAM_ANGLE, LOBE
+
+    exponent = given.value
+    steps: tuple[Step, ...] = ()
     if given.name == "beam-angle":
         exponent = lobes.exponent(given.value, 0.5)
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
@@ -81,6 +89,8 @@ def projected_solid_angle(given: Given) -> Factor:
             f"{option(given.name)} does not link a radiance: that takes the projected solid angle",
             f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}",
         )
+    from radcalc.laws.cones import PROJECTED_CONE
+
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
     within = not maths.any_true(half > math.pi / 2 * (1 + cones.SLACK))

@@ -1,16 +1,16 @@
 """Factors between kinds and between spectral densities: wavelengths, spectra, efficacies."""
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import maths
 from radcalc.answer import Step
-from radcalc.conversion.conditions import Factor
+from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import ConditionError, Impossible, option, quote
 from radcalc.given import Given, require
-from radcalc.laws import photon
 from radcalc.quantities.light import (
     AXIS,
+    KIND_NAMES,
     LUMINOUS,
     NONE,
     PER_FREQUENCY,
@@ -19,6 +19,8 @@ from radcalc.quantities.light import (
     PHOTON,
     RADIANT,
     RATIOS,
+    Reading,
+    is_per_length,
 )
 from radcalc.spectra.observers import (
     OBSERVERS,
@@ -27,8 +29,11 @@ from radcalc.spectra.observers import (
     standard_air_wavelength,
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
-from radcalc.spectra.spectrum import PAR, Spectrum, range_text
 from radcalc.units.dimensions import FREQUENCY, LENGTH, WAVENUMBER
+
+if TYPE_CHECKING:
+    from radcalc.conversion.bridges import Bridge, Links
+    from radcalc.spectra.spectrum import Spectrum
 
 
 class Light(NamedTuple):
@@ -90,6 +95,9 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             ).told(f"K = {of.observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W"),
         )
     if PHOTON in (over, under):
+        from radcalc.laws import photon
+        from radcalc.spectra.spectrum import PAR
+
         found = f"{format_number(energy)} J"
         steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, found),)
         photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
@@ -121,6 +129,8 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
 
 def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) -> None:
     """Refuse watts of so small a part that all the lumens would come from too few of them."""
+    from radcalc.spectra.spectrum import range_text
+
     if efficacy > eye.maximum * (1 + 1e-9):
         raise ConditionError(
             f"{range_text(watts_in)} leaves out most of the watts that are seen: "
@@ -138,6 +148,8 @@ def spectral_factor(
     observer: Given | None,
 ) -> Factor:
     """The ratio of two kinds, over / under, of a whole spectrum."""
+    from radcalc.spectra.spectrum import range_text
+
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
     watts_in, photons_in = source.counted(
@@ -291,3 +303,97 @@ def bandwidth(given: Given, of_kind: Given | None) -> Factor:
 def band_axis(given: Given) -> str:
     """Whether a band's width is in wavelength, frequency or wavenumber."""
     return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)
+
+
+def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
+    """What stands between two kinds, and between two axes of spectral density."""
+    return [*_kind(bridge, start, end), *_axis(bridge, start, end)]
+
+
+def _wavelength(bridge: "Bridge") -> Light | None:
+    """The wavelength given, or None; used, with its observer where it is one of light seen."""
+    given = bridge.conditions.given.get(LINK)
+    if given is None or given.name != "wavelength":
+        return None
+    bridge.conditions.used.add(LINK)
+    return light(given, bridge.conditions.given.get("observer"))
+
+
+def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
+    """Between radiant, luminous and photon."""
+    if start.kind == end.kind:
+        return []
+    of = _wavelength(bridge)
+    if of is not None:
+        if LUMINOUS in (start.kind, end.kind):
+            bridge.conditions.use("observer")
+        return [(kind_factor(of, end.kind, start.kind), 1)]
+    given = bridge.conditions.use(LINK)
+    if given is None:
+        bridge.want("kind")
+        return []
+    if given.name == "spectrum":
+        return [(_of_spectrum(bridge, given, start, end), 1)]
+    factor = given_ratio(given, end.kind, start.kind)
+    if factor is None:
+        both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
+        raise ConditionError(
+            f"{option('efficacy', given.text)} does not link {both} quantities",
+            option("efficacy", EXAMPLES[frozenset((start.kind, end.kind))]),
+        )
+    return [(factor, 1)]
+
+
+EXAMPLES = {
+    frozenset((RADIANT, LUMINOUS)): "93lm/W",
+    frozenset((RADIANT, PHOTON)): "2.1umol/J",
+    frozenset((LUMINOUS, PHOTON)): "54lm.s/umol",
+}
+
+
+def _of_spectrum(bridge: "Bridge", given: Given, start: Reading, end: Reading) -> Factor:
+    """By a whole spectrum, with what refines it."""
+    if start.axis or end.axis:
+        raise ConditionError(
+            f"{bridge.heading}: {option('spectrum')} links whole bands, not spectral densities",
+            f"{option('wavelength', 'LAMBDA')} for a density",
+        )
+    both, use = {start.kind, end.kind}, bridge.conditions.use
+    return spectral_factor(
+        given,
+        end.kind,
+        start.kind,
+        use("range") if RADIANT in both else None,
+        use("photon-range") if PHOTON in both else None,
+        use("observer") if LUMINOUS in both else None,
+    )
+
+
+def _axis(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
+    """Between spectral densities, and between a density and a band."""
+    if start.axis == end.axis:
+        return []
+    if NONE not in (start.axis, end.axis):
+        return _jacobian(bridge, start.axis, end.axis)
+    band = bridge.conditions.use(BAND)
+    if band is None:
+        strip = any(is_per_length(unit) for unit in (bridge.source, bridge.target))
+        bridge.want("per length" if strip else BAND)
+        return []
+    of_kind = bridge.conditions.given.get(LINK) if start.kind != end.kind else None
+    width = bandwidth(band, of_kind)
+    if end.axis == NONE:
+        return [*_jacobian(bridge, start.axis, band_axis(band)), (width, 1)]
+    return [(width, -1), *_jacobian(bridge, band_axis(band), end.axis)]
+
+
+def _jacobian(bridge: "Bridge", start: str, end: str) -> "Links":
+    if start == end:
+        return []
+    if {start, end} == {PER_FREQUENCY, PER_WAVENUMBER}:
+        return [(jacobian(None, start, end), 1)]
+    of = _wavelength(bridge)
+    if of is None:
+        bridge.want("axis")
+        return []
+    return [(jacobian(of, start, end), 1)]

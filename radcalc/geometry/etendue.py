@@ -15,7 +15,7 @@ beams are in a medium of refractive index 1 (in another, n^2 G is what refractio
 import math
 
 from radcalc.geometry import projected
-from radcalc.geometry.solid import refuse
+from radcalc.geometry.cones import refuse
 from radcalc.maths import Number, hypot, larger, power_of_two, smaller, sqrt
 
 

@@ -21,7 +21,7 @@ in forms that lose their digits for small shapes; the forms here keep them.
 import math
 from typing import Any
 
-from radcalc.geometry import solid
+from radcalc.geometry import cones, solid
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
 from radcalc.geometry.numerics.vectors import dot, length, times, vector
@@ -100,7 +100,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     0.75
     """
     solid.cone(half_angle)  # refuses what is no cone
-    solid.check_tilt(tilt)
+    cones.check_tilt(tilt)
     return each(_cone, half_angle, abs(tilt))
 
 
@@ -307,9 +307,9 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     >>> round(projected.disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
     (0.868315, 0.868315)
     """
-    solid.refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
     solid.check_height(height)
-    solid.check_tilt(tilt)
+    cones.check_tilt(tilt)
     scale = power_of_two(larger(larger(radius, height), abs(offset)))
     radius, height, offset = radius / scale, height / scale, abs(offset) / scale
     if not is_array(tilt) and tilt == 0:
@@ -546,7 +546,7 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     """
     n = vector(normal)
     largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
-    solid.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
+    cones.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
     n = times(n, 1 / power_of_two(largest))
     unit = times(n, 1 / length(n))
     coordinates = [*first, *unit, *(x for side in sides for x in side)]

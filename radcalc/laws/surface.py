@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from radcalc.geometry import projected, solid
+from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, law
 from radcalc.maths import sqrt
@@ -57,7 +57,7 @@ SMALL_SOURCE = law(
 def _over(whole: float, at: At) -> Any:
     """A whole over the projected solid angle, which must be less."""
     part = at("projected-solid-angle")
-    solid.refuse(
+    cones.refuse(
         part >= whole,
         "more irradiance than the whole hemisphere at that radiance would give",
         "more radiance, or less irradiance",

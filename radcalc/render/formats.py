@@ -7,7 +7,7 @@ was assumed and noted goes to standard error instead.
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import Any, NamedTuple, Protocol, cast
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Result
 from radcalc.quantities.language import ENGLISH
@@ -47,21 +47,25 @@ class Judgement(NamedTuple):
     notes: Sequence[str]
 
 
-class Renderer(Protocol):
-    """What the module of a format has."""
+if TYPE_CHECKING:
+    from typing import Protocol
 
-    REMARKS_ARE_APART: bool
+    class Renderer(Protocol):
+        """What the module of a format has."""
 
-    def results(self, results: Sequence[Result], style: Style) -> str:
-        """The text of one answer, or of several."""
+        REMARKS_ARE_APART: bool
 
-    def records(self, records: Records, style: Style) -> str:
-        """The text of a list."""
+        def results(self, results: Sequence[Result], style: Style) -> str:
+            """The text of one answer, or of several."""
 
-    def verdict(self, judgement: Judgement, style: Style) -> str:
-        """The text of a judgement."""
+        def records(self, records: Records, style: Style) -> str:
+            """The text of a list."""
+
+        def verdict(self, judgement: Judgement, style: Style) -> str:
+            """The text of a judgement."""
 
 
-def renderer(name: str) -> Renderer:
+def renderer(name: str) -> "Renderer":
     """The module of a format, loaded when it is needed."""
-    return cast(Renderer, import_module(f"radcalc.render.{name}"))
+    module: Any = import_module(f"radcalc.render.{name}")
+    return module  # type: ignore[no-any-return]
