@@ -13,7 +13,8 @@ from radcalc.given import Inputs, angle_of, half_angle_of, one_of, require
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.surface import CIRCLE, CONFIGURATION_FACTOR, DIAMETER, RECTANGLE
+from radcalc.laws.sizes import CIRCLE, DIAMETER, RECTANGLE
+from radcalc.laws.surface import CONFIGURATION_FACTOR
 from radcalc.maths import larger
 
 LEAST = 1e-300  # below it a float has fewer digits

@@ -4,10 +4,9 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 (`luminous-flux`) takes that kind alone.
 """
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
-from radcalc.conversion.conditions import Factor
 from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
 from radcalc.given import Given, Inputs
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
@@ -30,6 +29,10 @@ def dimension(name: str, kind: str) -> Dimension:
 def kind_of(name: str, given: Given) -> str:
     """The kind in which a light quantity was given."""
     return KINDS[SYMBOLS[name].dimensions.index(given.dimension)]
+
+
+if TYPE_CHECKING:
+    from radcalc.conversion.conditions import Factor
 
 
 class Lit(NamedTuple):
@@ -98,7 +101,7 @@ def _refuse_idle_refinements(links: Inputs) -> None:
             )
 
 
-def _factor(links: Inputs, over: str, under: str) -> Factor | None:
+def _factor(links: Inputs, over: str, under: str) -> "Factor | None":
     """The ratio of two kinds, as the conditions have it; None where they do not link them."""
     if not links:
         return None

@@ -4,18 +4,20 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from radcalc.calculators.worksheet import Worksheet
+from radcalc.calculators.worksheet import (
+    OFFSETS,
+    Worksheet,
+    corner_of,
+    refuse_slant_for_height,
+)
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
+from radcalc.errors import Exclusive, MissingInput, option, options
 from radcalc.geometry import cones, projected, solid
 from radcalc.given import angle_of, half_angle_of, offset_of, one_of, radius_of
-from radcalc.laws.law import AnyLaw
+from radcalc.laws.law import HOWELL, AnyLaw
+from radcalc.laws.sizes import CIRCLE, DIAMETER, RECTANGLE
 from radcalc.laws.surface import (
-    CIRCLE,
-    DIAMETER,
     FLAT,
-    HOWELL,
-    RECTANGLE,
     SMALL_SOURCE,
     SPHERE_AREA,
     SPHERE_AT_DISTANCE,
@@ -26,7 +28,6 @@ from radcalc.laws.surface import (
 from radcalc.maths import any_true, atan2, cos, hypot, sin
 
 SIZES = ("area", "radius", "diameter", "width", "length")
-OFFSETS = ("offset", "offset-y")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
 SEEN = Formula(
     "projected solid angle",
@@ -108,16 +109,8 @@ def _height(sheet: Worksheet) -> Any:
     if not both:
         return None
     if both == ["distance"] and set(OFFSETS) & set(given):
-        raise_slant_for_height()
+        refuse_slant_for_height()
     return given[both[0]].value
-
-
-def raise_slant_for_height() -> None:
-    """Refuse a distance where the height above a flat source is meant."""
-    raise ConditionError(
-        f"{option('distance')} is the straight line to the centre, and off the axis no height",
-        f"{option('height')} in its place",
-    )
 
 
 def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[Any, Any, Any]:
@@ -232,15 +225,6 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
     sheet.know("size", hypot(width, length))
     return laws
-
-
-def corner_of(given: dict[str, Any]) -> tuple[Any, Any]:
-    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
-    if {*OFFSETS, "distance"} & set(given):
-        raise ConditionError(
-            f"{option('corner')}, with {option('height')}, already says where", "one of them"
-        )
-    return given["width"].value / 2, given["length"].value / 2
 
 
 def _sideways(sheet: Worksheet, height: Any, x: Any, y: Any) -> Any:

@@ -1,4 +1,7 @@
-"""The solid angle of a shape, and what goes with it: one small function a shape."""
+"""The solid angle of a shape, and what goes with it: one small function a shape.
+
+Each imports the geometry that it needs: a cone is to be answered without that of polygons.
+"""
 
 import math
 from collections.abc import Callable, Sequence
@@ -6,9 +9,13 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.results import known, value
-from radcalc.calculators.shapes import OFFSETS, corner_of, raise_slant_for_height
-from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.conversion import geometric
+from radcalc.calculators.worksheet import (
+    OFFSETS,
+    Page,
+    Worksheet,
+    corner_of,
+    refuse_slant_for_height,
+)
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
     ConditionError,
@@ -19,12 +26,11 @@ from radcalc.errors import (
     option,
     options,
 )
-from radcalc.geometry import cones, projected, solid
+from radcalc.geometry import cones
 from radcalc.given import Given, Inputs, Point, angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
-from radcalc.laws.law import AnyLaw
-from radcalc.laws.solid_angles import PATCH, PYRAMID, SPHERE, disc
-from radcalc.laws.surface import CIRCLE, DIAMETER, HOWELL
+from radcalc.laws.law import HOWELL, AnyLaw
+from radcalc.laws.sizes import CIRCLE, DIAMETER
 
 LEAST = 1e-300  # below it a float has fewer digits
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -139,7 +145,7 @@ def _hemisphere(sheet: Worksheet) -> Seen:
     _enter(
         sheet,
         cones.HEMISPHERE,
-        projected.HEMISPHERE,
+        math.pi,
         Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, _sr(cones.HEMISPHERE)),
         Formula("projected", "{projected-solid-angle} = pi Omega0").told("Omega_p = pi sr"),
     )
@@ -156,6 +162,8 @@ def _cone(sheet: Worksheet) -> Seen:
 
 
 def _zone(sheet: Worksheet) -> Seen:
+    from radcalc.geometry import projected, solid
+
     if "polar" not in sheet.given:
         raise MissingInput(
             "the polar angles of the zone are missing", ("polar",), values=("30deg:60deg",)
@@ -185,6 +193,8 @@ def _span(interval: Given) -> str:
 
 
 def _sphere(sheet: Worksheet) -> Seen:
+    from radcalc.laws.solid_angles import SPHERE
+
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) > 2:
         needed = ("radius", "distance", "solid-angle")
@@ -197,11 +207,14 @@ def _above(given: Inputs) -> Given:
     """The height above a flat shape; on its axis, the distance is the same."""
     one = one_of(given, "the height above the source", "height", "distance")
     if one.name == "distance" and {"corner", *OFFSETS} & set(given):
-        raise_slant_for_height()
+        refuse_slant_for_height()
     return one
 
 
 def _disc(sheet: Worksheet) -> Seen:
+    from radcalc.geometry import projected, solid
+    from radcalc.laws.solid_angles import disc
+
     given = sheet.given
     laws: list[AnyLaw] = [DIAMETER] if "diameter" in given else []
     offset = offset_of(given)
@@ -226,6 +239,8 @@ def _disc(sheet: Worksheet) -> Seen:
 
 
 def _rectangle(sheet: Worksheet) -> Seen:
+    from radcalc.geometry import projected, solid
+
     given = sheet.given
     for name in ("width", "length"):
         one_of(given, f"the {name} of the rectangle", name)
@@ -248,6 +263,9 @@ def _contour(flat: Any) -> Step:
 
 
 def _pyramid(sheet: Worksheet) -> Seen:
+    from radcalc.geometry import projected
+    from radcalc.laws.solid_angles import PYRAMID
+
     given = sheet.given
     sheet.assume("the angles are full ones, from face to face through the axis")
     if "solid-angle" not in given:
@@ -262,6 +280,8 @@ def _pyramid(sheet: Worksheet) -> Seen:
 
 
 def _patch(sheet: Worksheet) -> Seen:
+    from radcalc.laws.solid_angles import PATCH
+
     given = sheet.given
     laws: list[AnyLaw] = [PATCH]
     if set(ROUND) & set(given):
@@ -288,6 +308,8 @@ def _patch(sheet: Worksheet) -> Seen:
 
 def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
     """Refuse a patch seen from so near that A cos(theta) / d^2 is off."""
+    from radcalc.conversion import geometric
+
     size = geometric.size_of(area)
     if geometric.is_near(away, size):
         raise ConditionError(
@@ -298,13 +320,14 @@ def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:
-    from radcalc.geometry import outline
+    from radcalc.geometry import outline, projected
+    from radcalc.geometry.polygons import polygon
 
     given = sheet.given
     viewpoint: Point = given["viewpoint"].value if "viewpoint" in given else (0.0, 0.0, 0.0)
     normal: Point | None = given["normal"].value if "normal" in given else None
     shape = outline.read(points, viewpoint)
-    omega = abs(solid.polygon(shape.vertices))
+    omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
     sheet.notes += shape.notes
     plane = "a plane parallel to the polygon's"

@@ -42,7 +42,8 @@ GOALS = frozenset(name for name, symbol in SYMBOLS.items() if symbol.generic == 
 }
 
 
-PLACED = ("offset", "offset-y", "incidence", "tilt")  # what a calculator itself makes use of
+OFFSETS = ("offset", "offset-y")
+PLACED = (*OFFSETS, "incidence", "tilt")  # what a calculator itself makes use of
 
 
 class Page(NamedTuple):
@@ -246,3 +247,20 @@ def _live(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
     while more := [names for names in whole if names & live and not names <= live]:
         live = live.union(*more)
     return {name for names in whole if names <= live for name in names}
+
+
+def refuse_slant_for_height() -> None:
+    """Refuse a distance where the height above a flat source is meant."""
+    raise ConditionError(
+        f"{option('distance')} is the straight line to the centre, and off the axis no height",
+        f"{option('height')} in its place",
+    )
+
+
+def corner_of(given: Inputs) -> tuple[Any, Any]:
+    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
+    if {*OFFSETS, "distance"} & set(given):
+        raise ConditionError(
+            f"{option('corner')}, with {option('height')}, already says where", "one of them"
+        )
+    return given["width"].value / 2, given["length"].value / 2

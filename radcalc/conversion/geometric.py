@@ -31,7 +31,7 @@ def area(given: Given) -> Factor:
     """The area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
-    from radcalc.laws.surface import CIRCLE
+    from radcalc.laws.sizes import CIRCLE
 
     radius = radius_of(given)
     value = math.pi * radius**2

@@ -6,7 +6,7 @@ observer (CIE e-ILV 17-21-109).  All directions together are 4 pi sr, those abov
 multiplied by to give an irradiance is the *projected* solid angle of `radcalc.geometry.projected`.
 
 Shapes: `cone`, `zone`, `sphere`, `disc`, `rectangle`, `pyramid`, `patch`; `triangle` and
-`polygon` come from `radcalc.geometry.polygons`.  `cone_of`, `sphere_distance` and
+`polygon` are in `radcalc.geometry.polygons`.  `cone_of`, `sphere_distance` and
 `sphere_radius` solve for a size.  The functions whose names start with `check` refuse
 arguments out of range, for this module and for `projected`.
 
@@ -33,7 +33,6 @@ from radcalc.geometry.cones import (
     refuse,
 )
 from radcalc.geometry.numerics.special import cel
-from radcalc.geometry.polygons import polygon, triangle
 from radcalc.maths import (
     Number,
     asin,
@@ -56,13 +55,11 @@ __all__ = [
     "cone_of",
     "disc",
     "patch",
-    "polygon",
     "pyramid",
     "rectangle",
     "sphere",
     "sphere_distance",
     "sphere_radius",
-    "triangle",
     "zone",
 ]
 

@@ -1,8 +1,7 @@
 """The etendue of a beam, and the flux that a uniform radiance sends through it."""
 
 from radcalc.geometry import cones, etendue
-from radcalc.laws.law import Relation, law
-from radcalc.laws.surface import HOWELL
+from radcalc.laws.law import HOWELL, Relation, law
 
 FLUX = law("flux of a uniform radiance", "{flux} = {radiance} {etendue}", "ISO 80000-7, radiance")
 PER_AREA = law("etendue per area", "{etendue} = {area} {projected-solid-angle}")

@@ -122,3 +122,4 @@ class Relation(NamedTuple):
 
 
 AnyLaw = Law | Relation
+HOWELL = "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors"

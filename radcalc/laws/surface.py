@@ -5,10 +5,9 @@ from typing import Any
 
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, law
+from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, law
 from radcalc.maths import sqrt
 
-HOWELL = "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors"
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
 )
@@ -43,9 +42,6 @@ LAWS: list[AnyLaw] = [
     ENERGY,
 ]
 FLAT = law("as seen from the front", "{apparent-area} = {area}")
-RECTANGLE = law("area of a rectangle", "{area} = {width} {length}")
-CIRCLE = law("area of a circle", "{area} = pi {radius}^2")
-DIAMETER = law("diameter", "{diameter} = 2 {radius}")
 SPHERE_AREA = law("area of a sphere", "{area} = 4 pi {radius}^2")
 SPHERE_FRONT = law("as seen from anywhere", "{apparent-area} = pi {radius}^2")
 SMALL_SOURCE = law(

@@ -153,18 +153,23 @@ class Reading(NamedTuple):
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
     """The dimension of a light quantity, from its facts."""
+    return _DIMENSIONS[kind, geometry, axis]
+
+
+def _dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
     time, area, solid_angle = geometry
-    dimension = times(FLUX[kind], TIME, time)
-    dimension = times(dimension, AREA, -area)
-    dimension = times(dimension, SOLID_ANGLE, -solid_angle)
-    return times(dimension, AXIS[axis], -1)
+    parts = zip(FLUX[kind], TIME, AREA, SOLID_ANGLE, AXIS[axis], strict=True)
+    return tuple([f + time * t - area * a - solid_angle * s - x for f, t, a, s, x in parts])
 
 
-GRID = {
-    light_dimension(kind, geometry, axis): (kind, *geometry, axis)
+_DIMENSIONS = {
+    (kind, geometry, axis): _dimension(kind, geometry, axis)
     for kind in FLUX
     for geometry in GEOMETRIES
     for axis in AXIS
+}
+GRID = {
+    dimension: (kind, *geometry, axis) for (kind, geometry, axis), dimension in _DIMENSIONS.items()
 }
 
 

@@ -5,7 +5,7 @@ import sys
 import numpy as np
 from measure import RADCALC, command, report
 
-from radcalc.geometry.solid import triangle
+from radcalc.geometry.polygons import triangle
 
 NUMPY = "import click, numpy"
 SCALARS = [
