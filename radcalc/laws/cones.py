@@ -1,22 +1,20 @@
 """The solid angles of a cone, plain and projected, solved both ways."""
 
 from radcalc.geometry import cones
-from radcalc.laws.law import Relation, law
+from radcalc.laws.law import law, relation
 
-CONE = Relation(
+CONE = relation(
     "solid angle of a cone",
     "{solid-angle} = 4 pi sin^2({half-angle}/2) Omega0",
-    ("solid-angle", "half-angle"),
     {
         "solid-angle": lambda at: cones.cone(at("half-angle")),
         "half-angle": lambda at: cones.cone_of(at("solid-angle")),
     },
     "ISO 80000-3, solid angle",
 )
-PROJECTED_CONE = Relation(
+PROJECTED_CONE = relation(
     "projected solid angle of a cone",
     "{projected-solid-angle} = pi sin^2({half-angle}) Omega0",
-    ("projected-solid-angle", "half-angle"),
     {
         "projected-solid-angle": lambda at: cones.projected_cone(at("half-angle")),
         "half-angle": lambda at: cones.projected_cone_of(at("projected-solid-angle")),

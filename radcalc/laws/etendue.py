@@ -1,14 +1,13 @@
 """The etendue of a beam, and the flux that a uniform radiance sends through it."""
 
 from radcalc.geometry import cones, etendue
-from radcalc.laws.law import HOWELL, Relation, law
+from radcalc.laws.law import HOWELL, law, relation
 
 FLUX = law("flux of a uniform radiance", "{flux} = {radiance} {etendue}", "ISO 80000-7, radiance")
 PER_AREA = law("etendue per area", "{etendue} = {area} {projected-solid-angle}")
-CONE = Relation(
+CONE = relation(
     "etendue of a cone",
     "{etendue} = pi {area} sin^2({half-angle}) Omega0",
-    ("etendue", "area", "half-angle"),
     {
         "etendue": lambda at: etendue.patch_and_cone(at("area"), at("half-angle")),
         "area": lambda at: at("etendue") / cones.projected_cone(at("half-angle")),
@@ -21,11 +20,10 @@ PATCHES = law(
     "two small patches",
     "{etendue} = {area} {cosine-of-source} {receiver-area} {cosine} / {distance}^2 Omega0",
 )
-DISCS = Relation(
+DISCS = relation(
     "two coaxial discs",
     "{etendue} = pi^2/2 (S - sqrt(S^2 - 4 {radius}^2 {receiver-radius}^2)) Omega0, "
     "S = {radius}^2 + {receiver-radius}^2 + {distance}^2",
-    ("etendue", "radius", "receiver-radius", "distance"),
     {
         "etendue": lambda at: etendue.coaxial_discs(
             at("radius"), at("receiver-radius"), at("distance")

@@ -1,6 +1,6 @@
 """The light meter: exposure values, and what light they stand for (ISO 2720, ISO 12232)."""
 
-from radcalc.laws.law import AnyLaw, Relation, law
+from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import log2
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of meters use
@@ -8,17 +8,15 @@ SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 1
 STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
 LAWS: list[AnyLaw] = [
     law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720"),
-    Relation(
+    relation(
         "exposure value",
         "{ev} = log2({light} / 1 Hz)",
-        ("ev", "light"),
         {"ev": lambda at: log2(at("light")), "light": lambda at: 2.0 ** at("ev")},
         "ISO 2720",
     ),
-    Relation(
+    relation(
         "exposure value at ISO 100",
         "{ev100} = {ev} - log2({iso} / 100)",
-        ("ev100", "ev", "iso"),
         {
             "ev100": lambda at: at("ev") - log2(at("iso") / 100),
             "ev": lambda at: at("ev100") + log2(at("iso") / 100),
@@ -26,30 +24,27 @@ LAWS: list[AnyLaw] = [
         },
         "ISO 2720",
     ),
-    Relation(
+    relation(
         "reflected light",
         "{luminance} = {k} 2^{ev100} / 100",
-        ("luminance", "k", "ev100"),
         {
             "luminance": lambda at: at("k") / 100 * 2.0 ** at("ev100"),
             "ev100": lambda at: log2(at("luminance") * 100 / at("k")),
         },
         "ISO 2720",
     ),
-    Relation(
+    relation(
         "incident light",
         "{illuminance} = {c} 2^{ev100} / 100",
-        ("illuminance", "c", "ev100"),
         {
             "illuminance": lambda at: at("c") / 100 * 2.0 ** at("ev100"),
             "ev100": lambda at: log2(at("illuminance") * 100 / at("c")),
         },
         "ISO 2720",
     ),
-    Relation(
+    relation(
         "saturation",
         "{saturation-luminance} = 1.2 cd/m2 2^{ev100}",
-        ("saturation-luminance", "ev100"),
         {"saturation-luminance": lambda at: SATURATION * 2.0 ** at("ev100")},
         "ISO 12232, saturation-based speed",
     ),

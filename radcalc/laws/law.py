@@ -121,5 +121,13 @@ class Relation(NamedTuple):
         return self.solvers[target](at)
 
 
+def relation(
+    name: str, template: str, solvers: dict[str, Callable[[At], Any]], reference: str = ""
+) -> Relation:
+    """A relation between the symbols of its formula, with a solver for some or all of them."""
+    names = [part.partition("}")[0] for part in template.split("{")[1:]]
+    return Relation(name, template, tuple(dict.fromkeys(names)), solvers, reference)
+
+
 AnyLaw = Law | Relation
 HOWELL = "J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors"

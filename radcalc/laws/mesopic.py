@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.laws.law import AnyLaw, At, Relation, law
+from radcalc.laws.law import AnyLaw, At, law, relation
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
 A, B, SCOTOPIC_AT_555 = 0.7670, 0.3334, 683 / 1699
@@ -72,18 +72,16 @@ def _ratio(at: At) -> Any:
 
 
 SCOTOPIC = law("scotopic luminance", "{scotopic-luminance} = {sp-ratio} {luminance}")
-ADAPTATION = Relation(
+ADAPTATION = relation(
     "adaptation of the eye",
     "{adaptation} = 0.7670 + 0.3334 log10({mesopic-luminance} m2/cd), from 0 to 1",
-    ("adaptation", "mesopic-luminance"),
     {"adaptation": lambda at: adaptation(at("mesopic-luminance"))},
     SOURCE,
 )
-MESOPIC = Relation(
+MESOPIC = relation(
     "mesopic luminance",
     "{mesopic-luminance} = (m {luminance} + (1 - m) {sp-ratio} {luminance} V0) / "
     "(m + (1 - m) V0), V0 = 683/1699",
-    ("mesopic-luminance", "luminance", "sp-ratio"),
     {
         "mesopic-luminance": lambda at: solve(at("luminance"), at("sp-ratio"))[0],
         "luminance": _luminance,

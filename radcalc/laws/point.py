@@ -12,7 +12,7 @@ from radcalc.errors import option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, Relation, law
+from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import acos, exp, hypot, log, piecewise, sin
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
@@ -28,19 +28,17 @@ def _exponent_of(solid_angle: Any) -> Any:
     return piecewise(found < 0, lambda n: 0.0 * n, lambda n: n, found)
 
 
-LOBE = Relation(
+LOBE = relation(
     "flux of a lobe over its peak",
     "{solid-angle} = 2 pi Omega0 / ({exponent} + 1)",
-    ("solid-angle", "exponent"),
     {
         "solid-angle": lambda at: lobes.solid_angle(at("exponent")),
         "exponent": lambda at: _exponent_of(at("solid-angle")),
     },
 )
-BEAM_ANGLE = Relation(
+BEAM_ANGLE = relation(
     "beam angle of a lobe",
     "{exponent} = ln(1/2) / ln cos({beam-angle}/2)",
-    ("exponent", "beam-angle"),
     {
         "exponent": lambda at: lobes.exponent(at("beam-angle"), 0.5),
         "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
@@ -49,10 +47,9 @@ BEAM_ANGLE = Relation(
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
         law("isotropic source", "{flux} = 4 pi Omega0 {intensity}", "ISO 80000-7, intensity"),
-        Relation(
+        relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
-            ("part", "within"),
             {"part": lambda at: sin(at("within") / 2) ** 2},
         ),
     ],
@@ -60,10 +57,9 @@ LAWS: dict[str, list[AnyLaw]] = {
         law("uniform cone", "{flux} = {intensity} {solid-angle}", "ISO 80000-7, intensity"),
         CONE,
         APEX,
-        Relation(
+        relation(
             "part of a cone",
             "{part} = sin^2({within}/2) / sin^2({half-angle}/2), at most 1",
-            ("part", "within", "half-angle"),
             {
                 "part": lambda at: piecewise(
                     at("within") < at("half-angle"),
@@ -79,25 +75,22 @@ LAWS: dict[str, list[AnyLaw]] = {
         law("flux of a lobe", "{flux} = {intensity} {solid-angle}"),
         LOBE,
         BEAM_ANGLE,
-        Relation(
+        relation(
             "field angle of a lobe",
             "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
-            ("exponent", "field-angle"),
             {
                 "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
                 "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
             },
         ),
-        Relation(
+        relation(
             "part of a lobe",
             "{part} = 1 - cos({within})^({exponent} + 1)",
-            ("part", "within", "exponent"),
             {"part": lambda at: lobes.part(at("exponent"), at("within"))},
         ),
-        Relation(
+        relation(
             "part of a lobe in its beam",
             "{beam-part} = 1 - cos({beam-angle}/2)^({exponent} + 1)",
-            ("beam-part", "beam-angle", "exponent"),
             {"beam-part": lambda at: lobes.part(at("exponent"), at("beam-angle") / 2)},
         ),
         law("flux in the beam", "{beam-flux} = {flux} {beam-part}"),
@@ -114,19 +107,17 @@ OFF_AXIS = law(
     "ISO 80000-7, intensity and irradiance",
 )
 ANY_LAWS: list[AnyLaw] = [
-    Relation(
+    relation(
         "cosine of the incidence",
         "{cosine} = cos({incidence})",
-        ("cosine", "incidence"),
         {
             "cosine": lambda at: cones.facing(at("incidence")),
             "incidence": lambda at: _incidence_of(at("cosine")),
         },
     ),
-    Relation(
+    relation(
         "straight line to the source",
         "{distance}^2 = {height}^2 + {lateral}^2",
-        ("distance", "height", "lateral"),
         {
             "distance": lambda at: hypot(at("height"), at("lateral")),
             "height": lambda at: _height_of(at("distance"), at("lateral")),
@@ -158,10 +149,9 @@ def _height_of(distance: Any, lateral: Any) -> Any:
     return (distance - lateral) ** 0.5 * (distance + lateral) ** 0.5
 
 
-INSIDE = Relation(
+INSIDE = relation(
     "inside the cone",
     "{share} = 1 where {off-axis} is within {half-angle}, else 0",
-    ("share", "off-axis", "half-angle"),
     {
         "share": lambda at: piecewise(
             at("off-axis") <= at("half-angle") * (1 + 1e-12),
@@ -172,10 +162,9 @@ INSIDE = Relation(
         )
     },
 )
-FALL = Relation(
+FALL = relation(
     "fall of a lobe",
     "{share} = cos({off-axis})^{exponent}",
-    ("share", "off-axis", "exponent"),
     {
         "share": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
         "exponent": lambda at: _exponent_at(at("share"), at("off-axis")),

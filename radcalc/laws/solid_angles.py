@@ -1,13 +1,12 @@
 """Solid angles of shapes: spheres, discs, pyramids, small patches, solved both ways."""
 
 from radcalc.geometry import cones, solid
-from radcalc.laws.law import Relation, law
+from radcalc.laws.law import Relation, law, relation
 from radcalc.maths import tan
 
-SPHERE = Relation(
+SPHERE = relation(
     "sphere, its centre at a distance",
     "sin({half-angle}) = {radius} / {distance}",
-    ("half-angle", "radius", "distance"),
     {
         "half-angle": lambda at: solid.angular_radius(at("radius"), at("distance")),
         "radius": lambda at: solid.sphere_radius(at("distance"), cones.cone(at("half-angle"))),
@@ -18,10 +17,9 @@ SPHERE = Relation(
 
 def disc(away: str) -> Relation:
     """A disc from a place on its axis, which is so far away: its height, or its distance."""
-    return Relation(
+    return relation(
         "disc on its axis",
         f"{{solid-angle}} = 2 pi (1 - {{{away}}} / sqrt({{{away}}}^2 + {{radius}}^2)) Omega0",
-        ("solid-angle", "radius", away),
         {
             "solid-angle": lambda at: solid.disc(at("radius"), at(away)),
             "radius": lambda at: at(away) * tan(solid.rim_of(at("solid-angle"))),
@@ -30,10 +28,9 @@ def disc(away: str) -> Relation:
     )
 
 
-PYRAMID = Relation(
+PYRAMID = relation(
     "rectangular pyramid",
     "{solid-angle} = 4 arcsin(sin({horizontal}/2) sin({vertical}/2)) Omega0",
-    ("solid-angle", "horizontal", "vertical"),
     {
         "solid-angle": lambda at: solid.pyramid(at("horizontal"), at("vertical")),
         "horizontal": lambda at: solid.pyramid_side(at("solid-angle"), at("vertical")),

@@ -5,7 +5,7 @@ from typing import Any
 
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, law
+from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, law, relation
 from radcalc.maths import sqrt
 
 CONFIGURATION_FACTOR = law(
@@ -63,10 +63,9 @@ def _over(whole: float, at: At) -> Any:
 
 def disc_on_axis(away: str) -> Relation:
     """A disc from a place on its axis, which is so far away: its distance, or its height."""
-    return Relation(
+    return relation(
         "disc on its axis",
         f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{away}}}^2)",
-        ("projected-solid-angle", "radius", away),
         {
             "projected-solid-angle": lambda at: projected.disc(at("radius"), at(away)),
             away: lambda at: at("radius") * sqrt(_over(math.pi, at) - 1),
@@ -76,10 +75,9 @@ def disc_on_axis(away: str) -> Relation:
     )
 
 
-SPHERE_AT_DISTANCE = Relation(
+SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
-    ("projected-solid-angle", "radius", "distance"),
     {
         "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
         "distance": lambda at: at("radius") * sqrt(_over(math.pi, at)),
