@@ -8,9 +8,10 @@ from homework.questions import RIGHT, TILTED, claim_of, typed, verdict
 
 from radcalc import cli
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.conversion.conditions import give
 from radcalc.errors import ConditionError, NumberError, RadcalcError
+from radcalc.given import read
 from radcalc.homework import Question, Verdict, check
+from radcalc.homework.question import of_calculator
 
 
 def right_value(words: str, name: str, unit: str) -> float:
@@ -58,12 +59,8 @@ def test_a_name_of_an_input_is_checked_as_well():
 
 
 def cone_question(half_angle: str) -> Question:
-    given = {"half-angle": give("half-angle", half_angle)}
-
-    def work_out(changed):
-        return solid_angle("cone", changed, {})[0]
-
-    return Question(work_out(given), given, work_out, {"command": "solid-angle", "shape": "cone"})
+    given = {"half-angle": read("half-angle", half_angle)}
+    return of_calculator("solid-angle", "cone", given, lambda changed: solid_angle("cone", changed))
 
 
 def test_the_library_checks_a_question():
