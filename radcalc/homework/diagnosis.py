@@ -1,11 +1,11 @@
 """Which mistakes lead to an answer."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from radcalc.homework.answer import Claim
-from radcalc.homework.catalogue import Candidate, Problem
+from radcalc.homework.catalogue import Candidate, Mistake, Problem
 from radcalc.homework.mistakes import MISTAKES
 from radcalc.homework.mistakes.slips import SLIPS
 
@@ -43,9 +43,16 @@ def candidates(problem: Problem) -> list[Candidate]:
     return [
         Candidate(one.name, one.rank, value, one.done, one.right)
         for one in MISTAKES
-        for value in one.find(problem)
+        for value in _values(one, problem)
         if math.isfinite(value) and abs(value - problem.right) > 1e-9 * abs(problem.right)
     ]
+
+
+def _values(one: Mistake, problem: Problem) -> Iterator[float]:
+    try:
+        yield from one.find(problem)
+    except ArithmeticError:
+        return  # powers of an extreme input leave what a float holds
 
 
 def pairs(single: Sequence[Candidate], right: float) -> list[Candidate]:

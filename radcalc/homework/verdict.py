@@ -49,6 +49,7 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
         said = said._replace(value=said.value + turn * round((right - said.value) / turn))
     allowed = read_tolerance(tolerance, unit)
     is_near = allowed.holds(said.value, right)
+    ratio = said.value / right if right else math.inf
     verdict = Verdict(
         is_near and not is_of_another,
         target.name,
@@ -56,7 +57,7 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
         right,
         said.value,
         said.unit or unit_text,
-        said.value / right if right and not is_of_another else None,
+        ratio if math.isfinite(ratio) and not is_of_another else None,
         allowed.text,
         (),
         question.steps,

@@ -111,6 +111,21 @@ def test_a_mistake_is_found_by_whichever_name_its_input_was_given(
     assert mistakes(words, claim_of(name, number, 4, unit))[0] == mistake
 
 
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        ("point-source --intensity 1cd --height 1e-60m --offset 1e90m", "irradiance=3lx"),
+        ("convert 1 W/m2/nm W/m2/Hz --wavelength 1e-90m", "3"),
+        ("lambertian disc --luminance 1cd/m2 --radius 1e-80m --height 1e80m", "irradiance=3lx"),
+    ],
+)
+def test_extreme_inputs_have_a_verdict_without_a_diagnosis(words, claim):
+    found = verdict(words, claim)
+    assert not found.is_right
+    assert found.diagnoses == ()
+    assert found.ratio is None or math.isfinite(found.ratio)
+
+
 def test_no_light_at_all_is_no_usual_mistake():
     assert mistakes("convert 130 cd lx --distance 2.3m --incidence 20deg", "0lx") == []
 
