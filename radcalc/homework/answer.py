@@ -96,9 +96,8 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         raise ConditionError(f"{told} is not possible", hint)
     if given.unit is None and given.value >= 1:
         raise ConditionError(f"{told} has no unit", hint)
-    if given.dimension == NUMBER and unit.dimension != NUMBER:
-        return Tolerance(f"within {text}", "relative", given.value)
-    if given.unit is None or given.unit.text in ("%", "1"):
+    is_part = given.dimension == NUMBER and unit.dimension != NUMBER
+    if is_part or given.unit is None or given.unit.text in ("%", "1"):
         return Tolerance(f"within {text}", "relative", given.value)
     size = given.value * divide(unit.bottom, unit.top)
     return Tolerance(f"within {text}", "absolute", size)

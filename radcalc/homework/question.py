@@ -26,7 +26,6 @@ class Facts(NamedTuple):
     command: str
     shape: str = ""
     distribution: str = ""
-    polar: tuple[float, float] | None = None
     efficacy: float | None = None
     jacobian: float | None = None
     unchanged: float = 0.0
@@ -34,7 +33,10 @@ class Facts(NamedTuple):
 
 
 class Question(NamedTuple):
-    """The right answer, what was given, and how to work it out anew from other inputs."""
+    """The right answer, what was given, and how to work it out anew from other inputs.
+
+    `steps` are the derivation, where one is asked for.
+    """
 
     answer: Answer
     given: Inputs
@@ -52,14 +54,12 @@ def of_calculator(
 ) -> Question:
     """The question that a calculator answers from what is given."""
     answer = work_out(given)
-    distribution, polar = "", None
+    distribution = ""
     if command == "point-source":
-        from radcalc.calculators.point_source import spread
+        from radcalc.calculators.point_source import spread  # which no other question needs
 
         distribution = spread(given)
-    if "polar" in given and isinstance(given["polar"].value, tuple):
-        polar = given["polar"].value
-    facts = Facts(command, shape, distribution, polar)
+    facts = Facts(command, shape, distribution)
     return Question(answer, given, work_out, facts, tuple(answer.steps) if steps else ())
 
 
@@ -70,41 +70,45 @@ def of_conversion(
 
     def work_out(conditions: Inputs) -> Answer:
         made = plan(source, target, list(conditions.values()))
+        name = name_of(target)
         result = Value(
             "value",
-            name_of(target) or "value",
+            name or "value",
             symbol_of(target),
             made.apply(value) * target.factor,
             (target.dimension,),
             (target.text,),
-            also=name_of(target).replace(" ", "-"),
+            also=name.replace(" ", "-"),
         )
-        derivation = derive(made, value) if steps else ()
-        return Answer([result], made.assumptions, made.notes, derivation)
+        return Answer([result], made.assumptions, made.notes, derive(made, value) if steps else ())
 
     conditions = {one.name: one for one in given}
     answer = work_out(conditions)
-    facts = _facts_of_conversion(source, target, conditions)
-    facts = facts._replace(unchanged=value * target.factor)
+    efficacy, jacobian = _ratios(source, target, conditions)
+    names = [name for unit in (source, target) for name, _ in unit.atoms]
+    facts = Facts(
+        "convert",
+        efficacy=efficacy,
+        jacobian=jacobian,
+        unchanged=value * target.factor,
+        per_pi=any(word in name for name in names for word in PER_PI),
+    )
     return Question(answer, conditions, work_out, facts, tuple(answer.steps))
 
 
-def _facts_of_conversion(source: Unit, target: Unit, given: Inputs) -> Facts:
-    names = [name for unit in (source, target) for name, _ in unit.atoms]
-    facts = Facts("convert", per_pi=any(word in name for name in names for word in PER_PI))
+def _ratios(source: Unit, target: Unit, given: Inputs) -> tuple[float | None, float | None]:
+    """The efficacy of the light that is given, and the Jacobian."""
+    start, end = read(source), read(target)
     if "wavelength" in given:
         light = spectral.light(given["wavelength"], given.get("observer"))
         efficacy: Any = luminous_efficacy(light.table, light.observer)
-        facts = facts._replace(efficacy=efficacy)
-        start, end = read(source), read(target)
-        if start and end and start.axis != end.axis and start.axis and end.axis:
-            jacobian = spectral.jacobian(light, start.axis, end.axis).value
-            facts = facts._replace(jacobian=jacobian)
-    elif "spectrum" in given:
+        if start and end and start.axis and end.axis and start.axis != end.axis:
+            return efficacy, spectral.jacobian(light, start.axis, end.axis).value
+        return efficacy, None
+    factor = None
+    if "spectrum" in given:
         refined = given.get("range"), given.get("photon-range"), given.get("observer")
         factor = spectral.spectral_factor(given["spectrum"], LUMINOUS, RADIANT, *refined)
-        facts = facts._replace(efficacy=factor.value)
     elif "efficacy" in given:
-        ratio = spectral.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
-        facts = facts._replace(efficacy=ratio.value if ratio else None)
-    return facts
+        factor = spectral.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
+    return (factor.value if factor else None), None

@@ -3,14 +3,17 @@
 import math
 
 import pytest
-from conftest import run
+from conftest import python, run
 from homework.questions import RIGHT, TILTED, claim_of, typed, verdict
 
 from radcalc import cli
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.conversion.conditions import give
+from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
+from radcalc.given import read
 from radcalc.homework import Question, Verdict, check
+from radcalc.homework.question import of_calculator, of_conversion
+from radcalc.units.table import resolve
 
 
 def right_value(words: str, name: str, unit: str) -> float:
@@ -58,12 +61,8 @@ def test_a_name_of_an_input_is_checked_as_well():
 
 
 def cone_question(half_angle: str) -> Question:
-    given = {"half-angle": give("half-angle", half_angle)}
-
-    def work_out(changed):
-        return solid_angle("cone", changed, {})[0]
-
-    return Question(work_out(given), given, work_out, {"command": "solid-angle", "shape": "cone"})
+    given = {"half-angle": read("half-angle", half_angle)}
+    return of_calculator("solid-angle", "cone", given, lambda changed: solid_angle("cone", changed))
 
 
 def test_the_library_checks_a_question():
@@ -82,6 +81,45 @@ def test_the_library_checks_a_question():
     assert found.ratio == pytest.approx(wrong / omega, rel=1e-3)
     assert found.diagnoses[0].mistake == "full-for-half"
     assert "half angle" in found.diagnoses[0].done
+
+
+def test_the_library_checks_a_conversion():
+    given = [read("reflectance", "0.7")]
+    question = of_conversion(500, resolve("lx"), resolve("cd/m2"), given)
+    assert check(question, "111").is_right
+    found = check(question, "value=350cd/m2")
+    assert found.right == pytest.approx(350 / math.pi, rel=1e-14)
+    assert [one.mistake for one in found.diagnoses] == ["pi-forgotten"]
+    assert found.steps == ()
+    question = of_conversion(500, resolve("lx"), resolve("cd/m2"), given, steps=True)
+    assert "pi was forgotten" in check(question, "350").steps[-1].law
+
+
+CHECK_ALONE = """
+import sys
+from radcalc.given import read
+from radcalc.homework import check
+from radcalc.homework.question import of_conversion
+from radcalc.units.table import resolve
+
+given = [read("distance", "2m"), read("incidence", "50deg")]
+question = of_conversion(100, resolve("cd"), resolve("lx"), given)
+print(check(question, "25lx").diagnoses[0].mistake)
+print([name for name in sys.modules if name == "click" or name.startswith("radcalc.cli")])
+"""
+
+
+def test_the_library_checks_without_the_command_line():
+    assert python(CHECK_ALONE).stdout == "cosine-forgotten\n[]\n"
+
+
+def test_a_refusal_is_spelled_as_the_reader_writes_it():
+    with pytest.raises(ConditionError) as caught:
+        check(cone_question("27deg"), "0.7")
+    assert str(caught.value).startswith("check 0.7: say which result is meant\n")
+    message, hint = caught.value.spelled(Shell)
+    assert message == "--check 0.7: say which result is meant"
+    assert hint.startswith("--check solid-angle=0.7sr, ")
 
 
 def test_the_library_refuses_by_exceptions():

@@ -11,7 +11,10 @@ from homework.questions import CONE, LUX, POINT, RIGHT, TILTED, asked, claim_of,
 
 from radcalc.homework import check
 from radcalc.homework.answer import read_claim
-from radcalc.homework.catalogue import SLIPS, Problem, candidates, pairs
+from radcalc.homework.catalogue import Problem
+from radcalc.homework.diagnosis import candidates, pairs
+from radcalc.homework.mistakes import MISTAKES
+from radcalc.homework.mistakes.slips import SLIPS
 
 
 def digits_of(k: int) -> int:
@@ -47,19 +50,26 @@ def test_what_ties_reproduces_the_number_as_well():
         question = asked(wrong.question, wrong.name)
         found = check(question, claim)
         target = next(
-            v for v in question.values if wrong.name in ("", v.name, v.also) and v.given is None
+            v
+            for v in question.answer.values
+            if wrong.name in ("", v.name, v.also) and v.given is None
         )
-        problem = Problem(
-            question.given, question.values, question.work_out, question.facts, target
-        )
+        problem = Problem(question, target)
+        single = candidates(problem)
         scale = problem.right / found.right
         for one in found.diagnoses:
             near = [
                 abs(c.value / scale - said.value)
-                for c in (*candidates(problem), *pairs(problem))
+                for c in (*single, *pairs(single, problem.right))
                 if c.mistake == one.mistake
             ]
             assert min(near) <= said.half_unit * (1 + 1e-9), (claim, one.mistake)
+
+
+def test_the_catalogue_has_every_mistake_of_the_corpus_and_each_once():
+    names = [one.name for one in MISTAKES]
+    assert len(names) == len(set(names))
+    assert set(names) >= {name for wrong in CORPUS for name in wrong.mistake.split("|")} | {*SLIPS}
 
 
 def test_every_mistake_of_the_corpus_is_there_twice_for_a_calculator():
@@ -72,6 +82,52 @@ def test_every_mistake_of_the_corpus_is_there_twice_for_a_calculator():
 
 
 ALONE = {("photon", "avogadro")}  # of the kJ/mol alone
+
+
+def cos(angle: float) -> float:
+    return math.cos(math.radians(angle))
+
+
+# A diameter is as good as a radius, luminance as radiance, and a conversion as a calculator.
+OTHER_NAMES = [
+    ("etendue --area 2mm2 --half-angle 25deg --luminance 1e5cd/m2", "flux", "lm",
+     2e-6 * 1e5 * (1 - cos(25) ** 2), "pi-forgotten"),
+    ("point-source --radiant-energy 6J --time 3s", "intensity", "W/sr", 2 / (2 * math.pi),
+     "wrong-sphere"),
+    ("solid-angle disc --diameter 2cm --height 1.1m --offset 0.7m", "solid-angle", "sr",
+     math.pi * 1e-4 / (1.1**2 + 0.7**2), "cosine-forgotten"),
+    ("lambertian disc --radiance 13W/m2/sr --wavelength 610nm --radius 1cm --height 1.1m "
+     "--offset 0.7m", "illuminance", "lx",
+     683 * 0.503 * 13 * math.pi * 1e-4 * 1.1 / (1.1**2 + 0.7**2) ** 1.5, "cosine-forgotten"),
+    ("convert 920 cd lm --beam-angle 34deg", "", "lm", 920 * 2 * math.pi * (1 - cos(17)),
+     "cone-for-lobe"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("words", "name", "unit", "number", "mistake"), OTHER_NAMES)
+def test_a_mistake_is_found_by_whichever_name_its_input_was_given(
+    words, name, unit, number, mistake
+):
+    assert mistakes(words, claim_of(name, number, 4, unit))[0] == mistake
+
+
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        ("point-source --intensity 1cd --height 1e-60m --offset 1e90m", "irradiance=3lx"),
+        ("convert 1 W/m2/nm W/m2/Hz --wavelength 1e-90m", "3"),
+        ("lambertian disc --luminance 1cd/m2 --radius 1e-80m --height 1e80m", "irradiance=3lx"),
+    ],
+)
+def test_extreme_inputs_have_a_verdict_without_a_diagnosis(words, claim):
+    found = verdict(words, claim)
+    assert not found.is_right
+    assert found.diagnoses == ()
+    assert found.ratio is None or math.isfinite(found.ratio)
+
+
+def test_no_light_at_all_is_no_usual_mistake():
+    assert mistakes("convert 130 cd lx --distance 2.3m --incidence 20deg", "0lx") == []
 
 
 # --- Unrelated numbers.
@@ -176,10 +232,11 @@ def test_a_single_mistake_hides_every_pair():
 
 def test_every_pair_of_the_catalogue_is_a_law_and_a_slip():
     question = asked(TILTED, "illuminance")
-    target = next(v for v in question.values if v.also == "illuminance" or v.name == "irradiance")
-    problem = Problem(question.given, question.values, question.work_out, question.facts, target)
-    singles = {one.mistake for one in candidates(problem)}
-    both = pairs(problem)
+    values = question.answer.values
+    target = next(v for v in values if v.also == "illuminance" or v.name == "irradiance")
+    single = candidates(Problem(question, target))
+    singles = {one.mistake for one in single}
+    both = pairs(single, float(target.amount))
     assert both
     for one in both:
         law, _, slip = one.mistake.partition(" and ")

@@ -1,0 +1,159 @@
+"""What is said of an answer: which result it is of, whether it is right, and what went wrong."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from radcalc.answer import Step, Value
+from radcalc.calculators.results import in_unit, pick
+from radcalc.derivation import format_number
+from radcalc.errors import ConditionError, option, quote
+from radcalc.homework.answer import Claim, read_claim, read_tolerance
+from radcalc.homework.catalogue import Problem
+from radcalc.homework.diagnosis import Diagnosis, diagnose
+from radcalc.homework.question import Question
+from radcalc.quantities.light import describe
+from radcalc.units.table import Unit, resolve
+
+REMARKS = ("error",)  # results that say how good another is
+WAYS = 4  # to say an answer clearly, that are shown
+
+
+class Verdict(NamedTuple):
+    """What is said of an answer; `ratio` is the answer over the right value, if that is not 0."""
+
+    is_right: bool
+    name: str
+    unit: str
+    right: float
+    claimed: float
+    claimed_unit: str
+    ratio: float | None
+    tolerance: str
+    diagnoses: tuple[Diagnosis, ...]
+    steps: tuple[Step, ...]
+
+
+def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
+    """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf)."""
+    said = read_claim(claim)
+    target, unit_text, is_of_another = _target(question, said, tolerance)
+    unit = resolve(unit_text)
+    right = in_unit(target, unit)
+    if not isinstance(right, float):
+        raise ConditionError(
+            f"{option('check')} takes one answer, and there are several", "one value a call"
+        )
+    if target.name == "azimuth":  # whole turns make no difference
+        turn = 2 * math.pi / unit.factor
+        said = said._replace(value=said.value + turn * round((right - said.value) / turn))
+    allowed = read_tolerance(tolerance, unit)
+    is_near = allowed.holds(said.value, right)
+    ratio = said.value / right if right else math.inf
+    verdict = Verdict(
+        is_near and not is_of_another,
+        target.name,
+        unit_text,
+        right,
+        said.value,
+        said.unit or unit_text,
+        ratio if math.isfinite(ratio) and not is_of_another else None,
+        allowed.text,
+        (),
+        question.steps,
+    )
+    if verdict.is_right:
+        return verdict
+    if is_of_another:
+        return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
+    found = diagnose(Problem(question, target), said, right)
+    if question.steps and found and verdict.ratio is not None:
+        verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, found[0])))
+    return verdict._replace(diagnoses=found)
+
+
+def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
+    """How the likeliest mistake leads from the right value to the answer."""
+    unit = "" if verdict.unit == "1" else f" {verdict.unit}"
+    sizes = (verdict.right, verdict.ratio, verdict.claimed)
+    right, ratio, claimed = map(format_number, sizes)
+    numbers = f"{right}{unit} * {ratio} = {claimed}{unit}"
+    return Step(f"as it was answered: {found.done}", "", numbers)
+
+
+def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
+    """The answer's unit measures something else than the result."""
+    number = "the number would be right" if is_near else "check both"
+    return Diagnosis(
+        "wrong-unit",
+        f"{describe(resolve(said.unit))} is not {target.label}; {number}",
+        f"{target.label} is in {unit}",
+    )
+
+
+def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str, bool]:
+    """The result that is meant, the unit to compare in, and whether the unit is of another.
+
+    Without a name it is the first that has that unit; where the number fits only another one,
+    nothing can be said before it is named.
+    """
+    told = option("check", quote(said.text))
+    pool = _named(question, said) if said.name else _unnamed(question)
+    if not said.unit:
+        if len({value.name for value in pool}) > 1 or len(set(pool[0].units)) != 1:
+            missing = "in which unit" if said.name else "which result is meant"
+            raise ConditionError(f"{told}: say {missing}", _ways(pool, said))
+        return pool[0], pool[0].units[0], False
+    unit = resolve(said.unit)
+    fitting = [value for value in pool if said.unit in value.units] or [
+        value for value in pool if unit.dimension in (*value.dimensions, *value.reach)
+    ]
+    if fitting:
+        holding = [value for value in fitting if _holds(value, unit, said, tolerance)]
+        if holding and fitting[0] not in holding:
+            raise ConditionError(
+                f"{told} would be right for {holding[0].name}: say which result is meant",
+                _ways([fitting[0], *holding], said),
+            )
+        return fitting[0], said.unit, False
+    for value in pool:  # the one that the number fits, if any
+        for text in value.units:
+            if _holds(value, resolve(text), said, tolerance):
+                return value, text, True
+    return pool[0], pool[0].units[0], True
+
+
+def _named(question: Question, said: Claim) -> list[Value]:
+    """The results of a name."""
+    named = [value for value in question.answer.values if said.name in (value.name, value.also)]
+    shown = [value for value in named if not value.is_absent]
+    if shown:
+        return shown
+    if named:
+        pick(named, said.name)  # which says what it lacks
+    names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
+    missing = f"{option('check')}: there is no result '{quote(said.name)}'"
+    raise ConditionError(missing, ", ".join(names))
+
+
+def _unnamed(question: Question) -> list[Value]:
+    """The results that a number alone may mean: what follows, then what was given."""
+    shown = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
+    if not shown:
+        raise ConditionError(f"{option('check')}: there is nothing to check", "less of it given")
+    return sorted(shown, key=lambda value: value.given is not None)
+
+
+def _holds(value: Value, unit: Unit, said: Claim, tolerance: str) -> bool:
+    right = in_unit(value, unit)
+    return isinstance(right, float) and read_tolerance(tolerance, unit).holds(said.value, right)
+
+
+def _ways(values: Sequence[Value], said: Claim) -> str:
+    """How the answer can be said clearly."""
+    ways = [
+        option("check", f"{value.name}={said.number}{unit.replace(' ', '.').removeprefix('1')}")
+        for value in values
+        for unit in ([said.unit] if said.unit else value.units)
+    ]
+    return ", ".join([*dict.fromkeys(ways)][:WAYS])
