@@ -44,6 +44,21 @@ def options(names: "Iterable[str]", word: str = " or ") -> str:
     return word.join([option(name) for name in names])
 
 
+def mention(text: str) -> str:
+    """A text of radcalc's own, in which {name} and {name=value} mention symbols."""
+    head, *parts = text.split("{")
+    for part in parts:
+        inner, _, rest = part.partition("}")
+        head += option(*inner.split("=", 1)) + rest
+    return head
+
+
+def mentioned(text: str) -> tuple[str, ...]:
+    """The symbols that a text mentions."""
+    names = [part.partition(VALUE)[0] for part in text.split(START)[1:]]
+    return tuple(dict.fromkeys(filter(None, names)))
+
+
 def command(name: str, *words: str, **inputs: str) -> str:
     """Mention a call of a command: `command("solid-angle", "cone", half_angle="1deg")`."""
     given = [f"{key.replace('_', '-')}={value}" for key, value in inputs.items()]
@@ -155,14 +170,11 @@ class MissingCondition(ConversionError):
 
 
 class MissingInput(UsageError):
-    """An input that is missing, beside others: any of `symbols` would do."""
+    """An input that is missing; `symbols` are those that the hint mentions."""
 
-    def __init__(
-        self, what: str, symbols: "Sequence[str]", hint: str = "", values: "Sequence[str]" = ()
-    ) -> None:
-        examples = [option(*pair) for pair in zip(symbols, values, strict=False)]
-        super().__init__(what, hint or " or ".join(examples or map(option, symbols)))
-        self.symbols = tuple(symbols)
+    def __init__(self, message: str, hint: str) -> None:
+        super().__init__(message, hint)
+        self.symbols = mentioned(hint)
 
 
 class MissingUnit(ConditionError):

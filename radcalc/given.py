@@ -296,8 +296,8 @@ def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:
     """The one of several inputs that was given."""
     found = [inputs[name] for name in names if name in inputs]
     if not found:
-        examples = [SYMBOLS[name].example for name in names]
-        raise MissingInput(f"{what} is missing", names, hint, examples)
+        examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
+        raise MissingInput(f"{what} is missing", hint or examples)
     if len(found) > 1:
         given = [one.name for one in found]
         raise Exclusive(given, f"contradict each other: both give {what}")

@@ -2,7 +2,7 @@
 
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import ConditionError, MissingInput, option, options
+from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.given import Inputs
 from radcalc.laws.heat import LAWS
 from radcalc.maths import any_true
@@ -35,11 +35,11 @@ def calorimeter(given: Inputs) -> Answer:
     if sheet.lit.kind != RADIANT or sheet.lit.links:
         raise ConditionError(
             "a calorimeter measures watts and joules",
-            f"{option('flux', '5W')}, {option('energy', '10J')}",
+            mention("{flux=5W}, {energy=10J}"),
         )
     if not given:
-        hint = f"{options(BODY[:2], ', ')} and {option(BODY[2])}"
-        raise MissingInput("nothing is given", BODY, hint)
+        hint = mention("{mass}, {specific-heat} and {temperature-rise}")
+        raise MissingInput("nothing is given", hint)
     if "absorptance" not in given and not _is_solved_for(sheet):
         sheet.know("absorptance", 1.0)
         sheet.assume("a black body: all of the light is absorbed")

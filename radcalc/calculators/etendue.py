@@ -7,7 +7,7 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.conversion import geometric
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, NumberError, option, options
+from radcalc.errors import ConditionError, MissingInput, NumberError, mention
 from radcalc.geometry import cones
 from radcalc.given import Inputs, angle_of, half_angle_of, one_of, require
 from radcalc.laws import etendue as laws_of
@@ -92,13 +92,10 @@ def etendue(given: Inputs) -> Answer:
 def _unlimited(sheet: Worksheet) -> MissingInput:
     """What is missing of an etendue."""
     if set(sheet.given) & {*CONES, *RECEIVERS}:
-        hint = f"{option('area', '1cm2')}, {option('radius', '10cm')}, "
-        hint += f"{option('diameter', '20cm')}, or {option('width', '2cm')} with "
-        hint += option("length", "1cm")
-        return MissingInput("the size of the source is missing", SOURCES, hint)
-    hint = f"{options(CONES, ', ')}, or {option('receiver-area')} (-radius, -diameter) with "
-    hint += f"{option('distance')}"
-    return MissingInput("what limits the light is missing", (*CONES, "receiver-area"), hint)
+        sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
+        return MissingInput("the size of the source is missing", mention(sizes))
+    limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
+    return MissingInput("what limits the light is missing", mention(limits + " with {distance}"))
 
 
 def _source(sheet: Worksheet) -> list[AnyLaw]:
@@ -176,15 +173,13 @@ def _refuse_near(sheet: Worksheet) -> None:
         if sheet.has(name):
             longest = larger(longest, sheet.at(name))
     if geometric.is_near(away, longest):
-        both = f"{option('radius')} and {option('receiver-radius')}"
-        hint = f"more distance, or {both} for two discs exactly"
+        hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(sheet.given):
-            both = f"{option('tilt')} and {option('incidence')}"
-            hint = f"two discs without {both}, which are exact"
+            hint = "two discs without {tilt} and {incidence}, which are exact"
         raise ConditionError(
             f"{sheet.told('distance')} is less than five times the size of the "
             f"patches ({format_number(longest)} m): A1 A2 / d^2 does not hold",
-            hint,
+            mention(hint),
         )
     off = (area + other) / math.pi / away**2
     less = format_number(100 * off)

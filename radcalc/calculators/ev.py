@@ -2,7 +2,7 @@
 
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import MissingInput, option, options
+from radcalc.errors import MissingInput, mention
 from radcalc.given import Inputs
 from radcalc.laws.exposure import LAWS, STEPS, C, K
 
@@ -43,15 +43,14 @@ def ev(given: Inputs) -> Answer:
     """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
     sheet = Worksheet(PAGE, given, with_light=False)
     if not {*LIGHT, "ev", "f-number"} & set(given):
-        needed = (*LIGHT, "f-number")
-        hint = f"{options(LIGHT, ', ')} or {option('f-number')}"
-        raise MissingInput("the light is missing", needed, hint)
+        hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
+        raise MissingInput("the light is missing", hint)
     if "k" not in given:
         sheet.know("k", K)
-        sheet.assume(f"K = 12.5 cd s/m2 (some makers have 14: {option('k')})")
+        sheet.assume(mention("K = 12.5 cd s/m2 (some makers have 14: {k})"))
     if "c" not in given:
         sheet.know("c", C)
-        sheet.assume(f"C = 250 lx s (320 to 340 with a dome: {option('c')})")
+        sheet.assume(mention("C = 250 lx s (320 to 340 with a dome: {c})"))
     film_is_known = "ev" in given or {"f-number", "time"} <= set(given)
     light_is_known = bool(set(LIGHT) & set(given))
     if "iso" not in given and not (film_is_known and light_is_known):

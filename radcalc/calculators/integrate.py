@@ -5,7 +5,7 @@ import math
 from radcalc.answer import Answer
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, MissingInput, option, options, quote
+from radcalc.errors import ConditionError, MissingInput, mention, quote
 from radcalc.geometry.numerics.cubature import FIRST, POINTS, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
@@ -62,10 +62,9 @@ def integrate(text: str, given: Inputs) -> Answer:
 def _polar(given: Inputs) -> tuple[float, float]:
     """The polar angles [rad] to integrate over."""
     where = [name for name in DIRECTIONS if name in given]
-    ways = f"{options(DIRECTIONS[:2], ', ')}, {option('half-angle', '30deg')} or "
-    ways += option("polar", "30deg:60deg")
+    ways = mention("{sphere}, {hemisphere}, {half-angle=30deg} or {polar=30deg:60deg}")
     if not where:
-        raise MissingInput("the directions to integrate over are missing", DIRECTIONS, ways)
+        raise MissingInput("the directions to integrate over are missing", ways)
     if len(where) > 1:
         raise ConditionError("the directions to integrate over are given twice", f"one of {ways}")
     if where[0] == "polar":

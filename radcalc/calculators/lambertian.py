@@ -12,7 +12,7 @@ from radcalc.calculators.shapes import POSITION, SHAPES, SIZES
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.conversion import geometric
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, command, option, options
+from radcalc.errors import ConditionError, MissingInput, command, mention, option
 from radcalc.given import Inputs
 from radcalc.laws.surface import LAWS
 from radcalc.maths import any_true, is_array, larger
@@ -70,22 +70,20 @@ def lambertian(shape: str, given: Inputs) -> Answer:
 
 def _refuse_dark(given: Inputs, lit: Lit) -> None:
     """Refuse to begin without any light."""
-    needed = ("radiance", "exitance", "flux")
-    hint = f"{options(needed, ', ')} ..."
+    hint = mention("{radiance}, {exitance}, {flux} ...")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
-        raise MissingInput("a light quantity is missing", needed, hint)
+        raise MissingInput("a light quantity is missing", hint)
     if not given:
-        raise MissingInput("nothing is given", needed, hint)
+        raise MissingInput("nothing is given", hint)
 
 
 def _refuse_whole(shape: str, lit: Lit) -> None:
     """Refuse what an endless source has no end of."""
     for name in ("flux", "energy", "intensity"):
         if name in lit.values:
-            own = ("radiance", "exitance")
             raise ConditionError(
                 f"{option(lit.values[name].name)}: a {shape} has no end, and no {name} of its own",
-                f"{options(own, ', ')} or {option('irradiance')}",
+                mention("{radiance}, {exitance} or {irradiance}"),
             )
 
 

@@ -7,13 +7,13 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
+from radcalc.calculators.results import LINKS_HINT
 from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
 from radcalc.given import Given, Inputs
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
 from radcalc.quantities.symbols import (
     LINKS,
     REFINEMENTS,
-    SPECIFIC,
     SYMBOLS,
     light_unit,
     specific_name,
@@ -81,8 +81,7 @@ def read_light(typed: Inputs, links: Inputs) -> Lit:
                 raise MissingInput(
                     f"{option(one.name)} is {KIND_NAMES[own]}, {first_name} {KIND_NAMES[kind]}: "
                     "what links them is missing",
-                    LINKS,
-                    f"{options(LINKS[:2], ', ')} or {option(LINKS[2])}",
+                    LINKS_HINT,
                 )
             amounts[name] = one.value * factor.value
             assumptions.append(factor.assumption)
@@ -174,8 +173,3 @@ def efficacy(lit: Lit) -> Any:
     """The luminous efficacy [lm/W] that links the kinds, or None."""
     factor = _factor(lit.links, LUMINOUS, RADIANT)
     return factor.value if factor else None
-
-
-def generic_name(name: str) -> str:
-    """The generic name of a light quantity."""
-    return SPECIFIC.get(name, (name, ""))[0]

@@ -2,7 +2,7 @@
 
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import ConditionError, Exclusive, MissingInput, quote
+from radcalc.errors import ConditionError, Exclusive, MissingInput, mention, quote
 from radcalc.given import Given, Inputs, require
 from radcalc.laws.mesopic import LAWS
 from radcalc.spectra.observers import OBSERVERS
@@ -40,11 +40,10 @@ def mesopic(given: Inputs) -> Answer:
         sheet.notes += source.notes
     luminances = {"luminance", "mesopic-luminance", "scotopic-luminance"} & set(given)
     if not luminances:
-        raise MissingInput("a luminance is missing", ("luminance",), values=("0.1cd/m2",))
+        raise MissingInput("a luminance is missing", mention("{luminance=0.1cd/m2}"))
     if not sheet.has("sp-ratio") and len(luminances) < 2:
-        raise MissingInput(
-            "the S/P ratio is missing", ("sp-ratio", "spectrum"), values=("2", "LED-B3")
-        )
+        hint = mention("{sp-ratio=2} or {spectrum=LED-B3}")
+        raise MissingInput("the S/P ratio is missing", hint)
     sheet.assume("the recommended system of CIE 191:2010 (MES2)")
     sheet.solve(LAWS)
     if sheet.has("adaptation"):

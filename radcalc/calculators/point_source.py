@@ -16,8 +16,8 @@ from radcalc.errors import (
     Exclusive,
     MissingInput,
     command,
+    mention,
     option,
-    options,
 )
 from radcalc.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
@@ -122,9 +122,8 @@ def _refuse_foreign(lit: Lit) -> None:
                 f"{option(one.name)}: a point source has none", command("lambertian")
             )
     if not lit.values:
-        needed = ("flux", "intensity", "irradiance")
-        hint = f"{options(needed[:2], ', ')} or {option(needed[2])}"
-        raise MissingInput("a light quantity is missing", needed, hint)
+        hint = mention("{flux}, {intensity} or {irradiance}")
+        raise MissingInput("a light quantity is missing", hint)
 
 
 def _refuse_height_and_distance(given: Inputs) -> None:
@@ -132,7 +131,7 @@ def _refuse_height_and_distance(given: Inputs) -> None:
         raise Exclusive(
             ("height", "distance"),
             "are the same on the source's axis",
-            f"one of them, or {option('height')} with {option('offset')}",
+            mention("one of them, or {height} with {offset}"),
         )
 
 
@@ -172,8 +171,7 @@ def _position(sheet: Worksheet, shape: str) -> list[AnyLaw]:
     if "height" not in given:
         raise MissingInput(
             f"{option('height')} is missing beside {option(lateral[0].name)}",
-            ("height",),
-            f"{option('height', '6m')}, along the source's axis",
+            mention("{height=6m}, along the source's axis"),
         )
     sideways = abs(lateral[0].value)
     if len(lateral) == 2:

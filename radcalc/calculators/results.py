@@ -6,13 +6,15 @@ from typing import Any
 
 from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
-from radcalc.errors import MissingInput, NumberError, UsageError, nearest, options, quote
+from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, options, quote
 from radcalc.given import Given
 from radcalc.maths import is_array, is_column
 from radcalc.quantities.light import GRID, describe
-from radcalc.quantities.symbols import LINKS, SYMBOLS
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import Unit, resolve
+
+LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 
 
 def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:
@@ -44,11 +46,8 @@ def in_unit(value: Value, unit: Unit) -> Any:
     if amount is None:
         own, asked = GRID.get(value.dimensions[0]), GRID.get(unit.dimension)
         if own and asked and own[1:] == asked[1:]:
-            raise MissingInput(
-                f"{value.name} in {quote(unit.text)} takes what links the kinds of light",
-                LINKS,
-                options(LINKS[:-1], ", ") + f" or {options(LINKS[-1:])}",
-            )
+            message = f"{value.name} in {quote(unit.text)} takes what links the kinds of light"
+            raise MissingInput(message, LINKS_HINT)
         raise UsageError(
             f"{value.name} is not measured in {describe(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
@@ -71,11 +70,8 @@ def _shown(value: Value, text: str) -> Any:
 def _refuse_absent(value: Value) -> None:
     """Say what a result lacks that does not follow."""
     if value.lacking is not None:
-        raise MissingInput(
-            f"no {value.label} follows from what is given",
-            tuple(value.lacking())[:5],
-            "" if value.lacking() else "more of the quantities",
-        )
+        hint = options(tuple(value.lacking())[:5]) or "more of the quantities"
+        raise MissingInput(f"no {value.label} follows from what is given", hint)
 
 
 def held(name: str, number: Any) -> Any:

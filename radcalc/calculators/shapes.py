@@ -11,7 +11,7 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
 )
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import Exclusive, MissingInput, option, options
+from radcalc.errors import Exclusive, MissingInput, mention, option
 from radcalc.geometry import cones, projected, solid
 from radcalc.given import angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.law import HOWELL, AnyLaw
@@ -77,11 +77,8 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
     placed = [name for name in ("incidence", "tilt") if name in given]
     if "distance" not in given and "irradiance" not in sheet.lit.values:
         if placed:
-            raise MissingInput(
-                f"{option(placed[0])} has no use without a distance",
-                ("distance",),
-                f"{option('distance', '2m')} with it",
-            )
+            message = f"{option(placed[0])} has no use without a distance"
+            raise MissingInput(message, mention("{distance=2m} with it"))
         return laws
     sheet.know("cosine", cones.facing(angle_of(given, "incidence")))
     sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
@@ -151,12 +148,8 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
         sheet.know("size", 2 * size)
         return laws
     if "offset" in sheet.given or "incidence" in sheet.given:
-        missing = ("height", "75cm") if _is_sized(sheet) else ("radius", "25cm")
-        raise MissingInput(
-            f"too little is given beside {options(('offset', 'incidence'))}",
-            missing[:1],
-            values=missing[1:],
-        )
+        missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
+        raise MissingInput(mention("too little is given beside {offset} or {incidence}"), missing)
     laws.append(disc_on_axis("height" if "height" in sheet.given else "distance"))
     return laws
 
@@ -180,12 +173,8 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
             sheet.notes.append("the sphere is partly below the receiver's horizon")
         return laws
     if "incidence" in given:
-        needed = ("radius", "distance")
-        raise MissingInput(
-            f"{option('incidence')} has no use without {options(needed, ' and ')}",
-            needed,
-            "both of them",
-        )
+        message = mention("{incidence} has no use without {radius} and {distance}")
+        raise MissingInput(message, "both of them")
     return [*laws, SPHERE_AT_DISTANCE, SPHERE_FLUX]
 
 
@@ -196,11 +185,8 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     if height is None:
         for name in ("corner", "perpendicular", *OFFSETS, "incidence"):
             if name in given:
-                raise MissingInput(
-                    f"{option(name)} has no use without a height",
-                    ("height",),
-                    f"{option('height', '1.5m')} with it",
-                )
+                message = f"{option(name)} has no use without a height"
+                raise MissingInput(message, mention("{height=1.5m} with it"))
         return laws
     for name in ("width", "length"):
         one_of(given, f"the {name} of the rectangle", name)

@@ -23,7 +23,7 @@ from radcalc.errors import (
     NumberError,
     UsageError,
     command,
-    option,
+    mention,
     options,
 )
 from radcalc.geometry import cones
@@ -115,9 +115,8 @@ def _result(given: Inputs, name: str, size: Any) -> Value:
 def _unsolved(sheet: Worksheet) -> UsageError:
     """What is missing of a shape."""
     missing = [name for name in sheet.page.takes if name != "diameter"]
-    return MissingInput(
-        f"something is missing: {sheet.page.title} takes two", missing, options(missing, ", ")
-    )
+    message = f"something is missing: {sheet.page.title} takes two"
+    return MissingInput(message, options(missing, ", "))
 
 
 def _enter(sheet: Worksheet, omega: Any, flat: Any, *steps: Step) -> None:
@@ -166,7 +165,7 @@ def _zone(sheet: Worksheet) -> Seen:
 
     if "polar" not in sheet.given:
         raise MissingInput(
-            "the polar angles of the zone are missing", ("polar",), values=("30deg:60deg",)
+            "the polar angles of the zone are missing", mention("{polar=30deg:60deg}")
         )
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
     low, high = polar.value
@@ -198,7 +197,7 @@ def _sphere(sheet: Worksheet) -> Seen:
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) > 2:
         needed = ("radius", "distance", "solid-angle")
-        raise MissingInput("too much is given: a sphere takes two", needed, options(needed, ", "))
+        raise MissingInput("too much is given: a sphere takes two", options(needed, ", "))
     laws: list[AnyLaw] = [DIAMETER, SPHERE] if "diameter" in sheet.given else [SPHERE]
     return Seen([*laws, CONE, PROJECTED_CONE], "a plane whose normal points to the sphere's centre")
 
@@ -334,8 +333,7 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"
         if shape.dips_below(normal):
-            below = option("normal")
-            sheet.notes.append(f"what is below the horizon of {below} is cut away")
+            sheet.notes.append(mention("what is below the horizon of {normal} is cut away"))
     step = TRIANGLES._replace(name="polygon, as triangles").told(
         f"{len(points)} vertices; Omega = {_sr(omega)}"
     )

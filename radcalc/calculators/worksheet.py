@@ -14,6 +14,7 @@ from radcalc.errors import (
     Exclusive,
     MissingInput,
     Unused,
+    mention,
     option,
     options,
     quote,
@@ -170,11 +171,11 @@ class Worksheet:
             missing = (n for n in self._inputs() if n not in values)
             useful = [n for n in missing if own in _live(laws, reached(laws, known | {n}))][:4]
             alone = "" if len(everything) > 1 else " alone"
-            raise MissingInput(
-                f"nothing follows from {option(one.name, one.text)}{alone}",
-                useful,
-                f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}",
+            hint = (
+                f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"
             )
+            told = option(one.name, one.text)
+            raise MissingInput(f"nothing follows from {told}{alone}", hint)
 
     def _inputs(self) -> tuple[str, ...]:
         """The symbols that can be given, light quantities by generic names."""
@@ -252,15 +253,14 @@ def _live(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
 def refuse_slant_for_height() -> None:
     """Refuse a distance where the height above a flat source is meant."""
     raise ConditionError(
-        f"{option('distance')} is the straight line to the centre, and off the axis no height",
-        f"{option('height')} in its place",
+        mention("{distance} is the straight line to the centre, and off the axis no height"),
+        mention("{height} in its place"),
     )
 
 
 def corner_of(given: Inputs) -> tuple[Any, Any]:
     """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
     if {*OFFSETS, "distance"} & set(given):
-        raise ConditionError(
-            f"{option('corner')}, with {option('height')}, already says where", "one of them"
-        )
+        message = mention("{corner}, with {height}, already says where")
+        raise ConditionError(message, "one of them")
     return given["width"].value / 2, given["length"].value / 2

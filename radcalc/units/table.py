@@ -29,8 +29,7 @@ BASES = (
     "luminosity",
     "retinal_illuminance",
 )
-# Where each of the first ones stands in it.
-LENGTH_AT, MASS_AT, TIME_AT, TEMPERATURE_AT, ANGLE_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = range(8)
+MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # where some stand in it
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
