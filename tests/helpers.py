@@ -15,6 +15,8 @@ from conftest import entry_point
 
 import radcalc
 from radcalc import lambertian
+from radcalc.cli.spelling import Shell
+from radcalc.errors import RadcalcError
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity
@@ -40,6 +42,11 @@ OTHER = {
     "temperature-rise": "K", "heat": "J", "light": "1/s", "f-number": "1",
     "ev": "1", "ev100": "1", "iso": "1", "luminance": "cd/m2", "k": "cd s/m2",
     "illuminance": "lx", "c": "lx s", "saturation-luminance": "cd/m2",
+    "etendue": "m2 sr", "far-field-etendue": "m2 sr", "na": "1",
+    "receiver-radius": "m", "receiver-diameter": "m", "horizontal": "rad", "vertical": "rad",
+    "wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
+    "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd/m2",
+    "sp-ratio": "1", "adaptation": "1",
 }  # fmt: skip
 
 
@@ -51,6 +58,11 @@ def unit_of(name: str, kind: str) -> Any:
 
 def number(answer: dict[str, Any], name: str, unit: str) -> float:
     return float(answer[name].to(unit).magnitude)
+
+
+def shell(error: RadcalcError) -> tuple[str, str]:
+    """Message and hint of an error of the core, as the shell spells them."""
+    return error.spelled(Shell)
 
 
 def flagged(shape, *flags, **given):

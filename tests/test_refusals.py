@@ -6,10 +6,11 @@ what the refusal has to say.
 
 import pytest
 from conftest import run
+from helpers import shell
 
-from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConditionError, RadcalcError
+from radcalc.given import read
 from radcalc.quantities.search import search
 from radcalc.units.table import resolve
 
@@ -119,7 +120,7 @@ CONVERSIONS = {
     "a negative area is not possible": (
         "lm", "lx", {"area": "-1m2"}, "not possible", "more than 0"),
     "a half angle beyond the whole sphere is not possible": (
-        "lm", "cd", {"half-angle": "181deg"}, "not possible", "whole sphere"),
+        "lm", "cd", {"half-angle": "181deg"}, "not possible", "at most 180 deg"),
     "a solid angle beyond the whole sphere is not possible": (
         "lm", "cd", {"solid-angle": "13sr"}, "not possible", "4pi sr"),
     "a beam angle of 180 degrees is not possible": (
@@ -178,14 +179,15 @@ CONVERSIONS = {
 )
 def test_a_conversion_is_refused(source, target, conditions, message, hint):
     with pytest.raises(RadcalcError) as caught:
-        plan(resolve(source), resolve(target), [give(k, v) for k, v in conditions.items()])
-    assert message in caught.value.message
-    assert hint in caught.value.hint
+        plan(resolve(source), resolve(target), [read(k, v) for k, v in conditions.items()])
+    said, mended = shell(caught.value)
+    assert message in said
+    assert hint in mended
 
 
 def test_a_refusal_of_a_condition_is_a_condition_error():
     with pytest.raises(ConditionError):
-        plan(resolve("lm"), resolve("cd"), [give("isotropic", True), give("time", "1s")])
+        plan(resolve("lm"), resolve("cd"), [read("isotropic", True), read("time", "1s")])
 
 
 # words of a command, parts of what it says
@@ -336,7 +338,9 @@ COMMANDS = {
     "a list of wavelengths has no one answer to check": (
         "photon 400nm,500nm --check 2eV", "--check takes one answer"),
     "a range of exposure values has no one answer to check": (
-        "ev --ev100 1:400:1 --check 25lx", "--check takes one answer"),
+        "ev --ev100 1:40:1 --check 25lx", "--check takes one answer"),
+    "a range that leaves the limits is refused before what is to be checked": (
+        "ev --ev100 1:400:1 --check 25lx", "--ev100 101 is not possible"),
     "a list of luminances has no one answer to check": (
         "mesopic --luminance 0.1cd/m2,1cd/m2 --sp-ratio 2 --check 1cd/m2", "--check takes one"),
     "a conversion to check needs a unit to convert to": (
@@ -443,6 +447,7 @@ NAMES = {
 def test_a_name_is_refused_with_the_nearest(text, message, hint):
     with pytest.raises(RadcalcError) as refused:
         search(text)
-    assert message in refused.value.message
-    assert hint in refused.value.hint
-    assert refused.value.hint
+    said, mended = shell(refused.value)
+    assert message in said
+    assert hint in mended
+    assert mended

@@ -7,13 +7,15 @@ import pytest
 from helpers import KINDS, LIGHT, Q, number
 
 import radcalc
-from radcalc import api, point_source
+from radcalc import point_source
 from radcalc.calculators import lambertian as lambertian_module
-from radcalc.calculators import light as light_module
 from radcalc.calculators import point_source as point_module
 from radcalc.errors import RadcalcError
+from radcalc.given import read
+from radcalc.quantities.symbols import SYMBOLS, specific_name
 
 PI = math.pi
+GENERIC = [name for name, symbol in SYMBOLS.items() if symbol.generic == name]
 
 
 @pytest.mark.parametrize(
@@ -23,8 +25,8 @@ PI = math.pi
     ("law", "typed"),
     [
         (point_module.point_source, {"flux": "800lm", "distance": "2m", "time": "3s"}),
-        (point_module.point_source, {"intensity": "8W/sr", "beam_angle": "30deg"}),
-        (point_module.point_source, {"photon_irradiance": "8umol/m2/s", "distance": "2m"}),
+        (point_module.point_source, {"intensity": "8W/sr", "beam-angle": "30deg"}),
+        (point_module.point_source, {"photon-irradiance": "8umol/m2/s", "distance": "2m"}),
         (lambda v: lambertian_module.lambertian("disc", v), {
             "luminance": "9cd/m2", "radius": "1m", "distance": "3m", "reflectance": "0.5"}),
         (lambda v: lambertian_module.lambertian("patch", v), {
@@ -32,14 +34,14 @@ PI = math.pi
     ],
 )  # fmt: skip
 def test_all_kinds_are_what_convert_makes_of_them(law, typed, link):
-    if "photon_irradiance" in typed and "efficacy" in link:
+    if "photon-irradiance" in typed and "efficacy" in link:
         link = {"efficacy": "2.1umol/J"}
-    values, *_ = law(api._inputs({**typed, **link}))
+    answer = law({name: read(name, text) for name, text in {**typed, **link}.items()})
     table: dict[str, dict[str, float]] = {}
-    for value in values:
-        for name, kind in itertools.product(light_module.GEOMETRY, "evp"):
-            if value.units and value.also == light_module.specific(name, kind):
-                table.setdefault(name, {})[kind] = value.si
+    for value in answer.values:
+        for name, kind in itertools.product(GENERIC, "evp"):
+            if not value.is_absent and value.also == specific_name(name, kind):
+                table.setdefault(name, {})[kind] = value.amount
     assert len(table) >= 3
     for name, row in table.items():
         assert len(row) == (2 if "efficacy" in link else 3), name

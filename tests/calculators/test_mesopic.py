@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.calculators.mesopic import solve
+from radcalc.laws.mesopic import solve
 
 
 @pytest.mark.parametrize(

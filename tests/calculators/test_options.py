@@ -8,17 +8,17 @@ from helpers import flagged
 from radcalc import calorimeter, ev, lambertian, point_source
 from radcalc.calculators import calorimeter as calorimeter_module
 from radcalc.calculators import ev as ev_module
-from radcalc.calculators import inputs as inputs_module
 from radcalc.calculators import lambertian as lambertian_module
-from radcalc.calculators import light as light_module
 from radcalc.calculators import point_source as point_module
 from radcalc.errors import RadcalcError
+from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 
-POINT = (*point_module.QUANTITIES, *point_module.INPUTS, *light_module.LINKS,
-         *light_module.REFINEMENTS)  # fmt: skip
-SURFACES = (*lambertian_module.QUANTITIES, *lambertian_module.INPUTS, *light_module.LINKS,
-            *light_module.REFINEMENTS)  # fmt: skip
-CALORIMETER = (*calorimeter_module.QUANTITIES, *calorimeter_module.INPUTS)
+# A distribution may be named beside an option that tells it already.
+PLACED = [name for name in point_module.PAGE.takes if name != "distribution"]
+POINT = (*point_module.QUANTITIES, *PLACED, *LINKS, *REFINEMENTS)
+SURFACES = (*lambertian_module.QUANTITIES, *lambertian_module.PAGE.takes, *LINKS, *REFINEMENTS)
+CALORIMETER = (*calorimeter_module.QUANTITIES, *calorimeter_module.PAGE.takes)
+EV = ev_module.PAGE.takes
 EXAMPLE = {
     "wavelength": "555nm", "spectrum": "D65", "efficacy": "93lm/W", "observer": "scotopic",
     "range": "400nm:700nm", "photon-range": "380nm:780nm", "k": "14cd.s/m2", "c": "320lx.s",
@@ -68,7 +68,7 @@ BASES: list[tuple[Any, tuple[str, ...], tuple[str, ...], dict[str, str]]] = [
      {"radiance": "9cd/m2", "width": "1m", "length": "2m", "height": "3m", "offset-y": "30cm"}),
     *((lambertian, (shape,), SURFACES, {"radiance": "9cd/m2"})
       for shape in ("plane", "hemisphere")),
-    *((ev, (), ev_module.INPUTS, base)
+    *((ev, (), EV, base)
       for base in (
           {"ev100": "15"}, {"ev": "12"}, {"luminance": "99cd/m2"}, {"illuminance": "99lx"},
           {"f-number": "16"}, {"f-number": "16", "time": "1/100s"},
@@ -90,8 +90,7 @@ def answer_of(call: Any, words: tuple[str, ...], values: dict[str, str]) -> dict
 
 
 def example_of(name: str) -> str:
-    option = inputs_module.INPUTS.get(name)
-    return EXAMPLE.get(name) or (option or light_module.option(name)).example
+    return EXAMPLE.get(name) or SYMBOLS[name].example
 
 
 @pytest.mark.parametrize(

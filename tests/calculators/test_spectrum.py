@@ -7,11 +7,14 @@ from conftest import run
 
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
-from radcalc.spectra.sources import spectrum
+from radcalc.given import read
 
 
-def results(text: str, **ranges) -> dict[str, float]:
-    return {v.name: v.si for v in describe(spectrum(text), **ranges)[0]}
+def results(text: str, range_: str = "") -> dict[str, float]:
+    given = {"spectrum": read("spectrum", text)}
+    if range_:
+        given["range"] = read("range", range_)
+    return {value.name: value.amount for value in describe(given).values}
 
 
 def test_a_spectrum_is_described():
@@ -37,7 +40,7 @@ def test_a_spectrum_is_described():
 
 
 def test_a_range_has_its_share_and_its_efficacy():
-    half = results("band:400nm:700nm", limits=(300, 550))
+    half = results("band:400nm:700nm", "300nm:550nm")
     assert half["range-fraction"] == pytest.approx(0.5)
     assert half["range-start"] == pytest.approx(400e-9)  # there is nothing before
     whole = results("gaussian:530nm,30nm")
@@ -48,12 +51,12 @@ def test_a_range_has_its_share_and_its_efficacy():
 
 def test_no_power_in_the_range_is_refused():
     with pytest.raises(RadcalcError, match="no power"):
-        describe(spectrum("band:500nm:600nm"), limits=(700, 800))
+        results("band:500nm:600nm", "700nm:800nm")
 
 
 def test_more_lumens_than_the_watts_can_give_are_refused():
     with pytest.raises(RadcalcError, match="leaves out most"):
-        describe(spectrum("D65"), limits=(600, 610))
+        results("D65", "600nm:610nm")
 
 
 def test_colour_science_says_nothing_on_standard_error():

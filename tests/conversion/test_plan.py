@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from radcalc.conversion.conditions import give
 from radcalc.conversion.plan import answer, plan
+from radcalc.given import read
 from radcalc.units.table import resolve
 
 # value, source, target, conditions, result, relative tolerance, where the result comes from
@@ -72,26 +72,26 @@ WORKED = [
     ("value", "source", "target", "conditions", "expected", "tolerance", "origin"), WORKED
 )
 def test_worked_values(value, source, target, conditions, expected, tolerance, origin):
-    given_ = [give(name, text) for name, text in conditions.items()]
+    given_ = [read(name, text) for name, text in conditions.items()]
     got = plan(resolve(source), resolve(target), given_).apply(float(value))
     assert got == pytest.approx(expected, rel=tolerance, abs=0), origin
 
 
 def test_zero_lumens_are_an_answer_with_a_note():
-    made = plan(resolve("W"), resolve("lm"), [give("wavelength", "300nm")])
+    made = plan(resolve("W"), resolve("lm"), [read("wavelength", "300nm")])
     assert made.apply(1.0) == 0
     assert "nothing is seen at 300nm" in made.notes[0]
 
 
 def test_every_answer_says_what_it_assumed():
     for _, source, target, conditions, *_ in WORKED:
-        given_ = [give(name, text) for name, text in conditions.items()]
+        given_ = [read(name, text) for name, text in conditions.items()]
         assert plan(resolve(source), resolve(target), given_).assumptions, (source, target)
 
 
 def test_steps_end_in_the_result():
     result = answer(
-        plan(resolve("lm"), resolve("cd"), [give("half-angle", "60deg")]), 800.0, "", True
+        plan(resolve("lm"), resolve("cd"), [read("half-angle", "60deg")]), 800.0, "", True
     )
     assert [step.law for step in result.steps] == ["solid angle of a cone", "conversion"]
     assert result.steps[-1].formula == "I_v = Φ_v / Omega"
@@ -105,7 +105,7 @@ def test_the_dimension_of_every_factor_is_what_pint_says():
 
     q = light_registry().Quantity
     for _, source, target, conditions, *_ in WORKED:
-        given_ = [give(name, text) for name, text in conditions.items()]
+        given_ = [read(name, text) for name, text in conditions.items()]
         made = plan(resolve(source), resolve(target), given_)
         total = q(1.0, coherent_unit(made.source))
         for factor, power in made.links:
@@ -124,13 +124,13 @@ def test_the_lobe_of_a_narrow_beam_keeps_its_digits(degrees):
         half = mpmath.mpf(degrees) * mpmath.pi / 360
         exponent = mpmath.log(mpmath.mpf(1) / 2) / mpmath.log(mpmath.cos(half))
         expected = (exponent + 1) / (2 * mpmath.pi)
-    got = plan(resolve("lm"), resolve("cd"), [give("beam-angle", f"{degrees}deg")]).factor
+    got = plan(resolve("lm"), resolve("cd"), [read("beam-angle", f"{degrees}deg")]).factor
     assert got == pytest.approx(float(expected), rel=1e-12)
 
 
 def test_a_disc_below_the_horizon_gives_nothing_and_says_so():
     conditions = {"radius": "1m", "distance": "1m", "incidence": "136deg"}
-    made = plan(resolve("nit"), resolve("lx"), [give(k, v) for k, v in conditions.items()])
+    made = plan(resolve("nit"), resolve("lx"), [read(k, v) for k, v in conditions.items()])
     assert made.apply(1.0) == 0
     assert "below the receiver's horizon" in made.notes[0]
 

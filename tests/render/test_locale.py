@@ -5,12 +5,12 @@ import os
 import pytest
 from conftest import run
 
-from radcalc.cli.output import decide
+from radcalc.cli.options import decide
 
 
 def test_only_tables_follow_the_locale(monkeypatch):
     monkeypatch.setenv("LC_ALL", "cs_CZ.UTF-8")
-    spoken = [decide(f, False, False, None, "auto", False).language
+    spoken = [decide(f, False, False, None, "auto", False).style.language
               for f in ("table", "plain", "json", "csv")]  # fmt: skip
     assert spoken == ["cs", "en", "en", "en"]
 
