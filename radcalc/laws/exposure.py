@@ -7,7 +7,7 @@ K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of meters use
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
 STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
 LAWS: list[AnyLaw] = [
-    law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720"),
+    law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"),
     relation(
         "exposure value",
         "{ev} = log2({light} / 1 Hz)",
