@@ -1,31 +1,22 @@
-"""All the laws there are: those in the modules' data, and those that a shape adds."""
+"""All the laws there are: the data of the modules, and those that a function makes of a place."""
 
+import importlib
+import inspect
+import pkgutil
+from types import ModuleType
 from typing import Any
 
-import pytest
+from radcalc import calculators, laws
+from radcalc.laws.law import AnyLaw, Law, Relation
 
-from radcalc import lambertian, point_source
-from radcalc.calculators import calorimeter as calorimeter_module
-from radcalc.calculators import ev as ev_module
-from radcalc.calculators import lambertian as lambertian_module
-from radcalc.calculators import point_source as point_module
-from radcalc.calculators import shapes as surfaces_module
-from radcalc.calculators import worksheet as sheet_module
-from radcalc.laws import point as spreads_module
-from radcalc.laws.law import Law, Relation, solve
-
-MODULES = (
-    spreads_module,
-    surfaces_module,
-    point_module,
-    lambertian_module,
-    ev_module,
-    calorimeter_module,
-    sheet_module,
-)
+MODULES: list[ModuleType] = [
+    importlib.import_module(found.name)
+    for room in (laws, calculators)
+    for found in pkgutil.iter_modules(room.__path__, f"{room.__name__}.")
+]
 
 
-def laws_in(data: Any) -> list[Law | Relation]:
+def laws_in(data: Any) -> list[AnyLaw]:
     if isinstance(data, (Law, Relation)):
         return [data]
     if isinstance(data, dict):
@@ -35,27 +26,22 @@ def laws_in(data: Any) -> list[Law | Relation]:
     return []
 
 
-def laws_added() -> list[Law | Relation]:
-    """What the sheets solve for every shape and place; not all of it is data of a module."""
-    caught: list[Law | Relation] = []
-
-    def catch(laws, known):
-        caught.extend(laws)
-        return solve(laws, known)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sheet_module, "solve", catch)
-        for extra in ({"half_angle": "1rad"}, {"exponent": 2}, {}):
-            point_source(intensity="1cd", height="1m", offset="1m", **extra)
-        lambertian(luminance="1cd/m2", diameter="1cm", distance="1m")
-        lambertian(luminance="1cd/m2", width="1cm", length="1cm")
-        lambertian("rectangle", luminance="1cd/m2", width="1m", length="1m")
-        for shape in ("disc", "sphere"):
-            lambertian(shape, luminance="1cd/m2", diameter="1m", distance="2m")
-            lambertian(shape, luminance="1cd/m2", illuminance="1lx", distance="2m")
-    return caught
+def laws_made(module: ModuleType) -> list[AnyLaw]:
+    """What a module's functions make of the symbol that says how far away something is."""
+    return [
+        function(away)
+        for function in vars(module).values()
+        if inspect.isfunction(function) and list(inspect.signature(function).parameters) == ["away"]
+        for away in ("height", "distance")
+    ]
 
 
-FOUND = laws_in([vars(module) for module in MODULES]) + laws_added()
-LAWS = list({law.name + law.template: law for law in FOUND if isinstance(law, Law)}.values())
-RELATIONS = list({r.name + r.template: r for r in FOUND if isinstance(r, Relation)}.values())
+def key(law: AnyLaw) -> tuple[str, str]:
+    return law.name, law.template
+
+
+FOUND = {
+    key(law): law for module in MODULES for law in (*laws_in(vars(module)), *laws_made(module))
+}
+LAWS = [law for law in FOUND.values() if isinstance(law, Law)]
+RELATIONS = [law for law in FOUND.values() if isinstance(law, Relation)]

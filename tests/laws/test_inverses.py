@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+import mpmath
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -20,54 +21,99 @@ def _cone(angle: float) -> float:
     return 4 * PI * math.sin(angle / 2) ** 2
 
 
-# name of a relation -> the symbols drawn, the symbol they give, and the textbook's formula
-FORWARD: dict[str, tuple[dict[str, Any], str, Any]] = {
-    "part of an isotropic source": (
+def _pyramid(horizontal: float, vertical: float) -> float:
+    return 4 * math.asin(math.sin(horizontal / 2) * math.sin(vertical / 2))
+
+
+def _discs(radius: float, other: float, distance: float) -> mpf:
+    with mpmath.workdps(40):
+        s = mpf(radius) ** 2 + mpf(other) ** 2 + mpf(distance) ** 2
+        return mpmath.pi**2 / 2 * (s - mpmath.sqrt(s * s - 4 * mpf(radius * other) ** 2))
+
+
+def _adaptation(mesopic: float) -> float:
+    return min(1.0, max(0.0, 0.7670 + 0.3334 * math.log10(mesopic)))
+
+
+# CIE 191:2010 has L_mes V'(555 nm) M = m L + (1 - m) S/P L V'(555 nm), with M that makes L_mes
+# of equal luminances the same; here it is solved for the luminance
+def _photopic(mesopic: float, ratio: float) -> float:
+    m, at_555 = _adaptation(mesopic), 683 / 1699
+    return mesopic * (m + (1 - m) * at_555) / (m + (1 - m) * at_555 * ratio)
+
+
+# name of a relation and the symbol on its left -> the symbols drawn, the symbol they give, and
+# the textbook's formula
+FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
+    ("part of an isotropic source", "part"): (
         {"within": st.floats(0.01, 3.1)}, "part", lambda within: (1 - math.cos(within)) / 2),
-    "solid angle of a cone": (
+    ("solid angle of a cone", "solid-angle"): (
         {"half-angle": st.floats(0.05, 3.1)}, "solid-angle", _cone),
-    "part of a cone": (
+    ("projected solid angle of a cone", "projected-solid-angle"): (
+        {"half-angle": st.floats(0.05, 1.5)}, "projected-solid-angle",
+        lambda angle: PI * math.sin(angle) ** 2),
+    ("part of a cone", "part"): (
         {"within": st.floats(0.05, 3.1), "half-angle": st.floats(0.05, 3.1)}, "part",
         lambda within, angle: min(1.0, _cone(within) / _cone(angle))),
-    "flux of a lobe over its peak": (
+    ("flux of a lobe over its peak", "solid-angle"): (
         {"exponent": st.floats(0.01, 1e4)}, "solid-angle", lambda n: 2 * PI / (n + 1)),
-    "beam angle of a lobe": (
+    ("beam angle of a lobe", "exponent"): (
         {"beam-angle": st.floats(0.05, 3.1)}, "exponent",
         lambda a: LN(0.5) / LN(math.cos(a / 2))),
-    "field angle of a lobe": (
+    ("field angle of a lobe", "exponent"): (
         {"field-angle": st.floats(0.05, 3.1)}, "exponent",
         lambda a: LN(0.1) / LN(math.cos(a / 2))),
-    "part of a lobe": (
+    ("part of a lobe", "part"): (
         {"within": ANGLE, "exponent": st.floats(0.01, 1000)}, "part",
         lambda within, n: 1 - math.cos(within) ** (n + 1)),
-    "part of a lobe in its beam": (
+    ("part of a lobe in its beam", "beam-part"): (
         {"beam-angle": st.floats(0.1, 3.1), "exponent": st.floats(0.01, 1000)}, "beam-part",
         lambda angle, n: 1 - math.cos(angle / 2) ** (n + 1)),
-    "cosine of the incidence": ({"incidence": ANGLE}, "cosine", math.cos),
-    "straight line to the source": (
+    ("cosine of the incidence", "cosine"): ({"incidence": ANGLE}, "cosine", math.cos),
+    ("straight line to the source", "distance"): (
         {"height": st.floats(0.1, 10), "lateral": st.floats(0, 10)}, "distance", math.hypot),
-    "inside the cone": (
+    ("inside the cone", "share"): (
         {"off-axis": ANGLE, "half-angle": ANGLE}, "share",
         lambda off, angle: 1.0 if off <= angle else 0.0),
-    "fall of a lobe": (
+    ("fall of a lobe", "share"): (
         {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "share",
         lambda off, n: math.cos(off) ** n),
-    "disc on its axis": (
+    ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
         lambda r, h: PI * r**2 / (r**2 + h**2)),
-    "sphere, its centre at a distance": (
+    ("disc on its axis", "solid-angle"): (
+        {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "solid-angle",
+        lambda r, h: _cone(math.atan2(r, h))),
+    ("sphere, its centre at a distance", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 1), "distance": st.floats(1.01, 10)}, "projected-solid-angle",
         lambda r, d: PI * (r / d) ** 2),
-    "exposure value": (
+    ("sphere, its centre at a distance", "half-angle"): (
+        {"radius": st.floats(0.1, 1), "distance": st.floats(1.01, 10)}, "half-angle",
+        lambda r, d: math.asin(r / d)),
+    ("rectangular pyramid", "solid-angle"): (
+        {"horizontal": st.floats(0.05, 3), "vertical": st.floats(0.05, 3)}, "solid-angle",
+        _pyramid),
+    ("etendue of a cone", "etendue"): (
+        {"area": SIZE, "half-angle": ANGLE}, "etendue", lambda a, t: PI * a * math.sin(t) ** 2),
+    ("two coaxial discs", "etendue"): (
+        {"radius": st.floats(0.1, 10), "receiver-radius": st.floats(0.1, 10),
+         "distance": st.floats(0.1, 10)}, "etendue", lambda *sizes: float(_discs(*sizes))),
+    ("exposure value", "ev"): (
         {"light": st.floats(1e-3, 1e6)}, "ev", math.log2),
-    "exposure value at ISO 100": (
+    ("exposure value at ISO 100", "ev100"): (
         {"ev": st.floats(-10, 25), "iso": st.floats(1, 1e6)}, "ev100",
         lambda value, iso: value - math.log2(iso / 100)),
-    "reflected light": (
+    ("reflected light", "luminance"): (
         {"k": SIZE, "ev100": st.floats(-10, 25)}, "luminance", lambda k, n: k * 2**n / 100),
-    "incident light": (
+    ("incident light", "illuminance"): (
         {"c": SIZE, "ev100": st.floats(-10, 25)}, "illuminance", lambda c, n: c * 2**n / 100),
-    "saturation": ({"ev100": st.floats(-10, 25)}, "saturation-luminance", lambda n: 1.2 * 2**n),
+    ("saturation", "saturation-luminance"): (
+        {"ev100": st.floats(-10, 25)}, "saturation-luminance", lambda n: 1.2 * 2**n),
+    ("mesopic luminance", "mesopic-luminance"): (
+        {"mesopic-luminance": st.floats(0.006, 4.9), "sp-ratio": st.floats(0.3, 5)}, "luminance",
+        _photopic),
+    ("adaptation of the eye", "adaptation"): (
+        {"mesopic-luminance": st.floats(1e-4, 100)}, "adaptation", _adaptation),
 }  # fmt: skip
 
 
@@ -86,11 +132,15 @@ def test_every_symbol_of_a_law_comes_back(law, data):
         assert law.solve(target, others.__getitem__) == pytest.approx(values[target], rel=1e-13)
 
 
+def test_every_relation_has_a_textbooks_formula_and_no_other_has():
+    assert set(FORWARD) == {(law.name, law.names[0]) for law in RELATIONS}
+
+
 @pytest.mark.parametrize("law", RELATIONS, ids=lambda law: f"{law.name}: {law.names}")
 @given(data=st.data())
 @settings(max_examples=60)
 def test_every_symbol_of_a_relation_comes_back(law, data):
-    drawn, result, formula = FORWARD[law.name]
+    drawn, result, formula = FORWARD[law.name, law.names[0]]
     names = {"height": "distance"} if law.name == "disc on its axis" else {}
     drawn = {n if n in law.names else names[n]: s for n, s in drawn.items()}
     values = {name: data.draw(strategy, name) for name, strategy in drawn.items()}
