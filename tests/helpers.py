@@ -5,7 +5,7 @@ import pty
 import select
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
@@ -17,6 +17,7 @@ import radcalc
 from radcalc import lambertian
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError
+from radcalc.laws.law import AnyLaw
 
 PACKAGE = str(Path(radcalc.__file__).parent)
 Q = radcalc.Quantity
@@ -63,6 +64,13 @@ def number(answer: dict[str, Any], name: str, unit: str) -> float:
 def shell(error: RadcalcError) -> tuple[str, str]:
     """Message and hint of an error of the core, as the shell spells them."""
     return error.spelled(Shell)
+
+
+def by_law(law: AnyLaw) -> Callable[..., Any]:
+    """The left side of a law as a function of its other symbols, in their order."""
+    return lambda *values: law.solve(
+        law.names[0], dict(zip(law.names[1:], values, strict=True)).__getitem__
+    )
 
 
 def flagged(shape, *flags, **given):

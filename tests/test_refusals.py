@@ -310,6 +310,10 @@ COMMANDS = {
     "a direction that is no number is refused": ("direction nan 0 1", "nan"),
     "the origin has no direction": ("direction 0 0 0", "no direction"),
     "a numerical aperture above 1 is refused": ("etendue --area 1mm2 --na 1.5", "not possible"),
+    "an f-number below a half is refused": (
+        "etendue --area 1mm2 --f-number 0.4", "0.5 or more, in air"),
+    "patches at no distance are refused": (
+        "etendue --area 1mm2 --receiver-area 1mm2 --distance 0m", "more than 0"),
     "an area that is no number is refused": ("etendue --area nanm2 --half-angle 10deg", "nan"),
     "an expression that is 0 everywhere is refused": ("integrate x-x --sphere", "is 0"),
     "an expression that has no value is refused": ("integrate 1/(x-x) --sphere", "no value"),

@@ -1,11 +1,15 @@
 """What every function of the geometry refuses, and that arrays give what floats give."""
 
+import math
+
 import numpy as np
 import pytest
+from helpers import by_law
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import directions, etendue, projected, solid
+from radcalc.geometry import cones, directions, etendue, lobes, projected, solid
 from radcalc.geometry.numerics import special
+from radcalc.laws.etendue import APERTURE, LENS, PATCHES
 
 REFUSED = [
     (solid.cone, (-1e-9,)), (solid.cone, (3.15,)), (solid.cone_of, (-1.0,)),
@@ -18,9 +22,14 @@ REFUSED = [
     (projected.cone, (1.0, 3.2)), (projected.sphere, (1.0, 1.0)), (projected.disc, (1.0, -1.0)),
     (projected.zone, (1.0, 0.5)), (projected.pyramid, (-1.0, 1.0)),
     (projected.rectangle, (1.0, 1.0, 1.0, 0.0, 0.0, (0.0, 0.0, 0.0))),
-    (etendue.patch_and_cone, (1.0, 1.6)), (etendue.patch_and_aperture, (1.0, 1.1)),
-    (etendue.patch_and_lens, (1.0, 0.4)), (etendue.two_patches, (1.0, 1.0, 0.0)),
-    (etendue.coaxial_discs, (1.0, 1.0, 0.0)), (directions.spherical, (0.0, 0.0, 0.0)),
+    (cones.projected_cone, (-1e-9,)), (cones.projected_cone, (3.15,)),
+    (cones.projected_cone_of, (-1e-9,)), (cones.projected_cone_of, (3.15,)),
+    (solid.rim_of, (0.0,)), (solid.rim_of, (6.3,)), (solid.pyramid_side, (2.5, 1.0)),
+    (solid.pyramid_side, (-0.1, 1.0)), (solid.pyramid_side, (6.3, math.pi)),
+    (solid.pyramid_side, (1.0, 3.2)), (etendue.patch_and_cone, (1.0, 1.6)),
+    (etendue.coaxial_discs, (1.0, 1.0, 0.0)), (etendue.discs_distance, (1.0, 2.0, 0.0)),
+    (etendue.discs_distance, (1.0, 2.0, 10.0)), (etendue.discs_radius, (1.0, 2.0, 10.0)),
+    (directions.spherical, (0.0, 0.0, 0.0)),
     (directions.cartesian, (-0.1, 0.0)),
 ]  # fmt: skip
 
@@ -54,9 +63,17 @@ ARRAYS = [
     (projected.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
     (projected.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),
     (etendue.patch_and_cone, [1.0, 2.0], [0.0, 1.0, 1.5]),
-    (etendue.patch_and_aperture, [1.0, 2.0], [0.1, 1.0]),
-    (etendue.patch_and_lens, [1.0, 2.0], [0.5, 4.0]),
-    (etendue.two_patches, [1.0, 2.0], [1.0, 3.0], [1.0, 9.0], [0.0, 2.0], [0.0, 1.0]),
+    (by_law(APERTURE), [1.0, 2.0], [0.1, 1.0]),
+    (by_law(LENS), [1.0, 2.0], [0.5, 4.0]),
+    (by_law(PATCHES), [1.0, 2.0], [0.0, 1.0], [1.0, 3.0], [0.0, 0.5], [1.0, 9.0]),
+    (cones.projected_cone, [0.0, 1e-9, 1.0, 2.0, 3.0]),
+    (cones.projected_cone_of, [0.0, 1e-9, 1.0, 3.1, 3.141592653590]),
+    (cones.facing, [0.0, 1.0, -1.0, 2.0, 3.0]),
+    (lobes.solid_angle, [0.0, 1.0, 150.0]),
+    (solid.rim_of, [1e-9, 1.0, 6.0]),
+    (solid.pyramid_side, [0.0, 1e-9, 1.0, 1.9], [1.0, 3.1]),
+    (etendue.discs_distance, [0.5, 1.0], [0.7, 2.0], [1e-3, 1.0, 2.4]),
+    (etendue.discs_radius, [0.7, 2.0], [1e-3, 1.0, 1e6], [1e-3, 1.0, 4.0]),
     (etendue.coaxial_discs, [0.1, 1.0], [0.2, 1.0], [1e-3, 1.0, 1e6]),
     (special.cel, [1e-3, 1.0], [0.5, 1.0], [1.0], [0.0, 1.0]),
     (special.less_arctangent, [0.0, 0.1, 0.25, 2.0]),

@@ -5,9 +5,12 @@ import math
 import mpmath
 import pytest
 from geometry.references import DIGITS, close, facing_disc_mp
+from helpers import by_law
 from mpmath import mpf
 
-from radcalc.geometry import etendue, solid
+from radcalc.errors import ConditionError
+from radcalc.geometry import cones, etendue, solid
+from radcalc.laws.etendue import APERTURE, LENS, PATCHES
 
 
 @pytest.mark.parametrize("radius", [1e-9, 0.3, 1.0, 2.0, 1e9])
@@ -43,10 +46,40 @@ def test_published_view_factors_of_two_discs(one, other, distance, factor):
     assert got == pytest.approx(factor, abs=5e-5)
 
 
+SIZES = [(1.0, 1.0, 1.0), (1.0, 2.0, 0.5), (0.1, 0.2, 0.5), (3.0, 1e-3, 2.0), (1.0, 1.0, 0.05),
+         (1e-6, 1.0, 4.0), (1.0, 1.0, 1e6), (2e5, 1e5, 3e5)]  # fmt: skip
+
+
+@pytest.mark.parametrize(("one", "other", "distance"), SIZES)
+def test_two_discs_are_as_far_apart_and_as_large_as_their_etendue_says(one, other, distance):
+    with mpmath.workdps(DIGITS):
+        r, s, d = map(mpf, (one, other, distance))
+        whole = r * r + s * s + d * d
+        size = float(mpmath.pi**2 / 2 * (whole - mpmath.sqrt(whole * whole - 4 * r * r * s * s)))
+        # G^2 - pi^2 S G + pi^4 r^2 s^2 = 0, solved for S, and for the radius
+        m = mpf(size) / mpmath.pi**2
+        away = mpmath.sqrt(m + (r * s) ** 2 / m - r * r - s * s)
+        radius = mpmath.sqrt((m * m - m * (s * s + d * d)) / (m - s * s))
+    close(etendue.discs_distance(one, other, size), away, 1e-10)
+    close(etendue.discs_distance(other, one, size), away, 1e-10)
+    assert etendue.discs_distance(one, other, size) == pytest.approx(distance, rel=1e-9)
+    close(etendue.discs_radius(other, distance, size), radius, 1e-10)
+    assert etendue.discs_radius(other, distance, size) == pytest.approx(one, rel=1e-9)
+
+
+@pytest.mark.parametrize("size", [0.0, math.pi**2, 10.0])
+def test_discs_have_less_etendue_than_if_they_touched(size):
+    with pytest.raises(ConditionError, match="no such etendue"):
+        etendue.discs_distance(1.0, 2.0, size)
+    with pytest.raises(ConditionError, match="no such etendue"):
+        etendue.discs_radius(1.0, 2.0, size)
+
+
 def test_etendues_of_patches():
     close(etendue.patch_and_cone(2.0, math.pi / 6), math.pi / 2)  # pi A sin^2
-    close(etendue.patch_and_aperture(2.0, 0.5), math.pi / 2)  # pi A NA^2
-    close(etendue.patch_and_lens(2.0, 1.0), math.pi / 2)  # sin = 1/2N
-    close(etendue.two_patches(2.0, 3.0, 10.0, math.pi / 3, math.pi / 3), 0.015, 1e-15)
-    assert etendue.two_patches(2.0, 3.0, 10.0, 2.0) == 0
+    close(by_law(APERTURE)(2.0, 0.5), math.pi / 2)  # pi A NA^2
+    close(by_law(LENS)(2.0, 1.0), math.pi / 2)  # sin = 1/2N
+    half = cones.facing(math.pi / 3)
+    close(by_law(PATCHES)(2.0, half, 3.0, half, 10.0), 0.015, 1e-15)
+    assert by_law(PATCHES)(2.0, cones.facing(2.0), 3.0, 1.0, 10.0) == 0
     close(solid.patch(2.0, 10.0, math.pi / 3), 0.01, 1e-15)
