@@ -2,11 +2,15 @@
 
 import ast
 import json
+import re
 
 import pytest
 from conftest import ROOT, python
 
 from radcalc.cli import COMMANDS
+from radcalc.laws import point
+from radcalc.quantities.symbols import DISTRIBUTIONS, OBSERVER_NAMES
+from radcalc.spectra.observers import OBSERVERS
 
 PACKAGE = ROOT / "radcalc"
 MODULES = {
@@ -29,29 +33,36 @@ KEEPERS = {
         "radcalc.geometry",
     ),
 }
-# Imports point downwards: a layer may import those below it.
+# Imports point downwards: a room may import those below it, and those behind it in its row.
 LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
-    ["radcalc.api", "radcalc.render", "radcalc.streams", "radcalc.stdio"],
-    ["radcalc.homework"],
-    ["radcalc.calculators", "radcalc.laws"],
+    ["radcalc.api", "radcalc.homework", "radcalc.streams", "radcalc.render", "radcalc.stdio"],
+    ["radcalc.calculators"],
     ["radcalc.conversion"],
-    ["radcalc.answer", "radcalc.spectra", "radcalc.geometry"],
+    ["radcalc.laws"],
+    ["radcalc.given", "radcalc.derivation", "radcalc.answer"],
+    ["radcalc.spectra", "radcalc.geometry"],
     ["radcalc.quantities"],
     ["radcalc.units", "radcalc.maths"],
     ["radcalc.errors", "radcalc._version"],
 ]
+ROOMS = [room for row in LAYERS for room in row]
 
 
-def imports(name: str) -> set[str]:
-    """Everything a module imports, wherever in it, type checking apart."""
+def tree_of(name: str) -> ast.Module:
+    """The source of a module, without what is there for type checkers alone."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
     for node in ast.walk(tree):
         if isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING":
             node.body = []
+    return tree
+
+
+def imports(name: str) -> set[str]:
+    """Everything a module imports, wherever in it, type checking apart."""
     found = set()
-    for node in ast.walk(tree):
+    for node in ast.walk(tree_of(name)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -60,9 +71,27 @@ def imports(name: str) -> set[str]:
     return found
 
 
-def layer(name: str) -> int | None:
-    for depth, members in enumerate(LAYERS):
-        if any(name == m or name.startswith(m + ".") for m in members):
+def at_once(name: str) -> set[str]:
+    """The modules that a module imports as it is loaded, and not in a function."""
+    waiting: list[ast.AST] = [tree_of(name)]
+    found = set()
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            inner = {f"{node.module}.{alias.name}" for alias in node.names}
+            found |= inner & MODULES.keys()
+            if inner - MODULES.keys():
+                found.add(node.module)  # a function or a constant of the module itself
+        elif not isinstance(node, (ast.FunctionDef, ast.Lambda)):
+            waiting += ast.iter_child_nodes(node)
+    return found & MODULES.keys()
+
+
+def room(name: str) -> int | None:
+    for depth, member in enumerate(ROOMS):
+        if name == member or name.startswith(member + "."):
             return depth
     return None
 
@@ -76,11 +105,64 @@ def test_a_heavy_package_is_imported_in_its_own_room_only(package):
 
 @pytest.mark.parametrize("name", sorted(set(MODULES) - {"radcalc"}))
 def test_imports_point_downwards(name):
-    depth = layer(name)
+    depth = room(name)
     assert depth is not None, f"{name} belongs to no layer"
     for imported in imports(name):
-        below = layer(imported)
+        below = room(imported)
         assert below is None or below >= depth, imported
+
+
+def test_there_are_few_layers_and_few_loose_modules():
+    assert len(LAYERS) <= 11
+    assert len([path for path in PACKAGE.glob("*.py") if path.stem != "__init__"]) <= 10
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    """As they are loaded: what a function imports when it is called is another matter."""
+    edges = {name: at_once(name) for name in MODULES}
+    assert sum(map(len, edges.values())) > 300
+    left = set(edges)
+    while loadable := {name for name in left if not edges[name] & left}:
+        left -= loadable
+    assert not left, "these import each other, or one that does"
+
+
+OPTION = re.compile(r"(?<![\w-])--(?!no-deps\b)[a-z]")  # --no-deps is one of pip's
+
+
+def texts_of(tree: ast.Module) -> list[str]:
+    """The string literals of a module, the parts of f-strings among them; no docstrings."""
+    documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
+    docstrings = {
+        id(node.body[0].value)
+        for node in ast.walk(tree)
+        if isinstance(node, documented) and node.body and isinstance(node.body[0], ast.Expr)
+    }
+    return [
+        node.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant)
+        and isinstance(node.value, str)
+        and id(node) not in docstrings
+    ]
+
+
+def test_a_text_that_spells_an_option_is_found():
+    text = "def f(x):\n    'no --a'\n    return f'{x} --bee', 'a-b', '--', 'a--b', 'e --f'"
+    assert [one for one in texts_of(ast.parse(text)) if OPTION.search(one)] == ["e --f", " --bee"]
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in MODULES if room(name) != ROOMS.index("radcalc.cli")]
+)
+def test_no_option_is_spelled_outside_the_command_line(name):
+    assert [text for text in texts_of(tree_of(name)) if OPTION.search(text)] == []
+
+
+def test_the_vocabulary_has_the_names_of_observers_and_distributions():
+    """They stand there once more, as the vocabulary is below the tables and the laws."""
+    assert tuple(OBSERVERS) == OBSERVER_NAMES
+    assert tuple(point.LAWS) == DISTRIBUTIONS == (point.ISOTROPIC, point.CONICAL, point.LOBED)
 
 
 HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy"}
