@@ -136,7 +136,7 @@ def _split(symbol: Symbol, text: str) -> tuple[float, str]:
         hint = error.hint
         if "," in text and symbol.dimensions == (NUMBER,):
             parts = ",".join(p if "." in p else f"{p}.0" for p in text.split(","))
-            hint = f"{hint}, or {parts} if that is a list"
+            hint = f"{hint}, or {quote(parts)} if that is a list"
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 
