@@ -1,0 +1,309 @@
+"""What every error says at each gate, and that no text of a user's is taken for a mention."""
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from conftest import run
+from helpers import shell
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from radcalc import api, errors
+from radcalc.calculators.integrate import integrate
+from radcalc.calculators.point_source import point_source
+from radcalc.calculators.results import pick
+from radcalc.calculators.solid_angle import solid_angle
+from radcalc.cli import COMMANDS
+from radcalc.conversion.plan import plan
+from radcalc.errors import (
+    END,
+    START,
+    VALUE,
+    WORD,
+    ConditionError,
+    Contradiction,
+    Exclusive,
+    Impossible,
+    LineError,
+    MissingCondition,
+    MissingInput,
+    MissingUnit,
+    NumberError,
+    OutputError,
+    RadcalcError,
+    UnitError,
+    Unused,
+    UsageError,
+    command,
+    manual,
+    option,
+    options,
+    quote,
+)
+from radcalc.given import read, read_interval, read_point
+from radcalc.quantities import search, typical
+from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.numbers import parse_number
+from radcalc.units.operands import read_operands
+from radcalc.units.ranges import read_series
+from radcalc.units.table import resolve
+
+
+def plainly(error: RadcalcError) -> tuple[str, str]:
+    message, _, hint = str(error).partition("\ntry: ")
+    return message, hint
+
+
+def in_python(error: RadcalcError) -> tuple[str, str]:
+    """As a function of `radcalc.api` raises it."""
+
+    @api.in_python
+    def call() -> None:
+        raise error
+
+    with pytest.raises(RadcalcError) as caught:
+        call()
+    return caught.value.message, caught.value.hint
+
+
+GATES: dict[str, Callable[[RadcalcError], tuple[str, str]]] = {
+    "the shell": shell, "no gate": plainly, "Python": in_python,
+}  # fmt: skip
+# an error, and its message and hint at each gate in turn
+Said = tuple[str, str]
+ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
+    "what names nothing reads alike at every gate": (
+        lambda: RadcalcError("no answer", "another question"),
+        *[("no answer", "another question")] * 3),
+    "a number is refused in plain words": (
+        lambda: NumberError("'1,5' has a comma in its number", "1.5"),
+        *[("'1,5' has a comma in its number", "1.5")] * 3),
+    "a unit is refused in plain words": (
+        lambda: UnitError("unknown unit 'zork'", "lx"), *[("unknown unit 'zork'", "lx")] * 3),
+    "what was not written is told without a hint": (
+        lambda: OutputError("cannot write: no space"), *[("cannot write: no space", "")] * 3),
+    "a line is refused in plain words": (
+        lambda: LineError("line 2: 'x' is not a number", "a number"),
+        *[("line 2: 'x' is not a number", "a number")] * 3),
+    "a conversion leads to another command": (
+        lambda: errors.ConversionError("no condition links them",
+                                       command("solid-angle", "cone", half_angle="1deg")),
+        ("no condition links them", "radcalc solid-angle cone --half-angle 1deg"),
+        ("no condition links them", "radcalc solid-angle cone half-angle=1deg"),
+        ("no condition links them", "`radcalc solid-angle cone` at a shell")),
+    "a condition leads to a function of Python's": (
+        lambda: ConditionError("too near", command("lambertian", "disc", radius="1m")),
+        ("too near", "radcalc lambertian disc --radius 1m"),
+        ("too near", "radcalc lambertian disc radius=1m"),
+        ("too near", 'radcalc.lambertian("disc", radius="1 m")')),
+    "a call leads to the manual": (
+        lambda: UsageError("too little", manual("point-source")),
+        ("too little", "radcalc point-source --help"), ("too little", "the help of point-source"),
+        ("too little", "help(radcalc.point_source)")),
+    "a missing condition is named with what stands for any value": (
+        lambda: MissingCondition(
+            "a cone is missing", f"{option('half-angle', 'ANGLE')} or {option('isotropic')}",
+            "lm", "cd", ["a cone"]),
+        ("a cone is missing", "--half-angle ANGLE or --isotropic"),
+        ("a cone is missing", "half-angle ANGLE or isotropic"),
+        ("a cone is missing", "half_angle=ANGLE or isotropic=True")),
+    "a missing input is named with an example": (
+        lambda: MissingInput("the size is missing", ("radius", "area"), values=("10cm", "1cm2")),
+        ("the size is missing", "--radius 10cm or --area 1cm2"),
+        ("the size is missing", "radius 10cm or area 1cm2"),
+        ("the size is missing", 'radius="10 cm" or area="1 cm2"')),
+    "a missing input is named alone where there is no example": (
+        lambda: MissingInput("more is missing", ("radius", "receiver-area")),
+        ("more is missing", "--radius or --receiver-area"),
+        ("more is missing", "radius or receiver-area"),
+        ("more is missing", "radius or receiver_area")),
+    "a missing unit is written behind the number": (
+        lambda: MissingUnit("distance", "2", "2m"),
+        ("--distance 2 has no unit", "--distance 2m"), ("distance 2 has no unit", "distance 2m"),
+        ('distance="2" has no unit', 'distance="2 m"')),
+    "what has no use is to be left out": (
+        lambda: Unused(("off-axis",), "with a disc"),
+        ("--off-axis has no use with a disc", "the same without --off-axis"),
+        ("off-axis has no use with a disc", "the same without off-axis"),
+        ("off_axis has no use with a disc", "the same without off_axis")),
+    "two that have no use are to be left out": (
+        lambda: Unused(("time", "width"), "here"),
+        ("--time and --width have no use here", "the same without --time and --width"),
+        ("time and width have no use here", "the same without time and width"),
+        ("time and width have no use here", "the same without time and width")),
+    "what is not possible is told its limits": (
+        lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
+        ("--half-angle 181deg is not possible: a turn", "at most 180 deg"),
+        ("half-angle 181deg is not possible: a turn", "at most 180 deg"),
+        ('half_angle="181 deg" is not possible: a turn', "at most 180 deg")),
+    "of two that exclude each other one is enough": (
+        lambda: Exclusive(("na", "f-number")),
+        ("--na and --f-number contradict each other", "one of them"),
+        ("na and f-number contradict each other", "one of them"),
+        ("na and f_number contradict each other", "one of them")),
+    "a contradiction names what was given": (
+        lambda: Contradiction(f"{option('flux', '800lm')} contradicts the rest",
+                              f"without one of {options(('flux', 'intensity'), ', ')}",
+                              "flux", 800.0, 900.0),
+        ("--flux 800lm contradicts the rest", "without one of --flux, --intensity"),
+        ("flux 800lm contradicts the rest", "without one of flux, intensity"),
+        ('flux="800 lm" contradicts the rest', "without one of flux, intensity")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("row", ERRORS.values(), ids=ERRORS)
+@pytest.mark.parametrize("gate", GATES)
+def test_an_error_is_said_as_one_types_at_the_gate(gate, row):
+    error, *said = row
+    assert GATES[gate](error()) == said[list(GATES).index(gate)]
+
+
+def test_every_class_of_error_is_said_somewhere():
+    classes = {one for one in vars(errors).values() if inspect.isclass(one)} - {errors.Plain}
+    assert {type(error()) for error, *_ in ERRORS.values()} == classes
+    assert all(issubclass(one, RadcalcError) for one in classes)
+
+
+def test_what_a_program_needs_to_know_is_in_the_error():
+    assert MissingInput("", ["radius"]).symbols == ("radius",)
+    assert Unused(["radius"], "here").symbols == Exclusive(["radius"]).symbols == ("radius",)
+    impossible = Impossible("radius", "-1m", "more than 0")
+    assert (impossible.symbol, impossible.text, impossible.limit) == (
+        "radius", "-1m", "more than 0",
+    )  # fmt: skip
+    unit = MissingUnit("radius", "1", "1m")
+    assert (unit.symbol, unit.text, unit.written) == ("radius", "1", "1m")
+    lacking = MissingCondition("", "", "lm", "cd", ["a cone"])
+    assert (lacking.source, lacking.target, lacking.lacking) == ("lm", "cd", ("a cone",))
+    two = Contradiction("", "", "radius", 1.0, 2.0)
+    assert (two.symbol, two.given, two.follows) == ("radius", 1.0, 2.0)
+
+
+MARKS = START + VALUE + WORD + END
+
+
+class Watcher:
+    """A gate that lets only radcalc's own mentions through."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        assert name in SYMBOLS, name
+        assert not set(value) & set(MARKS), value
+        return ""
+
+    @staticmethod
+    def command(*words: str) -> str:
+        assert words[0] in COMMANDS
+        assert not set("".join(words)) & set(MARKS)
+        return ""
+
+    @staticmethod
+    def manual(name: str) -> str:
+        assert name in COMMANDS
+        return ""
+
+
+LAMP = point_source({"flux": read("flux", "1lm")}).values
+# What takes a text of a user's.
+TAKES: dict[str, Callable[[str], Any]] = {
+    "a number": parse_number,
+    "a unit": resolve,
+    "a unit to convert to": lambda text: plan(resolve(f"lx{text}"), resolve("cd")),
+    "operands": lambda text: read_operands(["1", text, "to", "fc"]),
+    "a value and its unit": lambda text: read_operands([text]),
+    "a list": read_series,
+    "an interval": lambda text: read_interval("polar", text),
+    "a point": lambda text: read_point(text, "the vertex"),
+    "an expression": lambda text: integrate(text, {"sphere": read("sphere", True)}),
+    "a result": lambda text: pick(LAMP, text),
+    "a result's unit": lambda text: pick(LAMP, f"flux:{text}"),
+    "a quantity's name": search.search,
+    "a typical value's name": typical.search,
+    "a shape's points": lambda text: solid_angle("polygon", {}, [read_point(text, "it")] * 3),
+    **{f"--{name}": lambda text, name=name: read(name, text) for name in SYMBOLS},
+    **{f"--{name} {symbol.example} and more":
+       lambda text, symbol=symbol: read(symbol.name, symbol.example + text)
+       for name, symbol in SYMBOLS.items() if symbol.example},
+}  # fmt: skip
+HOSTILE = st.one_of(
+    st.text(alphabet=MARKS + "ax1:.,-m ", min_size=1, max_size=12),
+    st.sampled_from([option("height", "6m"), command("convert"), manual("ev"), START, END + START]),
+    st.builds("".join, st.lists(st.sampled_from([*MARKS, "height", "=", "6m"]), min_size=2)),
+)
+
+
+@pytest.mark.parametrize("takes", TAKES.values(), ids=TAKES)
+@given(text=HOSTILE)
+@settings(max_examples=50)
+def test_no_text_of_a_users_becomes_a_mention(takes, text):
+    refused = None
+    try:
+        takes(text)
+    except RadcalcError as error:
+        refused = error
+    if refused:
+        assert not set("".join(refused.spelled(Watcher))) & set(MARKS)
+        for gate in GATES.values():
+            assert not set("".join(gate(refused))) & set(MARKS)
+
+
+@given(st.text(alphabet=st.characters(categories=["Co", "Cc", "L", "Zs"])))
+def test_a_quoted_text_has_no_mark_in_it(text):
+    assert not set(quote(text)) & set(MARKS)
+
+
+MENTION = option("height", "6m")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("convert", "1", MENTION, "fc"),
+        ("convert", MENTION),
+        ("convert", "1", "lx", "nit", "--reflectance", MENTION),
+        ("convert", "1", "lx", "W/m2", "--spectrum", MENTION),
+        ("convert", "1", "lx", "nit", "--reflectance", "1", "--check", MENTION),
+        ("convert", "1", "lx", "nit", "--reflectance", "1", "--tolerance", MENTION, "--check", "1"),
+        ("convert", "-", "lx", "fc", "--column", MENTION),
+        ("convert", "-", "lx", "fc", "-d", MENTION),
+        ("point-source", "--flux", "1lm", "-g", MENTION),
+        ("point-source", "--distribution", MENTION),
+        ("point-source", MENTION),
+        ("lambertian", MENTION, "--luminance", "1cd/m2"),
+        ("solid-angle", MENTION),
+        ("solid-angle", "cone", MENTION),
+        ("solid-angle", "polygon", MENTION),
+        ("direction", MENTION),
+        ("integrate", MENTION, "--sphere"),
+        ("photon", MENTION),
+        ("spectrum", MENTION),
+        ("units", MENTION),
+        ("quantities", MENTION),
+        ("typical", MENTION),
+        (MENTION,),
+        ("ev", f"--{MENTION}"),
+    ],
+    ids=lambda words: " ".join(words).replace(MENTION, "?"),
+)
+def test_a_mention_on_the_command_line_is_not_spelled(words):
+    done = run(*words, input="1\n")
+    assert done.returncode == 2
+    assert "--height" not in done.stdout + done.stderr
+    assert not set(done.stdout + done.stderr) & set(MARKS)
+
+
+def test_the_name_of_a_file_is_no_mention(tmp_path):
+    path = tmp_path / f"{MENTION}.csv"
+    path.write_text("400 nm,1\n500,2\n600,1\n")
+    for words in (
+        "spectrum",
+        "convert 1 lx W/m2 --spectrum",
+        "mesopic --luminance 1cd/m2 --spectrum",
+    ):
+        for form in ("plain", "json", "csv", "table"):
+            done = run(*words.split(), str(path), "--steps", "--format", form)
+            assert done.returncode == 0, done.stderr
+            assert "--height" not in done.stdout + done.stderr
+            assert START not in done.stdout + done.stderr
