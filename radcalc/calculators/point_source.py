@@ -42,7 +42,7 @@ RECEIVER = ("within", "time", "receiver-area")
 SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
 PAGE = Page(
     "a point source",
-    (*CONE, *LOBE, *POSITION, *RECEIVER, "distribution"),
+    (*QUANTITIES, *CONE, *LOBE, *POSITION, *RECEIVER, "distribution"),
     (
         "intensity",
         "flux",

@@ -179,7 +179,8 @@ class Worksheet:
 
     def _inputs(self) -> tuple[str, ...]:
         """The symbols that can be given, light quantities by generic names."""
-        return (*(name for name in self.page.light if SYMBOLS[name].help), *self.page.takes)
+        takes = self.page.takes  # which may have light quantities, in the order to name them
+        return (*(n for n in self.page.light if SYMBOLS[n].help and n not in takes), *takes)
 
     def _absent(self, laws: Sequence[AnyLaw]) -> list[Value]:
         """Results that do not follow, which tell what they lack when they are asked for."""
