@@ -110,12 +110,13 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("a cone is missing", "half-angle ANGLE or isotropic"),
         ("a cone is missing", "half_angle=ANGLE or isotropic=True")),
     "a missing input is named with an example": (
-        lambda: MissingInput("the size is missing", ("radius", "area"), values=("10cm", "1cm2")),
+        lambda: MissingInput("the size is missing",
+                             f"{option('radius', '10cm')} or {option('area', '1cm2')}"),
         ("the size is missing", "--radius 10cm or --area 1cm2"),
         ("the size is missing", "radius 10cm or area 1cm2"),
         ("the size is missing", 'radius="10 cm" or area="1 cm2"')),
     "a missing input is named alone where there is no example": (
-        lambda: MissingInput("more is missing", ("radius", "receiver-area")),
+        lambda: MissingInput("more is missing", options(("radius", "receiver-area"))),
         ("more is missing", "--radius or --receiver-area"),
         ("more is missing", "radius or receiver-area"),
         ("more is missing", "radius or receiver_area")),
@@ -167,7 +168,8 @@ def test_every_class_of_error_is_said_somewhere():
 
 
 def test_what_a_program_needs_to_know_is_in_the_error():
-    assert MissingInput("", ["radius"]).symbols == ("radius",)
+    hint = f"{option('radius', '1m')} or {option('area')} (see {manual('ev')})"
+    assert tuple(MissingInput("", hint).symbols) == ("radius", "area")
     assert Unused(["radius"], "here").symbols == Exclusive(["radius"]).symbols == ("radius",)
     impossible = Impossible("radius", "-1m", "more than 0")
     assert (impossible.symbol, impossible.text, impossible.limit) == (

@@ -15,7 +15,7 @@ from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 
 # A distribution may be named beside an option that tells it already.
 PLACED = [name for name in point_module.PAGE.takes if name != "distribution"]
-POINT = (*point_module.QUANTITIES, *PLACED, *LINKS, *REFINEMENTS)
+POINT = (*PLACED, *LINKS, *REFINEMENTS)
 SURFACES = (*lambertian_module.QUANTITIES, *lambertian_module.PAGE.takes, *LINKS, *REFINEMENTS)
 CALORIMETER = (*calorimeter_module.QUANTITIES, *calorimeter_module.PAGE.takes)
 EV = ev_module.PAGE.takes

@@ -66,7 +66,7 @@ def test_no_law_of_the_source_text_is_left_out(module):
         node.args[0].value
         for node in ast.walk(tree)
         if isinstance(node, ast.Call)
-        and getattr(node.func, "id", "") in ("Law", "Relation", "law")
+        and getattr(node.func, "id", "") in ("Law", "Relation", "law", "relation")
         and isinstance(node.args[0], ast.Constant)
     }
     assert written <= {one.name for one in (*LAWS, *RELATIONS)}

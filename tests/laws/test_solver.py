@@ -8,15 +8,15 @@ from helpers import number
 
 from radcalc import point_source
 from radcalc.errors import Contradiction
-from radcalc.laws import etendue, exposure, heat, mesopic, point, surface
+from radcalc.laws import etendue, exposure, heat, mesopic, point, sizes, surface
 from radcalc.laws.solver import Disagreement, Known, rounding, solve
 
 PI = math.pi
 
 LOBE = [*point.LAWS["lobe"], *point.ANY_LAWS, point.INVERSE_SQUARE]
 CONE = [*point.LAWS["cone"], *point.ANY_LAWS, point.INVERSE_SQUARE]
-SURFACE = [*surface.LAWS, surface.FLAT, surface.CIRCLE]
-BEAM = [etendue.FLUX, etendue.PER_AREA, surface.CONFIGURATION_FACTOR, surface.CIRCLE]
+SURFACE = [*surface.LAWS, surface.FLAT, sizes.CIRCLE]
+BEAM = [etendue.FLUX, etendue.PER_AREA, surface.CONFIGURATION_FACTOR, sizes.CIRCLE]
 
 
 def known(**values: float) -> dict[str, Known]:
