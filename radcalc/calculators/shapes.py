@@ -7,13 +7,12 @@ from typing import Any, NamedTuple
 from radcalc.calculators.worksheet import (
     OFFSETS,
     Worksheet,
-    corner_of,
     refuse_slant_for_height,
 )
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import Exclusive, MissingInput, mention, option
+from radcalc.errors import ConditionError, Exclusive, MissingInput, mention, option
 from radcalc.geometry import cones, projected, solid
-from radcalc.given import angle_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, DIAMETER, RECTANGLE
 from radcalc.laws.surface import (
@@ -194,7 +193,7 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     sheet.use("width", "length", *POSITION)
     x, y = offset_of(given), offset_of(given, "offset-y")
     if "corner" in given:
-        x, y = corner_of(sheet.given)
+        x, y = _corner(sheet.given)
         sheet.assume("below a corner of the rectangle")
     if "perpendicular" in given:
         normal = _sideways(sheet, height, x, y)
@@ -211,6 +210,14 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
     sheet.know("size", hypot(width, length))
     return laws
+
+
+def _corner(given: Inputs) -> tuple[Any, Any]:
+    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
+    if {*OFFSETS, "distance"} & set(given):
+        message = mention("{corner}, with {height}, already says where")
+        raise ConditionError(message, "one of them")
+    return given["width"].value / 2, given["length"].value / 2
 
 
 def _sideways(sheet: Worksheet, height: Any, x: Any, y: Any) -> Any:

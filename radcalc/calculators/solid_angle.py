@@ -13,12 +13,12 @@ from radcalc.calculators.worksheet import (
     OFFSETS,
     Page,
     Worksheet,
-    corner_of,
     refuse_slant_for_height,
 )
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
     ConditionError,
+    Exclusive,
     MissingInput,
     NumberError,
     UsageError,
@@ -247,7 +247,9 @@ def _rectangle(sheet: Worksheet) -> Seen:
     height = _above(given).value
     x, y = offset_of(given), offset_of(given, "offset-y")
     if "corner" in given:
-        x, y = corner_of(given)
+        if x or y:
+            raise Exclusive(("corner", "offset"))
+        x, y = width / 2, length / 2
         sheet.assume("seen from above a corner")
     omega = solid.rectangle(width, length, height, x, y)
     flat = projected.rectangle(width, length, height, x, y)

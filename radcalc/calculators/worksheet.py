@@ -257,11 +257,3 @@ def refuse_slant_for_height() -> None:
         mention("{distance} is the straight line to the centre, and off the axis no height"),
         mention("{height} in its place"),
     )
-
-
-def corner_of(given: Inputs) -> tuple[Any, Any]:
-    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
-    if {*OFFSETS, "distance"} & set(given):
-        message = mention("{corner}, with {height}, already says where")
-        raise ConditionError(message, "one of them")
-    return given["width"].value / 2, given["length"].value / 2

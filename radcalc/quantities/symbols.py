@@ -58,7 +58,7 @@ POSITIVE = Limits(0.0, said="more than 0", without_low=True)
 FROM_ZERO = Limits(0.0, said="0 or more")
 PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
 BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
-TURN = Limits(-math.pi, math.pi, "from -180 to 180 deg")
+TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
 EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
 
 # How the value of a symbol is written.
