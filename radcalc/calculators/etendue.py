@@ -117,7 +117,7 @@ def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
     laws = _source(sheet)
     if sum(name in given for name in CONES) > 1:
         one_of(given, "the cone", *CONES)
-    if sheet.has("area", "radius", "diameter", "width"):
+    if sheet.has("area", "radius", "diameter", "width", *CONES):
         sheet.assume(
             "every point of the source sends its light into the same cone about its normal"
         )
