@@ -222,15 +222,20 @@ _ROWS = (
     ),
     # Sizes and places.
     _length("radius", "R", "10cm", "Radius of the source.",
-            convert="Radius of a circular area."),
+            convert="Radius of a circular area.",
+            solid_angle="Radius of a sphere, a disc or a round patch."),
     _length("diameter", "D", "20cm", "Diameter of the source.",
-            convert="Diameter of a circular area."),
+            convert="Diameter of a circular area.",
+            solid_angle="Diameter of a sphere, a disc or a round patch."),
     _length("width", "w", "2m", "Width of the source, along x.",
-            etendue="Width of a rectangular source."),
+            etendue="Width of a rectangular source.",
+            solid_angle="Width of a rectangle, along x."),
     _length("length", "l", "1m", "Length of the source, along y.",
-            etendue="Length of a rectangular source."),
+            etendue="Length of a rectangular source.",
+            solid_angle="Length of a rectangle, along y."),
     _area("area", "A", "1cm2", "Area of the source.",
-          convert=("1m2", "Uniform over that area.")),
+          convert=("1m2", "Uniform over that area."),
+          solid_angle="Area of a small patch."),
     _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
             convert="Straight line from a small source to the receiver.",
             etendue="Straight line from the source to the receiver.",
@@ -243,12 +248,14 @@ _ROWS = (
     _symbol(LENGTH, "offset-y", "y", "20cm", "How far aside of it along y (with {height}).", ANY,
             label="offset along y"),
     _symbol(ANGLE, "tilt", "θ_s", "60deg",
-            "Angle by which the source is turned from the line of sight.", TURN),
+            "Angle by which the source is turned from the line of sight.", TURN,
+            solid_angle="Angle by which a patch is turned from the line of sight."),
     _symbol(ANGLE, "incidence", "θ", "30deg",
             "Angle between the light and the receiver's normal.", TURN,
             convert=("45deg", "Angle between the light and the receiver's normal "
                      "(with {distance}).")),
-    _area("receiver-area", "A_r", "4cm2", "Area of the receiver."),
+    _area("receiver-area", "A_r", "4cm2", "Area of the receiver.",
+          calorimeter="The area that the light falls on."),
     _length("receiver-radius", "R_r", "1m", "Radius of the receiver."),
     _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver."),
     # Cones and lobes.
@@ -308,7 +315,7 @@ _ROWS = (
             Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
     _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", label="f-number"),
     # Surfaces, eyes, meters, bodies.
-    _symbol(NUMBER, "reflectance", "ρ", "0.8", "Of the reflector, 0 to 1.", PART,
+    _symbol(NUMBER, "reflectance", "ρ", "0.8", "Reflectance of the reflector, 0 to 1 or in %.", PART,
             convert="A Lambertian reflector, 0 to 1 or in %."),
     _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle.",
           solid_angle="Seen from above a corner of the rectangle."),
@@ -464,6 +471,14 @@ _NARROWER: dict[str, dict[str, tuple[str, str]]] = {
         "mesopic": ("0.1cd/m2", "The photopic luminance."),
     },
     "illuminance": {"ev": (_EXAMPLES["illuminance"], "Illuminance on the scene.")},
+    "flux": {
+        "etendue": ("100lm", "The flux of the beam."),
+        "calorimeter": ("100W", "The flux on the body."),
+    },
+    "energy": {"calorimeter": ("100J", "The energy that reaches the body (with {time}).")},
+    "irradiance": {
+        "calorimeter": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
+    },
 }
 
 
