@@ -315,7 +315,8 @@ _ROWS = (
             Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
     _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", label="f-number"),
     # Surfaces, eyes, meters, bodies.
-    _symbol(NUMBER, "reflectance", "ρ", "0.8", "Reflectance of the reflector, 0 to 1 or in %.", PART,
+    _symbol(NUMBER, "reflectance", "ρ", "0.8",
+            "Reflectance of the reflector, 0 to 1 or in %.", PART,
             convert="A Lambertian reflector, 0 to 1 or in %."),
     _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle.",
           solid_angle="Seen from above a corner of the rectangle."),
