@@ -57,9 +57,8 @@ def main() -> int:
         count = sum(found.values())
         print(f"{words}: {count} calls in {len(found)} files (aim {aim})")
         if "-v" in sys.argv:
-            print(
-                "".join(f"    {name}: {number}\n" for name, number in found.most_common()), end=""
-            )
+            for name, number in found.most_common():
+                print(f"    {name}: {number}")
         met &= count <= aim
     return 0 if met else 1
 
