@@ -27,6 +27,7 @@ GET = click.Option(
     metavar="NAME[:UNIT]",
     help="The bare number of that result (repeatable; coherent SI without a unit).",
 )
+ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
 Member = str | click.Option  # the name of a symbol, or an option that is none
 
 
@@ -147,7 +148,7 @@ def _options(member: Member, command_name: str, kinds: Sequence[str]) -> list[cl
         return [_option(symbol, example, text)]
     others = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in kinds]
     if others:
-        text = f"{text.rstrip('.')} (also --{', --'.join(others)})."
+        text = f"{text.rstrip('.')}{ALSO}{', --'.join(others)})."
     if len(kinds) == 1:
         example = f"100{light_unit(member, kinds[0])}".replace(" ", ".")
     hidden = []

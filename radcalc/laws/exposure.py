@@ -1,4 +1,15 @@
-"""The light meter: exposure values, and what light they stand for (ISO 2720, ISO 12232)."""
+"""The light meter: exposure values, and what light they stand for.
+
+- exposure of a lens: b = N^2 / t, with the f-number N and the time t [s]
+- exposure value: EV = log2(b / 1 Hz)
+- exposure value at ISO 100: EV100 = EV - log2(S / 100), with the ISO speed S
+- reflected light: L = K 2^EV100 / 100, [cd/m2], with K = 12.5 cd s/m2 unless it is given
+- incident light: E = C 2^EV100 / 100, [lx], with C = 250 lx s unless it is given
+- saturation: L_sat = 1.2 cd/m2 2^EV100, where a sensor of saturation-based speed is full
+
+For a lens focused far away, without a filter.  Marked values are rounded, so that what is given
+twice may differ by `STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed).
+"""
 
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import log2

@@ -1,8 +1,9 @@
 """Laws as data.
 
 A `Law` is a monomial: result = constant * product of symbols to their powers, which any of its
-symbols can be had from.  A `Relation` is what is no monomial: a function for each symbol it can
-be solved for.  All values are in coherent SI units, floats or arrays.
+symbols can be had from.  `law` reads one from its formula.  A `Relation` is what is no monomial: a
+function for each symbol it can be solved for.  All values are in coherent SI units, floats or
+arrays; radians, steradians, cycles and photons are counted as units.
 """
 
 import math
@@ -17,10 +18,30 @@ At = Callable[[str], Any]  # gives the value of a symbol
 
 
 class Law(NamedTuple):
-    """A monomial law: the first of the `names` = `constant` * product of the `powers`.
+    """A monomial law: the first of its symbols is a constant times a product of powers.
 
-    `template` is the formula with {names} in it; `unit` that of the constant, in which Omega0,
-    one photon and one cycle are written out.
+    Attributes
+    ----------
+    name : str
+        What it is called in a derivation.
+    template : str
+        The formula, with the names of symbols in braces.
+    names : tuple of str
+        Its symbols, that on the left first.
+    powers : tuple of (str, float)
+        The symbols on the right, with their powers.
+    constant : float [unit]
+        What the product is multiplied by.
+    unit : str
+        That of the constant, in which Omega0, one photon and one cycle are written out.
+    reference : str
+        Where the law is from.
+
+    Examples
+    --------
+    >>> isotropic = law("isotropic source", "{flux} = 4 pi Omega0 {intensity}")
+    >>> isotropic.names, round(isotropic.constant, 4), isotropic.unit
+    (('flux', 'intensity'), 12.5664, 'sr')
     """
 
     name: str
@@ -47,7 +68,31 @@ class Law(NamedTuple):
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:
-        """The target, from a function that gives every other symbol's value."""
+        """Solve the law for one of its symbols.
+
+        Parameters
+        ----------
+        target : str
+            The symbol that is wanted.
+        at : callable
+            Gives the value of every other symbol by its name [SI].
+
+        Returns
+        -------
+        float or ndarray [SI]
+            The target; of several roots the positive one.
+
+        Raises
+        ------
+        ConditionError
+            If what it would be divided by is 0: no light arrives.
+
+        Examples
+        --------
+        >>> square = law("inverse square law", "{irradiance} = {intensity} Omega0 / {distance}^2")
+        >>> square.solve("distance", {"irradiance": 25.0, "intensity": 100.0}.get)
+        2.0
+        """
         product, power = self.constant, 1.0
         for name, exponent in self.powers:
             if name == target:
@@ -71,11 +116,34 @@ class Law(NamedTuple):
 def law(
     name: str, template: str, reference: str = "", constant: float = 1.0, unit: str = "1"
 ) -> Law:
-    """A monomial law, read from its formula: `{flux} = 4 pi Omega0 {intensity}`.
+    """Read a monomial law from its formula.
 
-    Factors stand beside each other, with a power behind ^; a solidus goes with the factor or the
-    bracket behind it.  Numbers, pi and Omega0 (1 sr) are read; `constant` and its `unit` are what
-    the other letters of the formula stand for.
+    Parameters
+    ----------
+    name : str
+        What it is called in a derivation.
+    template : str
+        The formula.  Factors stand beside each other, with a power behind ^; a solidus goes with
+        the factor or the bracket behind it.  Numbers, pi and Omega0 (1 sr) are read.
+    reference : str
+        Where the law is from.
+    constant : float [unit]
+        What the other letters of the formula stand for, such as c.
+    unit : str
+        The unit of `constant`.
+
+    Returns
+    -------
+    Law
+        With the powers and the constant of the formula.
+
+    Examples
+    --------
+    >>> law("etendue of a cone", "{etendue} = pi {area} / (4 {f-number}^2) Omega0").powers
+    (('area', 1.0), ('f-number', -2.0))
+    >>> frequency = law("frequency", "{frequency} = c / {wavelength}", "", 299792458.0, "m cycle/s")
+    >>> round(frequency.solve("frequency", {"wavelength": 555e-9}.get) / 1e12, 3)
+    540.167
     """
     result, _, right = template.partition(" = ")
     powers: list[tuple[str, float]] = []
@@ -98,7 +166,28 @@ def law(
 
 
 class Relation(NamedTuple):
-    """A law that is no monomial: a function of the other values for each target."""
+    """A law that is no monomial: a function of the other values for each target.
+
+    Attributes
+    ----------
+    name : str
+        What it is called in a derivation.
+    template : str
+        The formula, with the names of symbols in braces.
+    names : tuple of str
+        Its symbols, that on the left first.
+    solvers : dict of str to callable
+        For each symbol it can be solved for, a function that takes `at` (which gives the value of
+        every other symbol by its name) and gives that symbol's value [SI].
+    reference : str
+        Where the law is from.
+
+    Examples
+    --------
+    >>> from radcalc.laws.cones import CONE
+    >>> CONE.targets
+    ('solid-angle', 'half-angle')
+    """
 
     name: str
     template: str
@@ -117,7 +206,26 @@ class Relation(NamedTuple):
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:
-        """The target, from a function that gives every other symbol's value."""
+        """Solve the relation for one of its targets.
+
+        Parameters
+        ----------
+        target : str
+            The symbol that is wanted, one of `targets`.
+        at : callable
+            Gives the value of every other symbol by its name [SI].
+
+        Returns
+        -------
+        float or ndarray [SI]
+            The target.
+
+        Examples
+        --------
+        >>> from radcalc.laws.cones import CONE
+        >>> round(CONE.solve("half-angle", {"solid-angle": 1.0}.get), 6)
+        0.571954
+        """
         return self.solvers[target](at)
 
 

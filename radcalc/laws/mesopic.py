@@ -1,4 +1,14 @@
-"""Mesopic luminance: the recommended system of CIE 191:2010 (MES2)."""
+"""Mesopic luminance, between night and day: the recommended system of CIE 191:2010 (MES2).
+
+- `MESOPIC`: L_mes = (m L + (1 - m) S/P L V0) / (m + (1 - m) V0), with V0 = 683/1699, the scotopic
+  efficiency at 555 nm
+- `ADAPTATION`: m = 0.7670 + 0.3334 log10(L_mes m2/cd), from 0 to 1: 0 up to 0.005 cd/m2 (scotopic
+  vision), 1 from 5 cd/m2 on (photopic vision)
+- `SCOTOPIC`: L' = S/P L, with the ratio S/P of scotopic to photopic of the light
+
+Luminances [cd/m2], of the field that the eye is adapted to; the rest [1].  `MESOPIC` is solved for
+L_mes by halving, since m follows from L_mes too; for L and S/P directly.
+"""
 
 import math
 from typing import Any
@@ -13,13 +23,67 @@ SOURCE = "CIE 191:2010"
 
 
 def mixture(luminance: float, scotopic: float, m: float) -> float:
-    """Mesopic luminance [cd/m2] for an adaptation coefficient m from 0 to 1."""
+    """Mesopic luminance of an eye of known adaptation.
+
+    Parameters
+    ----------
+    luminance, scotopic : float [cd/m2]
+        The photopic and the scotopic luminance.
+    m : float [1]
+        The adaptation coefficient, from 0 (night) to 1 (day).
+
+    Returns
+    -------
+    float [cd/m2]
+        Between the two luminances.
+
+    Notes
+    -----
+    ::
+
+        L_mes = (m L + (1 - m) V0 L') / (m + (1 - m) V0),  V0 = 683/1699
+
+    References
+    ----------
+    CIE 191:2010.
+
+    Examples
+    --------
+    >>> mixture(0.1, 0.2, 1.0), mixture(0.1, 0.2, 0.0)
+    (0.1, 0.2)
+    """
     night = (1 - m) * SCOTOPIC_AT_555
     return (m * luminance + night * scotopic) / (m + night)
 
 
 def adaptation(mesopic: float) -> float:
-    """The adaptation coefficient that a mesopic luminance [cd/m2] goes with."""
+    """Adaptation coefficient that a mesopic luminance goes with.
+
+    Parameters
+    ----------
+    mesopic : float [cd/m2]
+        More than 0.
+
+    Returns
+    -------
+    float [1]
+        From 0, up to 0.005 cd/m2, to 1, from 5 cd/m2 on.
+
+    Notes
+    -----
+    ::
+
+        m = 0.7670 + 0.3334 log10(L_mes m2/cd)
+
+    References
+    ----------
+    CIE 191:2010.
+
+    Examples
+    --------
+    >>> adaptation(0.001), round(adaptation(0.1), 4), adaptation(10.0)
+    (0.0, 0.4336, 1.0)
+    """
     if mesopic >= PHOTOPIC_FROM:
         return 1.0
     if mesopic <= SCOTOPIC_TO:
@@ -28,10 +92,34 @@ def adaptation(mesopic: float) -> float:
 
 
 def solve(luminance: float, ratio: float) -> tuple[float, float]:
-    """Mesopic luminance [cd/m2] and m, where each follows from the other.
+    """Mesopic luminance and adaptation coefficient, where each follows from the other.
 
+    Parameters
+    ----------
+    luminance : float [cd/m2]
+        The photopic luminance, more than 0.
+    ratio : float [1]
+        The ratio of scotopic to photopic of the light.
+
+    Returns
+    -------
+    tuple of float [cd/m2], [1]
+        The mesopic luminance, and m from 0 to 1.
+
+    Notes
+    -----
     The excess of m over the adaptation that it leads to changes sign once between 0 and 1, so
     it is halved in until the two agree to the last digit.
+
+    References
+    ----------
+    CIE 191:2010.
+
+    Examples
+    --------
+    >>> mesopic, m = solve(0.1, 2.0)
+    >>> round(mesopic, 5), round(m, 5)
+    (0.13096, 0.47266)
     """
     scotopic = ratio * luminance
 

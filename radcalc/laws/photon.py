@@ -1,4 +1,12 @@
-"""A photon in vacuum: frequency, wavenumber and energy from the wavelength."""
+"""A photon in vacuum: frequency, wavenumber and energy from the wavelength lambda [m].
+
+- `FREQUENCY`: nu = c / lambda [cycle/s]
+- `WAVENUMBER`: sigma = 1 / lambda [cycle/m]
+- `ENERGY`: Q = h c / lambda [J/photon]
+
+The cycle and the photon are dimensions here, so that a joule per photon is no joule.  Source: SI
+Brochure, where h and c are exact.
+"""
 
 from radcalc.laws.law import AnyLaw, law
 from radcalc.spectra.planck import LIGHT, PLANCK

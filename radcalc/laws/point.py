@@ -1,7 +1,38 @@
 """How a small source spreads its light: the laws of each distribution, and those of all.
 
 The light goes evenly into all directions, or into a cone, or falls off from its axis as a power
-of the cosine (a lobe).
+of the cosine (a lobe).  I is the intensity on the axis.
+
+Isotropic (`LAWS[ISOTROPIC]`):
+
+- isotropic source: Phi = 4 pi Omega0 I
+- part of an isotropic source: k = sin^2(beta/2), within the half angle beta
+
+Cone (`LAWS[CONICAL]`), uniform within its half angle alpha and dark outside:
+
+- uniform cone: Phi = I Omega; `CONE` and `APEX` of `radcalc.laws.cones`
+- part of a cone: k = sin^2(beta/2) / sin^2(alpha/2), at most 1
+- `INSIDE`: f = 1 where gamma is within alpha, else 0
+
+Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees from the axis:
+
+- flux of a lobe: Phi = I Omega
+- `LOBE`: Omega = 2 pi Omega0 / (n + 1)
+- `BEAM_ANGLE`: n = ln(1/2) / ln cos(FWHM/2)
+- field angle of a lobe: n = ln(1/10) / ln cos(FWTM/2)
+- part of a lobe: k = 1 - cos(beta)^(n + 1); in its beam: k_b = 1 - cos(FWHM/2)^(n + 1)
+- flux in the beam: Phi_b = Phi k_b
+- `FALL`: f = cos(gamma)^n
+
+All (`ANY_LAWS`), for a source that is small beside its distance d (five times its size and more):
+
+- `INVERSE_SQUARE`: E = I cos(theta) Omega0 / d^2; `OFF_AXIS`: E = I f cos(theta) Omega0 / d^2,
+  where f is what is left of I at the angle gamma off the axis
+- cosine of the incidence: 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
+- flux within: Phi_w = Phi k; flux on a receiver: Phi_r = E A_r; `ENERGY` and `EXPOSURE`
+
+Lengths [m], angles [rad]; light in coherent SI of one kind.  Source: ISO 80000-7 (intensity,
+irradiance) for the first laws, the rest are integrals of the distributions.
 """
 
 import math

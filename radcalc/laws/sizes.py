@@ -1,4 +1,9 @@
-"""Sizes of flat sources and receivers."""
+"""Sizes of flat sources and receivers: lengths [m] and areas [m2].
+
+- `RECTANGLE`: A = w l
+- `CIRCLE`: A = pi R^2
+- `DIAMETER`: D = 2 R
+"""
 
 from radcalc.laws.law import law
 

@@ -1,4 +1,15 @@
-"""Solid angles of shapes: spheres, discs, pyramids, small patches, solved both ways."""
+"""Solid angles of spheres, discs, pyramids and small patches, solved both ways.
+
+- `SPHERE`: sin(alpha) = R / d, the half angle that a sphere fills from outside, d > R
+- `disc`: Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0, from a place on its axis
+- `PYRAMID`: Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0, of the full angles a and b from face to
+  face, through the axis
+- `PATCH`: Omega = A cos(theta_s) / d^2 Omega0, of a flat surface that is small beside its distance
+  (five times its size and more)
+
+Lengths [m], angles [rad], solid angles [sr].  Source: elementary geometry; for the
+disc F. Paxton, Rev. Sci. Instrum. 30 (1959) 254.
+"""
 
 from radcalc.geometry import cones, solid
 from radcalc.laws.law import Relation, law, relation
@@ -16,7 +27,42 @@ SPHERE = relation(
 
 
 def disc(away: str) -> Relation:
-    """A disc from a place on its axis, which is so far away: its height, or its distance."""
+    """Solid angle of a disc from a place on its axis, solved for any of its symbols.
+
+    Parameters
+    ----------
+    away : {"height", "distance"}
+        The symbol of the length [m] between that place and the disc.
+
+    Returns
+    -------
+    Relation
+        Between the solid angle [sr], less than 2 pi, the radius [m] and `away` [m].
+
+    Raises
+    ------
+    ConditionError
+        When the relation is solved, if the observer is in the disc's plane, or the solid angle is
+        2 pi sr or more.
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0
+
+    References
+    ----------
+    F. Paxton, Rev. Sci. Instrum. 30 (1959) 254.
+
+    Examples
+    --------
+    >>> law = disc("height")
+    >>> round(law.solve("solid-angle", {"radius": 1.0, "height": 1.0}.get), 6)
+    1.840302
+    >>> round(law.solve("radius", {"height": 1.0, "solid-angle": 1.840302}.get), 6)
+    1.0
+    """
     return relation(
         "disc on its axis",
         f"{{solid-angle}} = 2 pi (1 - {{{away}}} / sqrt({{{away}}}^2 + {{radius}}^2)) Omega0",

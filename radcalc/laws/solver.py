@@ -1,4 +1,12 @@
-"""Solving laws for whatever is missing, and checking them against what is given twice."""
+"""Solving laws for whatever is missing, and checking them against what is given twice.
+
+- `solve`: everything that follows from what is given, law by law
+- `reached`: which symbols would follow, whatever their values
+- `rounding`: how far a number may be off as typed, which is what a check allows
+- `Derivation`: the steps of an answer
+
+Values are in coherent SI units, floats or arrays.
+"""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -16,7 +24,22 @@ FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
 
 
 class Known(NamedTuple):
-    """A value, how far it may be off as typed (relative), and its text where it was given."""
+    """A value, how far it may be off as typed, and its text where it was given.
+
+    Attributes
+    ----------
+    value : float or ndarray [SI]
+        The value.
+    rounding : float [1]
+        How far it may be off, relative to it.
+    text : str
+        What was typed; empty where the value follows.
+
+    Examples
+    --------
+    >>> Known(2.0, rounding("2m"), "2m").rounding
+    0.0025
+    """
 
     value: Any
     rounding: float = 0.0
@@ -27,14 +50,49 @@ Values = dict[str, Known]
 
 
 class Solution(NamedTuple):
-    """Every value that follows, and how: the law and the symbol it was solved for."""
+    """Every value that follows, and how.
+
+    Attributes
+    ----------
+    values : dict of str to Known
+        What was given and what follows, by the names of symbols.
+    used : list of (law, str)
+        The laws that gave something, in that order, and the symbol each was solved for.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import CIRCLE
+    >>> [(law.name, target) for law, target in solve([CIRCLE], {"area": Known(1.0)}).used]
+    [('area of a circle', 'radius')]
+    """
 
     values: Values
     used: list[tuple[AnyLaw, str]]
 
 
 class Disagreement(ConditionError):
-    """Two values of one symbol, by a law; whoever knows what was given says it with units."""
+    """Two values of one symbol, by a law; whoever knows what was given says it with units.
+
+    Parameters
+    ----------
+    law : Law or Relation
+        The law that is broken.
+    name : str
+        The symbol.
+    given, found : float or ndarray [SI]
+        Its value, and that which the law gives.
+
+    Attributes
+    ----------
+    law, name, given, found
+        As the parameters.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import DIAMETER
+    >>> Disagreement(DIAMETER, "diameter", 3.0, 2.0).message
+    "diameter contradicts the others by the law 'diameter'"
+    """
 
     def __init__(self, law: AnyLaw, name: str, given: Any, found: Any) -> None:
         super().__init__(f"{name} contradicts the others by the law '{law.name}'", "fewer of them")
@@ -44,7 +102,21 @@ class Disagreement(ConditionError):
 def rounding(text: str) -> float:
     """How far a number may be off as typed: half a unit of its last digit, relative to it.
 
-    A short number counts as three digits: 2m is meant as 2.00 m.
+    Parameters
+    ----------
+    text : str
+        A number, with or without a unit behind it.
+
+    Returns
+    -------
+    float [1]
+        A short number counts as three digits: 2m is meant as 2.00 m.  A fraction, a multiple of
+        pi and 0 are exact, but for the rounding of the arithmetic.
+
+    Examples
+    --------
+    >>> rounding("2m"), rounding("125lm"), rounding("1/3")
+    (0.0025, 0.004, 1e-09)
     """
     number = text[: read_number(text)[1]]
     digits = ""
@@ -61,11 +133,40 @@ def rounding(text: str) -> float:
 
 
 def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None) -> Solution:
-    """Everything that follows from what is given; what is given twice is checked.
+    """Work out everything that follows from what is given, and check what is given twice.
 
+    Parameters
+    ----------
+    laws : sequence of Law or Relation
+        What holds.
+    given : dict of str to Known
+        Values by the names of symbols [SI].
+    steps : dict of str to float, optional
+        By how much the marked values of logarithmic symbols differ from exact ones.
+
+    Returns
+    -------
+    Solution
+        The values, and the laws that gave them.
+
+    Raises
+    ------
+    Disagreement
+        If two values of one symbol differ by more than their digits leave open.
+    NumberError
+        If a value cannot be held by a float.
+
+    Notes
+    -----
     Each law that lacks one symbol gives it, until no law lacks just one.  A law that lacks none,
-    and gave none, is checked to the precision typed.  `steps` are those by which the marked
-    values of logarithmic symbols differ from exact ones.
+    and gave none, is checked to the precision typed.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import CIRCLE, DIAMETER
+    >>> found = solve([CIRCLE, DIAMETER], {"diameter": Known(2.0)})
+    >>> found.values["radius"].value, round(found.values["area"].value, 6)
+    (1.0, 3.141593)
     """
     values, used = dict(given), []
     waiting = list(laws)
@@ -129,7 +230,26 @@ def _check(law: AnyLaw, values: Values, given: Values, steps: dict[str, float]) 
 
 
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
-    """The symbols that follow from those that are known, whatever their values."""
+    """Find the symbols that follow from those that are known, whatever their values.
+
+    Parameters
+    ----------
+    laws : sequence of Law or Relation
+        What holds.
+    known : set of str
+        The symbols that are known.
+
+    Returns
+    -------
+    set of str
+        Those and what follows.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import CIRCLE, DIAMETER
+    >>> sorted(reached([CIRCLE, DIAMETER], {"area"}))
+    ['area', 'diameter', 'radius']
+    """
     known, before = set(known), -1
     while before != len(known):
         before = len(known)
@@ -143,8 +263,23 @@ def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
 class Derivation(Sequence[Step]):
     """The steps of an answer, worked out when somebody looks at them.
 
-    Each law that was used in symbols, then in numbers; light quantities are of a kind.  `before`
-    and `after` are steps of what was worked out elsewhere.
+    Each law that was used, in symbols, then in numbers.
+
+    Parameters
+    ----------
+    solution : Solution
+        What follows, and by which laws.
+    kind : str
+        The kind of the light quantities: e, v or p.
+    before, after : sequence of Step
+        Steps of what was worked out elsewhere.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import DIAMETER
+    >>> steps = Derivation(solve([DIAMETER], {"radius": Known(2.0)}))
+    >>> len(steps), steps[0].numbers
+    (1, 'D = 2 (2 m) = 4 m')
     """
 
     def __init__(

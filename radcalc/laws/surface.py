@@ -1,4 +1,29 @@
-"""A surface of one radiance in all directions: what leaves it, and what a receiver gets."""
+"""A surface of one radiance in all directions: what leaves it, and what a receiver gets.
+
+What leaves it (`LAWS`):
+
+- Lambertian exitance: M = pi Omega0 L (ISO 80000-7, radiance and exitance)
+- Lambertian reflector: M = rho E_i, with the reflectance rho up to 1 (ISO 80000-7, reflectance)
+- flux of a surface: Phi = M A; intensity of a surface: I = L A_p, of the apparent area
+- `FLAT`: A_p = A; of a sphere `SPHERE_AREA`: A = 4 pi R^2 and `SPHERE_FRONT`: A_p = pi R^2
+
+What a receiver gets, exactly at any distance:
+
+- irradiance of a uniform radiance: E = L Omega_p (ISO 80000-7, radiance and irradiance)
+- `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
+- `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
+- `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
+- `SPHERE_FLUX`: Phi = 4 pi d^2 E
+- `EXPOSURE` and `ENERGY` of `radcalc.laws.energy`
+
+And from far away, five times the size and more:
+
+- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2
+- inverse square law, as an estimate: E_ff = I cos(theta_s) cos(theta) Omega0 / d^2
+
+Lengths [m], areas [m2], solid angles [sr]; light in coherent SI of one kind.  Howell is J. R.
+Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
+"""
 
 import math
 from typing import Any
@@ -62,7 +87,44 @@ def _over(whole: float, at: At) -> Any:
 
 
 def disc_on_axis(away: str) -> Relation:
-    """A disc from a place on its axis, which is so far away: its distance, or its height."""
+    """Projected solid angle of a uniform disc from a place on its axis, exact at any distance.
+
+    Parameters
+    ----------
+    away : {"distance", "height"}
+        The symbol of the length [m] between that place and the disc.
+
+    Returns
+    -------
+    Relation
+        Between the projected solid angle [sr], the radius [m] and `away` [m].
+
+    Raises
+    ------
+    ConditionError
+        When the relation is solved for a length, if the projected solid angle is pi sr or more;
+        for the projected solid angle, if the receiver is in the disc's plane.
+
+    Notes
+    -----
+    ::
+
+        Omega_p = pi Omega0 R^2 / (R^2 + h^2)
+
+    References
+    ----------
+    J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors.
+
+    Examples
+    --------
+    At a height of the radius the disc fills a half of pi sr, and back:
+
+    >>> disc = disc_on_axis("height")
+    >>> round(disc.solve("projected-solid-angle", {"radius": 1.0, "height": 1.0}.get), 6)
+    1.570796
+    >>> round(disc.solve("height", {"radius": 1.0, "projected-solid-angle": 1.570796}.get), 6)
+    1.0
+    """
     return relation(
         "disc on its axis",
         f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{away}}}^2)",

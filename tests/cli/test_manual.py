@@ -9,10 +9,11 @@ import click
 import pytest
 from conftest import ROOT
 
-from radcalc.cli import commands
+from radcalc.cli import commands, manual
 
 PAGE = ROOT / "man" / "radcalc.1"
 SHARED = "Options of every command"
+OF_CALCULATORS = "Options of every calculator"
 
 
 def mandoc(*words: str) -> subprocess.CompletedProcess[str]:
@@ -85,12 +86,41 @@ def test_the_manual_describes_every_option_of_every_command_and_no_other(called,
         found = described(page, "COMMANDS")
     else:
         found = described(page, called) | described(page, SHARED)
+        if "--get" in spellings(CONTEXTS[called]):
+            found |= described(page, OF_CALCULATORS)
     assert found == spellings(CONTEXTS[called])
 
 
 def test_every_option_named_in_the_manual_exists(page):
     named = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", page))
     assert named - set().union(*map(spellings, CONTEXTS.values())) == set()
+
+
+def test_the_lists_of_options_are_those_of_the_commands():
+    source = PAGE.read_text(encoding="utf-8")
+    assert source == manual.rewritten(source)  # python -m radcalc.cli.manual man/radcalc.1
+
+
+def test_every_command_with_options_of_its_own_has_a_block_of_them():
+    marked = [found[2] for found in manual.BLOCK.finditer(PAGE.read_text(encoding="utf-8"))]
+    names = [called.removeprefix("radcalc ") for called in CONTEXTS]
+    own = [name for name in names if manual.sections_of(name)]
+    assert sorted(marked) == sorted([*own, "every command", "every calculator"])
+
+
+def test_the_lists_of_a_command_have_the_titles_of_its_help(page):
+    section = re.search(r"^ *radcalc point-source\n(.*?)^ {0,3}\S", page, re.M | re.S)
+    assert section
+    titles = re.findall(r"^ {5}([A-Z][\w ]+):$", section[1], re.M)
+    assert titles == ["Light", "Its directions", "The receiver", "Kinds of light"]
+
+
+def test_the_parts_of_an_argument_are_told_apart():
+    item = manual.BLOCK.search('.\\" options of every calculator\n.\\" end of options\n')
+    assert item
+    written = manual.rewritten(item[0])
+    assert ".It Fl g , Fl -get Ar NAME Ns Oo : Ns Ar UNIT Oc\n" in written
+    assert ".It Fl -check Oo Ar NAME Ns = Oc Ns Ar VALUE Ns Oo Ar UNIT Oc\n" in written
 
 
 def test_the_manual_is_clean_mdoc():

@@ -1,0 +1,11 @@
+"""An answer takes few calls; counting tells, where a clock tells how busy the machine is."""
+
+import pytest
+from bench.calls import CASES, calls
+
+
+@pytest.mark.parametrize(("words", "most"), CASES)
+def test_an_answer_takes_few_calls(words, most):
+    found = calls(words)
+    assert 20 < sum(found.values()) <= most, found.most_common()
+    assert "units/grammar.py" in found
