@@ -232,7 +232,32 @@ class Relation(NamedTuple):
 def relation(
     name: str, template: str, solvers: dict[str, Callable[[At], Any]], reference: str = ""
 ) -> Relation:
-    """A relation between the symbols of its formula, with a solver for some or all of them."""
+    """Link the symbols of a formula that is no monomial.
+
+    Parameters
+    ----------
+    name : str
+        What it is called in a derivation.
+    template : str
+        The formula, whose {names} are the symbols that it links.
+    solvers : dict of str to callable
+        For each symbol that it can be solved for, a function of the others: it is given a function
+        that gives the value [coherent SI] of a symbol by its name.
+    reference : str
+        Where the relation is from.
+
+    Returns
+    -------
+    Relation
+        With the symbols of the formula.
+
+    Examples
+    --------
+    >>> solvers = {"diameter": lambda at: 2 * at("radius")}
+    >>> double = relation("diameter", "{diameter} = 2 {radius}", solvers)
+    >>> double.names, double.solve("diameter", {"radius": 3.0}.get)
+    (('diameter', 'radius'), 6.0)
+    """
     names = [part.partition("}")[0] for part in template.split("{")[1:]]
     return Relation(name, template, tuple(dict.fromkeys(names)), solvers, reference)
 

@@ -5,9 +5,14 @@ from collections.abc import Sequence
 from typing import Any
 
 
-def _colour() -> Any:
-    """colour-science, whose warnings of packages it can do without are nobody's business."""
-    with warnings.catch_warnings():
+def load_colour() -> Any:
+    """colour-science, without its warnings of packages that are missing.
+
+    Importing it changes how NumPy prints arrays in the whole process: that is undone.
+    """
+    import numpy
+
+    with warnings.catch_warnings(), numpy.printoptions():
         warnings.simplefilter("ignore")
         import colour
     return colour
@@ -15,7 +20,7 @@ def _colour() -> Any:
 
 def temperature_and_distance(x: float, y: float) -> tuple[float, float]:
     """Correlated colour temperature [K] and Duv of a chromaticity (Ohno 2013)."""
-    colour = _colour()
+    colour = load_colour()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         uv = colour.UCS_to_uv(colour.XYZ_to_UCS(colour.xy_to_XYZ([x, y])))
@@ -25,7 +30,7 @@ def temperature_and_distance(x: float, y: float) -> tuple[float, float]:
 
 def colour_rendering_index(wavelengths: Sequence[float], values: Sequence[float]) -> float:
     """The general colour rendering index Ra (CIE 1995) of a spectrum."""
-    colour = _colour()
+    colour = load_colour()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         table = colour.SpectralDistribution(dict(zip(wavelengths, values, strict=True)))

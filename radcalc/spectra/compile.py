@@ -6,11 +6,12 @@ colour-science, and `data/suns.py` from the ASTM G173-03 table that pvlib ships.
 
 import csv
 import math
-import warnings
 from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+from radcalc.spectra.colorimetry import load_colour
 
 HERE = Path(__file__).parent / "data"
 HEAD = '"""Printed by `python -m radcalc.spectra.compile` from {}; do not edit."""\n'
@@ -26,14 +27,6 @@ DAYLIGHT = ("D50", "D55", "D60", "D65", "D75")
 Table = tuple[float, float, tuple[float, ...]]
 
 
-def colorimetry() -> Any:
-    """colour-science, without its warnings of packages that it can do without."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        import colour.colorimetry
-    return colour.colorimetry
-
-
 def digits(values: Iterable[float]) -> tuple[float, ...]:
     """12 digits: the tables have at most 8, the rest is the noise of a division."""
     return tuple(float(f"{v:.12g}") for v in values)
@@ -41,7 +34,7 @@ def digits(values: Iterable[float]) -> tuple[float, ...]:
 
 def observer(group: str, name: str) -> tuple[int, tuple[float, ...]]:
     """The first wavelength [nm] of an observer's table at 1 nm, and its values."""
-    table: Any = getattr(colorimetry(), group)[name]
+    table: Any = getattr(load_colour().colorimetry, group)[name]
     if table.shape.interval != 1:
         raise ValueError(f"{name} is not at 1 nm")
     return int(table.shape.start), digits(table.values)
@@ -60,7 +53,7 @@ def sources() -> dict[str, Table]:
     A is taken from its formula and the D series is carried on from its components, 300 to
     830 nm both: colour-science's tables of them stop at 780 nm.
     """
-    c = colorimetry()
+    c = load_colour().colorimetry
     found: dict[str, Table] = {}
     for name, table in [*c.SDS_ILLUMINANTS.items(), *c.SDS_LIGHT_SOURCES.items()]:
         shape = table.shape
@@ -76,7 +69,7 @@ def sources() -> dict[str, Table]:
 
 def components() -> dict[str, tuple[float, ...]]:
     """The mean and the two characteristic vectors of daylight, 300 to 830 nm at 5 nm."""
-    basis = colorimetry().SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES
+    basis = load_colour().colorimetry.SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES
     return {name: digits(basis[name].values) for name in ("S0", "S1", "S2")}
 
 
@@ -129,7 +122,7 @@ def compile_sources() -> str:
         )
     parts.append("}\n\n# The components of CIE daylight, 300 nm to 830 nm at 5 nm\n")
     parts += [f"{name} = (\n{lines(values, 4)})\n" for name, values in components().items()]
-    colours = colorimetry().MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+    colours = load_colour().colorimetry.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
     for name, values in zip("XYZ", colours.values.T, strict=True):
         parts.append(
             "# CIE 1931 colour-matching function, 360 nm to 830 nm at 1 nm\n"
