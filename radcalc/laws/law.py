@@ -232,7 +232,30 @@ class Relation(NamedTuple):
 def relation(
     name: str, template: str, solvers: dict[str, Callable[[At], Any]], reference: str = ""
 ) -> Relation:
-    """A relation between the symbols of its formula, with a solver for some or all of them."""
+    """Make a relation between the symbols of its formula.
+
+    Parameters
+    ----------
+    name : str
+        What it is called in a derivation.
+    template : str
+        The formula, with {names} of symbols in it.
+    solvers : dict of str to callable
+        For some or all of the symbols, what gives it from a function that gives the others [SI].
+    reference : str
+        Where the relation is from.
+
+    Returns
+    -------
+    Relation
+        Between the symbols of the formula, in their order.
+
+    Examples
+    --------
+    >>> diameter = relation("a circle", "{diameter} = 2 {radius}", {"radius": lambda at: 0.5})
+    >>> diameter.names, diameter.targets
+    (('diameter', 'radius'), ('radius',))
+    """
     names = [part.partition("}")[0] for part in template.split("{")[1:]]
     return Relation(name, template, tuple(dict.fromkeys(names)), solvers, reference)
 
