@@ -131,7 +131,7 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
 
     Returns
     -------
-    radcalc.result.Result
+    radcalc.answer.Result
         With `rows`, `assumptions`, `notes` and `steps`.
 
     Raises

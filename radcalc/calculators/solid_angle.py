@@ -91,7 +91,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     sheet = Worksheet(Page(named, takes, others=extra), given, with_light=False)
     seen = _polygon(sheet, points) if shape == "polygon" else SHAPES[shape].see(sheet)
     sheet.solve(seen.laws)
-    if not sheet.has("solid-angle"):
+    if not (sheet.has("solid-angle") and sheet.has("projected-solid-angle")):
         raise _unsolved(sheet)
     omega, flat = sheet.at("solid-angle"), sheet.at("projected-solid-angle")
     if not sheet.notes and min(omega, flat) < LEAST:
@@ -114,9 +114,9 @@ def _result(given: Inputs, name: str, size: Any) -> Value:
 
 def _unsolved(sheet: Worksheet) -> UsageError:
     """What is missing of a shape."""
-    missing = [name for name in sheet.page.takes if name != "diameter"]
+    shown = [name for name in sheet.page.takes if name not in ("diameter", "offset", "tilt")]
     message = f"something is missing: {sheet.page.title} takes two"
-    return MissingInput(message, options(missing, ", "))
+    return MissingInput(message, options(shown, ", "))
 
 
 def _enter(sheet: Worksheet, omega: Any, flat: Any, *steps: Step) -> None:
@@ -195,9 +195,10 @@ def _sphere(sheet: Worksheet) -> Seen:
     from radcalc.laws.solid_angles import SPHERE
 
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
-    if len(sizes) > 2:
-        needed = ("radius", "distance", "solid-angle")
-        raise MissingInput("too much is given: a sphere takes two", options(needed, ", "))
+    if len(sizes) != 2:
+        problem = "too much is given" if len(sizes) > 2 else "something is missing"
+        needed = mention("{radius}, {distance}, {solid-angle}")
+        raise MissingInput(f"{problem}: a sphere takes two", needed)
     laws: list[AnyLaw] = [DIAMETER, SPHERE] if "diameter" in sheet.given else [SPHERE]
     return Seen([*laws, CONE, PROJECTED_CONE], "a plane whose normal points to the sphere's centre")
 
@@ -217,8 +218,12 @@ def _disc(sheet: Worksheet) -> Seen:
     given = sheet.given
     laws: list[AnyLaw] = [DIAMETER] if "diameter" in given else []
     offset = offset_of(given)
-    if not offset and "solid-angle" in given:
+    if "solid-angle" in given:
         away = "height" if "height" in given else "distance"
+        if offset:
+            raise Exclusive(("solid-angle", "offset"), "do not go together: it is for the axis")
+        if not {*ROUND, "height", "distance"} & set(given):
+            raise _unsolved(sheet)
         sheet.use("offset")
         return Seen([*laws, disc(away), CONE, PROJECTED_CONE], FACING)
     size = radius_of(one_of(given, "the size of the source", *ROUND))

@@ -1,7 +1,7 @@
 """Converting: a plan from one unit to another, and applying it to a number or an array.
 
 A plan between two units of one quantity is a ratio of whole numbers, and needs nothing but the
-table; what stands between different quantities is in `link.py`, loaded only when it is needed.
+table; what stands between different quantities is in `bridges.py`, loaded only when it is needed.
 """
 
 from radcalc.errors import ConversionError, quote
