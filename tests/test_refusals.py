@@ -288,6 +288,12 @@ COMMANDS = {
         "solid-angle polygon 0,0,1 1,0,1 1,1,1.1 0,1,1", "not flat"),
     "a vertex that is given twice is refused": (
         "solid-angle polygon 0,0,1 1,0,1 1,0,1 0,1,1", "twice"),
+    "a solid angle alone is no pyramid": ("solid-angle pyramid --solid-angle 1sr", "takes two"),
+    "a solid angle alone is no disc": ("solid-angle disc --solid-angle 1sr", "takes two"),
+    "a solid angle alone is no sphere": ("solid-angle sphere --solid-angle 1sr", "takes two"),
+    "a solid angle alone is no patch": ("solid-angle patch --solid-angle 1msr", "takes two"),
+    "a disc is solved on its axis alone": (
+        "solid-angle disc --radius 1m --height 1m --offset 1m --solid-angle 1sr", "axis"),
     "two vertices make no polygon": ("solid-angle polygon 0,0,1 1,0,1", "vertices"),
     "a vertex of two coordinates is refused": (
         "solid-angle polygon 0,0 1,0,1 0,1,1", "2 coordinates"),
