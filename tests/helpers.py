@@ -16,6 +16,7 @@ from conftest import entry_point
 import radcalc
 from radcalc import lambertian
 from radcalc.cli.spelling import Shell
+from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
 from radcalc.laws.law import AnyLaw
 
@@ -54,7 +55,8 @@ OTHER = {
 def unit_of(name: str, kind: str) -> Any:
     if name in LIGHT:
         return Q(1, LIGHT[name].format(*KINDS[kind]))
-    return Q(1, OTHER[name])
+    # The few symbols that one calculator's page alone has are in the vocabulary's unit.
+    return Q(1, OTHER.get(name) or coherent_unit_of(name))
 
 
 def number(answer: dict[str, Any], name: str, unit: str) -> float:

@@ -189,7 +189,11 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
 def _follow(law: AnyLaw, target: str, values: Values) -> Known:
     """The target by the law, with what the roundings of the others make of it."""
     at = {name: values[name].value for name in law.names if name != target}
-    value = law.solve(target, at.__getitem__)
+    try:
+        value = law.solve(target, at.__getitem__)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        fits = f"no {target.replace('-', ' ')} fits what is given, by the law '{law.name}'"
+        raise ConditionError(fits, "other values") from None
     if is_array(value):
         return Known(value, max(values[name].rounding for name in law.names if name != target))
     if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):

@@ -44,4 +44,19 @@ FOUND = {
     key(law): law for module in MODULES for law in (*laws_in(vars(module)), *laws_made(module))
 }
 LAWS = [law for law in FOUND.values() if isinstance(law, Law)]
-RELATIONS = [law for law in FOUND.values() if isinstance(law, Relation)]
+ALL_RELATIONS = [law for law in FOUND.values() if isinstance(law, Relation)]
+ON_PAGES = {
+    key(law)
+    for module in MODULES
+    if module.__name__.startswith(calculators.__name__)
+    for law in laws_in({n: v for n, v in vars(module).items() if n == "LAWS"})
+}
+IN_LAWS = {
+    key(law)
+    for module in MODULES
+    if module.__name__.startswith(laws.__name__)
+    for law in (*laws_in(vars(module)), *laws_made(module))
+}
+# Those that one calculator alone uses stand on its page, with their numbers in its own tests.
+RELATIONS = [law for law in ALL_RELATIONS if key(law) in IN_LAWS]
+OF_PAGES = [law for law in ALL_RELATIONS if key(law) in ON_PAGES - IN_LAWS]

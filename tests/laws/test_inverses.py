@@ -7,7 +7,7 @@ import mpmath
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from laws.every_law import LAWS, RELATIONS
+from laws.every_law import LAWS, OF_PAGES, RELATIONS
 from mpmath import mpf
 
 PI = math.pi
@@ -152,3 +152,16 @@ def test_every_symbol_of_a_relation_comes_back(law, data):
         others = {name: value for name, value in values.items() if name != target}
         found = law.solve(target, others.__getitem__)
         assert found == pytest.approx(values[target], rel=1e-9, abs=1e-10), target
+
+
+@pytest.mark.parametrize("law", OF_PAGES, ids=lambda law: f"{law.name}: {law.names}")
+@given(data=st.data())
+@settings(max_examples=60)
+def test_every_symbol_of_a_pages_relation_comes_back(law, data):
+    first, *others = law.targets[:1] + tuple(n for n in law.names if n != law.targets[0])
+    values = {name: data.draw(st.floats(0.1, 10), name) for name in others}
+    values[first] = law.solve(first, values.__getitem__)
+    for target in law.targets:
+        rest = {name: value for name, value in values.items() if name != target}
+        found = law.solve(target, rest.__getitem__)
+        assert found == pytest.approx(values[target], rel=1e-9), target
