@@ -25,6 +25,7 @@ COMMANDS = {
     "lambertian": "Diffuse sources and reflectors.",
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat it leaves.",
+    "screen": "The picture on a projection screen.",
     "integrate": "Integrals over directions.",
     "photon": "Wavelength, frequency and energy of a photon.",
     "spectrum": "Peak, efficacies and colour of a spectrum.",

@@ -1,0 +1,66 @@
+"""A projection screen: how bright the picture of a projector is."""
+
+from radcalc.answer import Answer
+from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.errors import MissingInput, mention
+from radcalc.given import Inputs
+from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.maths import sqrt
+
+SIZES = ("width", "height", "diagonal", "aspect", "area")
+LAWS: list[AnyLaw] = [
+    law("illuminance of a picture", "{flux} = {irradiance} {area}", "ISO 80000-7, illuminance"),
+    law(
+        "luminance of a screen",
+        "{radiance} = {gain} {irradiance} / (pi Omega0)",
+        "ISO 80000-7, luminance and reflectance: a perfect diffuser has a gain of 1",
+    ),
+    law("area of a picture", "{area} = {width} {height}"),
+    law("aspect of a picture", "{width} = {aspect} {height}"),
+    relation(
+        "diagonal of a picture",
+        "{diagonal} = {width} sqrt(1 + 1/{aspect}^2)",
+        {
+            "diagonal": lambda at: at("width") * sqrt(1 + at("aspect") ** -2),
+            "width": lambda at: at("diagonal") / sqrt(1 + at("aspect") ** -2),
+            "aspect": lambda at: 1 / sqrt((at("diagonal") / at("width")) ** 2 - 1),
+        },
+    ),
+    relation(
+        "width of a picture",
+        "{width} = sqrt({area} {aspect})",
+        {
+            "width": lambda at: sqrt(at("area") * at("aspect")),
+            "area": lambda at: at("width") ** 2 / at("aspect"),
+        },
+    ),
+]
+PAGE = Page(
+    "a screen",
+    (*SIZES, "gain"),
+    ("radiance", "irradiance", "flux"),
+    ("gain", *SIZES),
+    about="Give the luminance and the illuminance of the picture on a projection screen.",
+    sections={"Light": ("flux", "irradiance", "radiance"), "Picture": (*SIZES, "gain")},
+    examples=(
+        "flux=3000lm diagonal=100in aspect=16/9 gain=1.3",
+        "flux=2000lm width=2m aspect=4/3 get=luminance:fL",
+        "luminance=48cd/m2 width=12m aspect=2.39 gain=1 get=flux:lm",
+    ),
+    remarks="The luminance is that along the screen's normal, in a dark room.  Any sufficient set "
+    "of the light, the picture's sizes and the gain gives the others.",
+)
+
+
+def screen(given: Inputs) -> Answer:
+    """The light of a picture, from the projector's flux, the picture's size and the gain."""
+    sheet = Worksheet(PAGE, given)
+    if not sheet.lit.values:
+        hint = mention("{flux=3000lm}, {illuminance} or {luminance}")
+        raise MissingInput("a light quantity is missing", hint)
+    if "gain" not in given and not {"radiance", "irradiance"} <= set(sheet.known):
+        sheet.know("gain", 1.0)
+        sheet.assume(mention("a matt white screen, with a gain of 1 ({gain})"))
+    sheet.assume("the whole flux falls evenly on the picture, in a dark room")
+    sheet.solve(LAWS)
+    return sheet.answer(LAWS)
