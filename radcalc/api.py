@@ -7,9 +7,18 @@ from typing import Any, TypeVar
 from radcalc.answer import Answer, Result
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import Plan, answer, plan
-from radcalc.errors import ConditionError, RadcalcError, UnitError, nearest, quote, spell
+from radcalc.errors import (
+    ConditionError,
+    NumberError,
+    RadcalcError,
+    UnitError,
+    nearest,
+    quote,
+    spell,
+)
 from radcalc.given import Given, Inputs, read
 from radcalc.quantities.symbols import FLAG, INNER, SYMBOLS
+from radcalc.units.numbers import read_number
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
@@ -60,9 +69,11 @@ class PythonHint(Python):
 
 def _apart(value: str) -> str:
     """A blank between a number and its unit: 6m becomes 6 m."""
-    end = next((k for k, c in enumerate(value) if c.isalpha() or c in "%°µ"), len(value))
-    is_number = value[:end].strip("0123456789.+-") == "" and 0 < end < len(value)
-    return f"{value[:end]} {value[end:]}" if is_number else value
+    try:
+        end = read_number(value)[1]
+    except NumberError:
+        return value
+    return f"{value[:end]} {value[end:].strip()}".strip()
 
 
 def in_python(function: Callable[..., T]) -> Callable[..., T]:

@@ -8,7 +8,10 @@ from radcalc.answer import Step
 from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
 
+# What derivations write in other than coherent units, and how many of these are in one.
+CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01}
 GREEK = {
+    "2α": "2 alpha",
     "Φ": "Phi",
     "Δ": "d",
     "Ω": "Omega",
@@ -35,13 +38,11 @@ def format_angle(angle: Any) -> str:
 
 
 def format_value(value: Any, unit: str) -> str:
-    """A value in a coherent unit, for a derivation; wavelengths are shown in nanometres."""
-    if hasattr(value, "shape"):
-        return format_number(value)
+    """A value in a coherent unit, for a derivation."""
     if unit == "rad":
         return format_angle(value)
-    if unit == "nm":
-        return f"{format_number(value * 1e9)} nm"
+    if unit in CUSTOMARY:
+        return f"{format_number(value * CUSTOMARY[unit])} {unit}"
     return format_number(value) if unit == "1" else f"{format_number(value)} {unit}"
 
 
@@ -58,17 +59,24 @@ def coherent_unit_of(name: str, kind: str = "") -> str:
     symbol = SYMBOLS[name]
     if symbol.geometry:
         return light_unit(symbol.generic, symbol.kind or kind, coherent=True)
-    return symbol.unit if symbol.unit == "nm" else COHERENT[symbol.dimensions[0]]
+    return symbol.unit if symbol.unit in CUSTOMARY else COHERENT[symbol.dimensions[0]]
 
 
 def fill(template: str, write: Callable[[str, bool], str]) -> str:
-    """A template with each {name} replaced by `write(name, is_raised)`: whether a power follows."""
+    """A template with each {name} replaced by `write(name, is_factor)`.
+
+    What is raised to a power, or followed by another factor, needs brackets round its unit.
+    """
     head, *parts = template.split("{")
     text = head
     for part in parts:
         name, _, rest = part.partition("}")
-        text += write(name, rest[:1] == "^") + rest
+        is_factor = rest[:1] == "^" or (rest[:1] == " " and rest[1:2] not in FOLLOWING)
+        text += write(name, is_factor) + rest
     return text
+
+
+FOLLOWING = tuple("/+-*=),")  # what follows a value that is no factor, or the last of them
 
 
 class Formula(NamedTuple):
@@ -86,13 +94,14 @@ class Formula(NamedTuple):
     def step(self, values: Mapping[str, Any], found: str) -> Step:
         """The formula with values [SI] put in, and what was found; other symbols stay letters."""
 
-        def write(name: str, is_raised: bool) -> str:
+        def write(name: str, is_factor: bool) -> str:
             if name not in values:
                 return letter_of(name)
             text = format_value(values[name], coherent_unit_of(name))
-            return f"({text})" if is_raised else text
+            return f"({text})" if is_factor and not text.endswith(" deg") else text
 
-        numbers = fill(self.template.replace("Omega0", "sr"), write)
+        body = self.template.partition(", ")[0]  # what stands behind a comma is a remark
+        numbers = fill(body.replace("Omega0", "sr"), write)
         return self.told(f"{numbers} = {found}")
 
     def told(self, numbers: str) -> Step:

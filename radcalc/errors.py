@@ -197,6 +197,14 @@ class Unused(ConditionError):
         self.symbols = tuple(symbols)
 
 
+class Idle(ConditionError):
+    """An input that nothing follows from; `symbols` are those that would change that."""
+
+    def __init__(self, message: str, hint: str) -> None:
+        super().__init__(message, hint)
+        self.symbols = mentioned(hint)
+
+
 class Impossible(ConditionError):
     """A value that the symbol cannot have; `limit` says which ones it can."""
 

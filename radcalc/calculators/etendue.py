@@ -29,6 +29,7 @@ PAGE = Page(
     "",
     (),
     ("flux", "radiance"),
+    goal="etendue",
     about="Give the etendue of a source, and the flux that a radiance sends through it.",
     sections={
         "Source": (*SOURCES, "tilt"),

@@ -22,6 +22,7 @@ PAGE = Page(
         "k",
         "c",
     ),
+    goal="ev100",
     about="Give exposure values, and the light that a light meter shows them for.",
     sections={
         "Light": LIGHT,

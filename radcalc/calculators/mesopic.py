@@ -12,6 +12,7 @@ PAGE = Page(
     "a mesopic luminance",
     ("luminance", "sp-ratio", "spectrum", "mesopic-luminance", "scotopic-luminance"),
     others=RESULTS,
+    goal="mesopic-luminance",
     about="Give the mesopic luminance of CIE 191:2010, between night and day.",
     sections={
         "Light": ("luminance", "sp-ratio", "spectrum"),

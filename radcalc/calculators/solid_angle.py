@@ -31,6 +31,7 @@ from radcalc.given import Given, Inputs, Point, angle_of, offset_of, one_of, rad
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, DIAMETER
+from radcalc.units.dimensions import LENGTH
 
 LEAST = 1e-300  # below it a float has fewer digits
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -87,8 +88,8 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     """
     named = "all directions" if shape == "full" else f"a {shape}"
     takes = SHAPES[shape].takes
-    extra = tuple(name for name in takes if name not in RESULTS)
-    sheet = Worksheet(Page(named, takes, others=extra), given, with_light=False)
+    page = Page(named, takes, others=_sizes(takes, given), goal="solid-angle")
+    sheet = Worksheet(page, given, with_light=False)
     seen = _polygon(sheet, points) if shape == "polygon" else SHAPES[shape].see(sheet)
     sheet.solve(seen.laws)
     if not (sheet.has("solid-angle") and sheet.has("projected-solid-angle")):
@@ -100,7 +101,26 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     sheet.assumptions.insert(0, f"projected onto {seen.onto}")
     found = (omega, flat, omega / cones.FULL, half, 2 * half)
     results = [_result(given, name, size) for name, size in zip(RESULTS, found, strict=True)]
-    return sheet.answer(seen.laws, results)
+    return _in_units_given(sheet.answer(seen.laws, results), given)
+
+
+def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
+    """The sizes to show: those that are given, and one that they are solved for."""
+    round_one = set(ROUND) & set(given)
+    hidden = {"area", *ROUND} - round_one if round_one else set()
+    return tuple(name for name in takes if name not in RESULTS and name not in hidden)
+
+
+def _in_units_given(answer: Answer, given: Inputs) -> Answer:
+    """The answer with a length that was solved for in the unit of one that was given."""
+    units = [one.unit_text for one in given.values() if one.dimension == LENGTH]
+    values = [
+        one._replace(units=(units[0],))
+        if units and one.given is None and one.units and one.dimensions == (LENGTH,)
+        else one
+        for one in answer.values
+    ]
+    return answer._replace(values=values)
 
 
 def _result(given: Inputs, name: str, size: Any) -> Value:
@@ -194,6 +214,8 @@ def _span(interval: Given) -> str:
 def _sphere(sheet: Worksheet) -> Seen:
     from radcalc.laws.solid_angles import SPHERE
 
+    if set(ROUND) <= set(sheet.given):
+        one_of(sheet.given, "the size of the source", *ROUND)
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) != 2:
         problem = "too much is given" if len(sizes) > 2 else "something is missing"
@@ -222,6 +244,8 @@ def _disc(sheet: Worksheet) -> Seen:
         away = "height" if "height" in given else "distance"
         if offset:
             raise Exclusive(("solid-angle", "offset"), "do not go together: it is for the axis")
+        if set(ROUND) <= set(given):
+            one_of(given, "the size of the source", *ROUND)
         if not {*ROUND, "height", "distance"} & set(given):
             raise _unsolved(sheet)
         sheet.use("offset")

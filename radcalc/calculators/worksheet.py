@@ -12,7 +12,7 @@ from radcalc.errors import (
     ConditionError,
     Contradiction,
     Exclusive,
-    MissingInput,
+    Idle,
     Unused,
     mention,
     option,
@@ -33,16 +33,10 @@ from radcalc.laws.solver import (
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
 
-# What a calculator is about: what leads nowhere near one of these has no use.
-GOALS = frozenset(name for name, symbol in SYMBOLS.items() if symbol.generic == name) | {
-    "projected-solid-angle",
-    "ev100",
-    "etendue",
-    "solid-angle",
-    "mesopic-luminance",
-}
-
-
+# What calculators are about: what leads nowhere near one of these has no use.
+GOALS = frozenset(
+    {name for name, symbol in SYMBOLS.items() if symbol.generic == name} | {"projected-solid-angle"}
+)
 OFFSETS = ("offset", "offset-y")
 PLACED = (*OFFSETS, "incidence", "tilt")  # what a calculator itself makes use of
 
@@ -51,7 +45,8 @@ class Page(NamedTuple):
     """What a calculator's page has on it.
 
     `takes` are the symbols that can be given; `light` those results that are light quantities,
-    by generic names, and `others` the rest, in the order in which they are shown.  A page that
+    by generic names, and `others` the rest, in the order in which they are shown; `goal` is what
+    it is about, where that is no light.  A page that
     has an `about` is a command of its own: one line that says what it gives, the symbols that
     can be given by the section of its help, examples (NAME=VALUE for each symbol), remarks in
     which {name} is a symbol, and the kinds of light that it takes.
@@ -61,6 +56,7 @@ class Page(NamedTuple):
     takes: tuple[str, ...]
     light: tuple[str, ...] = ()
     others: tuple[str, ...] = ()
+    goal: str = ""
     about: str = ""
     sections: Mapping[str, tuple[str, ...]] = MappingProxyType({})
     examples: tuple[str, ...] = ()
@@ -80,8 +76,9 @@ class Worksheet:
         self.lit, self.given = light.DARK, given
         if with_light:
             quantities, links, self.given = sort(given)
-            self.lit = light.read_light(quantities, links)
         refuse_foreign(self.given, page.takes, page.title)
+        if with_light:
+            self.lit = light.read_light(quantities, links)
         self.defaults: set[str] = set()  # what goes without saying where nothing gives it
         self.used: set[str] = set()
         self.placed: list[Step] = []  # of what was worked out outside the laws
@@ -159,23 +156,29 @@ class Worksheet:
     def _refuse_idle(self, laws: Sequence[AnyLaw]) -> None:
         """Refuse what is given and nothing follows from; say what would change that."""
         values, known = self.solution.values, {*self.known, *self.defaults}
-        live = _live(laws, set(values))
+        goal = self.page.goal
+        live = _live(laws, set(values), goal)
         aliases = {"offset": "lateral", "offset-y": "lateral"}
-        everything = {**self.lit.values, **self.given}
+        everything = self._quantities()
         for name, one in everything.items():
-            if one.symbol.form != QUANTITY:
-                continue
             own = aliases.get(name, name)
             if own in live or name in self.used:
                 continue
             missing = (n for n in self._inputs() if n not in values)
-            useful = [n for n in missing if own in _live(laws, reached(laws, known | {n}))][:4]
+            useful = [n for n in missing if own in _live(laws, reached(laws, known | {n}), goal)][
+                :4
+            ]
             alone = "" if len(everything) > 1 else " alone"
             hint = (
                 f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"
             )
             told = option(one.name, one.text)
-            raise MissingInput(f"nothing follows from {told}{alone}", hint)
+            raise Idle(f"nothing follows from {told}{alone}", hint)
+
+    def _quantities(self) -> Inputs:
+        """What is given, but for flags, choices and spectra."""
+        every = {**self.lit.values, **self.given}
+        return {name: one for name, one in every.items() if one.symbol.form == QUANTITY}
 
     def _inputs(self) -> tuple[str, ...]:
         """The symbols that can be given, light quantities by generic names."""
@@ -204,7 +207,7 @@ class Worksheet:
 
     def _contradiction(self, error: Disagreement, steps: dict[str, float]) -> ConditionError:
         """Both values, with their unit, and the ratio."""
-        everything = {**self.lit.values, **self.given}
+        everything = self._quantities()
         names = [one.name for one in everything.values()]
         if error.name in INNER:
             return Exclusive(
@@ -239,13 +242,13 @@ def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:
         raise Unused(foreign, f"with {title}")
 
 
-def _live(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
-    """The symbols that have a part in what follows of a calculator's goals.
+def _live(laws: Sequence[AnyLaw], known: set[str], goal: str) -> set[str]:
+    """The symbols that have a part in what follows of the light, or of a calculator's goal.
 
     Those of the laws of which every symbol is known, and that lead to a goal.
     """
     whole = [set(law.names) for law in laws if known.issuperset(law.names)]
-    live = set(GOALS)
+    live = {*GOALS, goal}
     while more := [names for names in whole if names & live and not names <= live]:
         live = live.union(*more)
     return {name for names in whole if names <= live for name in names}

@@ -313,7 +313,7 @@ class Derivation(Sequence[Step]):
 def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
     """A law solved for whichever of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`."""
 
-    def write(name: str, is_raised: bool) -> str:
+    def write(name: str, is_factor: bool) -> str:
         if name == target:
             return letter_of(name)
         value, unit = values[name].value, coherent_unit_of(name, kind)

@@ -61,8 +61,13 @@ def test_the_units_of_derivations_are_coherent(name):
             unit = Q(1, coherent_unit_of(name, kind))
             assert (unit / unit_of(name, kind)).to("1").magnitude == pytest.approx(1, rel=1e-15)
         return
-    shown = {"wavelength": ("nm", "m"), "photon-energy": ("J", "J/photon")}
-    if name in shown:  # nanometres are written for metres, and joules for those of one photon
+    shown = {
+        "wavelength": ("nm", "m"),
+        "frequency": ("THz", "cycle/s"),
+        "wavenumber": ("cm-1", "cycle/m"),
+        "photon-energy": ("J", "J/photon"),  # those of one photon
+    }
+    if name in shown:
         assert (coherent_unit_of(name), OTHER[name]) == shown[name]
         return
     unit = Q(1, coherent_unit_of(name))
