@@ -190,7 +190,7 @@ class Cut:
         rest = rf"{blanks}(?:{mark}{cell})*$"
         field = rf'[^" \t\n{mark}]+'
         opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
-        text = rf"^(?!{blanks}#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
+        text = rf"^(?![ \t]*#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
         return re.compile(text.encode("latin-1"), re.MULTILINE)
 
 

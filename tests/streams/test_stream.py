@@ -132,6 +132,7 @@ CELLS = st.sampled_from(
 @given(st.lists(st.lists(CELLS, min_size=1, max_size=4), min_size=1, max_size=5),
        st.sampled_from([b";", b"", b"\t", b" ", "·".encode()]),
        st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans())  # fmt: skip
+@example([[b"1"], [b"", b"# c", b"1"]], b"\t", "3", False)  # a comment, behind the delimiter
 def test_many_lines_at_once_are_the_same_as_one_by_one(rows, mark, fields, own):
     texts = _own() if own else Numbers(LX_FC)
     lines = [(mark or b"  ").join(row) + b"\n" for row in rows]
