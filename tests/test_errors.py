@@ -25,6 +25,7 @@ from radcalc.errors import (
     ConditionError,
     Contradiction,
     Exclusive,
+    Idle,
     Impossible,
     LineError,
     MissingCondition,
@@ -134,6 +135,12 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("--time and --width have no use here", "the same without --time and --width"),
         ("time and width have no use here", "the same without time and width"),
         ("time and width have no use here", "the same without time and width")),
+    "what nothing follows from is told what would change that": (
+        lambda: Idle(f"nothing follows from {option('half-angle', '30deg')}",
+                     f"with it, {options(('flux', 'off-axis'))}"),
+        ("nothing follows from --half-angle 30deg", "with it, --flux or --off-axis"),
+        ("nothing follows from half-angle 30deg", "with it, flux or off-axis"),
+        ('nothing follows from half_angle="30 deg"', "with it, flux or off_axis")),
     "what is not possible is told its limits": (
         lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
         ("--half-angle 181deg is not possible: a turn", "at most 180 deg"),

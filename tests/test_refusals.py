@@ -211,6 +211,9 @@ COMMANDS = {
         "lambertian disc --luminance 9cd/m2 --radius 1m -g irradiance:lx", "--distance"),
     "a film's speed alone exposes nothing": (
         "ev --iso 100", "--ev100, --luminance, --illuminance or --f-number"),
+    "an angle beside an illuminance alone has no use, and the angle is named": (
+        "point-source --illuminance 100lx --half-angle 30deg --time 1h",
+        "nothing follows from --half-angle 30deg", "--flux"),
     "a mass alone has no use": ("calorimeter --mass 10g", "--mass 10g", "without --mass"),
     # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
     "an illuminance that contradicts a flux at its distance is refused with the ratio": (

@@ -58,8 +58,10 @@ def etendue(given: Inputs) -> Answer:
 
     Any sufficient set of the sizes, the etendue, the flux and the radiance gives the others.
     """
-    has_receiver = any(name in given for name in (*RECEIVERS, "distance"))
-    if has_receiver and any(name in given for name in CONES):
+    has_cone = any(name in given for name in CONES)
+    has_receiver = any(name in given for name in RECEIVERS)
+    has_receiver |= "distance" in given and not has_cone
+    if has_receiver and has_cone:
         raise ConditionError(
             "a receiver and a cone contradict each other: both limit the light", "one of them"
         )

@@ -1,6 +1,7 @@
 """The worksheet of a calculator: what is given, the laws, and everything that follows."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -165,9 +166,8 @@ class Worksheet:
             if own in live or name in self.used:
                 continue
             missing = (n for n in self._inputs() if n not in values)
-            useful = [n for n in missing if own in _live(laws, reached(laws, known | {n}), goal)][
-                :4
-            ]
+            brings = (n for n in missing if own in _live(laws, reached(laws, known | {n}), goal))
+            useful = list(islice(brings, 4))
             alone = "" if len(everything) > 1 else " alone"
             hint = (
                 f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"

@@ -155,6 +155,8 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
         If two values of one symbol differ by more than their digits leave open.
     NumberError
         If a value cannot be held by a float.
+    ConditionError
+        If no value of a symbol fits the others.
 
     Notes
     -----

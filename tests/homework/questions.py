@@ -64,6 +64,7 @@ RIGHT = [  # the question, the result, its unit
     ("solid-angle patch --area 3cm2 --distance 1.3m --tilt 40deg", "solid-angle", "sr"),
     ("direction -3 4.6 5", "azimuth", "deg"), ("direction -3 4.6 5", "length", ""),
     ("direction --polar 35deg --azimuth 130deg", "x", ""), (TILTED, "illuminance", "lx"),
+    ("screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2", "luminance", "cd/m2"),
     ("etendue --area 2mm2 --half-angle 25deg", "etendue", "mm2.sr"),
     ("etendue --radius 3mm --receiver-radius 5mm --distance 13mm", "etendue", "m2.sr"),
     ("etendue --area 2mm2 --half-angle 25deg --radiance 1e5cd/m2", "flux", "lm"),
