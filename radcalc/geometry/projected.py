@@ -25,7 +25,6 @@ from radcalc.geometry import cones, solid
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
 from radcalc.geometry.numerics.vectors import dot, length, times, vector
-from radcalc.geometry.polygons import above, projected, split
 from radcalc.maths import (
     Number,
     atan2,
@@ -534,6 +533,8 @@ def polygon(vertices: Any, normal: Any) -> Number:
     >>> projected.polygon([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0)], (0.0, 0.0, 1.0))
     0.0
     """
+    from radcalc.geometry.polygons import split
+
     first, sides = split(vertices)
     return _clipped(first, sides, normal)
 
@@ -544,6 +545,8 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     Arrays of polygons that are all wholly above it are done at once; others one by one, as each
     keeps another number of vertices.
     """
+    from radcalc.geometry.polygons import above, projected
+
     n = vector(normal)
     largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
     cones.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
