@@ -12,10 +12,9 @@ from radcalc.conversion.plan import Plan, answer, plan
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.given import Given
 from radcalc.render.formats import CSV, JSON, TABLE
+from radcalc.streams import ABORT, INVALID
 from radcalc.units.operands import read_stream_operands
 from radcalc.units.table import resolve
-
-MODES = ("abort", "fail", "warn", "ignore")
 
 
 class Asked(NamedTuple):
@@ -46,7 +45,7 @@ OPTIONS = (
     ),
     click.Option(
         ["--invalid"],
-        type=click.Choice(MODES),
+        type=click.Choice(INVALID),
         help="At a line that cannot be converted: stop (abort, the default), or pass it through "
         "and fail at the end (status 2), warn (status 0) or ignore it (status 0).",
     ),
@@ -126,7 +125,7 @@ def convert(
 
     header = asked.header or (1 if asked.column is not None else 0)
     stream = Stream(texts, cut, fields, asked.column or "", header, record if as_json else None)
-    good = run(stream, stdio.read, stdio.pour, asked.invalid or "abort", _complain)
+    good = run(stream, stdio.read, stdio.pour, asked.invalid or ABORT, _complain)
     return stdio.ANSWERED if good else stdio.FAILED
 
 

@@ -145,10 +145,7 @@ class Reading(NamedTuple):
         """The quantity's symbol, such as E_v or L_e,λ."""
         if self.retinal:
             return OTHERS[RETINAL_ILLUMINANCE][1]
-        greek = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}[
-            self.axis
-        ]
-        return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{greek}"
+        return f"{GEOMETRIES[self.geometry][1]}_{self.kind}{DENSITY_SYMBOLS[self.axis]}"
 
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:

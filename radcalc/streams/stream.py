@@ -9,10 +9,10 @@ from io import BytesIO
 
 from radcalc.conversion.plan import Plan
 from radcalc.errors import LineError, RadcalcError, UsageError
+from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
 from radcalc.streams.readers import Numbers, Quantities
 
-ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 BLOCK = 1 << 16
 FEW = 200  # bytes that are not cut further
 LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
