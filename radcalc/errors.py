@@ -114,8 +114,6 @@ class RadcalcError(Exception):
     Both may hold mentions; `spelled` gives them as a gate says them.
     """
 
-    spelling: "Any" = Plain
-
     def __init__(self, message: str, hint: str = "") -> None:
         super().__init__(message)
         self.message = message
@@ -127,7 +125,7 @@ class RadcalcError(Exception):
 
     def __str__(self) -> str:
         """Both lines."""
-        message, hint = self.spelled(self.spelling)
+        message, hint = self.spelled(Plain)
         return f"{message}\ntry: {hint}" if hint else message
 
 

@@ -7,8 +7,8 @@ from typing import Any
 import click
 
 from radcalc.cli import check, options
-from radcalc.cli.spelling import Shell
-from radcalc.errors import UsageError, quote
+from radcalc.cli.spelling import Shell, spelled
+from radcalc.errors import UsageError, mention, quote
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     CHOICE,
@@ -90,7 +90,6 @@ def define(
             callback=call,
             params=[*params, *last],
             help=function.__doc__,
-            context_settings={"max_content_width": 100},
             sections={**groups, "Output": last},
         )
 
@@ -112,7 +111,7 @@ def of_page(name: str) -> "SectionedCommand":
         [
             page.about,
             "\b\nExamples:\n" + "\n".join(examples),
-            page.remarks.format_map(Spelled()),
+            spelled(mention(page.remarks)),
         ]
     )
     return define(name, page.sections, kinds=page.kinds)(calculate)
@@ -143,7 +142,7 @@ def _options(member: Member, command_name: str, kinds: Sequence[str]) -> list[cl
         return [member]
     symbol = SYMBOLS[member]
     example, text = symbol.shown_in(command_name)
-    text = text.format_map(Spelled())
+    text = spelled(mention(text))
     if member != symbol.generic:
         return [_option(symbol, example, text)]
     others = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in kinds]
@@ -154,7 +153,7 @@ def _options(member: Member, command_name: str, kinds: Sequence[str]) -> list[cl
     hidden = []
     for other in others:
         shown, said = SYMBOLS[other].shown_in(command_name)
-        hidden.append(_option(SYMBOLS[other], shown, said.format_map(Spelled()), hidden=True))
+        hidden.append(_option(SYMBOLS[other], shown, spelled(mention(said)), hidden=True))
     return [_option(symbol, example, text), *hidden]
 
 
@@ -165,14 +164,6 @@ def _option(symbol: Symbol, example: str, text: str, hidden: bool = False) -> Sy
     elif symbol.form == CHOICE:
         kind = {"type": click.Choice(symbol.choices, case_sensitive=False)}
     return SymbolOption([f"--{symbol.name}"], help=text, hidden=hidden, **kind)
-
-
-class Spelled(dict[str, str]):
-    """What stands for the {name} of a symbol in a help text."""
-
-    def __missing__(self, name: str) -> str:
-        """The option."""
-        return Shell.option(name, "")
 
 
 class SectionedCommand(click.Command):
