@@ -106,15 +106,7 @@ def _factor(links: Inputs, over: str, under: str) -> "Factor | None":
         return None
     from radcalc.conversion import spectral  # with the tables of the observers
 
-    observer = links.get("observer")
-    if "wavelength" in links:
-        return spectral.kind_factor(spectral.light(links["wavelength"], observer), over, under)
-    if "spectrum" in links:
-        ranges = links.get("range"), links.get("photon-range")
-        return spectral.spectral_factor(links["spectrum"], over, under, *ranges, observer)
-    if "efficacy" in links:
-        return spectral.given_ratio(links["efficacy"], over, under)
-    return None
+    return spectral.linked(links, over, under)
 
 
 class Shown(NamedTuple):

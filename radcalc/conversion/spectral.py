@@ -7,7 +7,7 @@ from radcalc.answer import Step
 from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import ConditionError, Impossible, option, quote
-from radcalc.given import Given, require
+from radcalc.given import Given, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
     KIND_NAMES,
@@ -200,6 +200,17 @@ def spectral_factor(
     if lumens == 0:
         notes += ("nothing of this spectrum is seen",)
     return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
+
+
+def linked(given: Inputs, over: str, under: str) -> Factor | None:
+    """The ratio of two kinds, over / under, by whichever input links them; None where none does."""
+    observer = given.get("observer")
+    if "wavelength" in given:
+        return kind_factor(light(given["wavelength"], observer), over, under)
+    if "spectrum" in given:
+        ranges = given.get("range"), given.get("photon-range")
+        return spectral_factor(given["spectrum"], over, under, *ranges, observer)
+    return given_ratio(given["efficacy"], over, under) if "efficacy" in given else None
 
 
 KIND_UNITS = {

@@ -1,14 +1,13 @@
 """What was asked: a calculator's or a conversion's question, with what its mistakes depend on."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.conversion import spectral
 from radcalc.conversion.plan import derive, plan
 from radcalc.given import Given, Inputs
-from radcalc.quantities.light import LUMINOUS, RADIANT, name_of, read, symbol_of
-from radcalc.spectra.observers import luminous_efficacy
+from radcalc.quantities.light import LUMINOUS, NONE, RADIANT, name_of, read, symbol_of
 from radcalc.units.table import Unit
 
 PER_PI = ("lambert", "apostilb", "skot", "blondel", "bril")  # units that carry 1/pi
@@ -98,17 +97,11 @@ def of_conversion(
 
 def _ratios(source: Unit, target: Unit, given: Inputs) -> tuple[float | None, float | None]:
     """The efficacy of the light that is given, and the Jacobian."""
+    factor = spectral.linked(given, LUMINOUS, RADIANT)
+    jacobian = None
     start, end = read(source), read(target)
-    if "wavelength" in given:
+    axes = (start.axis, end.axis) if start and end else (NONE, NONE)
+    if "wavelength" in given and NONE not in axes and axes[0] != axes[1]:
         light = spectral.light(given["wavelength"], given.get("observer"))
-        efficacy: Any = luminous_efficacy(light.table, light.observer)
-        if start and end and start.axis and end.axis and start.axis != end.axis:
-            return efficacy, spectral.jacobian(light, start.axis, end.axis).value
-        return efficacy, None
-    factor = None
-    if "spectrum" in given:
-        refined = given.get("range"), given.get("photon-range"), given.get("observer")
-        factor = spectral.spectral_factor(given["spectrum"], LUMINOUS, RADIANT, *refined)
-    elif "efficacy" in given:
-        factor = spectral.given_ratio(given["efficacy"], LUMINOUS, RADIANT)
-    return (factor.value if factor else None), None
+        jacobian = spectral.jacobian(light, *axes).value
+    return (factor.value if factor else None), jacobian
