@@ -292,16 +292,22 @@ def sort(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
     return quantities, links, rest
 
 
-def one_of(inputs: Inputs, what: str, *names: str, hint: str = "") -> Given:
-    """The one of several inputs that was given."""
+def at_most_one(inputs: Inputs, what: str, *names: str) -> Given | None:
+    """The one of several inputs that was given, or None."""
     found = [inputs[name] for name in names if name in inputs]
-    if not found:
-        examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
-        raise MissingInput(f"{what} is missing", hint or examples)
     if len(found) > 1:
         given = [one.name for one in found]
         raise Exclusive(given, f"contradict each other: both give {what}")
-    return found[0]
+    return found[0] if found else None
+
+
+def one_of(inputs: Inputs, what: str, *names: str) -> Given:
+    """The one of several inputs that was given, of which there has to be one."""
+    found = at_most_one(inputs, what, *names)
+    if found is None:
+        examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
+        raise MissingInput(f"{what} is missing", examples)
+    return found
 
 
 def radius_of(given: Given) -> Any:

@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
 Number = Any  # a float, or anything that NumPy can work on element by element
 
 

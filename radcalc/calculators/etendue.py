@@ -9,15 +9,14 @@ from radcalc.conversion import geometric
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, NumberError, mention
 from radcalc.geometry import cones
-from radcalc.given import Inputs, angle_of, half_angle_of, one_of, require
+from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of, require
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.sizes import CIRCLE, DIAMETER, RECTANGLE
+from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import CONFIGURATION_FACTOR
-from radcalc.maths import larger
+from radcalc.maths import FAINTEST, larger
 
-LEAST = 1e-300  # below it a float has fewer digits
 CONES = ("half-angle", "apex-angle", "na", "f-number")
 RECEIVERS = ("receiver-area", "receiver-radius", "receiver-diameter")
 SOURCES = ("area", "radius", "diameter", "width", "length")
@@ -83,7 +82,7 @@ def etendue(given: Inputs) -> Answer:
     size = sheet.at("etendue")
     if size == 0:
         sheet.notes.append("one of the patches is seen from its edge or from behind")
-    elif not size > LEAST:
+    elif not size > FAINTEST:
         raise NumberError("the etendue is too small to be held by a number", "larger sizes")
     _note_far_field(sheet)
     first = value("etendue", size, "m2 sr", "mm2 sr")
@@ -108,18 +107,14 @@ def _source(sheet: Worksheet) -> list[AnyLaw]:
         if set(given) & {"area", *ROUND}:
             raise ConditionError("the size of the source is given twice", "one of them")
         return [RECTANGLE]
-    if sum(name in given for name in ("area", *ROUND)) > 1:
-        one_of(given, "the size of the source", "area", *ROUND)
-    if "diameter" in given:
-        return [DIAMETER, CIRCLE]
-    return [CIRCLE] if "radius" in given else []
+    size = at_most_one(given, "the size of the source", "area", *ROUND)
+    return [*round_sizes(given), CIRCLE] if size and size.name in ROUND else []
 
 
 def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
     laws = _source(sheet)
-    if sum(name in given for name in CONES) > 1:
-        one_of(given, "the cone", *CONES)
+    at_most_one(given, "the cone", *CONES)
     if sheet.has("area", "radius", "diameter", "width", *CONES):
         sheet.assume(
             "every point of the source sends its light into the same cone about its normal"
@@ -139,8 +134,7 @@ def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
 
 def _with_receiver(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    if sum(name in given for name in RECEIVERS) > 1:
-        one_of(given, "the size of the receiver", *RECEIVERS)
+    at_most_one(given, "the size of the receiver", *RECEIVERS)
     if "etendue" not in given:
         one_of(given, "the size of the receiver", *RECEIVERS)
         one_of(given, "the distance", "distance")
@@ -171,10 +165,8 @@ def _refuse_near(sheet: Worksheet) -> None:
     if not sheet.has("receiver-area") or not sheet.has("distance"):
         return
     area, other, away = (sheet.at(n) for n in ("area", "receiver-area", "distance"))
-    longest = geometric.size_of(larger(area, other))
-    for name in ("width", "length"):
-        if sheet.has(name):
-            longest = larger(longest, sheet.at(name))
+    sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
+    longest = geometric.size_of(larger(area, other), *sides)
     if geometric.is_near(away, longest):
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(sheet.given):

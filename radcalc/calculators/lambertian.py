@@ -15,7 +15,7 @@ from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, command, mention, option
 from radcalc.given import Inputs
 from radcalc.laws.surface import LAWS
-from radcalc.maths import any_true, is_array, larger
+from radcalc.maths import any_true, is_array
 
 QUANTITIES = (
     "radiance",
@@ -119,10 +119,8 @@ def _judge(sheet: Worksheet) -> None:
 def _refuse_near(sheet: Worksheet) -> None:
     """Refuse a patch seen from nearer than five times its size, however that was found."""
     if sheet.has("distance") and sheet.has("area"):
-        longest = geometric.size_of(sheet.at("area"))
-        for name in ("width", "length"):
-            if sheet.has(name):
-                longest = larger(longest, sheet.at(name))
+        sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
+        longest = geometric.size_of(sheet.at("area"), *sides)
         if geometric.is_near(sheet.at("distance"), longest, 1e-9):
             raise ConditionError(
                 f"a distance of {format_number(sheet.at('distance'))} m is less than five times "

@@ -14,7 +14,7 @@ from radcalc.errors import ConditionError, Exclusive, MissingInput, mention, opt
 from radcalc.geometry import cones, projected, solid
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, DIAMETER, RECTANGLE
+from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import (
     FLAT,
     SMALL_SOURCE,
@@ -49,11 +49,6 @@ def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
     sheet.placed.append(SEEN.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr"))
 
 
-def _round(sheet: Worksheet) -> list[AnyLaw]:
-    """Radius and diameter."""
-    return [DIAMETER] if "diameter" in sheet.given else []
-
-
 def _is_sized(sheet: Worksheet) -> bool:
     """Whether the radius is known."""
     return "radius" in sheet.given or "diameter" in sheet.given
@@ -72,7 +67,7 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
     if "width" in given or "length" in given:
         laws.append(RECTANGLE)
     if _is_sized(sheet):
-        laws += [*_round(sheet), CIRCLE]
+        laws += [*round_sizes(sheet.given), CIRCLE]
     placed = [name for name in ("incidence", "tilt") if name in given]
     if "distance" not in given and "irradiance" not in sheet.lit.values:
         if placed:
@@ -134,7 +129,7 @@ def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[
 
 
 def _disc(sheet: Worksheet) -> list[AnyLaw]:
-    laws: list[AnyLaw] = [*_round(sheet), CIRCLE, FLAT]
+    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT]
     height = _height(sheet)
     if _is_sized(sheet) and height is not None:
         size = _radius(sheet)
@@ -155,7 +150,7 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
 
 def _sphere(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [*_round(sheet), SPHERE_AREA, SPHERE_FRONT]
+    laws: list[AnyLaw] = [*round_sizes(sheet.given), SPHERE_AREA, SPHERE_FRONT]
     incidence = angle_of(given, "incidence")
     _say_facing(sheet)
     sheet.know("cosine", cones.facing(incidence))

@@ -27,13 +27,22 @@ from radcalc.errors import (
     options,
 )
 from radcalc.geometry import cones
-from radcalc.given import Given, Inputs, Point, angle_of, offset_of, one_of, radius_of
+from radcalc.given import (
+    Given,
+    Inputs,
+    Point,
+    angle_of,
+    at_most_one,
+    offset_of,
+    one_of,
+    radius_of,
+)
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.sizes import CIRCLE, DIAMETER
+from radcalc.laws.sizes import CIRCLE, round_sizes
+from radcalc.maths import FAINTEST
 from radcalc.units.dimensions import LENGTH
 
-LEAST = 1e-300  # below it a float has fewer digits
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
 ROUND = ("radius", "diameter")
 RESULTS = ("solid-angle", "projected-solid-angle", "sphere-fraction", "half-angle", "apex-angle")
@@ -95,7 +104,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     if not (sheet.has("solid-angle") and sheet.has("projected-solid-angle")):
         raise _unsolved(sheet)
     omega, flat = sheet.at("solid-angle"), sheet.at("projected-solid-angle")
-    if not sheet.notes and min(omega, flat) < LEAST:
+    if not sheet.notes and min(omega, flat) < FAINTEST:
         raise NumberError("the solid angle is too small for a number", "less extreme sizes")
     half = sheet.at("half-angle") if sheet.has("half-angle") else cones.cone_of(omega)
     sheet.assumptions.insert(0, f"projected onto {seen.onto}")
@@ -214,15 +223,14 @@ def _span(interval: Given) -> str:
 def _sphere(sheet: Worksheet) -> Seen:
     from radcalc.laws.solid_angles import SPHERE
 
-    if set(ROUND) <= set(sheet.given):
-        one_of(sheet.given, "the size of the source", *ROUND)
+    at_most_one(sheet.given, "the size of the source", *ROUND)
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) != 2:
         problem = "too much is given" if len(sizes) > 2 else "something is missing"
         needed = mention("{radius}, {distance}, {solid-angle}")
         raise MissingInput(f"{problem}: a sphere takes two", needed)
-    laws: list[AnyLaw] = [DIAMETER, SPHERE] if "diameter" in sheet.given else [SPHERE]
-    return Seen([*laws, CONE, PROJECTED_CONE], "a plane whose normal points to the sphere's centre")
+    laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
+    return Seen(laws, "a plane whose normal points to the sphere's centre")
 
 
 def _above(given: Inputs) -> Given:
@@ -238,18 +246,16 @@ def _disc(sheet: Worksheet) -> Seen:
     from radcalc.laws.solid_angles import disc
 
     given = sheet.given
-    laws: list[AnyLaw] = [DIAMETER] if "diameter" in given else []
     offset = offset_of(given)
     if "solid-angle" in given:
         away = "height" if "height" in given else "distance"
         if offset:
             raise Exclusive(("solid-angle", "offset"), "do not go together: it is for the axis")
-        if set(ROUND) <= set(given):
-            one_of(given, "the size of the source", *ROUND)
+        at_most_one(given, "the size of the source", *ROUND)
         if not {*ROUND, "height", "distance"} & set(given):
             raise _unsolved(sheet)
         sheet.use("offset")
-        return Seen([*laws, disc(away), CONE, PROJECTED_CONE], FACING)
+        return Seen([*round_sizes(given), disc(away), CONE, PROJECTED_CONE], FACING)
     size = radius_of(one_of(given, "the size of the source", *ROUND))
     height = _above(given)
     omega = solid.disc(size, height.value, offset)
@@ -315,7 +321,7 @@ def _patch(sheet: Worksheet) -> Seen:
     given = sheet.given
     laws: list[AnyLaw] = [PATCH]
     if set(ROUND) & set(given):
-        laws = [DIAMETER, CIRCLE, PATCH] if "diameter" in given else [CIRCLE, PATCH]
+        laws = [*round_sizes(given), CIRCLE, PATCH]
     if "solid-angle" not in given:
         one_of(given, "the size of the patch", "area", *ROUND)
         one_of(given, "the distance", "distance")

@@ -159,9 +159,12 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     return Factor("Omega_p", omega, "sr", said, (step,), notes)
 
 
-def size_of(area: Any) -> Any:
-    """The diameter of a circle of an area: how large a patch counts beside its distance."""
-    return 2 * (area / math.pi) ** 0.5
+def size_of(area: Any, *sides: Any) -> Any:
+    """How large a patch counts beside its distance: the diameter of a circle, or a longer side."""
+    size = 2 * (area / math.pi) ** 0.5
+    for side in sides:
+        size = maths.larger(size, side)
+    return size
 
 
 def is_near(distance: Any, size: Any, slack: float = 1e-12) -> bool:

@@ -75,15 +75,15 @@ SMALL_SOURCE = law(
 )
 
 
-def _over(whole: float, at: At) -> Any:
+def _hemisphere_over(at: At) -> Any:
     """A whole over the projected solid angle, which must be less."""
     part = at("projected-solid-angle")
     cones.refuse(
-        part >= whole,
+        part >= math.pi,
         "more irradiance than the whole hemisphere at that radiance would give",
         "more radiance, or less irradiance",
     )
-    return whole / part
+    return math.pi / part
 
 
 def disc_on_axis(away: str) -> Relation:
@@ -130,8 +130,8 @@ def disc_on_axis(away: str) -> Relation:
         f"{{projected-solid-angle}} = pi Omega0 {{radius}}^2 / ({{radius}}^2 + {{{away}}}^2)",
         {
             "projected-solid-angle": lambda at: projected.disc(at("radius"), at(away)),
-            away: lambda at: at("radius") * sqrt(_over(math.pi, at) - 1),
-            "radius": lambda at: at(away) / sqrt(_over(math.pi, at) - 1),
+            away: lambda at: at("radius") * sqrt(_hemisphere_over(at) - 1),
+            "radius": lambda at: at(away) / sqrt(_hemisphere_over(at) - 1),
         },
         HOWELL,
     )
@@ -142,8 +142,8 @@ SPHERE_AT_DISTANCE = relation(
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
     {
         "projected-solid-angle": lambda at: projected.sphere(at("radius"), at("distance")),
-        "distance": lambda at: at("radius") * sqrt(_over(math.pi, at)),
-        "radius": lambda at: at("distance") / sqrt(_over(math.pi, at)),
+        "distance": lambda at: at("radius") * sqrt(_hemisphere_over(at)),
+        "radius": lambda at: at("distance") / sqrt(_hemisphere_over(at)),
     },
     HOWELL,
 )

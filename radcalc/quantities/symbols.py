@@ -408,8 +408,7 @@ LIGHT_UNITS = {
 
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
     """The unit to show of a light quantity by its generic name, or its coherent one."""
-    geometry = SYMBOLS[name].geometry
-    assert geometry is not None
+    geometry = _LIGHT_ROWS[name][1]
     text = LIGHT_UNITS[geometry][coherent][KINDS.index(kind)]
     return "lm/m2" if text == "lx" and name == "exitance" else text
 
@@ -419,9 +418,7 @@ def _of_light(
 ) -> Symbol:
     """A light quantity, by its generic name (no kind) or by that of one kind."""
     _, geometry, letter, help_, _ = row
-    unit = LIGHT_UNITS[geometry][0][KINDS.index(kind or LUMINOUS)]
-    if unit == "lx" and generic == "exitance":
-        unit = "lm/m2"
+    unit = light_unit(generic, kind or LUMINOUS)
     label = name.replace("-", " ")
     if kind and help_:
         help_ = f"{help_}, as {label}"
