@@ -17,6 +17,7 @@ LECTURES = "lecture tables"
 IAU = "IAU 2015 resolution B3"
 MAGNITUDES = "Wikipedia, Orders of magnitude (illuminance)"
 MAGNITUDES_L = "Wikipedia, Orders of magnitude (luminance)"
+OVERCAST = "CIE overcast sky: E = 7 pi L/9"
 
 
 class Typical(NamedTuple):
@@ -68,7 +69,13 @@ VALUES = (
         "the 1.4e7 of lecture tables implies 951 W/m2, not the 852 beside it",
     ),
     Typical(f"{GROUND}, disc at noon", "1.6e9", "cd/m2", MAGNITUDES_L),
-    Typical("overcast day", "10000", "lx", LECTURES),
+    Typical(
+        "overcast day",
+        "10000",
+        "lx",
+        LECTURES,
+        "the 300 cd/m2 of the same tables is a darker day's sky, of 733 lx",
+    ),
     Typical("at a window by day", "1000", "lx", LECTURES),
     Typical("least light to work by", "100", "lx", LECTURES),
     Typical(
@@ -81,7 +88,14 @@ VALUES = (
     Typical("starlight, clear night without moon", "0.0002 to 0.002", "lx", MAGNITUDES),
     Typical("sunlit cloud", "30000", "cd/m2", LECTURES),
     Typical("clear sky", "3000", "cd/m2", LECTURES),
-    Typical("overcast sky", "300", "cd/m2", LECTURES),
+    Typical("overcast sky that gives 10 klx, its zenith", "4093", "cd/m2", OVERCAST),
+    Typical(
+        "overcast sky, dark, its zenith",
+        "300",
+        "cd/m2",
+        LECTURES,
+        "gives 733 lx, not the 10 klx that the same tables have for an overcast day",
+    ),
     Typical(
         "moon's disc",
         "2500 to 5000",

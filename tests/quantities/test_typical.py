@@ -73,6 +73,18 @@ def test_the_moon_agrees_with_itself():
     assert light.low / math.pi == pytest.approx(0.03, abs=0.003)  # a white wall in moonlight
 
 
+def test_the_overcast_sky_agrees_with_the_overcast_day():
+    # Moon and Spencer 1942: L = L_z (1 + 2 cos z)/3, integrated by hand with cos z over the sky.
+    zenith_to_horizontal = 2 * math.pi * (1 / 2 + 2 / 3) / 3
+    day = value("overcast day", "lx")
+    zenith = value("overcast sky that gives 10 klx, its zenith", "cd/m2")
+    assert zenith.low * zenith_to_horizontal == pytest.approx(day.low, rel=1e-3)
+    dark = value("overcast sky, dark, its zenith", "cd/m2")
+    assert dark.low * zenith_to_horizontal == pytest.approx(733, abs=0.5)
+    assert "733 lx" in dark.note
+    assert "733 lx" in day.note
+
+
 def test_radcalc_itself_gives_what_can_be_calculated(capsys):
     def answer(*words: str) -> float:
         assert cli.run([*words, "-q"]) == 0
