@@ -6,7 +6,7 @@ from typing import NamedTuple
 from radcalc.errors import ConditionError, NumberError, RadcalcError, option, quote
 from radcalc.given import read_as
 from radcalc.quantities.symbols import ANY, Symbol
-from radcalc.units.numbers import read_number
+from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.table import NUMBER, Unit, divide
 
 
@@ -46,13 +46,11 @@ def read_claim(text: str) -> Claim:
 
 def _digits(number: str, value: float) -> tuple[int, float]:
     """How many digits a number was typed with, and half a unit of the last."""
-    mantissa, _, exponent = number.lower().lstrip("+-").partition("e")
-    whole, _, part = mantissa.partition(".")
-    if not (whole + part).isdigit():  # pi/6, 2*pi
+    typed = typed_digits(number)
+    if typed is None:  # pi/6, 2*pi
         return 15, abs(value) * 1e-9
-    digits = (whole + part).lstrip("0")
-    power = (int(exponent) if exponent else 0) - len(part)
-    return max(1, len(digits)), 0.5 * 10.0**power
+    digits, power = typed
+    return max(1, len(digits.lstrip("0"))), 0.5 * 10.0 ** min(power, 308)
 
 
 class Tolerance(NamedTuple):

@@ -3,18 +3,26 @@
 Nothing is evaluated: one pass over the text, one character at a time, bounded in length.
 
     NUMBER = [sign] TERM { ("*" | "/") TERM }        TERM = DECIMAL ["pi"] | "pi"
+
+A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
 """
 
 import math
 
 from radcalc.errors import NumberError, quote
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 MAX_LENGTH = 1000
+INFINITE = float("inf")
 SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
 
 DIGITS = "0123456789"
 MINUS = "-\u2212"
 SIGNS = "+" + MINUS
+RUN = DIGITS + ",._"
 
 
 def read_number(text: str) -> tuple[float, int]:
@@ -30,20 +38,34 @@ def read_number(text: str) -> tuple[float, int]:
             f"at most {MAX_LENGTH} characters are read",
         )
     at = 1 if text[:1] and text[0] in SIGNS else 0
-    value, at = _term(text, at)
+    value, _, at = _term(text, at)
     while at + 1 < len(text) and text[at] in "*/" and _term_starts(text, at + 1):
-        operator = text[at]
-        right, at = _term(text, at + 1)
-        if operator == "*":
-            value *= right
-        elif right == 0:
-            raise NumberError(f"'{quote(text)}' divides by zero", "a number other than 0")
-        else:
-            value /= right
+        operator, start = text[at], at + 1
+        right, bare, at = _term(text, start)
+        if operator == "/" and bare > start:
+            _refuse_pi_below(text, bare)
+            if right == 0:
+                raise NumberError(f"'{quote(text)}' divides by zero", "a number other than 0")
+        found = value * right if operator == "*" else value / right
+        if value and right and abs(found) < SMALLEST:
+            raise _too_small(text[:at])
+        value = found
+        if value == INFINITE:
+            raise _too_large(text[:at])
     _refuse_lookalikes(text, at)
-    if math.isinf(value):
-        raise NumberError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
     return (-value if text[0] in MINUS else value), at
+
+
+def typed_digits(text: str) -> tuple[str, int] | None:
+    """The digits of the one decimal number that `text` is, and the power of ten of the last.
+
+    None for a fraction, a product or a multiple of pi, which are exact.
+    """
+    mantissa, _, exponent = text.lower().lstrip(SIGNS).replace("\u2212", "-").partition("e")
+    whole, _, part = mantissa.partition(".")
+    if not (whole + part).isdigit() or not (exponent or "0").lstrip("+-").isdigit():
+        return None
+    return whole + part, int(exponent or 0) - len(part)
 
 
 def parse_number(text: str) -> float:
@@ -76,7 +98,8 @@ def _pi_ends(text: str, at: int) -> int:
     return at if end < len(text) and (text[end].isalnum() or text[end] == "_") else end
 
 
-def _term(text: str, at: int) -> tuple[float, int]:
+def _term(text: str, at: int) -> tuple[float, int, int]:
+    """Read a term: its value, where its decimal ends, and where it ends itself."""
     start = at
     while at < len(text) and text[at] in DIGITS:
         at += 1
@@ -91,7 +114,7 @@ def _term(text: str, at: int) -> tuple[float, int]:
     if at == start:
         end = _pi_ends(text, at)
         if end > at:
-            return math.pi, end
+            return math.pi, at, end
         raise _not_a_number(text)
     mantissa = at
     if at + 1 < len(text) and text[at] in "eE":
@@ -101,10 +124,38 @@ def _term(text: str, at: int) -> tuple[float, int]:
             while at < len(text) and text[at] in DIGITS:
                 at += 1
     value = float(text[start:at].replace("\u2212", "-"))
+    if value == INFINITE:
+        raise _too_large(text[start:at])
     if value < SMALLEST and text[start:mantissa].strip("0.") != "":
-        raise NumberError(f"'{quote(text)}' is too small for a number", "more than 2.3e-308")
+        raise _too_small(text[start:at])
     end = _pi_ends(text, at)
-    return (value * math.pi, end) if end > at else (value, at)
+    if end > at and value * math.pi == INFINITE:
+        raise _too_large(text[start:end])
+    return (value * math.pi, at, end) if end > at else (value, at, at)
+
+
+def _refuse_pi_below(text: str, bare: int) -> None:
+    """Refuse 1/2pi and 1/2 pi sr: a pi behind a divisor, a decimal that ends at `bare`."""
+    start = bare
+    while text[start : start + 1].isspace():
+        start += 1
+    end = _pi_ends(text, start)
+    if end > start:
+        over, _, under = text[:bare].rpartition("/")
+        above = f"{over}{'*pi' if over[-1] in 'iπ' else 'pi'}/{under}"
+        rest = text[end:].rstrip()
+        raise NumberError(
+            f"'{quote(text)}' can be read in two ways",
+            f"{quote(above + rest)} or {quote(f'{over}/{under}/pi{rest}')}",
+        )
+
+
+def _too_large(number: str) -> NumberError:
+    return NumberError(f"'{quote(number)}' is too large for a number", "less than 1.8e308")
+
+
+def _too_small(number: str) -> NumberError:
+    return NumberError(f"'{quote(number)}' is too small for a number", "more than 2.3e-308")
 
 
 def _not_a_number(text: str) -> NumberError:
@@ -122,17 +173,42 @@ def _refuse_lookalikes(text: str, at: int) -> None:
     """Refuse what goes on, after the number, in a way that people read as a number."""
     rest = text[at : at + 2]
     if rest[:1] == "," and rest[1:] in tuple(DIGITS):
-        group = text[at + 1 : at + 5]
-        thousands = len(group) >= 3 and group[:3].isdigit() and not group[3:].isdigit()
-        if text.count(",") == 1 and "." not in text:
-            choices = text.replace(",", ".")
-            choices = f"{text.replace(',', '')} or {choices}" if thousands else choices
-        else:
-            choices = text.replace(",", "")
-        raise NumberError(f"'{quote(text)}' has a comma in its number", quote(choices))
+        raise _rewritten(text, at, "has a comma in its number", _without_commas)
     if rest[:1] == "_":
-        raise NumberError(f"'{quote(text)}' is not a number", quote(text.replace("_", "")))
+        raise _rewritten(text, at, "is not a number", lambda run: [run.replace("_", "")])
     if rest[:1] in ("x", "X") and text[:at].lstrip(SIGNS) == "0" and rest[1:].isalnum():
         raise NumberError(f"'{quote(text)}' is not a number", "decimal digits")
     if rest[:1].isnumeric():
         raise NumberError(f"'{quote(text)}' is not a number", "the digits 0 to 9")
+
+
+def _rewritten(
+    text: str, at: int, problem: str, readings: "Callable[[str], list[str]]"
+) -> NumberError:
+    """What is wrong with the number around `at`, and the text with its readings in its place."""
+    start = end = at
+    while start and text[start - 1] in RUN:
+        start -= 1
+    while text[end : end + 1] and text[end] in RUN:
+        end += 1
+    found = [f"{text[:start]}{one}{text[end:]}".strip() for one in readings(text[start:end])]
+    hint = " or ".join(map(quote, found)) or "a number such as 1500 or 1.5, without commas"
+    return NumberError(f"'{quote(text)}' {problem}", hint)
+
+
+def _without_commas(run: str) -> list[str]:
+    """What people mean by digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
+    whole, *others = run.split(",")
+    if "." in whole:  # points part thousands, and the comma begins the decimals
+        grouped = _are_thousands(whole.split("."))
+        return [f"{whole.replace('.', '')}.{others[0]}"] if grouped and len(others) == 1 else []
+    last, *decimals = others[-1].split(".")
+    thousands = _are_thousands([whole, *others[:-1], last]) and len(decimals) < 2
+    found = [run.replace(",", "")] if thousands else []
+    if len(others) == 1 and not decimals:
+        found.append(f"{whole}.{last}")
+    return found
+
+
+def _are_thousands(groups: list[str]) -> bool:
+    return 0 < len(groups[0]) <= 3 and all(len(group) == 3 for group in groups[1:])

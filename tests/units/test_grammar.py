@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from radcalc.errors import NumberError, UnitError
 from radcalc.units.grammar import parse_unit
 from radcalc.units.numbers import parse_number, split_quantity
+from radcalc.units.table import resolve
 
 SAME = [("W", 1), ("m", -2), ("sr", -1)]
 
@@ -106,7 +107,8 @@ def test_numbers_are_read(text, value):
     [
         "", "-", "nan", "inf", "-inf", "Infinity", "1,5", "1,000", "1,000,000", "1_000", "0x10",
         "1e999", "-1e999", "1e-999", "1e-310", "1/0", "10**10", "٣", "1٣", "²", "one", "--5",
-        "1 000", "1..2", "pixel", "5²", "1e308*10", "9" * 2000,
+        "1 000", "1..2", "pixel", "5²", "1e308*10", "9" * 2000, "1e400/1e400", "1e400*0",
+        "1/1e400", "1e-200*1e-200", "1e-200/1e200", "1e308pi", "1/2pi", "2/3 pi", "pi/2π",
     ],
 )  # fmt: skip
 def test_what_is_no_number_is_refused(text):
@@ -118,12 +120,41 @@ def test_what_is_no_number_is_refused(text):
 
 @pytest.mark.parametrize(
     ("text", "hint"),
-    [("1,5", "1.5"), ("1,000", "1000 or 1.000"), ("1,000,000", "1000000"), ("1_000", "1000")],
-)
+    [
+        ("1,5", "1.5"), ("1,000", "1000 or 1.000"), ("1,000,000", "1000000"), ("1_000", "1000"),
+        ("1.000,5", "1000.5"), ("1,000.5", "1000.5"), ("1,5W.m-2", "1.5W.m-2"),
+        ("-1,5 lx", "-1.5 lx"), ("1,23,4", "a number such as 1500 or 1.5, without commas"),
+        ("1_0 foot_lambert", "10 foot_lambert"),
+    ],
+)  # fmt: skip
 def test_a_number_with_a_comma_or_an_underscore_is_refused_with_what_to_write(text, hint):
     with pytest.raises(NumberError) as caught:
-        parse_number(text)
+        split_quantity(text)
     assert caught.value.hint == hint
+
+
+@pytest.mark.parametrize(
+    ("text", "two_thirds", "below"),
+    [
+        ("2/3pi", "2pi/3", "2/3/pi"), ("1/2π rad", "1pi/2 rad", "1/2/pi rad"),
+        ("2/3pirad", "2pi/3rad", "2/3/pirad"), ("2/3pisr", "2pi/3sr", "2/3/pisr"),
+        ("1/4 pi sr", "1pi/4 sr", "1/4/pi sr"), ("pi/2pi", "pi*pi/2", "pi/2/pi"),
+    ],
+)  # fmt: skip
+def test_a_pi_behind_a_divisor_is_refused_with_both_its_readings(text, two_thirds, below):
+    with pytest.raises(NumberError) as caught:
+        split_quantity(text)
+    assert caught.value.hint == f"{two_thirds} or {below}"
+    above, under = split_quantity(two_thirds), split_quantity(below)
+    assert above[1] == under[1]
+    assert math.isclose(above[0], under[0] * math.pi**2, rel_tol=1e-15)
+
+
+@pytest.mark.parametrize("text", ["град", "grad", "Grad", "pi"])
+def test_what_is_degrees_to_some_and_gons_to_others_is_refused(text):
+    with pytest.raises(UnitError) as caught:
+        resolve(text)
+    assert caught.value.hint
 
 
 @pytest.mark.parametrize(
