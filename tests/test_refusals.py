@@ -258,8 +258,12 @@ COMMANDS = {
         "point-source --intensity 1cd --distance 1m --illuminance 2lx", "contradicts", "ratio"),
     "a source at a negative distance is refused": (
         "point-source --intensity 1cd --distance -1m", "more than 0"),
-    "a receiver too large for its distance is refused with the distance it wants": (
-        "point-source --intensity 1cd --distance 1m --receiver-area 1m2", "too large", "5.6419 m"),
+    "a turned receiver on which a lobe is not even is refused": (
+        "point-source --intensity 1cd --beam-angle 9deg --distance 1m --receiver-area 1m2 "
+        "--incidence 5deg", "varies by more than 1 %", "without --incidence"),
+    "a turned receiver that the cone's edge may cross is refused": (
+        "point-source --flux 9lm --half-angle 5deg --distance 1m --receiver-area 1m2 "
+        "--incidence 5deg", "edge may cross", "without --incidence"),
     "a source too near for its size is refused with that size": (
         "lambertian --luminance 1cd/m2 --area 1m2 --distance 1m", "five times", "1.12838 m"),
     "no receiver is inside a sphere": (

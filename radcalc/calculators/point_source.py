@@ -9,8 +9,7 @@ from typing import Any
 from radcalc.answer import Answer
 from radcalc.calculators.light import Lit
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.conversion import geometric
-from radcalc.derivation import format_number
+from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import (
     ConditionError,
     Exclusive,
@@ -22,7 +21,9 @@ from radcalc.errors import (
 from radcalc.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
+    ACROSS,
     ANY_LAWS,
+    ASIDE,
     CONICAL,
     FALL,
     INSIDE,
@@ -31,6 +32,7 @@ from radcalc.laws.point import (
     LAWS,
     LOBED,
     OFF_AXIS,
+    RECEIVED,
 )
 from radcalc.maths import any_true, atan2, hypot, is_array
 
@@ -77,11 +79,14 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     laws = [*LAWS[shape], *ANY_LAWS, *_position(sheet, shape)]
     sheet.assume(ASSUMED[shape])
     _solve(sheet, laws, any_incidence)
-    _refuse_near(sheet)
+    if sheet.has("received-flux"):
+        _judge_receiver(sheet, shape)
     if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
         sheet.notes.append("light from the side or behind does not reach the receiver")
     if shape == CONICAL and sheet.has("share") and any_true(sheet.at("share") == 0):
-        sheet.notes.append("the receiver is outside the cone")
+        reached = sheet.has("received-flux") and any_true(sheet.at("received-flux") > 0)
+        centre = "'s centre" if reached else ""
+        sheet.notes.append(f"the receiver{centre} is outside the cone")
     return sheet.answer(laws)
 
 
@@ -167,7 +172,7 @@ def _position(sheet: Worksheet, shape: str) -> list[AnyLaw]:
         if "height" in given:
             sheet.know("lateral", 0.0)
             _lie_flat(sheet, 0.0)
-        return [INVERSE_SQUARE]
+        return [INVERSE_SQUARE, RECEIVED[shape]]
     if "height" not in given:
         raise MissingInput(
             f"{option('height')} is missing beside {option(lateral[0].name)}",
@@ -180,15 +185,16 @@ def _position(sheet: Worksheet, shape: str) -> list[AnyLaw]:
     off = atan2(sideways, given["height"].value)
     sheet.know("off-axis", off)
     _lie_flat(sheet, off)
+    received = (ASIDE if "incidence" in given else ACROSS)[shape]
     if shape == ISOTROPIC:
-        return [INVERSE_SQUARE]
+        return [INVERSE_SQUARE, received]
     sheet.assume("the source points straight down")
     if shape == CONICAL:
         if not (set(CONE) & set(given) or {"flux", "intensity"} <= set(sheet.known)):
             sheet.assume("the receiver is inside the cone")
-            return [INVERSE_SQUARE]
-        return [OFF_AXIS, INSIDE]
-    return [OFF_AXIS, FALL]
+            return [INVERSE_SQUARE, received]
+        return [OFF_AXIS, INSIDE, received]
+    return [OFF_AXIS, FALL, received]
 
 
 def _lie_flat(sheet: Worksheet, off: Any) -> None:
@@ -198,14 +204,21 @@ def _lie_flat(sheet: Worksheet, off: Any) -> None:
         sheet.assume("the receiver lies flat, in a plane across the source's axis")
 
 
-def _refuse_near(sheet: Worksheet) -> None:
-    """Refuse a receiver so large beside its distance that its irradiance is not uniform."""
-    if "receiver-area" in sheet.given and sheet.has("distance"):
-        given = sheet.given["receiver-area"]
-        size = geometric.size_of(given.value)
-        if geometric.is_near(sheet.at("distance"), size):
-            raise ConditionError(
-                f"{option(given.name, given.text)} is too large for its distance: "
-                "the irradiance on it is not uniform",
-                f"a distance of {format_number(5 * size)} m or more",
-            )
+def _judge_receiver(sheet: Worksheet, shape: str) -> None:
+    """Say what is assumed of the receiver, and where the light on it is not even."""
+    sheet.assume("the receiver is a disc of that area")
+    area, away, off = sheet.at("receiver-area"), sheet.at("distance"), 0.0
+    if sheet.has("off-axis"):
+        off = sheet.at("off-axis")
+    if shape == LOBED and "incidence" in sheet.given:
+        from radcalc.geometry import receivers
+
+        uneven = receivers.unevenness(sheet.at("exponent"), (area / math.pi) ** 0.5, away, off)
+        sheet.assume(f"the intensity on it is even, within {format_number(100 * uneven)} %")
+    mean = sheet.at("received-flux") / area
+    if not is_array(mean) and abs(sheet.at("irradiance") - mean) > 0.01 * mean:
+        unit = coherent_unit_of("irradiance", sheet.lit.kind)
+        sheet.notes.append(
+            "the irradiance is that at the receiver's centre; its mean over the receiver is "
+            f"{format_value(mean, unit)}"
+        )

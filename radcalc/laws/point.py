@@ -29,7 +29,13 @@ All (`ANY_LAWS`), for a source that is small beside its distance d (five times i
 - `INVERSE_SQUARE`: E = I cos(theta) Omega0 / d^2; `OFF_AXIS`: E = I f cos(theta) Omega0 / d^2,
   where f is what is left of I at the angle gamma off the axis
 - cosine of the incidence: 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
-- flux within: Phi_w = Phi k; flux on a receiver: Phi_r = E A_r; `ENERGY` and `EXPOSURE`
+- flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
+
+And of a round receiver of any size, beside that distance and beside the light's footprint:
+
+- flux on a receiver: Phi_r = I Omega_r, where `RECEIVED` has the solid angle Omega_r of each
+  distribution, weighted with its intensity relative to I: on the axis, off it across the axis
+  (`ACROSS`) and turned (`ASIDE`)
 
 Lengths [m], angles [rad]; light in coherent SI of one kind.  Source: ISO 80000-7 (intensity,
 irradiance) for the first laws, the rest are integrals of the distributions.
@@ -43,8 +49,8 @@ from radcalc.errors import option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import acos, exp, hypot, log, piecewise, sin
+from radcalc.laws.law import AnyLaw, At, Relation, law, relation
+from radcalc.maths import acos, exp, hypot, log, piecewise, sin, sqrt
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
 
@@ -157,7 +163,7 @@ ANY_LAWS: list[AnyLaw] = [
     law("flux within", "{flux-within} = {flux} {part}"),
     EXPOSURE,
     ENERGY,
-    law("flux on a receiver", "{received-flux} = {irradiance} {receiver-area}"),
+    law("flux on a receiver", "{received-flux} = {intensity} {received-solid-angle}"),
 ]
 
 
@@ -211,3 +217,38 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
         "another intensity or irradiance",
     )
     return abs(log(share) / lobes.ln_cos(off_axis))
+
+
+def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
+    """What a round receiver gets of a distribution, by where its centre is and how it is turned."""
+    own, texts = _SEEN[shape]
+    places = [name for name, is_one in (("off-axis", aside), ("incidence", turned)) if is_one]
+    names = {"off-axis": "{off-axis} off the axis", "incidence": "turned by {incidence}"}
+    where = ", ".join(["a disc of {receiver-area} at {distance}", *map(names.__getitem__, places)])
+
+    def solve(at: At) -> Any:
+        from radcalc.geometry import receivers
+
+        radius = sqrt(at("receiver-area") / math.pi)
+        place = {name.replace("-", "_"): at(name) for name in places}
+        return getattr(receivers, shape)(*map(at, own), radius, at("distance"), **place)
+
+    title = f"{shape}, a receiver in its light"
+    if aside:
+        title += f" off the axis{', turned' if turned else ''}"
+    return relation(
+        title,
+        f"{{received-solid-angle}} = integral of {texts}, over {where}",
+        {"received-solid-angle": solve},
+    )
+
+
+# The symbols of a distribution that tell how it is spread, and what is integrated over a receiver.
+_SEEN: dict[str, tuple[tuple[str, ...], str]] = {
+    ISOTROPIC: ((), "cos(theta) / r^2"),
+    CONICAL: (("half-angle",), "cos(theta) / r^2 within {half-angle}"),
+    LOBED: (("exponent",), "cos(gamma)^{exponent} cos(theta) / r^2"),
+}
+RECEIVED = {shape: _received(shape) for shape in _SEEN}
+ACROSS = {shape: _received(shape, shape != ISOTROPIC, shape == ISOTROPIC) for shape in _SEEN}
+ASIDE = {shape: _received(shape, shape != ISOTROPIC) for shape in _SEEN}

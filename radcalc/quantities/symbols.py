@@ -371,6 +371,7 @@ _INNER = (
     _symbol(NUMBER, "share", "f"),
     _symbol(NUMBER, "part", "k"),
     _symbol(NUMBER, "beam-part", "k_b"),
+    _symbol(SOLID_ANGLE, "received-solid-angle", "Ω_r"),
     _symbol(LENGTH, "lateral", "x"),
     _symbol(AREA, "apparent-area", "A_p"),
     _symbol(FREQUENCY, "light", "b", unit="Hz"),

@@ -4,7 +4,7 @@ import math
 
 import mpmath
 import pytest
-from helpers import number
+from helpers import Q, number
 from mpmath import mpf
 
 from radcalc import point_source
@@ -131,3 +131,39 @@ def test_the_isotropic_source():
 )  # fmt: skip
 def test_each_answer_about_a_point_source_is_its_formula(call, name, unit, expected):
     assert number(call(), name, unit) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("by", [{"half_angle": "0.5deg"}, {"beam_angle": "1deg"}])
+def test_no_receiver_gets_more_than_all_the_light(by):
+    """A spot of 4.4 cm radius (0.5 deg at 5 m), on a disc of 40 cm: all of it."""
+    found = point_source(flux="100lm", distance="5m", receiver_area="0.5m2", **by)
+    assert number(found, "received_flux", "lm") == pytest.approx(100, rel=1e-9)
+
+
+def test_a_receiver_at_the_edge_of_a_cone_gets_what_is_on_it():
+    """Half of a small disc whose centre is on the edge of the light, which is nearly straight."""
+    found = point_source(
+        flux="100lm", half_angle="45deg", height="1m", offset="1m", receiver_area="1e-6m2"
+    )
+    inside = point_source(
+        flux="100lm", half_angle="46deg", height="1m", offset="1m", receiver_area="1e-6m2"
+    )
+    cone = (1 - math.cos(PI / 4)) / (1 - math.cos(math.radians(46)))
+    part = number(found, "received_flux", "lm") / number(inside, "received_flux", "lm") * cone
+    assert part == pytest.approx(0.5, abs=1e-3)
+    assert number(inside, "received_flux", "lm") == pytest.approx(
+        number(inside, "irradiance", "lx") * 1e-6, rel=1e-5
+    )
+
+
+def test_an_array_of_receivers_and_of_distances():
+    """Small ones get E A, of an illuminance of 100 lm / (4 pi sin^2(0.25 deg)) / 25 m2."""
+    areas = Q([1e-4, 0.5, 100.0], "m2")
+    found = point_source(flux="100lm", half_angle="0.5deg", distance="5m", receiver_area=areas)
+    assert found["received_flux"].to("lm").magnitude == pytest.approx([1.67193, 100, 100], rel=2e-6)
+    away = Q([0.01, 5.0, 500.0], "m")
+    found = point_source(flux="100lm", half_angle="0.5deg", distance=away, receiver_area="0.5m2")
+    spot = PI * (500 * math.tan(math.radians(0.5))) ** 2
+    assert found["received_flux"].to("lm").magnitude == pytest.approx(
+        [100, 100, 50 / spot], rel=1e-4
+    )

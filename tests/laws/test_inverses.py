@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 import mpmath
+import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -42,6 +43,25 @@ def _photopic(mesopic: float, ratio: float) -> float:
     return mesopic * (m + (1 - m) * at_555) / (m + (1 - m) * at_555 * ratio)
 
 
+def _on_disc(area: float, distance: float, incidence: float, n: float = 0.0) -> float:
+    """The integral of cos^n(gamma) cos(theta) / r^2 over a disc about the axis, point by point."""
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    rho, turn = (nodes + 1) / 2 * math.sqrt(area / PI), np.arange(240) * (2 * PI / 240)
+    u, v = rho[:, None] * np.cos(turn), rho[:, None] * np.sin(turn)
+    height = distance * math.cos(incidence)  # of the source over the disc's plane
+    along = distance + u * math.sin(incidence)
+    square = along**2 + (u * math.cos(incidence)) ** 2 + v**2
+    values = height / square**1.5 * (along / np.sqrt(square)) ** n
+    return float((weights * rho / 2) @ values.sum(1)) * math.sqrt(area / PI) * 2 * PI / 240
+
+
+def _lit(half_angle: float, area: float, distance: float) -> float:
+    return _cone(min(half_angle, math.atan2(math.sqrt(area / PI), distance)))
+
+
+RECEIVER = {"receiver-area": st.floats(0.01, 1), "distance": st.floats(1, 10)}
+SMALL = {"receiver-area": st.floats(0.001, 0.01), "distance": st.floats(5, 10)}
+
 # name of a relation and the symbol on its left -> the symbols drawn, the symbol they give, and
 # the textbook's formula
 FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
@@ -78,6 +98,27 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("fall of a lobe", "share"): (
         {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "share",
         lambda off, n: math.cos(off) ** n),
+    ("isotropic, a receiver in its light", "received-solid-angle"): (
+        {**RECEIVER, "incidence": ANGLE}, "received-solid-angle", _on_disc),
+    ("cone, a receiver in its light", "received-solid-angle"): (
+        {"half-angle": st.floats(0.01, 3.1), **RECEIVER, "incidence": st.just(0.0)},
+        "received-solid-angle", lambda *at: _lit(*at[:3])),
+    ("lobe, a receiver in its light", "received-solid-angle"): (
+        {"exponent": st.floats(0, 100), **RECEIVER, "incidence": st.just(0.0)},
+        "received-solid-angle", lambda n, a, d, t: _on_disc(a, d, t, n)),
+    ("cone, a receiver in its light off the axis", "received-solid-angle"): (
+        {"half-angle": st.floats(1.5, 3.1), **SMALL, "off-axis": st.floats(0, 1.4)},
+        "received-solid-angle", lambda _, a, d, off: _on_disc(a, d, off)),
+    ("lobe, a receiver in its light off the axis", "received-solid-angle"): (
+        {"exponent": st.just(0.0), **RECEIVER, "off-axis": st.floats(0, 1.0)},
+        "received-solid-angle", lambda _, a, d, off: _on_disc(a, d, off)),
+    ("cone, a receiver in its light off the axis, turned", "received-solid-angle"): (
+        {"half-angle": st.floats(1.5, 3.1), **SMALL, "off-axis": st.floats(0, 1.4),
+         "incidence": ANGLE},
+        "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
+    ("lobe, a receiver in its light off the axis, turned", "received-solid-angle"): (
+        {"exponent": st.just(0.0), **SMALL, "off-axis": st.floats(0, 1.4), "incidence": ANGLE},
+        "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
     ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
         lambda r, h: PI * r**2 / (r**2 + h**2)),

@@ -1,0 +1,323 @@
+"""What a round receiver gets of a point source: the part of its directions that end on a disc.
+
+Each function gives a solid angle [sr] that is weighted with the source's intensity relative to
+that on its axis, f(gamma): times the intensity on the axis it is the flux on the disc.
+
+- `isotropic`: f = 1
+- `cone`: f = 1 within a half angle, 0 outside
+- `lobe`: f = cos^n(gamma) up to 90 degrees; `unevenness` bounds how f varies over a turned disc
+
+A disc *lies across* the source's axis where its plane is at right angles to it.  Lengths are in
+any one unit, angles in radians; arguments are floats or arrays that are broadcast together.
+"""
+
+import math
+from collections.abc import Callable
+
+from radcalc.errors import ConditionError, mention
+from radcalc.geometry import cones, lobes, solid
+from radcalc.geometry.numerics.quadrature import adaptive
+from radcalc.maths import Number, each
+
+UNEVEN = 0.01  # [1] the most by which a lobe may vary over a receiver that is turned
+FAINT = 1e-18  # [1] what is left of a lobe where no more of it is integrated
+
+
+def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Number:
+    """Solid angle of a disc seen from a point, by the distance of its centre and its turn.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the disc, 0 or more.
+    distance : float or ndarray [m]
+        Distance d of its centre from the source, above 0.
+    incidence : float or ndarray [rad], optional
+        Angle theta between the disc's normal and the line to the source; 0, facing it, by default.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 2 pi; 0 from pi/2 on, where the disc shows its edge or its back.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or a distance is not above 0.
+
+    Notes
+    -----
+    `radcalc.geometry.solid.disc` at the height d cos(theta) and the offset d sin(theta); exact.
+
+    Examples
+    --------
+    A disc whose rim is seen at 60 degrees fills pi sr; turned by 60 degrees, far away, half:
+
+    >>> import math
+    >>> from radcalc.geometry import receivers
+    >>> round(receivers.isotropic(math.sqrt(3), 1.0) / math.pi, 12)
+    1.0
+    >>> far = receivers.isotropic(1.0, 1e6, math.radians(60)) / receivers.isotropic(1.0, 1e6)
+    >>> round(far, 9)
+    0.5
+    """
+    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
+    return each(_isotropic, radius, distance, abs(incidence))
+
+
+def _isotropic(radius: float, distance: float, incidence: float) -> Number:
+    if incidence >= math.pi / 2:
+        return 0.0
+    return solid.disc(radius, distance * math.cos(incidence), distance * math.sin(incidence))
+
+
+def cone(
+    half_angle: Number,
+    radius: Number,
+    distance: Number,
+    off_axis: Number = 0.0,
+    incidence: Number | None = None,
+) -> Number:
+    """Solid angle of that part of a disc that a uniform cone lights.
+
+    Parameters
+    ----------
+    half_angle : float or ndarray [rad]
+        Half angle alpha of the cone, from 0 to pi.
+    radius, distance : float or ndarray [m]
+        As of `isotropic`.
+    off_axis : float or ndarray [rad], optional
+        Angle gamma of the disc's centre from the cone's axis, from 0 to below pi/2; 0 by default.
+    incidence : float or ndarray [rad], optional
+        Angle between the disc's normal and the line to the source; without it the disc lies across
+        the cone's axis.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to the solid angle of the cone.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, a distance is not above 0, a half angle is outside 0 to pi, or the
+        cone's edge may cross a disc that is turned: an incidence does not say about which axis.
+
+    Notes
+    -----
+    The smaller of the two solid angles on the axis; elsewhere an integral over the circles about
+    the axis, of which an arc is on the disc.  Exact.
+
+    Examples
+    --------
+    A disc that is larger than the light's footprint gets all of the cone:
+
+    >>> import math
+    >>> from radcalc.geometry import cones, receivers
+    >>> half = math.radians(0.5)
+    >>> receivers.cone(half, 0.4, 5.0) == cones.cone(half)
+    True
+    """
+    cones.cone(half_angle)  # refuses what is no cone
+    isotropic(radius, distance)  # as that does its arguments
+
+    def one(half: float, size: float, away: float, off: float, turn: float) -> Number:
+        if not _lies_across(off, turn):
+            reach = math.asin(size / away) if size < away else math.pi
+            if turn >= math.pi / 2 or off - reach >= half:
+                return 0.0
+            if off + reach > half:
+                raise ConditionError(
+                    "the cone's edge may cross the receiver, which is turned",
+                    mention(
+                        "the same without {incidence}: a receiver in a plane across the axis, or a "
+                        "smaller one"
+                    ),
+                )
+            return _isotropic(size, away, turn)
+        height, aside = away * math.cos(off), away * math.sin(off)
+        if math.atan2(aside + size, height) <= half:
+            return solid.disc(size, height, aside)
+        return _across(lambda gamma: 1.0, cones.cone, half, size, height, aside)
+
+    turn = math.nan if incidence is None else abs(incidence)
+    return each(one, half_angle, radius, distance, off_axis, turn)
+
+
+def lobe(
+    exponent: Number,
+    radius: Number,
+    distance: Number,
+    off_axis: Number = 0.0,
+    incidence: Number | None = None,
+) -> Number:
+    """Solid angle of a disc, weighted with a cosine-power lobe.
+
+    Parameters
+    ----------
+    exponent : float or ndarray [1]
+        Exponent n of the lobe, 0 or more.
+    radius, distance : float or ndarray [m]
+        As of `isotropic`.
+    off_axis : float or ndarray [rad], optional
+        Angle gamma of the disc's centre from the lobe's axis, from 0 to below pi/2; 0 by default.
+    incidence : float or ndarray [rad], optional
+        Angle between the disc's normal and the line to the source; without it the disc lies across
+        the lobe's axis.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to 2 pi/(n + 1), which all of the lobe has.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, a distance is not above 0, or the lobe varies by more than 1 %
+        over a disc that is turned: an incidence does not say about which axis.
+
+    Notes
+    -----
+    On the axis, with tan(beta) = R/d::
+
+        2 pi (1 - cos^(n+1)(beta)) / (n + 1)
+
+    Off the axis an integral over the circles about it, of which an arc is on the disc.  Both are
+    exact.  Of a disc that is turned it is the solid angle times cos^n(gamma), which is off by no
+    more than `unevenness`.
+
+    Examples
+    --------
+    A large disc gets all of a lobe; one whose rim is at 60 degrees three quarters of a Lambertian:
+
+    >>> import math
+    >>> from radcalc.geometry import lobes, receivers
+    >>> round(receivers.lobe(1.0, math.tan(math.radians(60)), 1.0) / math.pi, 12)
+    0.75
+    """
+    isotropic(radius, distance)  # refuses as that does
+
+    def one(n: float, size: float, away: float, off: float, turn: float) -> Number:
+        if not _lies_across(off, turn):
+            if turn >= math.pi / 2:
+                return 0.0
+            cones.refuse(
+                _unevenness(n, size, away, off) > UNEVEN,
+                "the lobe varies by more than 1 % over the receiver, which is turned",
+                mention(
+                    "the same without {incidence}: a receiver in a plane across the axis, or a "
+                    "smaller one"
+                ),
+            )
+            return _isotropic(size, away, turn) * math.exp(n * lobes.ln_cos(off))
+        height, aside = away * math.cos(off), away * math.sin(off)
+        nearest = max(0.0, math.atan2(aside - size, height))
+        edge = math.pi / 2
+        if n > 0:  # the rest is as nothing beside what the nearest part of the disc gets
+            fall = lobes.ln_cos(nearest) + math.log(FAINT) / n
+            edge = 2 * math.asin(math.sqrt(-math.expm1(fall) / 2))
+        return _across(
+            lambda gamma: math.exp(n * lobes.ln_cos(gamma)),
+            lambda gamma: lobes.solid_angle(n) * lobes.part(n, gamma),
+            edge,
+            size,
+            height,
+            aside,
+        )
+
+    turn = math.nan if incidence is None else abs(incidence)
+    return each(one, exponent, radius, distance, off_axis, turn)
+
+
+def unevenness(
+    exponent: Number, radius: Number, distance: Number, off_axis: Number = 0.0
+) -> Number:
+    """By how much a lobe's intensity differs at most, on a disc, from that towards its centre.
+
+    Parameters
+    ----------
+    exponent : float or ndarray [1]
+        Exponent n of the lobe, 0 or more.
+    radius, distance : float or ndarray [m]
+        Radius of the disc, and distance of its centre from the source, above 0.
+    off_axis : float or ndarray [rad], optional
+        Angle gamma of its centre from the lobe's axis, from 0 to below pi/2; 0 by default.
+
+    Returns
+    -------
+    float or ndarray [1]
+        Relative to the intensity towards the centre; infinite where the disc may reach the edge of
+        the lobe, or the source.
+
+    Notes
+    -----
+    However the disc is turned, it is seen within the angle d = asin(R/distance) from its centre::
+
+        max(cos^n(gamma - d) / cos^n(gamma) - 1, 1 - cos^n(gamma + d) / cos^n(gamma))
+
+    where gamma - d counts as 0 if it is negative.
+
+    Examples
+    --------
+    A spot of 10 degrees (n = 181) over a disc of 1 cm radius 1 m away, on its axis:
+
+    >>> from radcalc.geometry import receivers
+    >>> round(receivers.unevenness(181.0, 0.01, 1.0), 5)
+    0.00901
+    """
+    return each(_unevenness, exponent, radius, distance, off_axis)
+
+
+def _unevenness(exponent: float, radius: float, distance: float, off_axis: float) -> float:
+    if exponent == 0 and radius < distance:
+        return 0.0
+    reach = math.asin(radius / distance) if radius < distance else math.pi
+    if off_axis + reach >= math.pi / 2:
+        return math.inf
+    middle = lobes.ln_cos(off_axis)
+    more = exponent * (lobes.ln_cos(max(0.0, off_axis - reach)) - middle)
+    less = exponent * (lobes.ln_cos(off_axis + reach) - middle)
+    return max(math.expm1(min(more, 700.0)), -math.expm1(less))
+
+
+def _lies_across(off_axis: float, incidence: float) -> bool:
+    """Whether the plane of a disc is at right angles to the axis; NaN stands for no incidence."""
+    return math.isnan(incidence) or (incidence == 0 and off_axis == 0)
+
+
+def _across(
+    share: Callable[[float], float],
+    within: Callable[[float], Number],
+    edge: float,
+    radius: float,
+    height: float,
+    offset: float,
+) -> Number:
+    """The solid angle, weighted with `share`, of a disc that lies across the axis.
+
+    `within` is that of all directions up to an angle from the axis; nothing counts past `edge`.
+    Circles about the axis are on the disc wholly up to the radius R - x, and with an arc from
+    |R - x| to R + x.  Those radii are m + a cos(t), which leaves no root in the integrand.
+    """
+    large, small = max(radius, offset), min(radius, offset)
+    whole = within(min(edge, math.atan2(radius - offset, height))) if radius > offset else 0.0
+    last = height * math.tan(edge) if edge < math.pi / 2 else math.inf
+    if small == 0 or last <= large - small:
+        return whole
+    start = 0.0
+    if last < large + small:
+        start = 2 * math.asin(math.sqrt((large + small - last) / (2 * small)))
+
+    def circle(t: float) -> float:
+        more, less = 2 * math.sin(t / 2) ** 2, 2 * math.cos(t / 2) ** 2  # 1 - cos, 1 + cos
+        r = large - small + small * less
+        outside, inside = small * less, 2 * (large - small) + small * less
+        if radius > offset:
+            outside, inside = inside, outside
+        over = math.sqrt(small * more * outside)
+        arc = 4 * math.atan2(over, math.sqrt(inside * (r + large + small)))
+        away = math.hypot(height, r)
+        return share(math.atan2(r, height)) * r * height / away**3 * arc * small * math.sin(t)
+
+    return whole + adaptive(circle, start, math.pi)
