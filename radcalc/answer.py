@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+from radcalc.errors import RadcalcError
 from radcalc.units.table import Dimension
 
 
@@ -56,7 +57,8 @@ class Value(NamedTuple):
     may be a function, where working it out is worth waiting until it is looked at.  `reach` has
     the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
     is the number that the user gave, in the first of the units; `also` is another name of it.
-    A result that does not follow has no units; `lacking` tells which symbols would do.
+    A result that does not follow has no units; `lacking` tells which symbols would do, or
+    `because` why none would.
     """
 
     name: str
@@ -69,6 +71,7 @@ class Value(NamedTuple):
     given: Any = None
     also: str = ""
     lacking: Callable[[], Sequence[str]] | None = None
+    because: RadcalcError | None = None
 
     @property
     def amount(self) -> Any:
@@ -78,7 +81,7 @@ class Value(NamedTuple):
     @property
     def is_absent(self) -> bool:
         """Whether it does not follow from what is given."""
-        return self.lacking is not None
+        return self.lacking is not None or self.because is not None
 
 
 class Answer(NamedTuple):

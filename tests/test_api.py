@@ -128,7 +128,7 @@ def test_the_examples_in_the_docstrings_run(name):
 
 
 def test_the_python_example_of_the_readme_runs():
-    """In an interpreter of its own: colour-science changes how NumPy prints, once it is loaded."""
+    """In an interpreter of its own: the tests' colour-science changes how NumPy prints."""
     code = "import doctest, sys; print(doctest.testfile(sys.argv[1], module_relative=False))"
     done = python(code, str(ROOT / "README.md"))
     found = re.search(r"failed=(\d+), attempted=(\d+)", done.stdout)

@@ -30,6 +30,12 @@ def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") ->
     )
 
 
+def absent(name: str, problem: str, hint: str) -> Value:
+    """A result that has no meaning here, which says why when it is asked for."""
+    message = f"there is no {SYMBOLS[name].label}: {problem}"
+    return value(name, 0.0)._replace(units=(), because=UsageError(message, hint))
+
+
 def known(given: Given, *others: str) -> Value:
     """An input as a result: in the unit it was given in, as it was typed; then in others."""
     text = given.unit_text
@@ -69,6 +75,8 @@ def _shown(value: Value, text: str) -> Any:
 
 def _refuse_absent(value: Value) -> None:
     """Say what a result lacks that does not follow."""
+    if value.because is not None:
+        raise value.because
     if value.lacking is not None:
         hint = options(tuple(value.lacking())[:5]) or "more of the quantities"
         raise MissingInput(f"no {value.label} follows from what is given", hint)

@@ -1,22 +1,24 @@
 """What a spectrum amounts to: its shape, its efficacies, its colour."""
 
 import math
-from functools import cache
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators.results import value
+from radcalc.calculators.results import absent, value
 from radcalc.conversion.spectral import too_narrow
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError, option
 from radcalc.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
+from radcalc.spectra import colorimetry
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import WHOLE, BlackBody, Range, Spectrum, range_text
+from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Range, Spectrum, range_text
 
-SAMPLES = [float(x) for x in range(380, 781, 5)]  # where colour rendering looks
-FARTHEST = 0.05  # |Duv| beyond which the CIE gives no correlated colour temperature
+COLOURS = ("x", "y", "cct", "duv", "cri")
+CHROMATICITY = "the chromaticity: x and y"
+UNSEEN = "nothing of this spectrum is seen"
+LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
 def spectrum(given: Inputs) -> Answer:
@@ -37,11 +39,12 @@ def spectrum(given: Inputs) -> Answer:
     lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
     too_narrow(lumens / watts, eye, watts_in)
     amounts = {RADIANT: watts, LUMINOUS: lumens, PHOTON: source.photons(photons_in)}
+    colours, remarks = _colour(source)
     values = [
         *_shape(source, watts_in, watts),
         *_efficacies(lumens, dark, watts, eye),
         *_photons(source, photons_in, lumens, watts),
-        *_colour(source),
+        *colours,
         *_absolute(source, amounts),
     ]
     assumptions = [
@@ -49,9 +52,9 @@ def spectrum(given: Inputs) -> Answer:
         f"photons over {range_text(photons_in)}",
         eye.assumption,
     ]
-    notes = list(source.notes)
+    notes = [*source.notes, *remarks]
     if not lumens:
-        notes.append("nothing of this spectrum is seen")
+        notes.append(UNSEEN)
     return Answer(values, assumptions, notes, _steps(lumens, watts, eye))
 
 
@@ -65,6 +68,10 @@ def _shape(source: Spectrum, limits: Range, watts: float) -> list[Value]:
     found = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
     if width is not None:
         found.append(_nanometres("fwhm", width))
+    else:
+        is_lines = isinstance(source, Lines)
+        why = "a line has no width" if is_lines else "the data end above half of the peak"
+        found.append(absent("fwhm", why, "peak-wavelength and centroid-wavelength"))
     if limits != WHOLE:
         found.append(_nanometres("range-start", limits[0]))
         found.append(_nanometres("range-end", limits[1]))
@@ -78,15 +85,22 @@ def _efficacies(lumens: float, dark: float, watts: float, eye: Observer) -> list
     ]
     if eye is not OBSERVERS["scotopic"]:
         found.append(value("scotopic-luminous-efficacy", dark / watts))
-    if eye is OBSERVERS["photopic"] and lumens:
+    if eye is not OBSERVERS["photopic"]:
+        asked = f"it is by {OBSERVERS['photopic'].label}"
+        found.append(absent("sp-ratio", asked, f"the same without {option('observer')}"))
+    elif lumens:
         found.append(value("sp-ratio", dark / lumens))
+    else:
+        found.append(absent("sp-ratio", UNSEEN, LIT))
     return found
 
 
 def _photons(source: Spectrum, limits: Range, lumens: float, watts: float) -> list[Value]:
     photons = source.photons(limits)
     if not photons:
-        return []
+        why = f"no photons are in {range_text(limits)}"
+        hint = f"another {option('photon-range')}"
+        return [absent(n, why, hint) for n in ("photon-energy", "photon-efficacy", "lux-per-ppfd")]
     return [
         value("photon-energy", source.power(limits) / photons, label="mean photon energy"),
         value("photon-efficacy", photons / watts),
@@ -94,63 +108,29 @@ def _photons(source: Spectrum, limits: Range, lumens: float, watts: float) -> li
     ]
 
 
-def _colour(source: Spectrum) -> list[Value]:
-    """Chromaticity at once; the rest through colour-science, when it is looked at."""
-    from radcalc.spectra.data import sources as data
-
-    tristimulus = [source.weigh(360, table) for table in (data.X, data.Y, data.Z)]
+def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
+    """Chromaticity, colour temperature and colour rendering, or why there is none; and notes."""
+    light = source.moments(*colorimetry.AT)
+    tristimulus = colorimetry.tristimulus(light)
     total = sum(tristimulus)
     if not total > 0:
-        return []
-    x, y = tristimulus[0] / total, tristimulus[1] / total
-    found = [value("x", x), value("y", y)]
-    if not _near_planck(x, y):
-        return found
-
-    @cache
-    def near() -> tuple[float, float]:
-        from radcalc.spectra.colorimetry import temperature_and_distance
-
-        return temperature_and_distance(x, y)
-
-    found += [value("cct", lambda: near()[0]), value("duv", lambda: near()[1])]
-    sampled = source.sample(SAMPLES)
-    if sampled is not None:
-
-        @cache
-        def rendering() -> float:
-            from radcalc.spectra.colorimetry import colour_rendering_index
-
-            return colour_rendering_index(SAMPLES, sampled)
-
-        found.append(value("cri", rendering))
-    return found
-
-
-def _near_planck(x: float, y: float) -> bool:
-    """Whether a colour temperature means anything: within 0.05 of the Planckian in (u, v)."""
-    u, v = _uv(x, y)
-    return min(math.dist((u, v), point) for point in _locus()) <= FARTHEST
-
-
-@cache
-def _locus() -> list[tuple[float, float]]:
-    """Points (u, v) of the Planckian locus from 1000 K to 100 000 K."""
-    from radcalc.spectra.data import sources as data
-
-    points = []
-    for i in range(101):
-        body = BlackBody(1000 * 10 ** (i / 50))
-        tristimulus = [body.weigh(360, table) for table in (data.X, data.Y, data.Z)]
-        total = sum(tristimulus)
-        points.append(_uv(tristimulus[0] / total, tristimulus[1] / total))
-    return points
-
-
-def _uv(x: float, y: float) -> tuple[float, float]:
-    """CIE 1960 (u, v)."""
-    below = -2 * x + 12 * y + 3
-    return 4 * x / below, 6 * y / below
+        return [absent(name, UNSEEN, LIT) for name in COLOURS], []
+    found = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
+    try:
+        temperature, distance = colorimetry.temperature_and_distance(light)
+    except colorimetry.Undefined as error:
+        return [*found, *(absent(name, str(error), CHROMATICITY) for name in COLOURS[2:])], []
+    found += [value("cct", temperature), value("duv", distance)]
+    try:
+        like = colorimetry.reference(temperature)
+    except colorimetry.Undefined as error:
+        return [*found, absent("cri", str(error), "cct and duv")], []
+    found.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
+    away = colorimetry.difference(light, like)
+    if away <= colorimetry.SIMILAR:
+        return found, []
+    beyond = f"the colour is {away:.2g} in (u, v) from that of the reference"
+    return found, [f"cri: {beyond}, and CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
 
 
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:

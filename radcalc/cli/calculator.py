@@ -125,7 +125,7 @@ def _spread(answers: Sequence[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
     """The answers, those of a long range one by one."""
     found: list[tuple[str, Answer]] = []
     for case, answer in answers:
-        shown = [value for value in answer.values if value.lacking is None]
+        shown = [value for value in answer.values if not value.is_absent]
         long = [v for v in shown if not isinstance(v.si, float) and is_array(v.si)]
         if not long:
             found.append((case, answer))

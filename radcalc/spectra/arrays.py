@@ -31,9 +31,15 @@ def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
     array of shape (n,)
         By the trapezoid on the union of both grids.
     """
+    union, share = _shares(grid, nodes)
+    return _spread(union, share * np.interp(union, nodes, heights), grid)
+
+
+def _shares(grid: Any, nodes: Any) -> tuple[Any, Any]:
+    """The union of two grids where both are, and the trapezoid's weights of its points."""
     low, high = max(grid[0], nodes[0]), min(grid[-1], nodes[-1])
     if low >= high:
-        return np.zeros(len(grid))
+        return np.zeros(0), np.zeros(0)
     inner = np.asarray(nodes)[(nodes > low) & (nodes < high)]
     first, last = np.searchsorted(grid, (low, high))
     part = grid[first : last + 1]
@@ -44,12 +50,15 @@ def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
     share = np.zeros(len(union))
     share[:-1] += steps / 2
     share[1:] += steps / 2
-    share *= np.interp(union, nodes, heights)
-    cell = np.clip(np.searchsorted(grid, union, side="right") - 1, 0, len(grid) - 2)
-    upper = (union - grid[cell]) / (grid[cell + 1] - grid[cell])
-    size = len(grid)
-    below = np.bincount(cell, share * (1 - upper), minlength=size)
-    return below + np.bincount(cell + 1, share * upper, minlength=size)
+    return union, share
+
+
+def _spread(places: Any, amounts: Any, grid: Any) -> Any:
+    """Amounts at some places, each shared out between the points of a grid next to it."""
+    cell = np.clip(np.searchsorted(grid, places, side="right") - 1, 0, len(grid) - 2)
+    upper = (places - grid[cell]) / (grid[cell + 1] - grid[cell])
+    below = np.bincount(cell, amounts * (1 - upper), minlength=len(grid))
+    return below + np.bincount(cell + 1, amounts * upper, minlength=len(grid))
 
 
 def power_weights(grid: Any, limits: Range = WHOLE) -> Any:
@@ -66,10 +75,13 @@ class ArrayTable(Table):
         grid, values = self._part(limits)
         return float(np.trapezoid(values, grid))
 
-    def weigh(self, start: int, weights: Sequence[float]) -> float:
+    def moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""
-        nodes = np.arange(start, start + len(weights), dtype=float)
-        return float(product_weights(self.grid, nodes, np.asarray(weights)) @ self.values)
+        nodes = np.arange(start, start + count, dtype=float)
+        union, share = _shares(self.grid, nodes)
+        heights = np.interp(union, self.grid, self.values)
+        found: list[float] = _spread(union, share * heights, nodes).tolist()
+        return found
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""

@@ -1,37 +1,211 @@
-"""Colour temperature and colour rendering, through colour-science, loaded only when asked for."""
+"""Chromaticity, correlated colour temperature and colour rendering.
 
-import warnings
+All by the CIE 1931 2 degree observer at 1 nm, 360 nm to 830 nm, between which a spectrum is
+linear as everywhere.  A light is its moments there: `source.moments(*AT)`.
+"""
+
+import math
 from collections.abc import Sequence
-from typing import Any
+from functools import cache
+from operator import mul
+from typing import NamedTuple
+
+from radcalc.spectra.data.colours import SAMPLES, X, Y, Z
+from radcalc.spectra.daylight import HOTTEST, illuminant
+from radcalc.spectra.planck import C2
+from radcalc.spectra.spectrum import BlackBody, Spectrum
+
+AT = 360, len(Y)  # the first nanometre, and how many there are
+FARTHEST = 0.05  # |Duv| beyond which the CIE gives no correlated colour temperature
+SIMILAR = 5.4e-3  # how far apart in (u, v) CIE 13.3 has a light and its reference at most
+DAYLIGHT_FROM = 5000.0  # K: where daylight takes the black body's place as the reference
+NOISE = 1e-13  # in (u, v): what the sums round away
+COLDEST = 250.0  # K: what is colder has the chromaticity of 830 nm
+ENDLESS = 5e-10  # 1/K: half as much as the hottest black body has
+# 1/K, near enough to each other to see a sign change of `_Planckian.slope` between two of them
+STEPS = (ENDLESS, *(1e-6 * t for t in (50, 100, 150, 200, 300, 400, 600, 900, 1500)), 1 / COLDEST)
+Colour = tuple[float, float]
+Light = Sequence[float]
 
 
-def load_colour() -> Any:
-    """colour-science, without its warnings of packages that are missing.
+class Undefined(Exception):
+    """What has no meaning for a light; the text says why."""
 
-    Importing it changes how NumPy prints arrays in the whole process: that is undone.
+
+_BELOW = tuple(x + 15 * y + 3 * z for x, y, z in zip(X, Y, Z, strict=True))
+_RATIOS = [C2 / (1e-9 * (AT[0] + i)) for i in range(AT[1])]  # c2/lambda [K]
+_POWERS = [(1e-5 * ratio) ** 4 for ratio in _RATIOS]
+_POWERS[0] /= 2  # the trapezoid's ends, as in a spectrum's moments
+_POWERS[-1] /= 2
+
+
+def tristimulus(light: Light) -> tuple[float, float, float]:
+    """Its X, Y and Z, without a constant."""
+    return _dot(light, X), _dot(light, Y), _dot(light, Z)
+
+
+def _dot(light: Light, weights: Sequence[float]) -> float:
+    total: float = sum(map(mul, light, weights))
+    return total
+
+
+def _uv(light: Light) -> Colour:
+    """Its chromaticity in CIE 1960 (u, v)."""
+    below = _dot(light, _BELOW)
+    return 4 * _dot(light, X) / below, 6 * _dot(light, Y) / below
+
+
+class _Planckian(NamedTuple):
+    """A point of the Planckian locus in (u, v) and how it moves with 1/T."""
+
+    inverse: float
+    place: Colour
+    speed: Colour
+
+    def slope(self, colour: Colour) -> float:
+        """Half the derivative by 1/T of the squared distance to a chromaticity."""
+        (u, v), (du, dv) = self.place, self.speed
+        return (u - colour[0]) * du + (v - colour[1]) * dv
+
+
+def _planckian(inverse: float) -> _Planckian:
+    """The Planckian locus at 1/T [1/K], from Planck's law and the observer."""
+    shares = [ratio * inverse for ratio in _RATIOS]  # c2/(lambda T)
+    parts = [x / math.expm1(x) for x in shares]
+    light = list(map(mul, _POWERS, parts))
+    rise = [s * (1 - x - part) / inverse for s, x, part in zip(light, shares, parts, strict=True)]
+    below, d_below = _dot(light, _BELOW), _dot(rise, _BELOW)
+    u, v = 4 * _dot(light, X) / below, 6 * _dot(light, Y) / below
+    speed = (4 * _dot(rise, X) - u * d_below) / below, (6 * _dot(rise, Y) - v * d_below) / below
+    return _Planckian(inverse, (u, v), speed)
+
+
+@cache
+def _steps() -> list[_Planckian]:
+    return [_planckian(inverse) for inverse in STEPS]
+
+
+def temperature_and_distance(light: Light) -> tuple[float, float]:
+    """Correlated colour temperature [K] of a light, and its Duv.
+
+    Returns
+    -------
+    temperature : float
+        Of the black body that is nearest in CIE 1960 (u, v).
+    distance : float
+        How far that is, above 0 where the light lies above the Planckian locus.
+
+    Raises
+    ------
+    Undefined
+        Where no black body is nearest, or the nearest is more than 0.05 away.
+
+    Notes
+    -----
+    Where the derivative by 1/T of the squared distance is 0, on the locus itself.  The locus
+    bends with no radius under 0.100, so for a light within 0.05 of it there is one such place.
+
+    References
+    ----------
+    CIE 15:2004 for the definition and the 0.05; Y. Ohno, "Practical use and calculation of CCT
+    and Duv", LEUKOS 10 (2014), for the sign.
     """
-    import numpy
-
-    with warnings.catch_warnings(), numpy.printoptions():
-        warnings.simplefilter("ignore")
-        import colour
-    return colour
-
-
-def temperature_and_distance(x: float, y: float) -> tuple[float, float]:
-    """Correlated colour temperature [K] and Duv of a chromaticity (Ohno 2013)."""
-    colour = load_colour()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        uv = colour.UCS_to_uv(colour.XYZ_to_UCS(colour.xy_to_XYZ([x, y])))
-        cct, duv = colour.temperature.uv_to_CCT_Ohno2013(uv)
-    return float(cct), float(duv)
+    colour = _uv(light)
+    slopes = [point.slope(colour) for point in _steps()]
+    k = next((k for k, slope in enumerate(slopes) if slope >= 0), 0)
+    if not k:
+        end = "an infinite temperature" if slopes[0] >= 0 else f"{COLDEST:g} K"
+        raise Undefined(f"its chromaticity lies beyond that of a black body of {end}")
+    point = _between(colour, STEPS[k - 1], STEPS[k], slopes[k - 1], slopes[k])
+    away = math.dist(colour, point.place)
+    if away > FARTHEST:
+        raise Undefined(f"Duv would be {away:.2g}, and the CIE's limit is {FARTHEST:g}")
+    if away < NOISE:
+        away = 0.0
+    return 1 / point.inverse, math.copysign(away, colour[1] - point.place[1])
 
 
-def colour_rendering_index(wavelengths: Sequence[float], values: Sequence[float]) -> float:
-    """The general colour rendering index Ra (CIE 1995) of a spectrum."""
-    colour = load_colour()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        table = colour.SpectralDistribution(dict(zip(wavelengths, values, strict=True)))
-        return float(colour.colour_rendering_index(table))
+def _between(colour: Colour, low: float, high: float, below: float, above: float) -> _Planckian:
+    """Where the slope is 0, between two 1/T of a negative and a positive one.
+
+    References
+    ----------
+    N. Anderson and A. Bjorck, "A new high order method of regula falsi type", BIT 13 (1973).
+    """
+    side = 0.0
+    point = _planckian(high)
+    for _ in range(60):
+        before = point.inverse
+        point = _planckian(high - above * (high - low) / (above - below))
+        slope = point.slope(colour)
+        if not slope or abs(point.inverse - before) < 1e-13 * before:
+            break
+        if slope > 0:
+            if side > 0:
+                below *= _shrunk(slope / above)
+            high, above = point.inverse, slope
+        else:
+            if side < 0:
+                above *= _shrunk(slope / below)
+            low, below = point.inverse, slope
+        side = slope
+    return point
+
+
+def _shrunk(ratio: float) -> float:
+    return 1 - ratio if ratio < 1 else 0.5
+
+
+def reference(temperature: float) -> Light:
+    """What CIE 13.3 compares a light of a correlated colour temperature [K] with.
+
+    A black body, from 5000 K on a CIE daylight.
+    """
+    if temperature > HOTTEST:
+        raise Undefined(f"CIE 13.3 compares with CIE daylight, which ends at {HOTTEST:g} K")
+    like: Spectrum = BlackBody(temperature)
+    if temperature >= DAYLIGHT_FROM:
+        like = illuminant(temperature)
+    return like.moments(*AT)
+
+
+def difference(light: Light, other: Light) -> float:
+    """How far apart two lights are in CIE 1960 (u, v)."""
+    return math.dist(_uv(light), _uv(other))
+
+
+def colour_rendering_index(light: Light, like: Light) -> float:
+    """The general colour rendering index Ra of a light beside its reference.
+
+    References
+    ----------
+    CIE 13.3-1995.
+    """
+    here, there = _uv(light), _uv(like)
+    c_share, d_share = (ours / theirs for ours, theirs in zip(_cd(there), _cd(here), strict=True))
+    whites = _dot(light, Y), _dot(like, Y)
+    total = 0.0
+    for sample in SAMPLES:
+        lit, expected = list(map(mul, light, sample)), list(map(mul, like, sample))
+        c, d = _cd(_uv(lit))
+        c, d = c_share * c, d_share * d
+        below = 16.518 + 1.481 * c - d
+        adapted = (10.872 + 0.404 * c - 4 * d) / below, 5.520 / below
+        shift = math.dist(
+            _uvw(adapted, there, _dot(lit, Y) / whites[0]),
+            _uvw(_uv(expected), there, _dot(expected, Y) / whites[1]),
+        )
+        total += 100 - 4.6 * shift
+    return total / len(SAMPLES)
+
+
+def _cd(colour: Colour) -> tuple[float, float]:
+    """The c and d of the adaptation of CIE 13.3."""
+    u, v = colour
+    return (4 - u - 10 * v) / v, (1.708 * v + 0.404 - 1.481 * u) / v
+
+
+def _uvw(colour: Colour, white: Colour, share: float) -> tuple[float, float, float]:
+    """CIE 1964 U*, V*, W* of a chromaticity and a share of the white's luminance."""
+    w = 25 * (100 * share) ** (1 / 3) - 17
+    return 13 * w * (colour[0] - white[0]), 13 * w * (colour[1] - white[1]), w

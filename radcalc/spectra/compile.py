@@ -1,17 +1,17 @@
 """Print the tables of observers and light sources as package data.
 
-`python -m radcalc.spectra.compile` writes `data/observers.py` and `data/sources.py` from
-colour-science, and `data/suns.py` from the ASTM G173-03 table that pvlib ships.
+`python -m radcalc.spectra.compile` writes `data/observers.py`, `data/sources.py` and
+`data/colours.py` from colour-science, and `data/suns.py` from the ASTM G173-03 table that pvlib
+ships.
 """
 
 import csv
 import math
+import warnings
 from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
-
-from radcalc.spectra.colorimetry import load_colour
 
 HERE = Path(__file__).parent / "data"
 HEAD = '"""Printed by `python -m radcalc.spectra.compile` from {}; do not edit."""\n'
@@ -25,6 +25,19 @@ TABLES = {
 }
 DAYLIGHT = ("D50", "D55", "D60", "D65", "D75")
 Table = tuple[float, float, tuple[float, ...]]
+
+
+def load_colour() -> Any:
+    """colour-science, without its warnings of packages that are missing.
+
+    Importing it changes how NumPy prints arrays in the whole process: that is undone.
+    """
+    import numpy
+
+    with warnings.catch_warnings(), numpy.printoptions():
+        warnings.simplefilter("ignore")
+        import colour
+    return colour
 
 
 def digits(values: Iterable[float]) -> tuple[float, ...]:
@@ -67,6 +80,15 @@ def sources() -> dict[str, Table]:
     return found
 
 
+def samples() -> list[tuple[float, ...]]:
+    """The reflectances of the test colour samples 1 to 8 of CIE 13.3-1995, 360 to 830 nm."""
+    c = load_colour()
+    tables = c.quality.SDS_TCS["CIE 1995"]
+    each_nanometre = c.SpectralShape(360, 830, 1)
+    chosen = [tables[f"TCS{number:02d}"].copy() for number in range(1, 9)]
+    return [digits(table.interpolate(each_nanometre).values) for table in chosen]
+
+
 def components() -> dict[str, tuple[float, ...]]:
     """The mean and the two characteristic vectors of daylight, 300 to 830 nm at 5 nm."""
     basis = load_colour().colorimetry.SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES
@@ -99,7 +121,7 @@ def lines(values: Iterable[float], indent: int = 8) -> str:
 
 
 def compile_observers() -> str:
-    """The text of `data/observers.py`, with the colour-matching functions of 1931."""
+    """The text of `data/observers.py`."""
     parts = [HEAD.format("colour-science")]
     for constant, (group, name) in TABLES.items():
         start, values = observer(group, name)
@@ -122,13 +144,26 @@ def compile_sources() -> str:
         )
     parts.append("}\n\n# The components of CIE daylight, 300 nm to 830 nm at 5 nm\n")
     parts += [f"{name} = (\n{lines(values, 4)})\n" for name, values in components().items()]
-    colours = load_colour().colorimetry.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
-    for name, values in zip("XYZ", colours.values.T, strict=True):
+    return "".join(parts)
+
+
+def compile_colours() -> str:
+    """The text of `data/colours.py`."""
+    parts = [HEAD.format("colour-science")]
+    functions = load_colour().colorimetry.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+    for name, values in zip("XYZ", functions.values.T, strict=True):
         parts.append(
-            "# CIE 1931 colour-matching function, 360 nm to 830 nm at 1 nm\n"
+            "\n# CIE 1931 colour-matching function, 360 nm to 830 nm at 1 nm\n"
             f"{name} = (\n{lines(digits(values), 4)})\n"
         )
-    return "".join(parts)
+    parts.append(
+        "\n# The test colour samples 1 to 8 of CIE 13.3-1995: reflectances at 5 nm, between\n"
+    )
+    parts.append("# which CIE 167:2005 has Sprague's interpolation, 360 nm to 830 nm at 1 nm\n")
+    parts.append("SAMPLES = (\n")
+    for values in samples():
+        parts.append(f"    (\n{lines(values)}    ),\n")
+    return "".join([*parts, ")\n"])
 
 
 def compile_suns() -> str:
@@ -142,6 +177,7 @@ def compile_suns() -> str:
 FILES = {
     "observers.py": compile_observers,
     "sources.py": compile_sources,
+    "colours.py": compile_colours,
     "suns.py": compile_suns,
 }
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from radcalc.errors import ConditionError
+from radcalc.spectra.spectrum import VISIBLE, Table
 
 START, STEP = 300.0, 5.0
 COOLEST, HOTTEST = 4000.0, 25000.0
@@ -33,3 +34,12 @@ def combine(
     m1 = (-1.3515 - 1.7703 * x + 5.9114 * y) / common
     m2 = (0.0300 - 31.4424 * x + 30.0717 * y) / common
     return [a + m1 * b + m2 * c for a, b, c in zip(S0, S1, S2, strict=True)]
+
+
+def illuminant(temperature: float) -> Table:
+    """The CIE daylight of a correlated colour temperature [K]."""
+    from radcalc.spectra.data.sources import S0, S1, S2
+
+    values = combine(temperature, S0, S1, S2)
+    grid = [START + STEP * i for i in range(len(values))]
+    return Table(f"CIE daylight of {temperature:.6g} K", grid, values, VISIBLE)

@@ -8,6 +8,7 @@ Wavelengths are in nanometres throughout `spectra`.
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from math import inf
+from operator import mul
 
 Grid = Sequence[float]
 
@@ -49,33 +50,40 @@ def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> 
     return trapezoid(*clip(grid, values, low, high))
 
 
+def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
+    """The numbers whose sum of products with any weighting is its integral over the table.
+
+    The weighting is tabulated at `count` whole nanometres from `start`, and linear between.
+    """
+    found = [0.0] * count
+    grid, values = clip(grid, values, start, start + count - 1)
+    if not grid:
+        return found
+    place, height = grid[0] - start, values[0]
+    cell = min(int(place), count - 2)
+    for x, y in zip(grid, values, strict=True):
+        end = x - start
+        if end == place:
+            continue
+        rise = (y - height) / (end - place)
+        while cell + 1 < end:  # the whole nanometres inside this step of the data
+            step = cell + 1 - place
+            at_edge = height + rise * step
+            half = 0.5 * step
+            found[cell] += half * height * step
+            found[cell + 1] += half * (height * (1 - step) + at_edge)
+            cell += 1
+            place, height = float(cell), at_edge
+        half, share = 0.5 * (end - place), end - cell
+        found[cell] += half * (height * (cell + 1 - place) + y * (1 - share))
+        found[cell + 1] += half * (height * (place - cell) + y * share)
+        place, height = end, y
+        if end >= cell + 1 and cell < count - 2:
+            cell += 1
+    return found
+
+
 def weighted(grid: Grid, values: Grid, start: float, weights: Grid) -> float:
     """The integral of a table times a weighting tabulated at every nanometre from `start`."""
-    end = start + len(weights) - 1
-    grid, values = clip(grid, values, start, end)
-    if not grid:
-        return 0.0
-    total = 0.0
-    last = len(weights) - 2
-    x0, y0 = grid[0], values[0]
-    cell = min(int(x0 - start), last)
-    w0 = weights[cell] + (weights[cell + 1] - weights[cell]) * (x0 - start - cell)
-    for x1, y1 in zip(grid, values, strict=True):
-        if x1 == x0:
-            continue
-        rise = (y1 - y0) / (x1 - x0)
-        px, py, pw = x0, y0, w0
-        edge = start + cell + 1
-        while edge < x1:  # the whole nanometres inside this step of the data
-            y, w = y0 + rise * (edge - x0), weights[cell + 1]
-            total += (edge - px) * (py * pw + y * w)
-            px, py, pw = edge, y, w
-            cell += 1
-            edge += 1
-        slope = weights[cell + 1] - weights[cell]
-        w1 = weights[cell] + slope * (x1 - start - cell)
-        total += (x1 - px) * (py * pw + y1 * w1)
-        x0, y0, w0 = x1, y1, w1
-        if x1 >= edge and cell < last:
-            cell += 1
-    return 0.5 * total
+    total: float = sum(map(mul, moments(grid, values, start, len(weights)), weights))
+    return total

@@ -4,6 +4,7 @@ Exact h, c and k of the SI of 2019.  Temperatures in kelvin, wavelengths in metr
 """
 
 import math
+from collections.abc import Sequence
 
 PLANCK = 6.62607015e-34  # J s
 LIGHT = 299792458.0  # m/s
@@ -16,12 +17,10 @@ HALF_X = (2.7325893071213999, 8.096610458229823)  # where x^5/(e^x - 1) is half 
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 
-def spectral_exitance(wavelength: float, temperature: float) -> float:
-    """Spectral radiant exitance of a black body [W/m3] at a wavelength [m]."""
-    x = C2 / (wavelength * temperature)
-    if x > 700:
-        return 0.0
-    return 2 * math.pi * PLANCK * LIGHT**2 / wavelength**5 / math.expm1(x)
+def spectral_exitances(wavelengths: Sequence[float], temperature: float) -> list[float]:
+    """Spectral radiant exitance of a black body [W/m3] at some wavelengths [m]."""
+    scale, x1 = 2 * math.pi * PLANCK * LIGHT**2, C2 / temperature
+    return [scale / (w**5 * math.expm1(x1 / w)) if x1 < 700 * w else 0.0 for w in wavelengths]
 
 
 def exitance(temperature: float, low: float = 0.0, high: float = math.inf) -> float:

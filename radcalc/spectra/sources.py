@@ -6,13 +6,12 @@ import os
 from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT
-from radcalc.spectra.spectrum import BlackBody, Lines, Range, Spectrum, Table
+from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
 from radcalc.units.dimensions import FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
-VISIBLE: Range = (380.0, 780.0)
 KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
@@ -103,13 +102,9 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
     if kind == "blackbody":
         return BlackBody(_temperature(parameters, text))
     if kind == "daylight":
-        from radcalc.spectra import daylight
-        from radcalc.spectra.data.sources import S0, S1, S2
+        from radcalc.spectra.daylight import illuminant
 
-        temperature = _temperature(parameters, text)
-        values = daylight.combine(temperature, S0, S1, S2)
-        grid = [daylight.START + daylight.STEP * i for i in range(len(values))]
-        return Table(f"CIE daylight of {temperature:.6g} K", grid, values, VISIBLE)
+        return illuminant(_temperature(parameters, text))
     if kind == "line":
         return Lines(text, [_line(part, text) for part in parameters.split(",")])
     if kind == "gaussian":

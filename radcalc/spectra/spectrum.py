@@ -2,15 +2,17 @@
 
 import math
 from collections.abc import Sequence
+from operator import mul
 
 from radcalc.errors import ConditionError
 from radcalc.spectra import planck
-from radcalc.spectra.integrals import at, clip, integral, weighted
-from radcalc.spectra.observers import Observer, luminous_efficiency
+from radcalc.spectra.integrals import clip, integral, moments
+from radcalc.spectra.observers import Observer
 from radcalc.spectra.planck import LIGHT, PLANCK
 
 Range = tuple[float, float]
 WHOLE: Range = (0.0, math.inf)
+VISIBLE: Range = (380.0, 780.0)
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 
@@ -37,14 +39,23 @@ class Spectrum:
         self.label = label
         self.limits = limits
         self.notes = notes
+        self._moments: dict[tuple[int, int], Sequence[float]] = {}
 
     def power(self, limits: Range) -> float:
         """Watts between two wavelengths."""
         raise NotImplementedError
 
+    def moments(self, start: int, count: int) -> Sequence[float]:
+        """What to weight at each of `count` whole nanometres; see `integrals.moments`."""
+        raise NotImplementedError
+
     def weigh(self, start: int, weights: Sequence[float]) -> float:
         """Watts weighted by a table at every nanometre from `start`."""
-        raise NotImplementedError
+        key = start, len(weights)
+        if key not in self._moments:
+            self._moments[key] = self.moments(*key)
+        total: float = sum(map(mul, self._moments[key], weights))
+        return total
 
     def seen(self, observer: Observer) -> float:
         """Watts weighted by an observer's relative luminous efficiency."""
@@ -69,10 +80,6 @@ class Spectrum:
 
     def peak(self) -> tuple[float, float | None]:
         """The wavelength [nm] of the most watts per nanometre, and the full width at half of it."""
-        raise NotImplementedError
-
-    def sample(self, places: Sequence[float]) -> list[float] | None:
-        """Watts per nanometre at some wavelengths [nm], or None for lines."""
         raise NotImplementedError
 
     @property
@@ -109,9 +116,9 @@ class Table(Spectrum):
         """See `Spectrum`."""
         return integral(self.grid, self.values, *limits)
 
-    def weigh(self, start: int, weights: Sequence[float]) -> float:
+    def moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""
-        return weighted(self.grid, self.values, start, weights)
+        return moments(self.grid, self.values, start, count)
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`; the product with the wavelength is integrated exactly."""
@@ -138,11 +145,6 @@ class Table(Spectrum):
             ends.append(grid[here] + (grid[here + step] - grid[here]) * (a - half) / (a - b))
         return grid[top], ends[1] - ends[0]
 
-    def sample(self, places: Sequence[float]) -> list[float] | None:
-        """See `Spectrum`."""
-        low, high = self.grid[0], self.grid[-1]
-        return [at(self.grid, self.values, x) if low <= x <= high else 0.0 for x in places]
-
 
 class Lines(Spectrum):
     """Lines of no width: wavelengths [nm] and watts."""
@@ -159,18 +161,19 @@ class Lines(Spectrum):
         """See `Spectrum`."""
         return sum(watts for place, watts in self.lines if limits[0] <= place <= limits[1])
 
-    def weigh(self, start: int, weights: Sequence[float]) -> float:
-        """See `Spectrum`."""
-        table = Observer("", "", 1.0, start, tuple(weights))
-        return float(sum(w * luminous_efficiency(place * 1e-9, table) for place, w in self.lines))
+    def moments(self, start: int, count: int) -> Sequence[float]:
+        """See `Spectrum`; a line is shared out between the nanometres on both sides of it."""
+        found = [0.0] * count
+        for place, watts in self.lines:
+            if start <= place <= start + count - 1:
+                cell = min(int(place - start), count - 2)
+                found[cell] += watts * (1 - (place - start - cell))
+                found[cell + 1] += watts * (place - start - cell)
+        return found
 
     def peak(self) -> tuple[float, float | None]:
         """See `Spectrum`; a line has no width."""
         return max(self.lines, key=lambda line: line[1])[0], None
-
-    def sample(self, places: Sequence[float]) -> list[float] | None:
-        """See `Spectrum`."""
-        return None
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""
@@ -201,14 +204,13 @@ class BlackBody(Spectrum):
         """See `Spectrum`."""
         return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
 
-    def weigh(self, start: int, weights: Sequence[float]) -> float:
-        """See `Spectrum`; Planck's law at every nanometre of the weights."""
-        grid = [float(start + i) for i in range(len(weights))]
-        return weighted(grid, self.sample(grid), start, weights)
-
-    def sample(self, places: Sequence[float]) -> list[float]:
-        """See `Spectrum`."""
-        return [planck.spectral_exitance(x * 1e-9, self.temperature) * 1e-9 for x in places]
+    def moments(self, start: int, count: int) -> Sequence[float]:
+        """See `Spectrum`; Planck's law at every nanometre, and linear between."""
+        wavelengths = [(start + i) * 1e-9 for i in range(count)]
+        found = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
+        found[0] /= 2
+        found[-1] /= 2
+        return found
 
     def peak(self) -> tuple[float, float | None]:
         """See `Spectrum`; Wien's law, and the roots of half the peak in x = c2/(lambda T)."""

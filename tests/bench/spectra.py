@@ -26,6 +26,13 @@ def main() -> int:
         1.15,
         60,
     )
+    met &= report(
+        "spectrum D65 / import click, numpy",
+        command(RADCALC, "spectrum", "D65"),
+        command(sys.executable, "-c", "import click, numpy"),
+        1.3,
+        60,
+    )
     grid = np.linspace(300, 1100, 1_000_000)
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "spectrum.csv")

@@ -14,7 +14,7 @@ def results(text: str, range_: str = "") -> dict[str, float]:
     given = {"spectrum": read("spectrum", text)}
     if range_:
         given["range"] = read("range", range_)
-    return {value.name: value.amount for value in describe(given).values}
+    return {value.name: value.amount for value in describe(given).values if not value.is_absent}
 
 
 def test_a_spectrum_is_described():
@@ -59,6 +59,27 @@ def test_more_lumens_than_the_watts_can_give_are_refused():
         results("D65", "600nm:610nm")
 
 
-def test_colour_science_says_nothing_on_standard_error():
-    done = run("spectrum", "LED-B3", "-g", "cri", "-q")
-    assert (done.returncode, done.stderr) == (0, "")
+@pytest.mark.parametrize(
+    ("source", "name", "reason"),
+    [
+        ("gaussian:530nm,30nm", "cct", "the CIE's limit is 0.05"),
+        ("gaussian:470nm,150nm", "duv", "beyond that of a black body of an infinite temperature"),
+        ("blackbody:1e5K", "cri", "CIE daylight, which ends at 25000 K"),
+        ("line:2um", "cct", "nothing of this spectrum is seen"),
+        ("line:2um", "x", "nothing of this spectrum is seen"),
+        ("line:555nm", "fwhm", "a line has no width"),
+        ("band:500nm:600nm", "fwhm", "the data end above half"),
+        ("band:800nm:900nm", "lux-per-ppfd", "no photons"),
+        ("line:2um", "sp-ratio", "nothing of this spectrum is seen"),
+    ],
+)
+def test_a_result_that_has_no_meaning_says_why(source, name, reason):
+    done = run("spectrum", source, "-g", name)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert reason in done.stderr
+
+
+def test_a_colour_far_from_its_reference_is_rendered_with_a_note():
+    # CIE 13.3-1995 wants at most 5.4e-3 in (u, v); the low-pressure sodium lamp has more
+    assert "CIE 13.3 is for up to 0.0054" in run("spectrum", "LPS").stderr
+    assert "CIE 13.3" not in run("spectrum", "HP1").stderr

@@ -30,5 +30,5 @@ def test_a_black_bodys_part_of_a_range_agrees_with_quadrature(temperature, low, 
 def test_stefan_boltzmann_and_wien():
     assert pytest.approx(5.670374419e-8, rel=1e-9) == planck.STEFAN_BOLTZMANN  # CODATA 2018
     assert planck.exitance(5772) == pytest.approx(6.2939e7, rel=1e-4)  # the nominal sun
-    peak = max(range(400, 600), key=lambda nm: planck.spectral_exitance(nm * 1e-9, 5772.0))
+    peak = max(range(400, 600), key=lambda nm: planck.spectral_exitances([nm * 1e-9], 5772.0))
     assert peak == 502  # 2897.771955 um K / 5772 K
