@@ -33,7 +33,7 @@ from radcalc.quantities.symbols import (
     Symbol,
 )
 from radcalc.units.dimensions import ANGLE, LENGTH
-from radcalc.units.numbers import parse_number, split_quantity
+from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
@@ -64,6 +64,11 @@ class Given(NamedTuple):
     def unit_text(self) -> str:
         """The unit as typed; for a bare number 1."""
         return self.unit.text if self.unit else "1"
+
+    @property
+    def rounding(self) -> float:
+        """How far the value may be off as typed, relative to it."""
+        return 0.0 if self.is_exact else rounding(self.text)
 
 
 Inputs = dict[str, Given]

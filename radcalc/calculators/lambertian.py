@@ -58,7 +58,7 @@ def lambertian(shape: str, given: Inputs) -> Answer:
     _refuse_dark(given, sheet.lit)
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
-    laws = [*LAWS, *SHAPES[shape].place(sheet)]
+    laws = [*LAWS, *sheet.place(SHAPES[shape].place)]
     sheet.assume("Lambertian: the same radiance in all directions")
     sheet.page = sheet.page._replace(takes=INPUTS)  # what another shape would take may be lacking
     sheet.solve(laws)

@@ -4,15 +4,18 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 (`luminous-flux`) takes that kind alone.
 """
 
+from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import LINKS_HINT
 from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
 from radcalc.given import Given, Inputs
+from radcalc.maths import larger
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
 from radcalc.quantities.symbols import (
     LINKS,
+    QUANTITY,
     REFINEMENTS,
     SYMBOLS,
     light_unit,
@@ -88,6 +91,21 @@ def read_light(typed: Inputs, links: Inputs) -> Lit:
             notes += factor.notes
             steps += factor.steps
     return Lit(kind, given, amounts, links, tuple(assumptions), tuple(notes), tuple(steps))
+
+
+def rounding(lit: Lit, name: str) -> Any:
+    """How far a light quantity [SI] may be off as typed, by its own digits and by the link's."""
+    one, amount = lit.values[name], abs(lit.amounts[name])
+    off = one.rounding * amount
+    own = kind_of(name, one)
+    if own != lit.kind:
+        for key, link in lit.links.items():
+            if link.symbol.form == QUANTITY and link.rounding:
+                parts = (1 + link.rounding, 1 - link.rounding)
+                moved = ({**lit.links, key: link._replace(value=link.value * p)} for p in parts)
+                factors = [found for links in moved if (found := _factor(links, lit.kind, own))]
+                off += reduce(larger, [abs(abs(one.value * f.value) - amount) for f in factors])
+    return off
 
 
 def _refuse_idle_refinements(links: Inputs) -> None:

@@ -97,15 +97,13 @@ def held(name: str, number: Any) -> Any:
 
 
 def pick(values: Sequence[Value], wanted: str) -> Any:
-    """What NAME[:UNIT] asks for."""
+    """What NAME[:UNIT] asks for; without a unit, in the one in which the listing has it first."""
     name, _, unit = wanted.partition(":")
     name = name.strip()
     for value in values:
         if name and name in (value.name, value.also):
-            if unit:
-                return in_unit(value, resolve(unit))
             _refuse_absent(value)
-            return held(value.name, value.amount)
+            return in_unit(value, resolve(unit)) if unit else _shown(value, value.units[0])
     names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))

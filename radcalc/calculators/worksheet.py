@@ -1,6 +1,7 @@
 """The worksheet of a calculator: what is given, the laws, and everything that follows."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial, reduce
 from itertools import islice
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -28,9 +29,9 @@ from radcalc.laws.solver import (
     Known,
     Solution,
     reached,
-    rounding,
     solve,
 )
+from radcalc.maths import larger
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
 
@@ -65,6 +66,9 @@ class Page(NamedTuple):
     kinds: tuple[str, ...] = KINDS
 
 
+Placing = Callable[["Worksheet"], list[AnyLaw]]
+
+
 class Worksheet:
     """What is given to a calculator, and what follows from it.
 
@@ -87,17 +91,52 @@ class Worksheet:
         self.known: dict[str, Known] = {}
         self.solution = Solution({}, [])
         for name, one in self.lit.values.items():
-            self.know(name, self.lit.amounts[name], one)
+            self.known[name] = Known(
+                self.lit.amounts[name], lambda name=name: light.rounding(self.lit, name), one.text
+            )
         for name, one in self.given.items():
             if one.symbol.form == QUANTITY and name not in PLACED:
                 self.know(name, one.value, one)
 
     def know(self, name: str, value: Any, *of: Given) -> None:
         """Add a value: one that was given, or one that goes without saying."""
-        off = 0.0
-        for one in of:
-            off = max(off, 0.0 if one.is_exact else rounding(one.text))
-        self.known[name] = Known(value, off, of[0].text if of else "")
+        off = max((one.rounding for one in of), default=0.0)
+        self.known[name] = Known(value, off * abs(value), of[0].text if of else "")
+
+    def place(self, how: Placing) -> list[AnyLaw]:
+        """Add what a function works out of the inputs, and give the laws that it names.
+
+        What it adds may be off by what the inputs, moved by their roundings, would make of it.
+        """
+        before = dict(self.known)
+        laws = how(self)
+        for name, one in self.known.items():
+            if name not in before and not one.text:
+                off = partial(self._rounding, how, before, name)
+                self.known[name] = one._replace(rounding=off)
+        return laws
+
+    def _rounding(self, how: Placing, before: dict[str, Known], name: str) -> Any:
+        """How far a value may be off [SI] that was worked out of the inputs."""
+        value = self.known[name].value
+        total = 0.0 * value
+        for key, one in self.given.items():
+            if one.symbol.form != QUANTITY or not one.rounding:
+                continue
+            moved = [0.0 * value]
+            for factor in (1 + one.rounding, 1 - one.rounding):
+                twin = object.__new__(Worksheet)
+                twin.__dict__.update(self.__dict__)
+                twin.given = {**self.given, key: one._replace(value=one.value * factor)}
+                twin.known, twin.used = dict(before), set()
+                twin.placed, twin.assumptions, twin.notes = [], [], []
+                try:
+                    how(twin)
+                except ConditionError:  # past a limit
+                    continue
+                moved.append(abs(twin.known[name].value - value))
+            total = total + reduce(larger, moved)
+        return total
 
     def assume(self, *texts: str) -> None:
         """Say what is assumed."""

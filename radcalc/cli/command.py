@@ -25,7 +25,7 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="The bare number of that result (repeatable; coherent SI without a unit).",
+    help="The bare number of that result (repeatable; in the unit shown, without one).",
 )
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
 Member = str | click.Option  # the name of a symbol, or an option that is none

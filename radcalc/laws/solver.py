@@ -1,8 +1,7 @@
 """Solving laws for whatever is missing, and checking them against what is given twice.
 
-- `solve`: everything that follows from what is given, law by law
+- `solve`: everything that follows from what is given, law by law; `solve_all`: every such set
 - `reached`: which symbols would follow, whatever their values
-- `rounding`: how far a number may be off as typed, which is what a check allows
 - `Derivation`: the steps of an answer
 
 Values are in coherent SI units, floats or arrays.
@@ -10,17 +9,15 @@ Values are in coherent SI units, floats or arrays.
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import product
 from typing import Any, NamedTuple
 
 from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
 from radcalc.laws.law import AnyLaw, Relation
-from radcalc.maths import any_true, is_array
-from radcalc.units.numbers import read_number
-
-EXACT = 1e-9  # what rounding in the arithmetic may add
-FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
+from radcalc.maths import any_true, is_array, larger
+from radcalc.units.numbers import EXACT
 
 
 class Known(NamedTuple):
@@ -30,23 +27,28 @@ class Known(NamedTuple):
     ----------
     value : float or ndarray [SI]
         The value.
-    rounding : float [1]
-        How far it may be off, relative to it.
+    rounding : float or ndarray [SI], or callable
+        How far it may be off, or a function that works that out where it is asked for.  Of what
+        follows from other values the solver knows it by itself.
     text : str
         What was typed; empty where the value follows.
 
     Examples
     --------
-    >>> Known(2.0, rounding("2m"), "2m").rounding
-    0.0025
+    >>> Known(2.0, 0.005, "2m").value
+    2.0
     """
 
     value: Any
-    rounding: float = 0.0
+    rounding: Any = 0.0
     text: str = ""
 
 
 Values = dict[str, Known]
+
+
+class Several(tuple[float, ...]):
+    """Values of a symbol that fit a law equally well, in place of the one that most laws have."""
 
 
 class Solution(NamedTuple):
@@ -99,39 +101,6 @@ class Disagreement(ConditionError):
         self.law, self.name, self.given, self.found = law, name, given, found
 
 
-def rounding(text: str) -> float:
-    """How far a number may be off as typed: half a unit of its last digit, relative to it.
-
-    Parameters
-    ----------
-    text : str
-        A number, with or without a unit behind it.
-
-    Returns
-    -------
-    float [1]
-        A short number counts as three digits: 2m is meant as 2.00 m.  A fraction, a multiple of
-        pi and 0 are exact, but for the rounding of the arithmetic.
-
-    Examples
-    --------
-    >>> rounding("2m"), rounding("125lm"), rounding("1/3")
-    (0.0025, 0.004, 1e-09)
-    """
-    number = text[: read_number(text)[1]]
-    digits = ""
-    for character in number.lstrip("+-"):
-        if character in "0123456789":
-            digits += character
-        elif character != ".":
-            break
-    digits = digits.lstrip("0")
-    if not digits or not {"/", "p", "π"}.isdisjoint(number):
-        return EXACT
-    digits = digits.ljust(FEWEST_DIGITS, "0")
-    return 0.5 / float(digits)
-
-
 def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None) -> Solution:
     """Work out everything that follows from what is given, and check what is given twice.
 
@@ -147,7 +116,7 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     Returns
     -------
     Solution
-        The values, and the laws that gave them.
+        The values, and the laws that gave them; the first, where several fit.
 
     Raises
     ------
@@ -161,7 +130,8 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     Notes
     -----
     Each law that lacks one symbol gives it, until no law lacks just one.  A law that lacks none,
-    and gave none, is checked to the precision typed.
+    and gave none, is checked to the precision typed: as far as the values given may be off, so may
+    what follows from them.
 
     Examples
     --------
@@ -170,69 +140,210 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     >>> found.values["radius"].value, round(found.values["area"].value, 6)
     (1.0, 3.141593)
     """
-    values, used = dict(given), []
-    waiting = list(laws)
+    return solve_all(laws, given, steps)[0]
+
+
+def solve_all(
+    laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None
+) -> list[Solution]:
+    """Work out every set of values that fits what is given, as `solve` does the first of them.
+
+    Parameters
+    ----------
+    laws, given, steps
+        As of `solve`.
+
+    Returns
+    -------
+    list of Solution
+        One, or several where a law has `Several` values for one of its symbols.
+
+    Raises
+    ------
+    Disagreement, NumberError, ConditionError
+        As `solve`, of the first value that a law has, where no other fits.
+
+    Examples
+    --------
+    >>> from radcalc.laws.sizes import CIRCLE
+    >>> len(solve_all([CIRCLE], {"area": Known(1.0)}))
+    1
+    """
+    return _follow_all(list(laws), _Sheet(dict(given), {}, given, steps or {}))
+
+
+class _Sheet(NamedTuple):
+    """The values so far, the law that gave each of those that follow, and what was given."""
+
+    values: Values
+    laws: dict[str, AnyLaw]
+    given: Values
+    steps: dict[str, float]
+
+    def off(self, name: str) -> Any:
+        """How far a value may be off [SI], by the roundings of all that it follows from."""
+        known = self.values[name]
+        off = known.rounding
+        if off is UNKNOWN:
+            off = _spread(self, self.laws[name], name)
+        elif callable(off):
+            off = off()
+        self.values[name] = known._replace(rounding=off)
+        return larger(off, self.steps[name]) if name in self.steps else off
+
+
+UNKNOWN = None  # the rounding of a value that nobody has asked for yet
+
+
+def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
+    values = sheet.values
     found = True
     while found:
         found = False
         for law in tuple(waiting):
             missing = set(law.names).difference(values)
             if not missing:
-                _check(law, values, given, steps or {})
+                _check(law, sheet)
                 waiting.remove(law)
             elif len(missing) == 1 and (target := missing.pop()) in law.targets:
-                values[target] = _follow(law, target, values)
-                used.append((law, target))
+                value = _follow(law, target, sheet)
                 waiting.remove(law)
+                sheet.laws[target] = law
+                if isinstance(value, Several):
+                    return _follow_each(waiting, sheet, target, value)
+                values[target] = Known(value, UNKNOWN)
                 found = True
-    return Solution(values, used)
+    return [Solution(values, [(law, target) for target, law in sheet.laws.items()])]
 
 
-def _follow(law: AnyLaw, target: str, values: Values) -> Known:
-    """The target by the law, with what the roundings of the others make of it."""
-    at = {name: values[name].value for name in law.names if name != target}
+def _follow_each(
+    waiting: list[AnyLaw], sheet: _Sheet, target: str, several: Several
+) -> list[Solution]:
+    """What follows from each of several values of a symbol, but for those that do not fit."""
+    solutions: list[Solution] = []
+    refused: ConditionError | None = None
+    for value in several:
+        values = {**sheet.values, target: Known(value, UNKNOWN)}
+        try:
+            solutions += _follow_all(
+                list(waiting), sheet._replace(values=values, laws=dict(sheet.laws))
+            )
+        except ConditionError as error:
+            refused = refused or error
+    if not solutions and refused:
+        raise refused
+    return solutions
+
+
+def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
+    """The target by the law; where no value fits, one that does within the roundings."""
+    at = {name: sheet.values[name].value for name in law.names if name != target}
     try:
         value = law.solve(target, at.__getitem__)
-    except (ValueError, ZeroDivisionError, OverflowError):
-        fits = f"no {target.replace('-', ' ')} fits what is given, by the law '{law.name}'"
-        raise ConditionError(fits, "other values") from None
-    if is_array(value):
-        return Known(value, max(values[name].rounding for name in law.names if name != target))
+    except (ConditionError, *ARITHMETIC) as error:
+        value = _nearest(law, target, sheet, at)
+        if value is None:
+            if isinstance(error, ConditionError):
+                raise
+            fits = f"no {target.replace('-', ' ')} fits what is given, by the law '{law.name}'"
+            raise ConditionError(fits, "other values") from None
+    if is_array(value) or isinstance(value, Several):
+        return value
     if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):
         raise NumberError(
             f"the {target.replace('-', ' ')} cannot be held by a number", "less extreme values"
         )
-    off = 0.0
-    for name in law.names:
-        if name != target and values[name].rounding and value:
-            off += abs(_moved(law, target, name, values) / value - 1)
-    return Known(value, off)
+    return value
 
 
-def _moved(law: AnyLaw, target: str, name: str, values: Values) -> float:
-    """The target with one symbol moved by its rounding."""
-    for sign in (1, -1):
-        at = {n: values[n].value for n in law.names if n != target}
-        at[name] *= 1 + sign * values[name].rounding
-        try:
-            found = law.solve(target, at.__getitem__)
-        except (ConditionError, ValueError, ZeroDivisionError):
-            continue  # past a limit: an incidence typed as 90 deg is not meant as 90.05
-        if not isinstance(found, complex):
-            return float(found)
-    return float(values[target].value) if target in values else float("nan")
+ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
+HALVINGS = 50  # until a limit is found to a float's digits
 
 
-def _check(law: AnyLaw, values: Values, given: Values, steps: dict[str, float]) -> None:
+def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
+    """The target at the limit of what a relation allows, if the roundings reach it, or None.
+
+    A cosine of 1.004, of numbers typed with three digits, is one of 1.
+    """
+    if not isinstance(law, Relation) or any(map(is_array, at.values())):
+        return None
+    off = {name: sheet.off(name) for name in at}
+    moving = [name for name in at if off[name]]
+    best, least = None, 1.0
+    for signs in product((1, -1), repeat=len(moving)):
+        move = {name: sign * off[name] for name, sign in zip(moving, signs, strict=True)}
+        if _moved(law, target, at, move, least) is None:
+            continue
+        low, high = 0.0, least
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            if _moved(law, target, at, move, middle) is None:
+                low = middle
+            else:
+                high = middle
+        best, least = _moved(law, target, at, move, high), high
+    return best
+
+
+def _moved(
+    law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], part: float = 1.0
+) -> Any:
+    """The target where other symbols are moved by a part of so much; None past a limit."""
+    moved = at | {name: at[name] + part * size for name, size in move.items()}
+    try:
+        value = law.solve(target, moved.__getitem__)
+    except (ConditionError, *ARITHMETIC):
+        return None
+    return None if isinstance(value, complex) else value
+
+
+def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
+    """How far the target of a law may be off, by the roundings of its other symbols."""
+    at = {name: sheet.values[name].value for name in law.names if name != target}
+    value = sheet.values[target].value
+    total = 0.0 * value
+    for name in at:
+        off = sheet.off(name)
+        if any_true(off != 0):
+            total = total + larger(
+                *(abs(_cut(law, target, at, {name: sign * off}, value) - value) for sign in (1, -1))
+            )
+    return total
+
+
+def _cut(law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any) -> Any:
+    """The target with one symbol moved, as far as it can be; of several values the nearest.
+
+    An incidence typed as 90 deg is not meant as 90.05.
+    """
+    found = _moved(law, target, at, move)
+    if found is None and not is_array(value):
+        low, high = 0.0, 1.0
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            if (there := _moved(law, target, at, move, middle)) is None:
+                high = middle
+            else:
+                low, found = middle, there
+    if isinstance(found, Several):
+        return min(found, key=lambda one: abs(one - value))
+    return value if found is None else found
+
+
+def _check(law: AnyLaw, sheet: _Sheet) -> None:
     """Refuse values that contradict each other by a law."""
-    names = [name for name in law.targets if name in given] or list(law.targets)
+    names = [name for name in law.targets if name in sheet.given] or list(law.targets)
     name = names[0]
-    other = _follow(law, name, values)
-    value = values[name].value
-    allowed = values[name].rounding + other.rounding + EXACT
-    difference = abs(value - other.value)
-    if any_true(difference > allowed * abs(value) + steps.get(name, 1e-300)):
-        raise Disagreement(law, name, value, other.value)
+    other, value = _follow(law, name, sheet), sheet.values[name].value
+    if isinstance(other, Several):
+        other = min(other, key=lambda one: abs(one - value))
+    difference = abs(value - other)
+    if not any_true(difference > EXACT * abs(value) + 1e-300):
+        return
+    aside = sheet._replace(values={**sheet.values, name: Known(other)})
+    allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
+    if any_true(difference > allowed):
+        raise Disagreement(law, name, value, other)
 
 
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:

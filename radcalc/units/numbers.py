@@ -19,6 +19,9 @@ MAX_LENGTH = 1000
 INFINITE = float("inf")
 SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
 
+EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
+FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
+
 DIGITS = "0123456789"
 MINUS = "-\u2212"
 SIGNS = "+" + MINUS
@@ -212,3 +215,23 @@ def _without_commas(run: str) -> list[str]:
 
 def _are_thousands(groups: list[str]) -> bool:
     return 0 < len(groups[0]) <= 3 and all(len(group) == 3 for group in groups[1:])
+
+
+def rounding(text: str) -> float:
+    """How far a number may be off as typed: half a unit of its last digit, relative to it.
+
+    A short number counts as three digits: 2m is meant as 2.00 m.  A fraction, a multiple of pi
+    and 0 are exact, but for the rounding of the arithmetic.
+    """
+    number = text[: read_number(text)[1]]
+    digits = ""
+    for character in number.lstrip("+-"):
+        if character in DIGITS:
+            digits += character
+        elif character != ".":
+            break
+    digits = digits.lstrip("0")
+    if not digits or not {"/", "p", "π"}.isdisjoint(number):
+        return EXACT
+    digits = digits.ljust(FEWEST_DIGITS, "0")
+    return 0.5 / float(digits)

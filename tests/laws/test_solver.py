@@ -9,7 +9,8 @@ from helpers import number
 from radcalc import point_source
 from radcalc.errors import Contradiction
 from radcalc.laws import etendue, exposure, heat, mesopic, point, sizes, surface
-from radcalc.laws.solver import Disagreement, Known, rounding, solve
+from radcalc.laws.solver import Disagreement, Known, solve
+from radcalc.units.numbers import rounding
 
 PI = math.pi
 

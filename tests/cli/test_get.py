@@ -1,0 +1,60 @@
+"""`-g NAME` prints what the listing shows first under that name, in that unit."""
+
+import shlex
+
+import pytest
+from test_cases import FILES, transcripts
+
+from radcalc.__main__ import run
+
+OTHERS = {"convert", "units", "quantities", "typical"}
+ENDS = {"-n", "--number", "--json", "--help", "-h", "--check", "--steps", "-"}
+TAKING = {"-g", "--get", "--format", "--precision", "--tolerance", "--color"}
+
+
+def listing_of(command):
+    """The words of a transcript that ask a calculator for all of its results, if it is one."""
+    try:
+        words = shlex.split(command, comments=True)
+    except ValueError:
+        return None
+    if words[:1] != ["radcalc"] or len(words) < 3 or words[1] in OTHERS:
+        return None
+    if ENDS & set(words) or any(c in command for c in "|<>;&$`\n"):
+        return None
+    kept, skipping = [], False
+    for word in words[1:]:
+        if not skipping and word not in TAKING:
+            kept.append(word)
+        skipping = not skipping and word in TAKING
+    return kept
+
+
+LISTINGS = sorted({shlex.join(found) for path in FILES for command, _ in transcripts(path)
+                   if (found := listing_of(command))})  # fmt: skip
+
+
+def test_the_transcripts_have_every_calculator():
+    assert {text.split()[0] for text in LISTINGS} >= {
+        "calorimeter", "direction", "etendue", "ev", "integrate", "lambertian", "mesopic",
+        "photon", "point-source", "screen", "solid-angle", "spectrum",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("text", LISTINGS)
+def test_a_bare_name_is_in_the_unit_of_the_listing(text, capfd):
+    words = shlex.split(text)
+    if run(words):
+        pytest.skip("a refusal")
+    first: dict[str, list[str]] = {}
+    for line in capfd.readouterr().out.splitlines():
+        name, number, _ = line.split("\t")
+        first.setdefault(name, []).append(number)
+    if not first:
+        pytest.skip("a listing of something else")
+    asked = [part for name in first for part in ("-g", name)]
+    assert run([*words, *asked]) == 0
+    lines = [line.split("\t") for line in capfd.readouterr().out.splitlines()]
+    for (name, numbers), column in zip(first.items(), zip(*lines, strict=True), strict=True):
+        each = len(numbers) // len(lines)  # a result may have a line for each of several units
+        assert numbers[::each] == [*column], name
