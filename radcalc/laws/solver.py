@@ -263,9 +263,11 @@ HALVINGS = 50  # until a limit is found to a float's digits
 def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
     """The target at the limit of what a relation allows, if the roundings reach it, or None.
 
-    A cosine of 1.004, of numbers typed with three digits, is one of 1.
+    A cosine of 1.004, of numbers typed with three digits, is one of 1; what is typed as
+    impossible remains so.
     """
-    if not isinstance(law, Relation) or any(map(is_array, at.values())):
+    follows = isinstance(law, Relation) and not at.keys() <= sheet.given.keys()
+    if not follows or any(map(is_array, at.values())):
         return None
     off = {name: sheet.off(name) for name in at}
     moving = [name for name in at if off[name]]
