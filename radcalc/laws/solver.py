@@ -48,7 +48,13 @@ Values = dict[str, Known]
 
 
 class Several(tuple[float, ...]):
-    """Values of a symbol that fit a law equally well, in place of the one that most laws have."""
+    """Values of a symbol [SI] that fit a law equally well, in place of the one that most have.
+
+    Examples
+    --------
+    >>> Several((1.0, 4.0))[1]
+    4.0
+    """
 
 
 class Solution(NamedTuple):
