@@ -50,6 +50,11 @@ Values = dict[str, Known]
 class Several(tuple[float, ...]):
     """Values of a symbol [SI] that fit a law equally well, in place of the one that most have.
 
+    Parameters
+    ----------
+    iterable : iterable of float [SI]
+        The values.
+
     Examples
     --------
     >>> Several((1.0, 4.0))[1]
