@@ -13,21 +13,22 @@ def main() -> None:
     for it while modules load costs a tenth of an answer: the collector waits for more objects than
     a start makes.
     """
-    gc.set_threshold(50_000)
-    os._exit(run(sys.argv[1:]))
+    try:
+        gc.set_threshold(50_000)
+        status = run(sys.argv[1:])
+    except KeyboardInterrupt:
+        status = 130
+    os._exit(status)
 
 
 def run(words: list[str]) -> int:
     """Answer the words of a command line; return the exit status."""
-    try:
-        answered = quick_lane(words)
-        if answered is None:
-            from radcalc import cli
+    answered = quick_lane(words)
+    if answered is None:
+        from radcalc import cli
 
-            answered = cli.run(words)
-        return answered
-    except KeyboardInterrupt:
-        return 130
+        answered = cli.run(words)
+    return answered
 
 
 def quick_lane(words: list[str]) -> int | None:

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
+BLOCK = 1 << 16  # bytes
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
 
@@ -23,64 +24,97 @@ def is_terminal() -> bool:
 
 def write(text: str) -> None:
     """Write a whole answer.  A closed pipe ends quietly; any other failure is an error."""
-    out = sys.stdout
-    if out is None:
-        raise OutputError("cannot write the answer: standard output is closed", "a file or a pipe")
+    out = _stdout()
+    encoding = out.encoding or "ascii"
     try:
-        try:
-            out.write(text)
-        except UnicodeEncodeError:
-            encoding = out.encoding or "ascii"
-            out.write(text.encode(encoding, "backslashreplace").decode(encoding))
-        out.flush()
+        data = text.encode(encoding, out.errors or "strict")
+    except UnicodeEncodeError:
+        data = text.encode(encoding, "backslashreplace")
+    try:
+        pour(data)
+    except BrokenPipeError:  # nobody reads on, and the exit status is still of use
+        return
+
+
+def pour(data: bytes) -> None:
+    """Write a part of a stream at once.  A closed pipe raises, for there is no use in going on."""
+    try:
+        _send(_stdout(), data)
     except BrokenPipeError:
-        discard_output()
+        raise
     except OSError as error:
-        raise not_written(error) from None
+        problem = f"cannot write the answer: {error.strerror or error}"
+        raise OutputError(problem, "a place with room for it") from None
 
 
 def read(size: int) -> bytes:
-    """Read from standard input what there is, at most so many bytes; none at its end."""
+    """Read from standard input what there is, at most so many bytes; none at its end.
+
+    Where there is nothing yet, a descriptor that does not block is waited for.
+    """
+    if sys.stdin is None:
+        raise RadcalcError("cannot read stdin: it is closed", "a file or a pipe")
+    raw = _unbuffered(sys.stdin)
     try:
-        return os.read(0, size)
+        while (data := raw.read(size)) is None:
+            _wait(raw, reading=True)
+        return data  # type: ignore[no-any-return]
     except OSError as error:
         problem = f"cannot read stdin: {error.strerror or error}"
         raise RadcalcError(problem, "a file or a pipe") from None
 
 
-def pour(data: bytes) -> None:
-    """Write a part of a stream at once.  A closed pipe raises, for there is no use in going on."""
-    out = sys.stdout
-    if out is None:
+def read_all(most: int) -> bytes:
+    """Read standard input to its end; raise RadcalcError where that is more than `most` bytes."""
+    parts, size = [], 0
+    while part := read(BLOCK):
+        parts.append(part)
+        size += len(part)
+        if size > most:
+            raise RadcalcError(f"stdin has more than {most} bytes", "less of it")
+    return b"".join(parts)
+
+
+def _stdout() -> "Any":
+    if sys.stdout is None:
         raise OutputError("cannot write the answer: standard output is closed", "a file or a pipe")
-    try:
-        out.buffer.write(data)
-        out.buffer.flush()
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        raise not_written(error) from None
+    return sys.stdout
 
 
-def not_written(error: OSError) -> OutputError:
-    """What to raise where standard output fails; nothing more is written there."""
-    discard_output()
-    problem = f"cannot write the answer: {error.strerror or error}"
-    return OutputError(problem, "a place with room for it")
+def _send(file: "Any", data: bytes) -> None:
+    """Write everything, however little of it is taken at a time.
+
+    Python's own buffer gives up where a descriptor does not block, and without one (`python -u`)
+    what was not taken is lost; so this writes below it.
+    """
+    raw = _unbuffered(file)
+    rest = memoryview(data)
+    while rest:
+        taken = raw.write(rest)
+        if taken is None:
+            _wait(raw, reading=False)
+        else:
+            rest = rest[taken:]
 
 
-def discard_output() -> None:
-    """Let what is still buffered go nowhere, so that Python's own last flush is silent."""
-    null = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(null, 1)
-    os.close(null)
+def _unbuffered(file: "Any") -> "Any":
+    """The raw file of a text file; under `python -u`, that is what it has for a buffer."""
+    return getattr(file.buffer, "raw", file.buffer)
+
+
+def _wait(raw: "Any", reading: bool) -> None:
+    """Wait until a descriptor that does not block has something, or room for something."""
+    from select import select
+
+    place = [raw.fileno()]
+    select(place if reading else [], [] if reading else place, [])
 
 
 def say(lines: "Iterable[str]") -> None:
     """Write lines to standard error; nobody listening there is no failure."""
     try:
-        sys.stderr.write("".join([line + "\n" for line in lines]))
-        sys.stderr.flush()
+        text = "".join([line + "\n" for line in lines])
+        _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass
 

@@ -38,7 +38,7 @@ KEEPERS = {
 LAYERS = [
     ["radcalc.__main__"],
     ["radcalc.cli"],
-    ["radcalc.api", "radcalc.homework", "radcalc.streams", "radcalc.render", "radcalc.stdio"],
+    ["radcalc.api", "radcalc.homework", "radcalc.streams", "radcalc.render"],
     ["radcalc.calculators"],
     ["radcalc.conversion"],
     ["radcalc.laws"],
@@ -46,7 +46,7 @@ LAYERS = [
     ["radcalc.spectra", "radcalc.geometry"],
     ["radcalc.quantities"],
     ["radcalc.units", "radcalc.maths"],
-    ["radcalc.errors", "radcalc._version"],
+    ["radcalc.stdio", "radcalc.errors", "radcalc._version"],
 ]
 ROOMS = [room for row in LAYERS for room in row]
 

@@ -35,9 +35,33 @@ COMMANDS = {
     "typical": "Typical values: sun, sky, moon and lamps.",
 }
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
 
 
-class Commands(click.Group):
+class Helped(click.Command):
+    """A command whose help is written as answers are: to its end, or not with status 0."""
+
+    def get_help_option(self, ctx: click.Context) -> click.Option | None:
+        """The option that Click makes, with a way out of our own."""
+        option = super().get_help_option(ctx)
+        if option:
+            option.callback = _help
+        return option
+
+
+def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
+    if wanted and not ctx.resilient_parsing:
+        stdio.write(ctx.get_help() + "\n")
+        ctx.exit()
+
+
+def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
+    if wanted and not ctx.resilient_parsing:
+        stdio.write(f"radcalc {__version__}\n")
+        ctx.exit()
+
+
+class Commands(Helped, click.Group):
     """The subcommands, each imported when it is called and not for the help that lists them."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -88,7 +112,14 @@ class Commands(click.Group):
 
 
 @click.command(cls=Commands, context_settings=SETTINGS, no_args_is_help=False)
-@click.version_option(__version__, message="radcalc %(version)s")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_version,
+    help="Show the version and exit.",
+)
 def commands() -> None:
     """Calculate with light: units, photometry, radiometry, photons and their geometry.
 
@@ -124,24 +155,53 @@ def _is_negative(word: str) -> bool:
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
     try:
-        status = commands.main(protect_negatives(words), "radcalc", standalone_mode=False)
-        stdio.write("")
-        return status if isinstance(status, int) else stdio.ANSWERED
+        return _answer(words)
     except RadcalcError as error:
         if isinstance(error, MissingUnit):
             error.hint += " (one word, no blank)"  # where the shell would cut it
         return stdio.complain(error, Shell)
     except click.UsageError as error:
         return stdio.complain(_usage(error, words), Shell)
-    except (KeyboardInterrupt, click.Abort):
+    except KeyboardInterrupt:
         return stdio.INTERRUPTED
-    except (BrokenPipeError, SystemExit):  # Click's help exits when its reader has gone
-        stdio.discard_output()
+    except BrokenPipeError:
         return stdio.ANSWERED
-    except OSError as error:
-        return stdio.complain(stdio.not_written(error), Shell)
+    except MemoryError:
+        return stdio.complain(RadcalcError("not enough memory", "fewer values at a time"))
     except Exception as error:
         return _bug(error)
+
+
+def _answer(words: list[str]) -> int:
+    """Run a command, or complete one for a shell; return the exit status.
+
+    This is what Click's `main` does, without its own ways out.
+    """
+    if os.environ.get(COMPLETE):
+        stdio.write(_completions(os.environ[COMPLETE]) + "\n")
+        return stdio.ANSWERED
+    try:
+        with commands.make_context("radcalc", protect_negatives(words)) as context:
+            status = commands.invoke(context)
+    except click.exceptions.Exit as left:
+        status = left.exit_code
+    return status if isinstance(status, int) else stdio.ANSWERED
+
+
+def _completions(asked: str) -> str:
+    """What a shell asks for: `bash_source` is a script, `bash_complete` the next words."""
+    from click.shell_completion import get_completion_class
+
+    shell, _, wanted = asked.partition("_")
+    kind = get_completion_class(shell)
+    if kind and wanted == "source":
+        return kind(commands, {}, "radcalc", COMPLETE).source()
+    if kind and wanted == "complete" and "COMP_WORDS" in os.environ:
+        return kind(commands, {}, "radcalc", COMPLETE).complete()
+    raise UsageError(
+        f"{COMPLETE}={quote(asked)} asks for nothing that can be completed",
+        "bash_source, zsh_source or fish_source there, or without it",
+    )
 
 
 def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:

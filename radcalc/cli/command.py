@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from radcalc.cli import check, options
+from radcalc.cli import Helped, check, options
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import UsageError, mention, quote
 from radcalc.quantities.light import KINDS
@@ -166,7 +166,7 @@ def _option(symbol: Symbol, example: str, text: str, hidden: bool = False) -> Sy
     return SymbolOption([f"--{symbol.name}"], help=text, hidden=hidden, **kind)
 
 
-class SectionedCommand(click.Command):
+class SectionedCommand(Helped):
     """Options are listed under the titles of `sections`."""
 
     def __init__(

@@ -5,12 +5,12 @@ What can be read in one way only is read, and said; everything else is an error 
 
 import os
 import re
-import sys
 from collections.abc import Iterator
 from itertools import pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
+from radcalc import stdio
 from radcalc.errors import ConditionError, RadcalcError, option, quote
 from radcalc.quantities.light import PER_WAVELENGTH, RADIANT, read
 from radcalc.spectra.spectrum import Table
@@ -44,7 +44,7 @@ def read_file(path: str, column: str = "") -> Table:
     name = "stdin" if path == "-" else quote(path)
     try:
         if path == "-":
-            raw = sys.stdin.buffer.read()
+            raw = stdio.read_all(LARGEST)
         else:
             if os.path.getsize(path) > LARGE:
                 table = _large(name, path, column)

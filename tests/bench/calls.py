@@ -35,7 +35,7 @@ def calls(words: str) -> Counter[str]:
             found[code.co_filename.removeprefix(PACKAGE)] += 1
 
     before = sys.getprofile()
-    silent = redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO())
+    silent = redirect_stdout(_nowhere()), redirect_stderr(_nowhere())
     with silent[0], silent[1], patch("radcalc.stdio.is_terminal", lambda: False):
         run(words.split())
         sys.setprofile(count)
@@ -44,6 +44,10 @@ def calls(words: str) -> Counter[str]:
         finally:
             sys.setprofile(before)
     return found
+
+
+def _nowhere() -> io.TextIOWrapper:
+    return io.TextIOWrapper(io.BytesIO())
 
 
 def main() -> int:

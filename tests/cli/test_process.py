@@ -96,7 +96,7 @@ def test_a_bug_is_reported_as_one(monkeypatch, capsys):
     def broken(*args, **kwargs):
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(cli.commands, "main", broken)
+    monkeypatch.setattr(cli.commands, "invoke", broken)
     assert cli.run(["convert"]) == 3
     message = capsys.readouterr().err
     assert "bug in radcalc" in message
