@@ -52,7 +52,7 @@ def quick_lane(words: list[str]) -> int | None:
         return None
     try:
         value, source, target = read_operands(operands)
-        if not target:
+        if not target or value < 0:  # below 0 there is more to say
             return None
         made = plan(resolve(source), resolve(target))
         text = line(made.apply(value), target, bare=number)

@@ -30,6 +30,17 @@ def _call(name: str, *xs: Number) -> Number:
     return getattr(math, name)(*xs)
 
 
+def product(a: Number, b: Number) -> tuple[Number, bool]:
+    """The product of arrays, and whether an element of it is beyond what a float holds."""
+    import numpy
+
+    with numpy.errstate(all="ignore"):
+        found = a * b
+        gone = ~numpy.isfinite(found) & numpy.isfinite(a) & numpy.isfinite(b)
+        gone |= (abs(found) < numpy.finfo(float).tiny) & (a != 0) & (b != 0)
+    return found, bool(numpy.any(gone))
+
+
 def sin(x: Number) -> Number:
     """The sine of x [rad]."""
     return _call("sin", x)

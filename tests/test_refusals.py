@@ -169,6 +169,16 @@ CONVERSIONS = {
     "steradians are no angle": (
         "lm", "cd", {"half-angle": "1sr"}, "takes an angle, not solid angle", "30deg"),
     "a comma in a number is refused": ("lx", "cd/m2", {"reflectance": "0,8"}, "comma", "0.8"),
+    "an illuminance is no exitance without a reflectance": (
+        "lx", "radlux", {}, "a reflectance is missing", "--reflectance"),
+    "a black surface tells nothing of the light that arrives": (
+        "radlux", "lx", {"reflectance": "0"}, "no light arrives", "above 0"),
+    "a hemisphere beside an area has two meanings between candelas and lux": (
+        "cd", "lm/m2", {"area": "1m2", "hemisphere": True}, "and the answers differ",
+        "radcalc convert 1cd cd/m2 --area 1m2 and then --hemisphere"),
+    "a cone beside an area has two meanings between watts per area and per steradian": (
+        "W/m2", "W/sr", {"area": "1m2", "half-angle": "30deg"}, "and the answers differ",
+        "radcalc convert 1W/m2 W --area 1m2 and then --half-angle 30deg"),
     "a negative wavelength is not possible": (
         "W", "lm", {"wavelength": "-555nm"}, "not possible", "more than 0"),
 }  # fmt: skip

@@ -130,7 +130,9 @@ def command(
         checking.refuse_several(len(each))
         question = of_conversion(value, source, target, each[0][1], steps)
         return checking.judge(question, check, tolerance, shown)
-    shown.show([answer(plan(source, target, given), value, case, steps) for case, given in each])
+    number = f"{value:.12g}"
+    plans = [(case, plan(source, target, given, number)) for case, given in each]
+    shown.show([answer(made, value, case, steps) for case, made in plans])
     return stdio.ANSWERED
 
 

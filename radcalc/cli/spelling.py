@@ -14,6 +14,7 @@ class Shell:
     @staticmethod
     def command(*words: str) -> str:
         """`radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
+        words = tuple(f"'{word}'" if " " in word else word for word in words)
         typed = [Shell.option(*word.split("=", 1)) if "=" in word else word for word in words]
         return " ".join(["radcalc", *typed])
 

@@ -15,6 +15,7 @@ from radcalc.conversion.conditions import (
     BAND,
     CONE,
     DISTANCE,
+    LINK,
     PUPIL,
     REFLECTANCE,
     TIME,
@@ -37,12 +38,21 @@ from radcalc.given import Given
 from radcalc.maths import any_true
 from radcalc.quantities.light import (
     Reading,
+    coherent_text,
     describe,
-    is_exitance,
+    is_incident,
     read,
 )
-from radcalc.quantities.symbols import SYMBOLS
-from radcalc.units.dimensions import ANGLE, PER_TIME, SOLID_ANGLE
+from radcalc.units.dimensions import (
+    ANGLE,
+    ENERGY,
+    FREQUENCY,
+    LENGTH,
+    PER_TIME,
+    PHOTON_ENERGY,
+    SOLID_ANGLE,
+    WAVENUMBER,
+)
 from radcalc.units.table import Unit
 
 Links = list[tuple[Factor, int]]
@@ -101,6 +111,7 @@ def _disc(conditions: Conditions) -> Factor:
 PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
 AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
 FAR: Supply = {**PLAIN, AREA: _far_area}
+REFLECTED = Way({REFLECTANCE: 1}, {REFLECTANCE: lambda c: geometric.reflected(c.take(REFLECTANCE))})
 DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
 
 FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
@@ -150,11 +161,13 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
         return []
     rows, sign = ways(here, there)
     radiance = start.is_radiance or end.is_radiance
-    if is_exitance(bridge.source) or is_exitance(bridge.target):
+    if bridge.source.is_exitance or bridge.target.is_exitance:
         # what leaves the source's surface: nothing is on the way yet
         rows = tuple(way for way in rows if not {DISTANCE, REFLECTANCE} & set(way.powers))
     elif rows is WAYS[IRRADIANCE, RADIANCE] and _is_round(conditions, given):
         return _applied(DISC, sign, conditions)
+    if {here, there} == {INTENSITY, IRRADIANCE} and given == {AREA, CONE}:
+        _refuse_two_meanings(bridge, start)
     whole = [way for way in rows if given.issuperset(way.powers)]
     if len(whole) > 1:
         flags = options((conditions.given[slot].name for slot in PLAIN if slot in given), " and ")
@@ -181,6 +194,32 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 def _is_round(conditions: Conditions, given: set[str]) -> bool:
     """Whether a radius or a diameter, and a distance, are what is given."""
     return given == {AREA, DISTANCE} and conditions.given[AREA].name != "area"
+
+
+def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
+    """Refuse a cone beside an area, where nothing tells what is uniform over it.
+
+    By way of the flux it is the intensity, by way of the radiance the radiance.
+    """
+    area, cone = (bridge.conditions.given[slot] for slot in (AREA, CONE))
+    if cone.name not in geometric.PROJECTED:
+        return
+    first, second = (cone, area) if start.solid_angle else (area, cone)
+    by_flux = coherent_text(start._replace(area=0, solid_angle=0))
+    by_radiance = coherent_text(start._replace(area=1, solid_angle=1))
+    steps = [
+        f"{command('convert', bridge.amount, unit, **{step.name.replace('-', '_'): step.text})} "
+        f"and then {option(then.name, then.text)}, for a uniform {what}"
+        for unit, step, then, what in (
+            (by_flux, first, second, "intensity"),
+            (by_radiance, second, first, "radiance"),
+        )
+    ]
+    raise ConversionError(
+        f"{bridge.heading}: over {option(cone.name, quote(cone.text))} the intensity may be "
+        "uniform, or the radiance, and the answers differ",
+        "; or ".join(steps),
+    )
 
 
 def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
@@ -232,8 +271,11 @@ WANTED = {
 class Bridge:
     """Two units of different quantities, the conditions between them, and what is lacking."""
 
-    def __init__(self, source: Unit, target: Unit, given: Sequence[Given]) -> None:
+    def __init__(
+        self, source: Unit, target: Unit, given: Sequence[Given], number: str = "1"
+    ) -> None:
         self.source, self.target = source, target
+        self.amount = f"{number}{quote(source.text)}"
         self.conditions = Conditions(given)
         self.lacking: dict[str, tuple[str, str]] = {}
 
@@ -295,14 +337,16 @@ class Bridge:
 # Everything between two quantities
 
 
-def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
+def link(source: Unit, target: Unit, given: Sequence[Given], number: str = "1") -> Links:
     """Find the factors, with their powers, that turn the source's quantity into the target's."""
-    bridge = Bridge(source, target, given)
+    bridge = Bridge(source, target, given, number)
     start, end = read(source), read(target)
     links: Links = []
-    if source.dimension != target.dimension:
-        if start is None or end is None:
-            raise _unlike(bridge)
+    if source.dimension == target.dimension:
+        links += _surface(bridge)
+    elif start is None or end is None:
+        links += _width(bridge)
+    else:
         if (start.kind, start.axis) != (end.kind, end.axis):
             from radcalc.conversion import spectral  # with the tables of the observers
 
@@ -314,6 +358,40 @@ def link(source: Unit, target: Unit, given: Sequence[Given]) -> Links:
     return links
 
 
+def _surface(bridge: Bridge) -> Links:
+    """Between what arrives at a surface and what leaves it."""
+    units = (bridge.source, bridge.target)
+    arriving = [unit for unit in units if not unit.is_exitance]
+    if len(arriving) != 1:
+        return []
+    if REFLECTANCE in bridge.conditions.given:
+        return _applied(REFLECTED, 1 if bridge.target.is_exitance else -1, bridge.conditions)
+    if is_incident(arriving[0]):
+        bridge.want(REFLECTANCE)
+    return []
+
+
+def _width(bridge: Bridge) -> Links:
+    """Between the widths of one narrow band in wavelength, frequency and wavenumber."""
+    given = bridge.conditions.given.get(LINK)
+    if given is not None and given.name == "wavelength":
+        from radcalc.conversion import spectral
+
+        factor = spectral.width(bridge, given)
+        if factor is not None:
+            return [(factor, -1)]
+    raise _unlike(bridge)
+
+
+PHOTON_NAMES = {
+    LENGTH: "wavelength",
+    FREQUENCY: "frequency",
+    WAVENUMBER: "wavenumber",
+    ENERGY: "photon-energy",
+    PHOTON_ENERGY: "photon-energy",
+}
+
+
 def _unlike(bridge: Bridge) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
@@ -321,18 +399,16 @@ def _unlike(bridge: Bridge) -> RadcalcError:
         return ConversionError(
             f"{heading}: a frequency counts cycles", "Hz, or cycle/s, for a frequency"
         )
-    spectral_units = SYMBOLS["wavelength"].dimensions
-    if source.dimension in spectral_units and target.dimension in spectral_units:
+    if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
         return ConversionError(
             f"{heading}: no condition links them, but a photon has both",
-            f"{command('photon', f'1{quote(source.text)}')}, with your number",
+            command("photon", bridge.amount, get=f"{PHOTON_NAMES[target.dimension]}:{target.text}"),
         )
     if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
         name = "half-angle" if source.dimension == ANGLE else "solid-angle"
-        cone = command("solid-angle", "cone", **{name: f"1{quote(source.text)}"})
         return ConversionError(
             f"{heading}: no condition links them, a solid angle depends on the shape",
-            f"{cone}, with your number",
+            command("solid-angle", "cone", **{name: bridge.amount}),
         )
     hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
     if notes := source.notes + target.notes:

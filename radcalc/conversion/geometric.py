@@ -24,6 +24,9 @@ REFLECTOR = Formula(
     "r = {reflectance} / (pi Omega0)",
     "ISO 80000-7, luminance and reflectance",
 )
+REFLECTED = Formula(
+    "reflected light", "{exitance} = {reflectance} {irradiance}", "ISO 80000-7, reflectance"
+)
 RETINA = Formula("retinal illuminance", "p = pi/4 {pupil}^2")
 
 
@@ -80,11 +83,14 @@ def _lobe(given: Given) -> Factor:
     return Factor("Omega", omega, "sr", said, (*steps, step))
 
 
+PROJECTED = ("half-angle", "apex-angle", "hemisphere")  # what has a projected solid angle
+
+
 def projected_solid_angle(given: Given) -> Factor:
     """The projected solid angle between radiance and irradiance, exitance or flux [sr]."""
     if given.name == "hemisphere":
         return Factor("Omega_p", math.pi, "sr", "uniform over a hemisphere, pi sr projected")
-    if given.name not in ("half-angle", "apex-angle"):
+    if given.name not in PROJECTED:
         raise ConditionError(
             f"{option(given.name)} does not link a radiance: that takes the projected solid angle",
             f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}",
@@ -190,6 +196,13 @@ def reflector(given: Given) -> Factor:
     step = REFLECTOR.step({"reflectance": given.value}, f"{format_number(value)} /sr")
     said = f"a Lambertian reflector of reflectance {given.text}"
     return Factor("r", value, "/sr", said, (step,))
+
+
+def reflected(given: Given) -> Factor:
+    """The reflectance of a surface, from what arrives at it to what leaves it."""
+    said = f"nothing but reflected light leaves, with a reflectance of {given.text}"
+    step = REFLECTED.told(f"M = {format_number(given.value)} E")
+    return Factor("rho", given.value, "radlux/lx", said, (step,))
 
 
 def pupil(given: Given) -> Factor:

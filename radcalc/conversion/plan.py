@@ -4,7 +4,7 @@ A plan between two units of one quantity is a ratio of whole numbers, and needs 
 table; what stands between different quantities is in `bridges.py`, loaded only when it is needed.
 """
 
-from radcalc.errors import ConversionError, quote
+from radcalc.errors import ConditionError, ConversionError, NumberError, quote
 from radcalc.units.numbers import SMALLEST
 from radcalc.units.table import Unit, divide
 
@@ -47,33 +47,70 @@ class Plan:
             self.notes += link.notes
 
     def apply(self, value: "Any") -> "Any":
-        """Convert a number, or an array element by element."""
-        if isinstance(value, float) and not self.links:
+        """Convert a number, or an array element by element.
+
+        What is below 0 is a difference, and has no more than another unit of its quantity.
+        """
+        if isinstance(value, (int, float)):
+            value = _as_float(value)
+        if self.links:
+            self._refuse_negative(value)
+        if not (isinstance(value, float) and isinstance(self.factor, float)):
+            from radcalc.maths import product
+
+            result, lost = product(value, self.factor)
+            if lost:
+                raise self._not_held()
+            return result
+        if self.links:
+            result = value * self.factor
+        else:
             # one rounding of an exact fraction: 100 lx are 1e-05 klm/cm2, no 9.99e-06
             over, under = value.as_integer_ratio()
             over *= self.source.top * self.target.bottom
             under *= self.source.bottom * self.target.top
             result = divide(over, under)
-        else:
-            result = value * self.factor
-        if isinstance(result, float):
-            zero = value == 0 or self.factor == 0
-            if result - result != 0 or (not zero and abs(result) < SMALLEST):
-                raise ConversionError(
-                    f"the result in {quote(self.target.text)} cannot be held by a number",
-                    "a value between 2.3e-308 and 1.7e308",
-                )
-            return result + 0.0  # no -0
-        return result
+        zero = value == 0 or self.factor == 0
+        if result - result != 0 or (not zero and abs(result) < SMALLEST):
+            raise self._not_held()
+        return result + 0.0  # no -0
+
+    def _not_held(self) -> ConversionError:
+        return ConversionError(
+            f"the result in {quote(self.target.text)} cannot be held by a number",
+            "a value between 2.3e-308 and 1.7e308",
+        )
+
+    def _refuse_negative(self, value: "Any") -> None:
+        from radcalc.maths import any_true
+
+        if any_true(value < 0):
+            from radcalc.quantities.light import describe, name_of
+
+            raise ConditionError(
+                f"a negative {name_of(self.source)} is no light: only a difference is below 0, "
+                f"and no condition makes it {describe(self.target)}",
+                "0 or more",
+            )
 
 
-def plan(source: Unit, target: Unit, given: "Sequence[Given]" = ()) -> Plan:
+def _as_float(value: float) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        raise NumberError("a whole number is too large for a number", "less than 1.8e308") from None
+
+
+def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str = "1") -> Plan:
     """Plan the conversion from one unit to another under the conditions given.
+
+    `number` stands before the source's unit where a refusal leads to another command.
 
     Raises ConversionError where a condition is missing, ConditionError where one is
     impossible, contradictory or without use.
     """
-    if source.dimension == target.dimension and not given:
+    same = source.dimension == target.dimension and source.is_exitance == target.is_exitance
+    if same and not given:
         plain = Plan(source, target, exact_ratio(source, target))
         if source.is_light and source.has_wavelength != target.has_wavelength:
             plain.notes += (
@@ -82,7 +119,7 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = ()) -> Plan:
         return plain
     from radcalc.conversion.bridges import link
 
-    links = link(source, target, given)
+    links = link(source, target, given, number)
     factor: Any = exact_ratio(source, target)
     for supplied, power in links:
         factor = factor * supplied.value if power > 0 else factor / supplied.value
@@ -109,12 +146,15 @@ def _beyond(source: Unit, target: Unit) -> ConversionError:
 def answer(made: Plan, value: float, case: str = "", steps: bool = False) -> "Result":
     """Convert one value and say everything about it."""
     from radcalc.answer import Result, Row
-    from radcalc.quantities.light import name_of, symbol_of
+    from radcalc.quantities.light import name_of, read, symbol_of
 
     unit = made.target
     row = Row(name_of(unit), symbol_of(unit), made.apply(value), unit.text, case)
     derivation = tuple(derive(made, value)) if steps else ()
-    return Result((row,), made.assumptions, made.notes, derivation)
+    notes = made.notes
+    if value < 0 and read(made.source):
+        notes += (f"a negative {name_of(made.source)} is a difference: no light is below 0",)
+    return Result((row,), made.assumptions, notes, derivation)
 
 
 def derive(made: Plan, value: float) -> "list[Step]":

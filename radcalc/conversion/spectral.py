@@ -295,6 +295,22 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
     return Factor("J", value, _per_axis(start, end), assumption, (step,))
 
 
+def width(bridge: "Bridge", given: Given) -> Factor | None:
+    """From a density to another, at a wavelength, for the widths of one narrow band.
+
+    None where the units are no widths of a band, or where the wavelength does not matter.
+    """
+    axes = {dimension: axis for axis, dimension in AXIS.items() if axis != NONE}
+    start, end = axes.get(bridge.source.dimension), axes.get(bridge.target.dimension)
+    if start is None or end is None or PER_WAVELENGTH not in (start, end):
+        return None
+    bridge.conditions.used.add(LINK)
+    said = f"a width that is small beside {given.text}, where its band is"
+    if given.dimension == LENGTH:
+        said += "; " + VACUUM.format(given.text)
+    return jacobian(light(given, None), start, end)._replace(assumption=said)
+
+
 def _per_axis(start: str, end: str) -> str:
     return f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})"
 

@@ -11,6 +11,7 @@ from radcalc.errors import quote
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
+    COHERENT,
     CYCLES,
     ETENDUE,
     FREQUENCY,
@@ -40,7 +41,8 @@ DENSITY_NAMES = {
     PER_WAVENUMBER: "per wavenumber",
 }
 DENSITY_SYMBOLS = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}
-EXITANCE_UNITS = ("radlux", "radphot")
+# Units of what arrives at a surface alone; lm/m2 may leave it as well.
+INCIDENT_UNITS = ("lux", "footcandle", "metre_candle", "nox", "phot")
 
 
 FLUX = {RADIANT: POWER, LUMINOUS: LUMINOUS_FLUX, PHOTON: PHOTON_FLUX}
@@ -188,9 +190,9 @@ def is_per_length(unit: Unit) -> bool:
     return not unit.has_wavelength
 
 
-def is_exitance(unit: Unit) -> bool:
-    """Whether the unit counts what leaves a surface: the radlux and the radphot."""
-    return any(name in EXITANCE_UNITS for name, _ in unit.atoms)
+def is_incident(unit: Unit) -> bool:
+    """Whether the unit counts what arrives at a surface: the lux, the foot-candle, the phot."""
+    return not unit.is_exitance and any(name.endswith(INCIDENT_UNITS) for name, _ in unit.atoms)
 
 
 def name_of(unit: Unit) -> str:
@@ -201,7 +203,7 @@ def name_of(unit: Unit) -> str:
     if is_per_length(unit):
         plain = Reading(reading.kind, *reading.geometry, NONE)
         return f"{plain.name} per length"
-    if is_exitance(unit):
+    if unit.is_exitance:
         return EXITANCES[KINDS.index(reading.kind)]
     return reading.name
 
@@ -213,7 +215,7 @@ def symbol_of(unit: Unit) -> str:
         return OTHERS.get(unit.dimension, ("", ""))[1]
     if is_per_length(unit):
         return ""
-    if is_exitance(unit):
+    if unit.is_exitance:
         return f"M_{reading.kind}"
     return reading.symbol
 
@@ -238,7 +240,12 @@ def coherent_unit(unit: Unit) -> str:
     """The coherent SI unit of a light quantity, as a derivation shows it."""
     reading = read(unit)
     if reading is None:
-        return unit.text
+        return COHERENT.get(unit.dimension, unit.text)
+    return coherent_text(reading)
+
+
+def coherent_text(reading: Reading) -> str:
+    """The coherent SI unit of a light quantity, from its facts."""
     if reading.retinal:
         return "td"
     area = "/m2" if reading.area else ""

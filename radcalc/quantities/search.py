@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from radcalc.errors import RadcalcError, UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import GEOMETRIES, NONE, is_exitance, is_per_length, name_of, read
+from radcalc.quantities.light import GEOMETRIES, NONE, is_per_length, name_of, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.table import NUMBER, Unit, resolve
 
@@ -129,7 +129,7 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     found = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if is_per_length(unit):  # the lm/m of a strip has the dimension of a spectral density
         found = []
-    if is_exitance(unit):
+    if unit.is_exitance:
         found = [q for q in found if q.symbol.startswith("M")]
     elif name_of(unit) == "illuminance" and not any(n.endswith("lumen") for n, _ in unit.atoms):
         found = [q for q in found if not q.symbol.startswith("M")]  # an exitance is not in lux

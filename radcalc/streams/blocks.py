@@ -63,6 +63,8 @@ class Bulk:
         texts.pop()
         exponents = b"e" in shape
         try:
+            if self.made.links and b"-" in block and min(map(float, texts)) < 0:
+                return None
             if exponents and not _in_range(texts):
                 return None
             if b"0" * (self.digits + 1) not in shape:

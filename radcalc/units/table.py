@@ -36,6 +36,7 @@ LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
+EXITANCE_UNITS = ("radlux", "radphot")
 COMMON_PREFIXES = "GMkcmun"
 LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
@@ -79,6 +80,11 @@ class Unit:
     def is_light(self) -> bool:
         """Whether it counts watts, lumens or photons, or what has a mass."""
         return any(self.dimension[i] for i in LUMINOUS_AND_COUNTED)
+
+    @property
+    def is_exitance(self) -> bool:
+        """Whether it counts what leaves a surface: the radlux and the radphot."""
+        return any(name in EXITANCE_UNITS for name, _ in self.atoms)
 
     @property
     def factor(self) -> float:

@@ -139,7 +139,9 @@ def test_a_unit_is_worth_its_definition(source, target, value):
 def _by_quantity() -> list[list[str]]:
     groups: dict[tuple[int, ...], list[str]] = {}
     for name, (_, _, dimension, _) in compiled.UNITS.items():
-        groups.setdefault(dimension, []).append(name)
+        # what leaves a surface is what arrives times a reflectance
+        leaves = name.startswith("rad") and dimension == resolve("lx").dimension
+        groups.setdefault((*dimension, leaves), []).append(name)
     return list(groups.values())
 
 

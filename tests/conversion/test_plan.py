@@ -65,6 +65,13 @@ WORKED = [
     (30, "W/m2", "W/m2/nm", {"bandwidth": "10nm"}, 3, 1e-15, "constant in the band"),
     (1, "W/m2/nm", "lx", {"bandwidth": "1nm", "wavelength": "555nm"}, 683.002, 1e-14, "Km"),
     (1, "W", "lm", {"wavelength": "300nm"}, 0, 0, "outside the table"),
+    (500, "lx", "radlux", {"reflectance": "0.8"}, 400, 1e-15, "M = rho E"),
+    (400, "radlux", "lx", {"reflectance": "80%"}, 500, 1e-15, "E = M / rho"),
+    # a channel of 0.1 nm at 1550 nm: c d lambda / lambda^2 = 299792458e-10 / 1550e-9^2 Hz
+    (0.1, "nm", "GHz", {"wavelength": "1550nm"}, 299792458e-10 / 1550e-9**2 / 1e9, 1e-14,
+     "d nu = c d lambda / lambda^2"),
+    (1, "cm-1", "nm", {"wavelength": "500nm"}, 500e-9**2 * 100 / 1e-9, 1e-14,
+     "d lambda = lambda^2 d sigma"),
 ]  # fmt: skip
 
 

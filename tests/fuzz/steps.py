@@ -1,0 +1,100 @@
+"""A conversion in one step and in two, by any quantity between, under the same conditions.
+
+The oracle is radcalc's own other way: either both agree, or one of them is refused.  A cone is
+taken as plain where an intensity is uniform over it and as projected where a radiance is; only a
+call that begins or ends with a radiance may take it otherwise than the steps do.
+"""
+
+import math
+import random
+from collections.abc import Iterator
+from functools import cache
+from itertools import combinations, permutations, product
+
+from radcalc.conversion.plan import Plan, plan
+from radcalc.errors import RadcalcError
+from radcalc.given import read
+from radcalc.quantities.light import read as facts
+from radcalc.units.table import resolve
+
+SHORT, LONG = 40, 2_000
+
+UNITS = (
+    "lm", "cd", "lx", "lm/m2", "radlux", "cd/m2", "td", "lm.s", "lx.s", "cd.s", "cd.s/m2",
+    "lm/nm", "lx/nm", "cd/nm", "cd/m2/nm", "lx/THz", "W", "W/sr", "W/m2", "W/m2/sr", "J",
+    "J/m2", "J/sr", "W/nm", "W/m2/nm", "W/m2/sr/nm", "W/m2/Hz", "W/m2/cm-1", "J/m2/nm",
+    "umol/s", "umol/m2/s", "umol/m2", "umol/sr/s", "umol/m2/sr/s", "umol/m2/s/nm", "photon",
+    "photon/s/m2/sr/Hz", "nm", "GHz", "kayser",
+)  # fmt: skip
+# Small beside the distance, and so is the band: in nanometres as in hertz it is the same.
+CONDITIONS = {
+    "wavelength": "555nm", "efficacy": "93lm/W", "spectrum": "D65", "time": "2h", "area": "3m2",
+    "radius": "10cm", "solid-angle": "1sr", "half-angle": "30deg", "apex-angle": "40deg",
+    "isotropic": True, "hemisphere": True, "exponent": "3", "beam-angle": "50deg",
+    "distance": "2km", "incidence": "60deg", "bandwidth": "10nm", "reflectance": "0.7",
+    "pupil": "3mm", "observer": "scotopic",
+}  # fmt: skip
+GIVEN = {name: read(name, value) for name, value in CONDITIONS.items()}
+Names = frozenset[str]
+
+
+@cache
+def planned(source: str, target: str, names: Names) -> Plan | None:
+    """The plan, or None where it is refused."""
+    try:
+        return plan(resolve(source), resolve(target), [GIVEN[name] for name in sorted(names)])
+    except RadcalcError:
+        return None
+
+
+def cones(*plans: Plan) -> set[str]:
+    """How cones are taken: as plain solid angles, or projected."""
+    letters = {factor.letter for made in plans for factor, _ in made.links}
+    return letters & {"Omega", "Omega_p"}
+
+
+def splits(names: Names) -> Iterator[tuple[Names, Names]]:
+    """Every way to give each condition to the first step, the second, or both."""
+    for parts in product((1, 2, 3), repeat=len(names)):
+        given = list(zip(sorted(names), parts, strict=True))
+        yield tuple(frozenset(n for n, part in given if part & step) for step in (1, 2))  # type: ignore[misc]
+
+
+def compare(source: str, target: str, names: Names) -> int:
+    """Go by every other unit, and hold each two steps against the one; how many there were."""
+    direct = planned(source, target, names)
+    if direct is None:
+        return 0
+    ends = [facts(resolve(unit)) for unit in (source, target)]
+    at_radiance = any(end and end.is_radiance for end in ends)
+    compared = 0
+    for between, (one, two) in product(UNITS, splits(names)):
+        first, second = planned(source, between, one), planned(between, target, two)
+        if between in (source, target) or first is None or second is None:
+            continue
+        if at_radiance and cones(direct) != cones(first, second):
+            continue
+        compared += 1
+        case = (source, between, target, sorted(names), sorted(one), sorted(two))
+        together = first.factor * second.factor
+        assert math.isclose(direct.factor, together, rel_tol=1e-7, abs_tol=0.0), case
+    return compared
+
+
+def sweep(count: int, seed: int) -> str:
+    """Draw pairs of units; try all pairs of conditions, and some sets of three."""
+    draw = random.Random(seed)
+    pairs = list(permutations(UNITS, 2))
+    draw.shuffle(pairs)
+    sets = [frozenset(names) for size in range(3) for names in combinations(CONDITIONS, size)]
+    compared = 0
+    for source, target in pairs[:count]:
+        triples = [frozenset(draw.sample(list(CONDITIONS), 3)) for _ in range(20)]
+        compared += sum(compare(source, target, names) for names in (*sets, *triples))
+    return f"{min(count, len(pairs))} pairs of units, {compared} times in two steps as in one"
+
+
+if __name__ == "__main__":
+    from command import main
+
+    main(sweep, LONG)
