@@ -212,6 +212,10 @@ class Impossible(ConditionError):
         self.symbol, self.text, self.limit = symbol, text, limit
 
 
+class TooNarrow(ConditionError):
+    """A range that leaves out so much of one kind of light that its ratio to another is none."""
+
+
 class Exclusive(ConditionError):
     """Inputs of which only one can be given."""
 

@@ -34,6 +34,7 @@ from radcalc.errors import (
     NumberError,
     OutputError,
     RadcalcError,
+    TooNarrow,
     UnitError,
     Unused,
     UsageError,
@@ -146,6 +147,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("--half-angle 181deg is not possible: a turn", "at most 180 deg"),
         ("half-angle 181deg is not possible: a turn", "at most 180 deg"),
         ('half_angle="181 deg" is not possible: a turn', "at most 180 deg")),
+    "a range that leaves out too much is to be wider": (
+        lambda: TooNarrow("more than any light gives", f"a wider {option('photon-range')}"),
+        ("more than any light gives", "a wider --photon-range"),
+        ("more than any light gives", "a wider photon-range"),
+        ("more than any light gives", "a wider photon_range")),
     "of two that exclude each other one is enough": (
         lambda: Exclusive(("na", "f-number")),
         ("--na and --f-number contradict each other", "one of them"),

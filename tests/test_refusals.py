@@ -69,8 +69,12 @@ CONVERSIONS = {
     "an observer has no use between watts and photons": (
         "W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer has no use",
         ""),
-    "an observer has no use beside an efficacy": (
-        "W", "lm", {"efficacy": "93lm/W", "observer": "scotopic"}, "--observer has no use", ""),
+    "an observer has no use beside an efficacy of photons": (
+        "W", "umol/s", {"efficacy": "2umol/J", "observer": "scotopic"}, "--observer has no use",
+        ""),
+    "an observer has an efficacy that no light exceeds": (
+        "W", "lm", {"efficacy": "1701lm/W", "observer": "scotopic"},
+        "no light gives more than 1700.06 lm/W", "1700lm/W"),
     "isotropic light and a half angle contradict each other": (
         "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradict each other", "one of"),
     "a half angle and an apex angle contradict each other": (

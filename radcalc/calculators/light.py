@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import LINKS_HINT
-from radcalc.errors import ConditionError, Exclusive, MissingInput, option, options
+from radcalc.errors import ConditionError, Exclusive, MissingInput, TooNarrow, option, options
 from radcalc.given import Given, Inputs
 from radcalc.maths import larger
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
@@ -111,7 +111,7 @@ def rounding(lit: Lit, name: str) -> Any:
 def _refuse_idle_refinements(links: Inputs) -> None:
     """Refuse refinements of what is not there."""
     for name in REFINEMENTS:
-        useful = ("wavelength", "spectrum") if name == "observer" else ("spectrum",)
+        useful = LINKS if name == "observer" else ("spectrum",)
         if name in links and not set(useful) & set(links):
             raise ConditionError(
                 f"{option(name)} has no use", f"{options(useful)} with it, or neither"
@@ -138,11 +138,16 @@ class Shown(NamedTuple):
 
 def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
     """Light quantities [SI, by generic name] as results, in every kind that is linked."""
-    factors = {
-        kind: factor
-        for kind in KINDS
-        if kind != lit.kind and (factor := _factor(lit.links, kind, lit.kind))
-    }
+    factors: dict[str, Factor] = {}
+    refused: dict[str, TooNarrow] = {}
+    for kind in KINDS:
+        try:
+            factor = _factor(lit.links, kind, lit.kind) if kind != lit.kind else None
+        except TooNarrow as error:
+            refused[kind] = error
+        else:
+            if factor:
+                factors[kind] = factor
     values: dict[str, list[Value]] = {}
     for name, amount in found.items():
         reach = {dimension(name, kind): amount * factor.value for kind, factor in factors.items()}
@@ -150,10 +155,17 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
         values[name] += [
             _value(lit, name, kind, reach[dimension(name, kind)], {}) for kind in factors
         ]
+        values[name] += [
+            _value(lit, name, kind, 0.0, {})._replace(units=(), because=error)
+            for kind, error in refused.items()
+        ]
     return Shown(
         values,
         tuple(dict.fromkeys(f.assumption for f in factors.values())),
-        tuple(note for factor in factors.values() for note in factor.notes),
+        (
+            *(note for factor in factors.values() for note in factor.notes),
+            *(f"no {KIND_NAMES[kind]} results: {error.message}" for kind, error in refused.items()),
+        ),
         tuple(step for factor in factors.values() for step in factor.steps),
     )
 
@@ -181,5 +193,8 @@ def _value(lit: Lit, name: str, kind: str, amount: Any, reach: dict[Dimension, A
 
 def efficacy(lit: Lit) -> Any:
     """The luminous efficacy [lm/W] that links the kinds, or None."""
-    factor = _factor(lit.links, LUMINOUS, RADIANT)
+    try:
+        factor = _factor(lit.links, LUMINOUS, RADIANT)
+    except TooNarrow:  # which the results say that want it
+        return None
     return factor.value if factor else None

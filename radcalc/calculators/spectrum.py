@@ -4,16 +4,16 @@ import math
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.results import absent, value
-from radcalc.conversion.spectral import too_narrow
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError, option
 from radcalc.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.spectra import colorimetry
-from radcalc.spectra.observers import OBSERVERS, Observer
+from radcalc.spectra.counts import Counts
+from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Range, Spectrum, range_text
+from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
 
 COLOURS = ("x", "y", "cct", "duv", "cri")
 CHROMATICITY = "the chromaticity: x and y"
@@ -29,40 +29,41 @@ def spectrum(given: Inputs) -> Answer:
     """
     source: Spectrum = given["spectrum"].value
     chosen = {name: one.value for name, one in given.items()}
-    watts_in, photons_in = source.counted(chosen.get("range"), chosen.get("photon-range"))
     eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
-    watts = source.power(watts_in)
-    if not watts > 0:
-        raise ConditionError(
-            f"there is no power in {range_text(watts_in)}", f"another {option('range')}"
-        )
-    lumens, dark = eye.maximum * source.seen(eye), night.maximum * source.seen(night)
-    too_narrow(lumens / watts, eye, watts_in)
-    amounts = {RADIANT: watts, LUMINOUS: lumens, PHOTON: source.photons(photons_in)}
+    ranges = chosen.get("range"), chosen.get("photon-range")
+    counts = Counts(source, eye, *ranges)
+    known = f"; {source.label} is known over {counts.known}" if counts.known else ""
+    if not counts.amount(RADIANT) > 0:
+        problem = f"there is no power in {counts.over(RADIANT)}{known}"
+        raise ConditionError(problem, f"another {option('range')}")
     colours, remarks = _colour(source)
     values = [
-        *_shape(source, watts_in, watts),
-        *_efficacies(lumens, dark, watts, eye),
-        *_photons(source, photons_in, lumens, watts),
+        *_shape(counts),
+        *_efficacies(counts, Counts(source, night, *ranges)),
+        *_photons(counts),
         *colours,
-        *_absolute(source, amounts),
+        *_absolute(source, {kind: counts.amount(kind) for kind in (RADIANT, LUMINOUS, PHOTON)}),
     ]
+    shares = f"; range-fraction is of {counts.known}, all that is known" if known else ""
     assumptions = [
-        f"spectrum {source.label}; watts counted over {range_text(watts_in)}, "
-        f"photons over {range_text(photons_in)}",
+        f"spectrum {source.label}; watts counted over {counts.over(RADIANT)}, "
+        f"photons over {counts.over(PHOTON)}{shares}",
         eye.assumption,
     ]
-    notes = [*source.notes, *remarks]
-    if not lumens:
+    notes = [*source.notes, *counts.notes((RADIANT, PHOTON, LUMINOUS)), *remarks]
+    if known and source.peak()[0] in source.known:
+        notes.append("the peak is where the data end: the source itself may have it beyond")
+    if not counts.amount(LUMINOUS):
         notes.append(UNSEEN)
-    return Answer(values, assumptions, notes, _steps(lumens, watts, eye))
+    return Answer(values, assumptions, notes, _steps(counts))
 
 
 def _nanometres(name: str, size: float) -> Value:
     return value(name, size * 1e-9)
 
 
-def _shape(source: Spectrum, limits: Range, watts: float) -> list[Value]:
+def _shape(counts: Counts) -> list[Value]:
+    source, watts, limits = counts.source, counts.amount(RADIANT), counts.ranges[RADIANT]
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
     found = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
@@ -78,13 +79,15 @@ def _shape(source: Spectrum, limits: Range, watts: float) -> list[Value]:
     return [*found, value("range-fraction", watts / source.total())]
 
 
-def _efficacies(lumens: float, dark: float, watts: float, eye: Observer) -> list[Value]:
+def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
+    """Lumens per watt, by the observer and by night."""
+    eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
     found = [
-        value("luminous-efficiency", lumens / watts / eye.maximum),
-        value("luminous-efficacy", lumens / watts),
+        *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),
+        *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficacy"),
     ]
-    if eye is not OBSERVERS["scotopic"]:
-        found.append(value("scotopic-luminous-efficacy", dark / watts))
+    if eye is not by_night.eye:
+        found += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
     if eye is not OBSERVERS["photopic"]:
         asked = f"it is by {OBSERVERS['photopic'].label}"
         found.append(absent("sp-ratio", asked, f"the same without {option('observer')}"))
@@ -95,16 +98,24 @@ def _efficacies(lumens: float, dark: float, watts: float, eye: Observer) -> list
     return found
 
 
-def _photons(source: Spectrum, limits: Range, lumens: float, watts: float) -> list[Value]:
-    photons = source.photons(limits)
+def _ratio(counts: Counts, over: str, under: str, name: str, scale: float = 1.0) -> list[Value]:
+    """One ratio of kinds, or why a range makes none of it."""
+    if problem := counts.impossible(over, under):
+        return [absent(name, problem.message, problem.hint)]
+    return [value(name, counts.amount(over) / counts.amount(under) / scale)]
+
+
+def _photons(counts: Counts) -> list[Value]:
+    limits, photons = counts.ranges[PHOTON], counts.amount(PHOTON)
     if not photons:
-        why = f"no photons are in {range_text(limits)}"
+        why = f"no photons are in {counts.over(PHOTON)}"
         hint = f"another {option('photon-range')}"
         return [absent(n, why, hint) for n in ("photon-energy", "photon-efficacy", "lux-per-ppfd")]
+    energy = counts.source.power(limits) / photons
     return [
-        value("photon-energy", source.power(limits) / photons, label="mean photon energy"),
-        value("photon-efficacy", photons / watts),
-        value("lux-per-ppfd", lumens / photons),
+        value("photon-energy", energy, label="mean photon energy"),
+        *_ratio(counts, PHOTON, RADIANT, "photon-efficacy"),
+        *_ratio(counts, LUMINOUS, PHOTON, "lux-per-ppfd"),
     ]
 
 
@@ -164,11 +175,14 @@ def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:
     return Value(symbol.name, symbol.label, letter, amounts[kind], (own,), (unit,), reach)
 
 
-def _steps(lumens: float, watts: float, eye: Observer) -> list[Step]:
+def _steps(counts: Counts) -> list[Step]:
+    eye, lumens, watts = counts.eye, counts.amount(LUMINOUS), counts.amount(RADIANT)
     weight = eye.label.split("(")[0]
     formula = Formula(
         "luminous efficacy of radiation",
         f"K = {eye.constant} int(S {weight} dlambda) / int(S dlambda)",
         "trapezoid on the union of the data's and the observer's grids",
     )
+    if counts.impossible(LUMINOUS, RADIANT):
+        return []
     return [formula.told(f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W")]

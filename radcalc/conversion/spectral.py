@@ -26,6 +26,7 @@ from radcalc.spectra.observers import (
     OBSERVERS,
     Observer,
     luminous_efficacy,
+    most_lumens_per_photon,
     standard_air_wavelength,
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
@@ -127,18 +128,6 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
     return Factor(symbol, value, unit, assumption, steps, notes)
 
 
-def too_narrow(efficacy: float, eye: Observer, watts_in: tuple[float, float]) -> None:
-    """Refuse watts of so small a part that all the lumens would come from too few of them."""
-    from radcalc.spectra.spectrum import range_text
-
-    if efficacy > eye.maximum * (1 + 1e-9):
-        raise ConditionError(
-            f"{range_text(watts_in)} leaves out most of the watts that are seen: "
-            f"{efficacy:.6g} lm/W is more than any light gives",
-            f"a wider {option('range')}",
-        )
-
-
 def spectral_factor(
     given: Given,
     over: str,
@@ -148,41 +137,33 @@ def spectral_factor(
     observer: Given | None,
 ) -> Factor:
     """The ratio of two kinds, over / under, of a whole spectrum."""
-    from radcalc.spectra.spectrum import range_text
+    from radcalc.spectra import counts
 
     source: Spectrum = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
-    watts_in, photons_in = source.counted(
-        limits.value if limits else None, photon_limits.value if photon_limits else None
+    counted = counts.Counts(
+        source,
+        seen_by,
+        limits.value if limits else None,
+        photon_limits.value if photon_limits else None,
     )
-    amounts: dict[str, float] = {}
     said = [f"spectrum {source.label}"]
     for kind in (over, under):
-        if kind == RADIANT:
-            amounts[kind] = source.power(watts_in)
-            said.append(f"watts counted over {range_text(watts_in)}")
-        elif kind == PHOTON:
-            amounts[kind] = source.photons(photons_in)
-            said.append(f"photons counted over {range_text(photons_in)}")
-        else:
-            amounts[kind] = seen_by.maximum * source.seen(seen_by)
+        if kind == LUMINOUS:
             said.append(seen_by.assumption)
+        else:
+            said.append(f"{counts.NAMES[kind]} counted over {counted.over(kind)}")
+    amounts = {kind: counted.amount(kind) for kind in (over, under)}
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
         told = option("spectrum", quote(given.text))
+        known = f"; it is known over {counted.known}" if counted.known else ""
         raise ConditionError(
-            f"{told} has nothing that counts there: {'; '.join(said[1:])}",
+            f"{told} has nothing that counts there: {'; '.join(said[1:])}{known}",
             "another spectrum or range",
         )
-    if {over, under} == {RADIANT, LUMINOUS}:
-        too_narrow(amounts[LUMINOUS] / amounts[RADIANT], seen_by, watts_in)
+    if problem := counted.impossible(over, under):
+        raise problem
     value = amounts[over] / amounts[under]
-    watts, lumens, photons = (amounts.get(kind, 1.0) for kind in (RADIANT, LUMINOUS, PHOTON))
-    if PHOTON not in amounts:
-        shown = f"{format_number(lumens / watts)} lm/W"
-    elif LUMINOUS not in amounts:
-        shown = f"{format_number(photons / AVOGADRO * 1e6 / watts)} umol/J"
-    else:
-        shown = f"{format_number(lumens / photons * AVOGADRO * 1e-6)} lm s/umol"
     names = {
         RADIANT: "int(S)",
         LUMINOUS: f"{seen_by.constant} int(S {seen_by.label.split('(')[0]})",
@@ -193,13 +174,18 @@ def spectral_factor(
         f"K = {names[over]} / {names[under]}",
         "trapezoid on the union of the data's and the observer's grids",
     )
+    top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
+    shown = counts.said(amounts[top] / amounts[bottom], top, bottom)
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
     step = formula.told(f"K = {ratio} = {format_number(value)}; that is {shown}")
     said.insert(1, shown)
-    notes = source.notes
-    if lumens == 0:
+    notes = source.notes + tuple(counted.notes((over, under)))
+    if LUMINOUS in amounts and not amounts[LUMINOUS]:
         notes += ("nothing of this spectrum is seen",)
     return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
+
+
+SHOWN = ((LUMINOUS, RADIANT), (PHOTON, RADIANT), (LUMINOUS, PHOTON))
 
 
 def linked(given: Inputs, over: str, under: str) -> Factor | None:
@@ -210,7 +196,7 @@ def linked(given: Inputs, over: str, under: str) -> Factor | None:
     if "spectrum" in given:
         ranges = given.get("range"), given.get("photon-range")
         return spectral_factor(given["spectrum"], over, under, *ranges, observer)
-    return given_ratio(given["efficacy"], over, under) if "efficacy" in given else None
+    return given_ratio(given["efficacy"], over, under, observer) if "efficacy" in given else None
 
 
 KIND_UNITS = {
@@ -223,37 +209,41 @@ KIND_UNITS = {
 }
 
 
-def _most_lumens_per_photon() -> float:
-    """The most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
-    eye = OBSERVERS["photopic"]
-    places = range(eye.start, eye.end + 1)
-    shares = (v / nm for v, nm in zip(eye.values, places, strict=True))
-    return eye.maximum * max(shares) * 1e9 * PLANCK * LIGHT
+PER_WATT_OF_LIGHT = (
+    "{} is taken per watt of light; a lamp's own is per electrical watt, and then the watts here "
+    "are electrical too"
+)
 
 
-def given_ratio(given: Given, over: str, under: str) -> Factor | None:
+def given_ratio(given: Given, over: str, under: str, observer: Given | None) -> Factor | None:
     """A given efficacy as over / under, or None where it links two other kinds."""
     value = given.value
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
     pair = pairs[given.dimension]
+    text = f"an efficacy of {given.text}, as given"
+    notes: tuple[str, ...] = ()
     if LUMINOUS in pair:
+        seen_by = OBSERVERS[observer.value if observer else "photopic"]
         if RADIANT in pair:
-            most, shown = OBSERVERS["photopic"].maximum, "{:g} lm/W"
-            scale, advice = 1.0, "683lm/W"
+            most, shown, scale, unit = seen_by.maximum, "{:g} lm/W", 1.0, "lm/W"
+            notes = (PER_WATT_OF_LIGHT.format(given.text),)
         else:
-            most, shown = _most_lumens_per_photon(), "{:.4g} lm s/umol"
-            scale, advice = AVOGADRO * 1e-6, "147lm.s/umol"
+            most, shown = most_lumens_per_photon(seen_by), "{:.4g} lm s/umol"
+            scale, unit = AVOGADRO * 1e-6, "lm.s/umol"
         lumens_per = value if pair[0] == LUMINOUS else 1 / value
         if maths.any_true(lumens_per > most * (1 + 1e-12)):
-            limit = f"no light gives more than {shown.format(most * scale)}"
             raise Impossible(
-                given.name, given.text, f"an efficacy of up to {advice}", because=limit
+                given.name,
+                given.text,
+                f"an efficacy of up to {int(most * scale)}{unit}",
+                because=f"no light gives more than {shown.format(most * scale)}",
             )
-    text = f"an efficacy of {given.text}, as given"
+        if observer:
+            text += f", by {seen_by.label}"
     if pair == (over, under):
-        return Factor("K", value, KIND_UNITS[over, under], text)
+        return Factor("K", value, KIND_UNITS[over, under], text, notes=notes)
     if pair == (under, over):
-        return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text)
+        return Factor("(1/K)", 1 / value, KIND_UNITS[over, under], text, notes=notes)
     return None
 
 
@@ -361,7 +351,8 @@ def _kind(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
         return []
     if given.name == "spectrum":
         return [(_of_spectrum(bridge, given, start, end), 1)]
-    factor = given_ratio(given, end.kind, start.kind)
+    seen_by = bridge.conditions.use("observer") if LUMINOUS in (start.kind, end.kind) else None
+    factor = given_ratio(given, end.kind, start.kind, seen_by)
     if factor is None:
         both = f"{KIND_NAMES[start.kind]} and {KIND_NAMES[end.kind]}"
         raise ConditionError(

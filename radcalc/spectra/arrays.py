@@ -13,7 +13,7 @@ import numpy as np
 from radcalc.errors import ConditionError, quote
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import WHOLE, Range, Table
+from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table
 
 
 def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
@@ -74,6 +74,11 @@ class ArrayTable(Table):
         """See `Spectrum`."""
         grid, values = self._part(limits)
         return float(np.trapezoid(values, grid))
+
+    def part(self, limits: Range) -> Spectrum | None:
+        """See `Spectrum`."""
+        grid, values = self._part(limits)
+        return ArrayTable(self.label, grid, values, is_whole=True) if len(grid) else None
 
     def moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""

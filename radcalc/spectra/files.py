@@ -200,10 +200,6 @@ class _Reader:
             values = values if factor == 1 else [value * factor for value in values]
         else:
             grid, values = grid * scale, values * factor
-        if grid[0] > 400 or grid[-1] < 700:
-            self.notes.append(
-                f"the data covers {grid[0]:g}-{grid[-1]:g} nm, not all of the visible 400-700 nm"
-            )
         return kind(self.name, grid, values, notes=tuple(self.notes), absolute=absolute)
 
     def dialect(self, line: str) -> tuple[str | None, bool]:

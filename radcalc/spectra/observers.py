@@ -14,6 +14,7 @@ from radcalc.spectra.data.observers import (
     PHOTOPIC,
     SCOTOPIC,
 )
+from radcalc.spectra.planck import LIGHT, PLANCK
 
 
 class Observer(NamedTuple):
@@ -89,6 +90,13 @@ def _nanometres(wavelength: Number) -> Number:
 def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
     """Luminous efficacy of monochromatic radiation [lm/W]; see `luminous_efficiency`."""
     return observer.maximum * luminous_efficiency(wavelength, observer)
+
+
+def most_lumens_per_photon(observer: Observer) -> float:
+    """The most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
+    places = range(observer.start, observer.end + 1)
+    shares = (v / nm for v, nm in zip(observer.values, places, strict=True))
+    return observer.maximum * max(shares) * 1e9 * PLANCK * LIGHT
 
 
 def standard_air_wavelength(vacuum: Number) -> Number:

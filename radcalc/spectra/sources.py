@@ -115,7 +115,7 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
     ends = [wavelength(part, text) for part in parameters.split(":")]
     if len(ends) != 2 or ends[0] >= ends[1]:
         raise _malformed(text, "band:LOW:HIGH as in band:580nm:630nm")
-    return Table(text, ends, [1.0, 1.0])
+    return Table(text, ends, [1.0, 1.0], is_whole=True)
 
 
 def _malformed(text: str, form: str) -> ConditionError:
@@ -175,4 +175,4 @@ def _gaussian(text: str, centre: float, fwhm: float) -> Table:
             (SHORTEST, math.exp(-((centre / sigma) ** 2) / 2)),
             *(p for p in pairs if p[0] > 1),
         ]
-    return Table(text, [x for x, _ in pairs], [y for _, y in pairs])
+    return Table(text, [x for x, _ in pairs], [y for _, y in pairs], is_whole=True)

@@ -29,10 +29,15 @@ def range_text(limits: Range) -> str:
 class Spectrum:
     """Watts per nanometre against wavelength [nm]; relative unless `absolute` names a quantity.
 
-    `limits` is where watts are counted unless somebody says otherwise.
+    `limits` is where watts are counted unless somebody says otherwise, `known` where there are
+    numbers, and `is_whole` tells whether there is nothing beyond.  No light has a wavelength above
+    `longest`.
     """
 
     absolute = ""
+    known = WHOLE
+    is_whole = True
+    longest = math.inf
 
     def __init__(self, label: str, limits: Range, notes: tuple[str, ...] = ()) -> None:
         """Hold what every kind of spectrum has."""
@@ -65,14 +70,9 @@ class Spectrum:
         """Photons per second between two wavelengths."""
         raise NotImplementedError
 
-    def within(self, limits: Range) -> Range:
-        """The part of a range where there is anything known."""
-        return limits
-
-    def counted(self, limits: Range | None, photon_limits: Range | None) -> tuple[Range, Range]:
-        """Where watts and where photons are counted, by default or as somebody said."""
-        everywhere = WHOLE if self.counts_all_photons else PAR
-        return self.within(limits or self.limits), photon_limits or everywhere
+    def part(self, limits: Range) -> "Spectrum | None":
+        """What of it is between two wavelengths, if that is anything."""
+        raise NotImplementedError
 
     def total(self) -> float:
         """Watts over all there is."""
@@ -99,18 +99,27 @@ class Table(Spectrum):
         limits: Range = WHOLE,
         notes: tuple[str, ...] = (),
         absolute: str = "",
+        is_whole: bool = False,
     ) -> None:
-        """Hold the points; watts are counted over the whole data unless `limits` are given."""
-        whole = (grid[0], grid[-1])
-        super().__init__(label, whole if limits == WHOLE else limits, notes)
+        """Hold the points; watts are counted over the whole data unless `limits` are given.
+
+        Beyond the points nothing is known, unless they are the whole.
+        """
+        self.known = float(grid[0]), float(grid[-1])
+        self.longest = self.known[1]
+        self.is_whole = is_whole
+        if not is_whole and (self.known[0] > PAR[0] or self.known[1] < PAR[1]):
+            ends = range_text(self.known)
+            notes += (f"the data covers {ends}, not all of the visible {range_text(PAR)}",)
+        super().__init__(label, self.known if limits == WHOLE else limits, notes)
         self.grid = grid
         self.values = values
         self.absolute = absolute
 
-    def within(self, limits: Range) -> Range:
-        """See `Spectrum`: nothing is known beyond the data."""
-        low, high = max(limits[0], self.grid[0]), min(limits[1], self.grid[-1])
-        return (low, high) if low < high else limits
+    def part(self, limits: Range) -> Spectrum | None:
+        """See `Spectrum`."""
+        grid, values = clip(self.grid, self.values, *limits)
+        return Table(self.label, grid, values, is_whole=True) if grid else None
 
     def power(self, limits: Range) -> float:
         """See `Spectrum`."""
@@ -156,6 +165,12 @@ class Lines(Spectrum):
             notes = ("a line lies outside 400-700 nm, where PPFD is counted; it counts here",)
         super().__init__(label, WHOLE, notes)
         self.lines = lines
+        self.longest = max(lines)[0]
+
+    def part(self, limits: Range) -> Spectrum | None:
+        """See `Spectrum`."""
+        inside = [line for line in self.lines if limits[0] <= line[0] <= limits[1]]
+        return Lines(self.label, inside) if inside else None
 
     def power(self, limits: Range) -> float:
         """See `Spectrum`."""
@@ -199,6 +214,13 @@ class BlackBody(Spectrum):
             )
         super().__init__(f"a black body of {temperature:.6g} K", WHOLE)
         self.temperature = temperature
+
+    def part(self, limits: Range) -> Spectrum | None:
+        """See `Spectrum`; at every nanometre of what is seen, which is what a part is for."""
+        grid = [float(nanometre) for nanometre in range(360, 831)]
+        wavelengths = [x * 1e-9 for x in grid]
+        values = planck.spectral_exitances(wavelengths, self.temperature)
+        return Table(self.label, grid, [y * 1e-9 for y in values], is_whole=True).part(limits)
 
     def power(self, limits: Range) -> float:
         """See `Spectrum`."""

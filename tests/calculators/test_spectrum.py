@@ -1,5 +1,6 @@
 """What a spectrum is described by, against published values."""
 
+import itertools
 import math
 
 import pytest
@@ -8,6 +9,8 @@ from conftest import run
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
 from radcalc.given import read
+from radcalc.spectra.data import suns
+from radcalc.spectra.observers import OBSERVERS
 
 
 def results(text: str, range_: str = "") -> dict[str, float]:
@@ -54,9 +57,73 @@ def test_no_power_in_the_range_is_refused():
         results("band:500nm:600nm", "700nm:800nm")
 
 
-def test_more_lumens_than_the_watts_can_give_are_refused():
-    with pytest.raises(RadcalcError, match="leaves out most"):
-        results("D65", "600nm:610nm")
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        ("spectrum D65 --range 600nm:610nm", "luminous-efficacy"),
+        ("spectrum D65 --range 600nm:610nm", "luminous-efficiency"),
+        ("spectrum D65 --range 600nm:610nm", "scotopic-luminous-efficacy"),
+        ("spectrum D65 --range 600nm:610nm", "photon-efficacy"),
+        ("spectrum D65 --photon-range 600nm:610nm", "lux-per-ppfd"),
+        ("point-source --flux 5W --spectrum D65 --range 600nm:610nm", "luminous-flux"),
+    ],
+)
+def test_a_ratio_beyond_what_any_light_gives_is_refused_and_the_rest_is_answered(words, name):
+    everything = run(*words.split())
+    assert everything.returncode == 0
+    assert name not in everything.stdout
+    done = run(*words.split(), "-g", name)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "more than any light gives" in done.stderr
+
+
+def test_a_band_of_an_absolute_spectrum_has_its_irradiance():
+    # ASTM G173-03, global tilt: the trapezoid of its own table from 600 nm to 700 nm
+    band = results("AM1.5G", "600nm:700nm")
+    table = zip(suns.WAVELENGTHS, suns.AM1_5G, strict=True)
+    inside = [(place, value) for place, value in table if 600 <= place <= 700]
+    steps = itertools.pairwise(inside)
+    expected = sum((b - a) * (p + q) / 2 for (a, p), (b, q) in steps)
+    assert expected == pytest.approx(139.24, abs=5e-3)
+    assert band["irradiance"] == pytest.approx(expected, rel=1e-12)
+
+
+RANGES = [
+    # asked, and claimed of a table from 380 nm to 780 nm
+    ("--range 280nm:2500nm", "range-start:nm", "380", "watts are counted over 380-780 nm, not"),
+    ("--range 280nm:2500nm", "range-end:nm", "780", "not over 280-2500 nm"),
+    ("--range 500nm:900nm", "range-start:nm", "500", "watts are counted over 500-780 nm"),
+    ("--photon-range 300nm:900nm", "range-end:nm", "780", "photons are counted over 380-780 nm"),
+    ("--range 400nm:700nm", "range-end:nm", "700", ""),
+]
+
+
+@pytest.mark.parametrize(("option", "name", "claimed", "note"), RANGES)
+def test_no_range_is_claimed_that_is_not_there(option, name, claimed, note):
+    done = run("spectrum", "HPS", *option.split(), "-g", name)
+    assert done.stdout.strip() == claimed
+    assert note in done.stderr
+    if not note:
+        assert "is known over" not in done.stderr.replace("all that is known", "")
+
+
+def test_what_tables_that_end_early_leave_out_is_said():
+    said = run("spectrum", "ISO 7589 Photoflood").stderr
+    assert "watts are counted over 380-690 nm, not over 380-780 nm" in said
+    assert "photons are counted over 400-690 nm, not over 400-700 nm" in said
+    assert "the peak is where the data end" in run("spectrum", "A").stderr
+    assert "the peak is where the data end" not in run("spectrum", "D65").stderr
+
+
+def test_the_lumens_that_a_range_leaves_out_are_said():
+    # of an equal-energy band, V summed over 450-650 nm against V over all: 1924, 1 nm steps
+    inside = sum(OBSERVERS["photopic"].values[90:291]) - 0.5 * (0.038 + 0.107)
+    share = inside / 106.86  # the integral of V, as CIE 018:2019's table sums up
+    said = run("convert", "1", "W", "lm", "--spectrum", "band:360nm:830nm", "--range",
+               "450nm:650nm").stderr  # fmt: skip
+    assert f"450-650 nm has {100 * share:.3g} % of them" in said
+    assert f"which is {683.002 * inside / 200:.6g} lm/W of its watts" in said
+    assert "lumens" not in run("convert", "1", "W", "lm", "--spectrum", "D65").stderr
 
 
 @pytest.mark.parametrize(
