@@ -98,9 +98,9 @@ CONVERSIONS = {
         "nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is not possible", "90 deg"),
     "an area nearer than five times its size is no small source": (
         "nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
-    "a disc that dips below the horizon is refused": (
-        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "60deg"}, "horizon",
-        "smaller"),
+    "a patch that may dip below the horizon is refused": (
+        "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "86deg"}, "horizon",
+        "--radius R in place"),
     "no lumens at 300 nm tell the watts": (
         "lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
     "no lumens at 10 um tell the watts": (
@@ -154,12 +154,12 @@ CONVERSIONS = {
         "radlux", "cd/m2", {"reflectance": "0.5"}, "--reflectance has no use", "--hemisphere"),
     "a distance has no use where an exitance becomes an intensity": (
         "radlux", "cd", {"distance": "2m"}, "missing; --distance has no use", "--area"),
-    "a disc of which half is below the horizon is refused": (
-        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "90deg"}, "horizon",
-        "smaller"),
-    "a disc of which most is below the horizon is refused": (
-        "nit", "lx", {"radius": "1m", "distance": "1m", "incidence": "100deg"}, "horizon",
-        "smaller"),
+    "a patch of which half is below the horizon is refused": (
+        "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "90deg"}, "horizon",
+        "--radius R in place"),
+    "a patch of which most is below the horizon is refused": (
+        "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "-94deg"}, "horizon",
+        "--radius R in place"),
     "a wavelength has no use between hertz and kaysers": (
         "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength has no use", "without"),
     "no light gives 149 lumens for a micromole a second": (

@@ -1,21 +1,20 @@
 """The etendue between a source and a receiver or a cone, and the flux that a radiance gives it."""
 
-import math
+from typing import Any
 
 from radcalc.answer import Answer
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.conversion import geometric
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, NumberError, mention
-from radcalc.geometry import cones
+from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option
+from radcalc.geometry import cones, far_field
 from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of, require
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import CONFIGURATION_FACTOR
-from radcalc.maths import FAINTEST, larger
+from radcalc.maths import FAINTEST, any_true, larger
 
 CONES = ("half-angle", "apex-angle", "na", "f-number")
 RECEIVERS = ("receiver-area", "receiver-radius", "receiver-diameter")
@@ -166,8 +165,9 @@ def _refuse_near(sheet: Worksheet) -> None:
         return
     area, other, away = (sheet.at(n) for n in ("area", "receiver-area", "distance"))
     sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
-    longest = geometric.size_of(larger(area, other), *sides)
-    if geometric.is_near(away, longest):
+    source, receiver = far_field.size(area, *sides), far_field.size(other)
+    longest = larger(source, receiver)
+    if far_field.is_near(away, longest):
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(sheet.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
@@ -176,9 +176,25 @@ def _refuse_near(sheet: Worksheet) -> None:
             f"patches ({format_number(longest)} m): A1 A2 / d^2 does not hold",
             mention(hint),
         )
-    off = (area + other) / math.pi / away**2
-    less = format_number(100 * off)
-    sheet.assume(f"patches small beside their distance (two discs would have some {less} % less)")
+    tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
+    _refuse_cut(sheet, "incidence", "source", far_field.REACH * source)
+    _refuse_cut(sheet, "tilt", "receiver", far_field.REACH * receiver)
+    off = far_field.error(source, away, tilt, incidence, bool(sides))
+    off += far_field.error(receiver, away, incidence, tilt)
+    good = far_field.percent(off)
+    sheet.assume(f"patches small beside their distance: A1 A2 cos cos / d^2 is {good}")
+
+
+def _refuse_cut(sheet: Worksheet, name: str, what: str, reach: Any) -> None:
+    """Refuse an angle at which the plane of one patch may cut the other."""
+    away, angle = sheet.at("distance"), angle_of(sheet.given, name)
+    if any_true(far_field.is_cut(reach, away, angle)):
+        raise ConditionError(
+            f"{option(name, sheet.given[name].text)}: its plane may cut the {what}, and "
+            "A1 A2 / d^2 does not hold",
+            f"{option(name, far_field.steepest(reach, away))}, or as far past 90 deg, where "
+            "nothing is left",
+        )
 
 
 def _note_far_field(sheet: Worksheet) -> None:

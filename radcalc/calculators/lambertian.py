@@ -8,13 +8,13 @@ import math
 
 from radcalc.answer import Answer
 from radcalc.calculators.light import Lit
-from radcalc.calculators.shapes import POSITION, SHAPES, SIZES
+from radcalc.calculators.shapes import POSITION, SHAPES, SIZES, cut_by_horizon
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.conversion import geometric
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, command, mention, option
-from radcalc.given import Inputs
-from radcalc.laws.surface import LAWS
+from radcalc.geometry import far_field
+from radcalc.given import Inputs, angle_of
+from radcalc.laws.surface import CUT_DISC, LAWS
 from radcalc.maths import any_true, is_array
 
 QUANTITIES = (
@@ -109,21 +109,43 @@ def _judge(sheet: Worksheet) -> None:
         if is_array(far) or is_array(exact) or not exact or abs(far / exact - 1) < 1e-6:
             return
         nearest = 5 * sheet.known["size"].value
-        times = format_number(far / exact)
-        said = f"the inverse square law, from the centre, gives {times} times that"
+        times = f"gives {format_number(far / exact)} times that" if far else "gives no light"
+        said = f"the inverse square law, from the centre, {times}"
         if far and sheet.at("distance") < nearest:
             said += f"; it is for {format_number(nearest)} m and more, five times the size"
         sheet.notes.append(said)
 
 
+def _exact_shape(sheet: Worksheet) -> str:
+    """What to do about a source that is too large for the far field."""
+    if {"tilt", "incidence"} & set(sheet.given):
+        return "more distance, or less area"
+    if "area" in sheet.given:
+        radius = f"{format_number((sheet.at('area') / math.pi) ** 0.5)}m"
+        circle = command("lambertian", "disc") + mention(f" with {{radius={radius}}}")
+        return f"{circle} in place of {option('area')}, for a circle, which is exact"
+    shape = "rectangle" if sheet.has("width") else "disc"
+    return f"{command('lambertian', shape)}, which is exact"
+
+
 def _refuse_near(sheet: Worksheet) -> None:
-    """Refuse a patch seen from nearer than five times its size, however that was found."""
-    if sheet.has("distance") and sheet.has("area"):
-        sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
-        longest = geometric.size_of(sheet.at("area"), *sides)
-        if geometric.is_near(sheet.at("distance"), longest, 1e-9):
-            raise ConditionError(
-                f"a distance of {format_number(sheet.at('distance'))} m is less than five times "
-                f"the size of the source ({format_number(longest)} m)",
-                f"{command('lambertian', 'disc')}, sphere or rectangle, which are exact",
-            )
+    """Refuse a patch for which the far field does not hold, however it was found; else say so."""
+    if not sheet.has("distance") or not sheet.has("area"):
+        return
+    away = sheet.at("distance")
+    sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
+    longest = far_field.size(sheet.at("area"), *sides)
+    if far_field.is_near(away, longest, 1e-9):
+        raise ConditionError(
+            f"a distance of {format_number(away)} m is less than five times "
+            f"the size of the source ({format_number(longest)} m)",
+            _exact_shape(sheet),
+        )
+    if CUT_DISC in (law for law, _ in sheet.solution.used):
+        return
+    tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
+    reach = sheet.at("radius") if sheet.has("radius") else far_field.REACH * longest
+    if any_true(far_field.is_cut(reach, away, incidence)):
+        raise cut_by_horizon(sheet.given, reach, away)
+    good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
+    sheet.assume(f"a source small beside its distance: the inverse square law is {good}")

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import reduce
 from typing import Any, NamedTuple
 
 from radcalc.calculators.worksheet import (
@@ -10,12 +11,13 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
 )
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Exclusive, MissingInput, mention, option
-from radcalc.geometry import cones, projected, solid
+from radcalc.errors import ConditionError, Exclusive, MissingInput, command, mention, option
+from radcalc.geometry import cones, far_field, projected, solid
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import (
+    CUT_DISC,
     FLAT,
     SMALL_SOURCE,
     SPHERE_AREA,
@@ -24,7 +26,7 @@ from radcalc.laws.surface import (
     SPHERE_FRONT,
     disc_on_axis,
 )
-from radcalc.maths import any_true, atan2, cos, hypot, sin
+from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller
 
 SIZES = ("area", "radius", "diameter", "width", "length")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
@@ -47,6 +49,13 @@ def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
     sheet.know("projected-solid-angle", flat)
     aside = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
     sheet.placed.append(SEEN.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr"))
+
+
+def _say_horizon(sheet: Worksheet, shape: str, lowest: Any, highest: Any) -> None:
+    """Say what is cut of a shape, by how high it reaches over the receiver's plane."""
+    if any_true(lowest < -1e-12 * abs(highest)):
+        cut = "partly " if any_true(highest > 0) else ""
+        sheet.notes.append(f"the {shape} is {cut}below the receiver's horizon")
 
 
 def _is_sized(sheet: Worksheet) -> bool:
@@ -74,14 +83,51 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
             message = f"{option(placed[0])} has no use without a distance"
             raise MissingInput(message, mention("{distance=2m} with it"))
         return laws
-    sheet.know("cosine", cones.facing(angle_of(given, "incidence")))
-    sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
+    incidence, tilt = angle_of(given, "incidence"), angle_of(given, "tilt")
+    sheet.know("cosine", cones.facing(incidence))
+    sheet.know("cosine-of-source", cones.facing(tilt))
     sheet.use("incidence", "tilt")
-    if "distance" in given:
-        sheet.assume("a source small beside its distance")
-        _say_facing(sheet)
-    laws.append(SMALL_SOURCE)
-    return laws
+    _say_facing(sheet)
+    if "distance" in given and any_true(_is_cut(sheet, given["distance"].value)):
+        if not _is_sized(sheet) or any_true(tilt != 0):
+            raise cut_by_horizon(given, _reach(given), given["distance"].value)
+        sheet.know("incidence", incidence, given["incidence"])
+        sheet.assume("a disc that faces the receiver, of which the horizon leaves a part")
+        return [*laws, CUT_DISC]
+    return [*laws, SMALL_SOURCE]
+
+
+def _is_cut(sheet: Worksheet, distance: Any) -> Any:
+    """Whether the receiver's horizon may cut a patch, as far as its size is known."""
+    reach = _reach(sheet.given)
+    angle = angle_of(sheet.given, "incidence")
+    return reach is not None and far_field.is_cut(reach, distance, angle)
+
+
+def _reach(given: Inputs) -> Any:
+    """How far a patch reaches from its centre, or None where its size is not given."""
+    if size := given.get("radius") or given.get("diameter"):
+        return radius_of(size)
+    sides = [given[name].value for name in ("width", "length") if name in given]
+    if "area" in given:
+        return far_field.reach(given["area"].value, *sides)
+    return far_field.reach(math.prod(sides), *sides) if len(sides) == 2 else None
+
+
+def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> ConditionError:
+    """The refusal of a patch of which the receiver's horizon may cut off a part."""
+    hint = option("incidence", far_field.steepest(reach, distance))
+    hint += ", or as far past 90 deg, where nothing is left"
+    if "tilt" not in given and "area" in given:
+        radius = format_number((given["area"].value / math.pi) ** 0.5)
+        hint = mention(f"{{radius={radius}m}} in place of {{area}}, for a disc, which is exact")
+    elif "tilt" not in given and {"width", "length"} <= set(given):
+        hint = f"{command('lambertian', 'rectangle')}, which is exact"
+    return ConditionError(
+        f"{option('incidence', given['incidence'].text)}: the receiver's horizon may cut the "
+        "source, and the inverse square law does not hold",
+        hint,
+    )
 
 
 def _say_facing(sheet: Worksheet) -> None:
@@ -118,6 +164,7 @@ def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[
     tilt = 0.0
     if "incidence" in sheet.given:
         tilt = off - sheet.given["incidence"].value
+        tilt = piecewise(tilt > math.pi, lambda t: t - 2 * math.pi, lambda t: t, tilt)
         sheet.assume("the incidence is counted from the line to the centre, off the axis")
     else:
         sheet.assume("the receiver faces the source's plane")
@@ -138,6 +185,8 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
         flat = projected.disc(size, height, offset, tilt)
         shown = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
         _place(sheet, flat, shown, offset)
+        centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
+        _say_horizon(sheet, "disc", centre - half, centre + half)
         sheet.know("solid-angle", solid.disc(size, height, offset))
         sheet.know("size", 2 * size)
         return laws
@@ -163,8 +212,9 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
         _place(sheet, flat, shown)
         sheet.know("solid-angle", solid.sphere(size, away))
         sheet.know("size", 2 * size)
-        if any_true(incidence + solid.angular_radius(size, away) > math.pi / 2):
-            sheet.notes.append("the sphere is partly below the receiver's horizon")
+        within = solid.angular_radius(size, away)
+        up = math.pi / 2 - incidence
+        _say_horizon(sheet, "sphere", up - within, up + within)
         return laws
     if "incidence" in given:
         message = mention("{incidence} has no use without {radius} and {distance}")
@@ -200,6 +250,12 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
         normal = (sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt))
         if "incidence" in given and any_true(lateral == 0):
             sheet.assume("the receiver is turned along the width")
+    heights = [
+        normal[0] * (i * width / 2 - x) + normal[1] * (j * length / 2 - y) + normal[2] * height
+        for i in (-1, 1)
+        for j in (-1, 1)
+    ]
+    _say_horizon(sheet, "rectangle", reduce(smaller, heights), reduce(larger, heights))
     flat = projected.rectangle(width, length, height, x, y, normal)
     _place(sheet, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x)
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))

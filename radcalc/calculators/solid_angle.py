@@ -40,7 +40,7 @@ from radcalc.given import (
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
-from radcalc.maths import FAINTEST
+from radcalc.maths import FAINTEST, cos, sin
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -316,6 +316,7 @@ def _pyramid(sheet: Worksheet) -> Seen:
 
 
 def _patch(sheet: Worksheet) -> Seen:
+    from radcalc.geometry import far_field
     from radcalc.laws.solid_angles import PATCH
 
     given = sheet.given
@@ -329,29 +330,30 @@ def _patch(sheet: Worksheet) -> Seen:
     sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
     sheet.solve(laws)
     if sheet.has("area") and sheet.has("distance"):
-        area, away = sheet.at("area"), sheet.at("distance")
+        area, away, tilt = sheet.at("area"), sheet.at("distance"), angle_of(given, "tilt")
         _refuse_near(sheet, area, away)
         sheet.know("projected-solid-angle", sheet.at("solid-angle"))
         if sheet.at("solid-angle") == 0:
             sheet.notes.append("the patch is seen from its edge or from behind")
-        less = 0.75 * area / math.pi / away**2
-        sheet.assume(
-            "a patch small beside its distance (a disc facing it fills "
-            f"{format_number(100 * less)} % less)"
-        )
+        good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
+        sheet.assume(f"a patch small beside its distance: A cos(theta) / d^2 is {good}")
     return Seen(laws, "a plane whose normal points to the patch")
 
 
 def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
     """Refuse a patch seen from so near that A cos(theta) / d^2 is off."""
-    from radcalc.conversion import geometric
+    from radcalc.geometry import far_field
 
-    size = geometric.size_of(area)
-    if geometric.is_near(away, size):
+    size = far_field.size(area)
+    if far_field.is_near(away, size):
+        tilt = angle_of(sheet.given, "tilt")
+        place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if tilt else {}
+        sizes = {"radius": size / 2, **(place or {"distance": away})}
+        disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
         raise ConditionError(
             f"{sheet.told('distance')} is less than five times the size of the "
             f"source ({format_number(size)} m): A cos(theta) / d^2 does not hold",
-            f"{command('solid-angle', 'disc')} or rectangle, which are exact",
+            f"{command('solid-angle', 'disc', **disc)}, if it is a circle, which is exact",
         )
 
 

@@ -82,9 +82,8 @@ def _area(conditions: Conditions) -> Factor:
 
 
 def _far_area(conditions: Conditions) -> Factor:
-    factor = geometric.area(conditions.take(AREA))
-    geometric.refuse_near(factor, conditions.given[DISTANCE])
-    return factor
+    area, given = conditions.take(AREA), conditions.given
+    return geometric.far_area(area, given[DISTANCE], given.get("incidence"))
 
 
 def _cone(conditions: Conditions) -> Factor:

@@ -12,7 +12,7 @@ from radcalc.answer import Step
 from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, command, option, quote
-from radcalc.geometry import cones, lobes
+from radcalc.geometry import cones, far_field, lobes
 from radcalc.given import Given, half_angle_of, radius_of, require
 
 INVERSE_SQUARE = Formula(
@@ -142,52 +142,50 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     notes: tuple[str, ...] = ()
     values = {"radius": radius, "distance": away}
     formula = disc_on_axis("distance").formula
+    omega = math.pi * radius**2 / (radius**2 + away**2) * cosine
     if incidence is not None:
-        # Where the receiver's plane cuts the disc, the light vector is not all of it.
         told = option("incidence", quote(incidence.text))
         angle, rim = abs(incidence.value), maths.atan(radius / away)
-        right = math.pi / 2 * (1 + 1e-15)
-        visible = angle - rim < math.pi / 2
-        if maths.any_true((angle + rim > right) & visible):
-            raise ConditionError(
-                f"{told}: part of the disc is below the receiver's "
-                "horizon, where the formula on the axis does not hold",
-                f"a smaller {option('incidence')}, {option('radius')} or a larger "
-                f"{option('distance')}",
-            )
-        if not maths.any_true(visible):
-            notes = (f"{told}: the disc is below the receiver's horizon",)
         values["incidence"] = incidence.value
         formula = formula._replace(template=f"{formula.template} cos({{incidence}})")
-    omega = math.pi * radius**2 / (radius**2 + away**2) * cosine
+        if maths.any_true(angle + rim > math.pi / 2 * (1 + 1e-15)):
+            from radcalc.geometry import projected
+            from radcalc.laws.surface import CUT_DISC
+
+            formula = CUT_DISC.formula
+            omega = projected.disc(radius, away, 0.0, angle)
+            is_left = maths.any_true(omega > 0)
+            cut = "partly below" if is_left else "below"
+            notes = (f"{told}: the disc is {cut} the receiver's horizon",)
     step = formula.step(values, f"{format_number(omega)} sr")
     said = f"a uniform disc seen from its axis at {distance.text}, {tilt}"
     return Factor("Omega_p", omega, "sr", said, (step,), notes)
 
 
-def size_of(area: Any, *sides: Any) -> Any:
-    """How large a patch counts beside its distance: the diameter of a circle, or a longer side."""
-    size = 2 * (area / math.pi) ** 0.5
-    for side in sides:
-        size = maths.larger(size, side)
-    return size
-
-
-def is_near(distance: Any, size: Any, slack: float = 1e-12) -> bool:
-    """Whether a distance is under five times a size, where the inverse square law is off."""
-    return maths.any_true(distance < 5 * size * (1 - slack))
-
-
-def refuse_near(source: Factor, distance: Given) -> None:
-    """Refuse an area seen from so near that the inverse square law is off."""
-    size = size_of(source.value)
-    if is_near(distance.value, size):
+def far_area(source: Given, distance: Given, incidence: Given | None) -> Factor:
+    """An area that is seen from afar [m2]; one too near, or cut by the horizon, is refused."""
+    factor = area(source)
+    size, reach = far_field.size(factor.value), far_field.reach(factor.value)
+    angle = abs(incidence.value) if incidence else 0.0
+    hint = (
+        f"{option('radius', 'R')} in place of {option('area')}, for the exact disc (or "
+        f"{command('lambertian')})"
+    )
+    if far_field.is_near(distance.value, size):
         raise ConditionError(
             f"{option('distance', quote(distance.text))} is less than five times the size of the "
             f"source ({format_number(size)} m): the inverse square law does not hold",
-            f"{option('radius', 'R')} in place of {option('area')}, for the exact disc (or "
-            f"{command('lambertian')})",
+            hint,
         )
+    if incidence and maths.any_true(far_field.is_cut(reach, distance.value, angle)):
+        raise ConditionError(
+            f"{option('incidence', quote(incidence.text))}: the receiver's horizon may cut the "
+            "source, and the inverse square law does not hold",
+            hint,
+        )
+    good = far_field.percent(far_field.error(size, distance.value))
+    said = f"{factor.assumption}, which faces the receiver (A / d^2 is {good})"
+    return factor._replace(assumption=said)
 
 
 def reflector(given: Given) -> Factor:

@@ -287,4 +287,4 @@ def facing(tilt: Number) -> Number:
     >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
     (0.5, 0.0)
     """
-    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * t, tilt)
+    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * abs(t), tilt)

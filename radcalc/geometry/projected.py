@@ -357,11 +357,16 @@ def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: 
     cut = math.acos(max(-1.0, min(1.0, (horizon - offset) / radius)))
     nearest = math.acos(max(-1.0, -offset / radius))
     x0 = max(0.0, offset - radius)
+    # The sine of the nearest strip's angle, without the digits that pi - t would lose.
+    side = max(0.0, radius - offset) * (radius + offset)
+    up, on = math.sqrt(side) / radius, max(-1.0, -offset / radius)
+
+    def sine_of(turn: float) -> float:  # of the rim's angle nearest + turn
+        return up * math.cos(turn) + on * math.sin(turn)
 
     def strip(turn: float) -> float:
-        t = nearest + turn
-        x = x0 - 2 * radius * math.sin(nearest + turn / 2) * math.sin(turn / 2)
-        away, reach = math.hypot(x, height), radius * math.sin(t)
+        x = x0 - 2 * radius * sine_of(turn / 2) * math.sin(turn / 2)
+        away, reach = math.hypot(x, height), radius * sine_of(turn)
         ends = reach / (away**2 + reach**2) + math.atan(reach / away) / away
         return height * sine * (x - horizon) / away**2 * ends * reach
 

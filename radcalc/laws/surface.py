@@ -18,7 +18,8 @@ What a receiver gets, exactly at any distance:
 
 And from far away, five times the size and more:
 
-- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2
+- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2; where the receiver's horizon
+  cuts a disc that faces it, `CUT_DISC` has the integral over what is left
 - inverse square law, as an estimate: E_ff = I cos(theta_s) cos(theta) Omega0 / d^2
 
 Lengths [m], areas [m2], solid angles [sr]; light in coherent SI of one kind.  Howell is J. R.
@@ -72,6 +73,18 @@ SPHERE_FRONT = law("as seen from anywhere", "{apparent-area} = pi {radius}^2")
 SMALL_SOURCE = law(
     "small source",
     "{projected-solid-angle} = {area} {cosine-of-source} {cosine} Omega0 / {distance}^2",
+)
+
+CUT_DISC = relation(
+    "disc on its axis, cut by the receiver's horizon",
+    "{projected-solid-angle} = integral of cos(theta) over the solid angle that the horizon leaves "
+    "of the disc, {radius} at {distance}, under {incidence}",
+    {
+        "projected-solid-angle": lambda at: projected.disc(
+            at("radius"), at("distance"), 0.0, at("incidence")
+        )
+    },
+    HOWELL,
 )
 
 

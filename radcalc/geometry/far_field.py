@@ -1,0 +1,229 @@
+"""How good A cos(theta_s) cos(theta) / d^2 is, for patches that are small beside their distance.
+
+- `error`: a bound of its relative error
+- `is_cut`: whether a receiver's plane may cut the patch, so that it does not hold at all;
+  `steepest` is the incidence up to which it does not
+- `is_near`: whether the distance is less than five times the size, which is the least
+- `size`, `reach`: how large a patch counts
+
+A patch is a disc or a rectangle.  Lengths are in any one unit, angles in radians;
+arguments are floats or arrays that are broadcast together.
+"""
+
+import math
+from typing import Any
+
+from radcalc.geometry.cones import facing
+from radcalc.maths import Number, any_true, asin, is_array, larger, piecewise, sin, smaller
+
+REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at most
+
+
+def size(area: Number, *sides: Number) -> Number:
+    """How large a patch counts beside its distance.
+
+    Parameters
+    ----------
+    area : float or ndarray [m^2]
+        Its area, 0 or more.
+    sides : float or ndarray [m]
+        Its sides, where it is known to be a rectangle.
+
+    Returns
+    -------
+    float or ndarray [m]
+        The diameter of a circle of that area, or a side that is longer.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> round(far_field.size(1.0), 6), far_field.size(1.0, 4.0, 0.25)
+    (1.128379, 4.0)
+    """
+    longest = 2 * (area / math.pi) ** 0.5
+    for side in sides:
+        longest = larger(longest, side)
+    return longest
+
+
+def reach(area: Number, *sides: Number) -> Number:
+    """How far a patch reaches from its centre, at most, if it is no longer than its `size`.
+
+    Parameters
+    ----------
+    area : float or ndarray [m^2]
+        Its area, 0 or more.
+    sides : float or ndarray [m]
+        Its sides, where it is known to be a rectangle.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Half the diagonal of a rectangle, or a little more.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> round(far_field.reach(1.0), 3), round(2**0.5 / 2, 3)
+    (0.722, 0.707)
+    """
+    return REACH * size(area, *sides)
+
+
+def is_near(distance: Number, size: Number, slack: float = 1e-12) -> bool:
+    """Whether a distance is under five times a size.
+
+    Parameters
+    ----------
+    distance, size : float or ndarray [m]
+        Distance and size of a patch.
+    slack : float, optional
+        By what part of it the distance may fall short; 1e-12 by default.
+
+    Returns
+    -------
+    bool
+        Whether one of the distances is.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> far_field.is_near(4.9, 1.0), far_field.is_near(5.0, 1.0)
+    (True, False)
+    """
+    return any_true(distance < 5 * size * (1 - slack))
+
+
+def error(
+    size: Number,
+    distance: Number,
+    tilt: Number = 0.0,
+    incidence: Number = 0.0,
+    is_long: bool = False,
+) -> Number:
+    """Bound of the relative error of the far field, as far as one patch's size makes it.
+
+    Parameters
+    ----------
+    size : float or ndarray [m]
+        Size of the patch.
+    distance : float or ndarray [m]
+        From its centre to the receiver, five times the size or more.
+    tilt : float or ndarray [rad], optional
+        Angle between its normal and the line of sight; 0 by default.
+    incidence : float or ndarray [rad], optional
+        Angle between that line and the receiver's normal, whichever way that is turned about the
+        line; 0 by default.  The receiver's plane must not cut the patch.
+    is_long : bool, optional
+        Whether the patch may be a rectangle of any sides, and not a disc or a square.
+
+    Returns
+    -------
+    float or ndarray [1]
+        The bound, for the projected solid angle and the solid angle of the patch.
+
+    Notes
+    -----
+    To the second order in p = size/(2 d), a disc has 1 - p^2 cos(2 tilt) times the far field, give
+    or take p^2 sin(2 tilt) tan(incidence) / 2, and a square 1.05 times those terms.  A thin
+    rectangle has twice the first where it is seen along its length, and 4/3 p^2 sin(tilt)
+    tan(incidence).  The rest is left for higher orders::
+
+        1.15 p^2 (1.05 + 0.53 |sin(2 tilt)| tan(incidence))                       disc, square
+        1.15 p^2 (1.08 + 0.92 sin^2(tilt) + 4/3 |sin(tilt)| tan(incidence))        any rectangle
+
+    Of the solid angle the 1.05 are 0.8 where the patch faces the receiver, and 1.18, which the rest
+    covers, where it is seen from its edge.
+
+    Examples
+    --------
+    At five times the size, 1.2 %:
+
+    >>> from radcalc.geometry import far_field
+    >>> round(far_field.error(1.0, 5.0), 6)
+    0.012075
+    """
+    cosine = facing(incidence)
+    slope = piecewise(cosine > 0, lambda c: (1 - c * c) ** 0.5 / c, lambda c: 0.0 * c, cosine)
+    if is_long:
+        terms = 1.08 + 0.92 * sin(tilt) ** 2 + 4 / 3 * abs(sin(tilt)) * slope
+    else:
+        terms = 1.05 + 0.53 * abs(sin(2 * tilt)) * slope
+    return 1.15 * (size / (2 * distance)) ** 2 * terms
+
+
+def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
+    """Whether a receiver's plane may cut a patch.
+
+    Parameters
+    ----------
+    reach : float or ndarray [m]
+        Distance of the patch's outermost point from its centre.
+    distance : float or ndarray [m]
+        From the receiver to the patch's centre, above 0.
+    incidence : float or ndarray [rad]
+        Angle between that line and the receiver's normal.
+
+    Returns
+    -------
+    bool or ndarray of bool
+        False where all of the patch is above the receiver's horizon, or all of it below.
+
+    Examples
+    --------
+    A disc of 1 m radius 10 m away is seen within 5.74 degrees:
+
+    >>> import math
+    >>> from radcalc.geometry import far_field
+    >>> [far_field.is_cut(1.0, 10.0, math.radians(angle)) for angle in (84, 85, 95, 96)]
+    [False, True, True, False]
+    """
+    within = asin(smaller(reach / distance, 1.0 + 0 * reach / distance))
+    return abs(abs(incidence) - math.pi / 2) < within
+
+
+def steepest(reach: Number, distance: Number) -> str:
+    """The incidence up to which a receiver's plane cuts nothing off a patch, for a message.
+
+    Parameters
+    ----------
+    reach, distance : float or ndarray [m]
+        As of `is_cut`; of arrays the least of the angles counts.
+
+    Returns
+    -------
+    str
+        In degrees, rounded down to a tenth.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> far_field.steepest(1.0, 10.0)
+    '84.2deg'
+    """
+    part = reach / distance
+    part = float(part.max()) if is_array(part) else part
+    most = 90 - math.degrees(math.asin(min(part, 1.0)))
+    return f"{math.floor(10 * most) / 10:g}deg"
+
+
+def percent(error: Number) -> str:
+    """A bound of an error, as a text.
+
+    Parameters
+    ----------
+    error : float or ndarray [1]
+        The bound; of an array the largest counts.
+
+    Returns
+    -------
+    str
+        In percent, to two digits.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> far_field.percent(0.022)
+    'within 2.2 %'
+    """
+    return f"within {100 * (float(error.max()) if is_array(error) else error):.2g} %"
