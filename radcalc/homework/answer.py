@@ -10,8 +10,15 @@ from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.table import NUMBER, Unit, divide
 
 
+LEAST_MEANT = 2  # digits that a number is meant to have
+
+
 class Claim(NamedTuple):
-    """NAME=VALUE UNIT: the parts, and what the digits typed leave open."""
+    """NAME=VALUE UNIT: the parts, and what the digits typed leave open.
+
+    The zeros at the end of a whole number may stand for digits or for none: `half_unit` is half a
+    unit of the last digit with them, `widest` without them, of two digits at least.
+    """
 
     text: str
     name: str
@@ -20,6 +27,7 @@ class Claim(NamedTuple):
     number: str
     digits: int
     half_unit: float
+    widest: float = 0.0
 
 
 def read_claim(text: str) -> Claim:
@@ -40,17 +48,19 @@ def read_claim(text: str) -> Claim:
             f"{option('check')}: {error.message}", f"{option('check', '25lx')}; {error.hint}"
         ) from None
     number = rest[:end]
-    digits, half = _digits(number, value)
-    return Claim(text, name.strip(), value, rest[end:].strip(), number, digits, half)
+    digits, half, widest = _digits(number, value)
+    return Claim(text, name.strip(), value, rest[end:].strip(), number, digits, half, widest)
 
 
-def _digits(number: str, value: float) -> tuple[int, float]:
-    """How many digits a number was typed with, and half a unit of the last."""
+def _digits(number: str, value: float) -> tuple[int, float, float]:
+    """How many digits a number has, half a unit of the last, and of the last that is no zero."""
     typed = typed_digits(number)
     if typed is None:  # pi/6, 2*pi
-        return 15, abs(value) * 1e-9
-    digits, power = typed
-    return max(1, len(digits.lstrip("0"))), 0.5 * 10.0 ** min(power, 308)
+        return 15, abs(value) * 1e-9, abs(value) * 1e-9
+    digits, power = typed[0].lstrip("0"), min(typed[1], 308)
+    zeros = 0 if "." in number else len(digits) - len(digits.rstrip("0"))
+    zeros = max(0, min(zeros, len(digits) - LEAST_MEANT))
+    return max(1, len(digits)), 0.5 * 10.0**power, 0.5 * 10.0 ** min(power + zeros, 308)
 
 
 class Tolerance(NamedTuple):

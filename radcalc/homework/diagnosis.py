@@ -1,18 +1,21 @@
 """Which mistakes lead to an answer."""
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple, TypeVar
 
 from radcalc.homework.answer import Claim
-from radcalc.homework.catalogue import Candidate, Mistake, Problem
-from radcalc.homework.mistakes import MISTAKES
-from radcalc.homework.mistakes.slips import SLIPS
+from radcalc.homework import edits, misread, siblings
+from radcalc.homework.misread import SLIPS
+from radcalc.homework.problem import Candidate, Problem
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # how far a number of one digit may be off a mistake's
 LEAST_DIGITS = 3  # of an answer that two mistakes together are told from
 COMMON = 4  # the last rank that is common enough to be made together with a slip
+GUESS = 30.0  # how many times too large or too small an answer by chance is expected to be
+SPREAD = math.log(GUESS)
+BY_CHANCE = 0.05  # the part of such answers that the mistakes looked for may take in
 
 
 class Diagnosis(NamedTuple):
@@ -29,54 +32,96 @@ def diagnose(problem: Problem, said: Claim, right: float) -> tuple[Diagnosis, ..
     `right` is the right value in the answer's unit.  Two mistakes at once are looked for only
     where no single one fits: with so many pairs a number of few digits would always fit some.
     """
-    scale = problem.right / right if right else 1.0
     single = candidates(problem)
-    found = _matching(single, said, scale)
+    search = _Search(said, problem.right, right)
+    found = search.of(single, said.half_unit)
     if not found and said.digits >= LEAST_DIGITS:
-        found = _matching(pairs(single, problem.right), said, scale)
+        both = pairs(single, problem.right)
+        found = [one.together() for one in search.of(both, said.half_unit)]
+    if not found and said.widest > said.half_unit:
+        found = _Search(said, problem.right, right).of(single, said.widest)
     seen = dict.fromkeys(Diagnosis(one.mistake, one.done, one.right) for one in found)
     return tuple(seen)[:MOST]
 
 
 def candidates(problem: Problem) -> list[Candidate]:
-    """Every wrong value that one mistake leads to."""
-    return [
-        Candidate(one.name, one.rank, value, one.done, one.right)
-        for one in MISTAKES
-        for value in _values(one, problem)
-        if math.isfinite(value) and abs(value - problem.right) > 1e-9 * abs(problem.right)
+    """Every wrong value that one mistake leads to, the most common mistakes first."""
+    found = [
+        one
+        for family in (edits, siblings, misread)
+        for one in family.find(problem)
+        if math.isfinite(one.value) and abs(one.value - problem.right) > 1e-9 * abs(problem.right)
     ]
+    return sorted(found, key=_rank)
 
 
-def _values(one: Mistake, problem: Problem) -> Iterator[float]:
-    try:
-        yield from one.find(problem)
-    except ArithmeticError:
-        return  # powers of an extreme input leave what a float holds
+class Pair(NamedTuple):
+    """Two common mistakes together: one of the law, and a slip."""
 
+    rank: float
+    value: float
+    law: Candidate
+    slip: Candidate
 
-def pairs(single: Sequence[Candidate], right: float) -> list[Candidate]:
-    """What two common mistakes together lead to: one of the law, and a slip."""
-    return [
-        Candidate(
+    def together(self) -> Candidate:
+        """Both as one."""
+        law, slip = self.law, self.slip
+        return Candidate(
             f"{law.mistake} and {slip.mistake}",
-            law.rank + slip.rank,
-            law.value * slip.value / right,
+            self.rank,
+            self.value,
             f"{law.done}; and {slip.done}",
             f"{law.right}; {slip.right}",
         )
-        for law in single
-        if right and law.rank <= COMMON and law.mistake not in SLIPS
-        for slip in single
-        if slip.mistake in SLIPS
+
+
+def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
+    """What two common mistakes together lead to, the most common first."""
+    if not right:
+        return []
+    laws = [one for one in single if one.rank <= COMMON and one.mistake not in SLIPS]
+    slips = [one for one in single if one.mistake in SLIPS]
+    found = [
+        Pair(law.rank + slip.rank, law.value * slip.value / right, law, slip)
+        for law in laws
+        for slip in slips
     ]
+    return sorted(found, key=_rank)
 
 
-def _matching(options: Sequence[Candidate], said: Claim, scale: float) -> list[Candidate]:
-    """Those that agree with the answer within half a unit of its last digit, best first."""
-    allowed = min(said.half_unit, COARSEST * abs(said.value)) * (1 + 1e-9)
-    near = [(one, abs(one.value / scale - said.value)) for one in options]
-    close = [(one, off) for one, off in near if off <= allowed]
-    # Rounded, so that of equal values the first in the catalogue comes first.
-    close.sort(key=lambda pair: (pair[0].rank, round(pair[1] / allowed, 6) if allowed else 0.0))
-    return [one for one, _ in close]
+def _rank(one: Candidate | Pair) -> float:
+    return one.rank
+
+
+Wrong = TypeVar("Wrong", Candidate, Pair)
+
+
+class _Search:
+    """The search for an answer among wrong values.
+
+    The fewer digits were typed the fewer values are looked at, those of the most common mistakes,
+    so that a number that has nothing to do with any of them seldom hits one by chance.
+    """
+
+    def __init__(self, said: Claim, right: float, shown: float) -> None:
+        self.said, self.right = said, right
+        self.scale = right / shown if shown else 1.0
+        self.seen: set[float] = set()  # those looked at that are as large as a guess might be
+
+    def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:
+        """Those that agree with the answer within half a unit of its last digit, best first."""
+        value = self.said.value
+        allowed = min(half_unit, COARSEST * abs(value)) * (1 + 1e-9)
+        most = BY_CHANCE * SPREAD * abs(value) / allowed if allowed else 0.0
+        close = []
+        for one in options:
+            if self.right and 1 / GUESS < abs(one.value / self.right) < GUESS:
+                if len(self.seen) >= most and one.value not in self.seen:
+                    continue
+                self.seen.add(one.value)
+            off = abs(one.value / self.scale - value)
+            if off <= allowed:
+                # Rounded, so that of equal values the first to be found comes first.
+                close.append((one.rank, round(off / allowed, 6) if allowed else 0.0, one))
+        close.sort(key=lambda found: found[:2])
+        return [one for _, _, one in close]

@@ -4,10 +4,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.conversion import spectral
-from radcalc.conversion.plan import derive, plan
+from radcalc.conversion.plan import Plan, derive, plan
 from radcalc.given import Given, Inputs
-from radcalc.quantities.light import LUMINOUS, NONE, RADIANT, name_of, read, symbol_of
+from radcalc.quantities.light import name_of, symbol_of
 from radcalc.units.table import Unit
 
 PER_PI = ("lambert", "apostilb", "skot", "blondel", "bril")  # units that carry 1/pi
@@ -17,16 +16,16 @@ class Facts(NamedTuple):
     """What the usual mistakes depend on beside the inputs.
 
     `shape` is that of the source or of the solid angle, `distribution` that of a point source.
-    Of a conversion `efficacy` [lm/W] is that of its light, `jacobian` the factor between its
-    spectral densities, `unchanged` the target [SI] with the source's number, and `per_pi` tells
-    whether one of its units carries 1/pi.
+    Of a conversion `number` is what is converted, `jacobian` says whether spectral densities are,
+    `unchanged` is the target [SI] with the source's number, and `per_pi` tells whether one of its
+    units carries 1/pi.
     """
 
     command: str
     shape: str = ""
     distribution: str = ""
-    efficacy: float | None = None
-    jacobian: float | None = None
+    number: float = 0.0
+    jacobian: bool = False
     unchanged: float = 0.0
     per_pi: bool = False
 
@@ -34,7 +33,7 @@ class Facts(NamedTuple):
 class Question(NamedTuple):
     """The right answer, what was given, and how to work it out anew from other inputs.
 
-    `steps` are the derivation, where one is asked for.
+    `steps` are the derivation, where one is asked for; `plan` that of a conversion.
     """
 
     answer: Answer
@@ -42,6 +41,7 @@ class Question(NamedTuple):
     work_out: Callable[[Inputs], Answer]
     facts: Facts
     steps: tuple[Step, ...] = ()
+    plan: Plan | None = None
 
 
 def of_calculator(
@@ -83,25 +83,13 @@ def of_conversion(
 
     conditions = {one.name: one for one in given}
     answer = work_out(conditions)
-    efficacy, jacobian = _ratios(source, target, conditions)
+    made = plan(source, target, given)
     names = [name for unit in (source, target) for name, _ in unit.atoms]
     facts = Facts(
         "convert",
-        efficacy=efficacy,
-        jacobian=jacobian,
+        number=value,
+        jacobian=any(factor.letter == "J" for factor, _ in made.links),
         unchanged=value * target.factor,
         per_pi=any(word in name for name in names for word in PER_PI),
     )
-    return Question(answer, conditions, work_out, facts, tuple(answer.steps))
-
-
-def _ratios(source: Unit, target: Unit, given: Inputs) -> tuple[float | None, float | None]:
-    """The efficacy of the light that is given, and the Jacobian."""
-    factor = spectral.linked(given, LUMINOUS, RADIANT)
-    jacobian = None
-    start, end = read(source), read(target)
-    axes = (start.axis, end.axis) if start and end else (NONE, NONE)
-    if "wavelength" in given and NONE not in axes and axes[0] != axes[1]:
-        light = spectral.light(given["wavelength"], given.get("observer"))
-        jacobian = spectral.jacobian(light, *axes).value
-    return (factor.value if factor else None), jacobian
+    return Question(answer, conditions, work_out, facts, tuple(answer.steps), made)

@@ -9,8 +9,8 @@ from radcalc.calculators.results import in_unit, pick
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, option, quote
 from radcalc.homework.answer import Claim, read_claim, read_tolerance
-from radcalc.homework.catalogue import Problem
 from radcalc.homework.diagnosis import Diagnosis, diagnose
+from radcalc.homework.problem import Problem
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, resolve

@@ -419,17 +419,18 @@ class Derivation(Sequence[Step]):
         before: Sequence[Step] = (),
         after: Sequence[Step] = (),
     ) -> None:
-        self._solution, self._kind, self._before, self._after = solution, kind, before, after
+        self.solution, self.kind = solution, kind
+        self._before, self._after = before, after
 
     @cached_property
     def _steps(self) -> list[Step]:
-        values, kind = self._solution.values, self._kind
-        laws = (_step(law, target, values, kind) for law, target in self._solution.used)
+        values, kind = self.solution.values, self.kind
+        laws = (_step(law, target, values, kind) for law, target in self.solution.used)
         return [*self._before, *laws, *self._after]
 
     def __len__(self) -> int:
         """How many there are."""
-        return len(self._before) + len(self._solution.used) + len(self._after)
+        return len(self._before) + len(self.solution.used) + len(self._after)
 
     def __getitem__(self, index: Any) -> Any:
         """One of them, or a part."""
