@@ -1,8 +1,8 @@
 """The derivation of a result as a chain of laws, along which a wrong value is carried on.
 
 An edit of the derivation gives one symbol another value, and what follows from that is a wrong
-answer.  The chain has the laws that lead to the result, in their order; a light quantity in
-another kind than the one given has the link of the kinds at its end.
+answer.  A light quantity in another kind than the one given, and a conversion, end with a law of
+their own: a product of what stands between.
 """
 
 import math
@@ -16,59 +16,59 @@ from radcalc.conversion.plan import Plan
 from radcalc.errors import RadcalcError
 from radcalc.given import Inputs
 from radcalc.laws import photon
-from radcalc.laws.cones import CONE, PROJECTED_CONE
-from radcalc.laws.law import AnyLaw, Law
+from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
+from radcalc.laws.law import AnyLaw, Law, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
-from radcalc.laws.sizes import CIRCLE
+from radcalc.laws.sizes import CIRCLE, DIAMETER
 from radcalc.laws.solver import Derivation
 from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT, read
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.observers import luminous_efficacy
-from radcalc.spectra.planck import LIGHT
 
-PI = math.pi
 Steps = list[tuple[AnyLaw, str]]
+Powers = list[tuple[str, float]]
+VALUE = "value"  # the result at the end of a product
 # Results that are another one but for a factor, where they stand outside the laws.
 SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
 FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError, TypeError)
 
 
 class Chain:
-    """What leads to a result: `values` [SI] of the symbols, and the laws with what each gave.
+    """What leads to a result: values [SI] by symbols, and the laws, with what each was solved for.
 
-    `goal` is the symbol of the result, which may be `scale` times that.
+    `goal` is the symbol of the result, or of what it is a multiple of; `symbols` are those that
+    have a part in it.
     """
 
     def __init__(self, values: dict[str, float], steps: Steps, goal: str, right: float) -> None:
         self.values, self.goal = values, goal
-        values.setdefault(goal, right)
-        self.scale = right / values[goal] if values[goal] else 1.0
-        needed, self.steps = {goal}, []
-        for law, target in reversed(steps):
+        self._scale = right / values.setdefault(goal, right) if right else 1.0
+        self.steps: Steps = []
+        needed = {goal}
+        for one, target in reversed(steps):
             if target in needed:
-                needed.update(law.names)
-                self.steps.insert(0, (law, target))
-        self.symbols = [name for name in values if name in needed]
+                needed.update(one.names)
+                self.steps.insert(0, (one, target))
+        self.symbols = needed.intersection(values)
 
-    def after(self, name: str, value: float, *more: tuple[str, float]) -> float | None:
-        """The result where a symbol (or several) has another value; None where there is none."""
-        values = {**self.values, name: value, **dict(more)}
-        changed = {name, *(other for other, _ in more)}
+    def after(self, name: str, value: float) -> float | None:
+        """The result where a symbol has another value; None where there is none."""
+        values, changed = {**self.values, name: value}, {name}
         try:
-            for law, target in self.steps:
-                if target not in changed and not changed.isdisjoint(law.names):
-                    values[target] = law.solve(target, values.__getitem__)
+            for one, target in self.steps:
+                if target != name and not changed.isdisjoint(one.names):
+                    values[target] = one.solve(target, values.__getitem__)
                     changed.add(target)
-            found = float(values[self.goal]) * self.scale
+            found = float(values[self.goal]) * self._scale
         except FAILURES:
             return None
-        return found if math.isfinite(found) and self.goal in changed else None
+        return found if self.goal in changed and math.isfinite(found) else None
 
-    def edited(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
+    def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """The result where a symbol follows in another way from the others."""
         try:
-            value = solve(self.values.__getitem__)
+            value = float(solve(self.values.__getitem__))
         except FAILURES:
             return None
         return self.after(target, value)
@@ -76,51 +76,72 @@ class Chain:
 
 def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
     """The chain that leads to a result of a calculator."""
-    values: dict[str, float] = {}
-    steps: Steps = []
-    symbol = SYMBOLS[target.name]
-    goal = target.name
-    right = float(target.amount)
-    if isinstance(answer.steps, Derivation):
-        known = answer.steps.solution.values
-        values = {n: one.value for n, one in known.items() if isinstance(one.value, float)}
-        steps = list(answer.steps.solution.used)
-        if goal not in values:
-            goal = SAME.get(goal) or symbol.generic or goal
-        if goal == "half-angle" and goal not in values and "solid-angle" in values:
-            steps.append((CONE, goal))  # that of the equal cone
-            values[goal] = CONE.solve(goal, values.__getitem__)
-        facts = GRID.get(target.dimensions[0])
-        if symbol.generic and facts and answer.steps.kind not in ("", facts[0]) and goal in values:
-            link = links(answer.steps.kind, facts[0], given, values, steps)
-            value = right / values[goal]
-            if link:
-                names = tuple(name for name, _ in link)
-                steps.append((Law("", "", ("value", goal, *names), ((goal, 1.0), *link)), "value"))
-                values["value"] = values[goal] * value
-                goal = "value"
+    right, goal = float(target.amount), target.name
+    if not isinstance(answer.steps, Derivation):
+        return Chain({}, [], goal, right)
+    solution, kind = answer.steps.solution, answer.steps.kind
+    values = {n: one.value for n, one in solution.values.items() if isinstance(one.value, float)}
+    steps: Steps = list(solution.used)
+    if goal not in values:
+        goal = SAME.get(goal) or SYMBOLS[goal].generic or goal
+    if goal not in values and goal in CONE.targets and "solid-angle" in values:
+        values[goal] = float(CONE.solve(goal, values.__getitem__))  # of the equal cone
+        steps.append((CONE, goal))
+    facts = GRID.get(target.dimensions[0])
+    if SYMBOLS[goal].generic and goal in values and facts and facts[0] != kind:
+        powers = _between_kinds(kind, facts[0], given, values, steps)
+        _multiply([(goal, 1.0), *powers], right, values, steps)
+        goal = VALUE
     return Chain(values, steps, goal, right)
 
 
-def links(
-    start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
-) -> list[tuple[str, float]]:
-    """The symbols, with their powers, that lead from one kind of light to another.
+def of_conversion(made: Plan, right: float, given: Inputs) -> Chain:
+    """The chain of a conversion: its source times the factors of the conditions."""
+    values = {name: one.value for name, one in given.items() if isinstance(one.value, float)}
+    steps: Steps = []
+    powers: Powers = []
+    for factor, sign in made.links:
+        name = _factor(factor, given, values, steps)
+        if name:
+            powers.append((name, float(sign)))
+    start, end = read(made.source), read(made.target)
+    if start and end and start.kind != end.kind:
+        powers += _between_kinds(start.kind, end.kind, given, values, steps)
+    _multiply(powers, right, values, steps)
+    return Chain(values, steps, VALUE, right)
 
-    Their values and laws are added to those that are there.
-    """
+
+def _multiply(powers: Powers, right: float, values: dict[str, float], steps: Steps) -> None:
+    """End a chain with a product of powers."""
+    product = math.prod(values[name] ** power for name, power in powers)
+    names = (VALUE, *(name for name, _ in powers))
+    values[VALUE] = right
+    steps.append((Law("", "", names, tuple(powers), right / product if product else 1.0), VALUE))
+
+
+# ---------------------------------------------------------------------------------------------
+# What stands between two kinds of light
+
+SEEN = law("efficacy of one wavelength", "{luminous-efficacy} = Km {luminous-efficiency}")
+RATIOS = (
+    ("luminous-efficacy", LUMINOUS, RADIANT),
+    ("photon-efficacy", PHOTON, RADIANT),
+    ("lux-per-ppfd", LUMINOUS, PHOTON),
+)
+
+
+def _between_kinds(
+    start: str, end: str, given: Inputs, values: dict[str, float], steps: Steps
+) -> Powers:
+    """The symbols, with their powers; their values and laws are added to those that are there."""
+    powers: Powers = []
     if "wavelength" in given:
         light = spectral.light(given["wavelength"], given.get("observer"))
-        powers = []
         if LUMINOUS in (start, end):
             eye = light.observer
-            efficacy = float(luminous_efficacy(light.table, eye))
-            values["luminous-efficiency"] = efficacy / eye.maximum
-            values["luminous-efficacy"] = efficacy
-            names = ("luminous-efficacy", "luminous-efficiency")
-            template = f"{{{names[0]}}} = {eye.constant} {{{names[1]}}}"
-            seen = Law("efficacy", template, names, ((names[1], 1.0),), eye.maximum)
-            steps.append((seen, names[0]))
+            values["luminous-efficacy"] = float(luminous_efficacy(light.table, eye))
+            values["luminous-efficiency"] = values["luminous-efficacy"] / eye.maximum
+            steps.append((SEEN._replace(constant=eye.maximum), "luminous-efficacy"))
             powers.append(("luminous-efficacy", 1.0 if end == LUMINOUS else -1.0))
         if PHOTON in (start, end):
             values["wavelength"] = float(light.vacuum)
@@ -128,134 +149,91 @@ def links(
             steps.append((photon.ENERGY, "photon-energy"))
             powers.append(("photon-energy", 1.0 if start == PHOTON else -1.0))
         return powers
-    for name, over, under in (
-        ("luminous-efficacy", LUMINOUS, RADIANT),
-        ("photon-efficacy", PHOTON, RADIANT),
-        ("lux-per-ppfd", LUMINOUS, PHOTON),
-    ):
-        if {over, under} == {start, end}:
-            factor = spectral.linked(given, over, under)
-            if factor is not None:
-                values[name] = float(factor.value)
-                return [(name, 1.0 if end == over else -1.0)]
-    return []
+    for name, over, under in RATIOS:
+        if {over, under} == {start, end} and (ratio := spectral.linked(given, over, under)):
+            values[name] = float(ratio.value)
+            powers.append((name, 1.0 if end == over else -1.0))
+    return powers
 
 
 # ---------------------------------------------------------------------------------------------
-# Conversions: each condition is a law that gives one symbol of the whole.
+# The factors of a conversion as laws.  A symbol in a formula that is none of the law's stands for
+# the light itself.
 
-REFLECTOR = Law(
-    "", "L = {reflectance} E / (pi Omega0)", ("r", "reflectance"), (("reflectance", 1.0),), 1 / PI
-)
-INVERSE_SQUARE = Law(
-    "",
+
+def _of_factor(name: str, formula: str, letter: str, *powers: tuple[str, float]) -> Law:
+    return Law(name, formula, (letter, *(one for one, _ in powers)), powers)
+
+
+INVERSE_SQUARE = _of_factor(
+    "inverse square law",
     "E = I {cosine} Omega0 / {distance}^2",
-    ("q", "cosine", "distance"),
-    (("cosine", 1.0), ("distance", -2.0)),
+    "q",
+    ("cosine", 1),
+    ("distance", -2),
 )
-PUPIL = Law("", "E_T = pi / 4 {pupil}^2 L, d in mm", ("p", "pupil"), (("pupil", 2.0),), PI / 4)
-ALL_ROUND = {
-    "isotropic": Law("", "{solid-angle} = 4 pi Omega0", ("solid-angle",), (), 4 * PI),
-    "hemisphere": Law("", "{solid-angle} = 2 pi Omega0", ("solid-angle",), (), 2 * PI),
-    "projected": Law(
-        "", "M = pi Omega0 L", ("projected-solid-angle",), (), PI
-    ),
+REFLECTOR = _of_factor(
+    "Lambertian reflector", "L = {reflectance} E / (pi Omega0)", "r", ("reflectance", 1)
+)
+PUPIL = _of_factor("retinal illuminance", "E_T = pi / 4 {pupil}^2 L, d in mm", "p", ("pupil", 2))
+ALL_ROUND = {  # by the condition, and the letter of the factor
+    ("isotropic", "Omega"): law("isotropic source", "{solid-angle} = 4 pi Omega0"),
+    ("hemisphere", "Omega"): law("hemisphere", "{solid-angle} = 2 pi Omega0"),
+    ("hemisphere", "Omega_p"): law("hemisphere", "{projected-solid-angle} = pi Omega0"),
 }
-
-
-def of_conversion(made: Plan, right: float, given: Inputs) -> Chain:
-    """The chain of a conversion: its value is the source's times the factors of the conditions."""
-    values: dict[str, float] = {n: one.value for n, one in given.items() if type(one.value) is float}
-    steps: Steps = []
-    powers: list[tuple[str, float]] = []
-    for factor, sign in made.links:
-        powers += [(name, sign * power) for name, power in _condition(factor, given, values, steps)]
-    start, end = read(made.source), read(made.target)
-    if start and end and start.kind != end.kind:
-        powers += links(start.kind, end.kind, given, values, steps)
-    values["value"] = right
-    whole = Law("", "", ("value", *(name for name, _ in powers)), tuple(powers))
-    before = 1.0
-    for name, power in powers:
-        before *= values[name] ** power
-    whole = whole._replace(constant=right / before if before else 1.0)
-    return Chain(values, [*steps, (whole, "value")], "value", right)
-
-
-def _condition(
-    factor: Factor, given: Inputs, values: dict[str, float], steps: Steps
-) -> list[tuple[str, float]]:
-    """The symbols of a factor but for the link of kinds; their values and laws are added."""
-    letter, size = factor.letter, float(factor.value)
-    name = LETTERS.get(letter, "")
-    if name:
-        values[name] = size
-    if letter in ("t", "B"):
-        return [(name, 1.0)]
-    if letter == "A":
-        radius = values.get("radius") or values.get("diameter", 0.0) / 2
-        if radius:
-            values["radius"] = radius
-            steps.append((CIRCLE, "area"))
-        return [(name, 1.0)]
-    if letter in ("Omega", "Omega_p"):
-        steps += _cone(letter, given, values)
-        return [(name, 1.0)]
-    if letter == "q":
-        values["cosine"] = size * values["distance"] ** 2
-        values["q"] = size
-        steps.append((INVERSE_SQUARE, "q"))
-        return [("q", 1.0)]
-    if letter == "r":
-        values["r"] = size
-        steps.append((REFLECTOR, "r"))
-        return [("r", 1.0)]
-    if letter == "p":
-        values["p"], values["pupil"] = size, values["pupil"] / 1e-3
-        steps.append((PUPIL, "p"))
-        return [("p", 1.0)]
-    if letter == "J" and "wavelength" in given:
-        wave = float(spectral.light(given["wavelength"], None).vacuum)
-        for power in (2.0, -2.0):
-            rest = size / wave**power
-            if abs(math.log(rest * LIGHT**(power / 2))) < 1e-6 or abs(math.log(rest)) < 1e-6:
-                values["wavelength"] = wave
-                forms = {2.0: "J = {wavelength}^2 / c", -2.0: "J = c / {wavelength}^2"}
-                law = Law("", forms[power], ("J", "wavelength"), (("wavelength", power),), rest)
-                steps.append((law, "J"))
-        values["J"] = size
-        return [("J", 1.0)]
-    return []
-
-
-LETTERS = {
+SYMBOL_OF = {
     "t": "time",
     "B": "bandwidth",
     "A": "area",
     "Omega": "solid-angle",
     "Omega_p": "projected-solid-angle",
 }
+BEFORE: dict[str, Steps] = {  # the laws of what may be given in place of these symbols
+    "A": [(DIAMETER, "radius"), (CIRCLE, "area")],
+    "Omega": [
+        (APEX, "half-angle"),
+        (BEAM_ANGLE, "exponent"),
+        (LOBE, "solid-angle"),
+        (CONE, "solid-angle"),
+    ],
+    "Omega_p": [
+        (APEX, "half-angle"),
+        (DIAMETER, "radius"),
+        (PROJECTED_CONE, "projected-solid-angle"),
+        (disc_on_axis("distance"), "projected-solid-angle"),
+    ],
+}
 
 
-def _cone(letter: str, given: Inputs, values: dict[str, float]) -> Steps:
-    """The laws of a solid angle, with the values of their symbols."""
-    if "apex-angle" in given:
-        values["half-angle"] = values["apex-angle"] / 2
-    if "beam-angle" in given:
-        values["exponent"] = BEAM_ANGLE.solve("exponent", values.__getitem__)
-        return [(BEAM_ANGLE, "exponent"), (LOBE, "solid-angle")]
-    if "exponent" in given:
-        return [(LOBE, "solid-angle")]
-    if "half-angle" in values:
-        if letter == "Omega":
-            return [(CONE, "solid-angle")]
-        return [(PROJECTED_CONE, "projected-solid-angle")]
-    if "hemisphere" in given and letter == "Omega_p":
-        return [(ALL_ROUND["projected"], "projected-solid-angle")]
-    if "isotropic" in given or "hemisphere" in given:
-        return [(ALL_ROUND["isotropic" if "isotropic" in given else "hemisphere"], "solid-angle")]
-    if "distance" in values and letter == "Omega_p":
-        values["radius"] = values.get("radius") or values["diameter"] / 2
-        values["cosine"] = values["projected-solid-angle"] / disc_on_axis("distance").solve("projected-solid-angle", values.__getitem__)
-        return [(disc_on_axis("distance"), "projected-solid-angle")] if values["cosine"] == 1 else []
-    return []
+def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Steps) -> str:
+    """The symbol that stands for a factor, or '' for a link of kinds; its laws are added."""
+    letter, size = factor.letter, float(factor.value)
+    name = SYMBOL_OF.get(letter, letter)
+    for one, target in BEFORE.get(letter, ()):
+        if target not in values and values.keys() >= set(one.names) - {target}:
+            values[target] = float(one.solve(target, values.__getitem__))
+            steps.append((one, target))
+    whole = next((one for (by, of), one in ALL_ROUND.items() if of == letter and by in given), None)
+    if letter == "q":
+        values["cosine"] = size * values["distance"] ** 2
+        whole = INVERSE_SQUARE
+    elif letter == "r":
+        whole = REFLECTOR._replace(constant=1 / math.pi)
+    elif letter == "p":
+        values["pupil"] /= 1e-3
+        whole = PUPIL._replace(constant=math.pi / 4)
+    elif letter == "J" and "wavelength" in given:
+        values["wavelength"] = float(spectral.light(given["wavelength"], None).vacuum)
+        is_from_length = factor.unit.startswith("m/")
+        formula = "J = {wavelength}^2 / c" if is_from_length else "J = c / {wavelength}^2"
+        power = 2.0 if is_from_length else -2.0
+        whole = _of_factor("density", formula, letter, ("wavelength", power))
+        whole = whole._replace(constant=size / values["wavelength"] ** power)
+    elif name == letter:
+        return ""
+    if name in values and not math.isclose(values[name], size, rel_tol=1e-9):
+        steps.pop()  # a disc aslant is no disc on its axis
+    values[name] = size
+    if whole:
+        steps.append((whole, name))
+    return name

@@ -2,10 +2,11 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import NamedTuple, TypeVar
 
-from radcalc.homework.answer import Claim
 from radcalc.homework import edits, misread, siblings
+from radcalc.homework.answer import Claim
 from radcalc.homework.misread import SLIPS
 from radcalc.homework.problem import Candidate, Problem
 
@@ -40,19 +41,24 @@ def diagnose(problem: Problem, said: Claim, right: float) -> tuple[Diagnosis, ..
         found = [one.together() for one in search.of(both, said.half_unit)]
     if not found and said.widest > said.half_unit:
         found = _Search(said, problem.right, right).of(single, said.widest)
-    seen = dict.fromkeys(Diagnosis(one.mistake, one.done, one.right) for one in found)
-    return tuple(seen)[:MOST]
+    near = [one for one in found if one.rank <= found[0].rank + 1]  # rarer ones only confuse
+    seen: dict[str, Diagnosis] = {}
+    for one in near:
+        seen.setdefault(one.mistake, Diagnosis(one.mistake, one.done, one.right))
+    return tuple(seen.values())[:MOST]
 
 
 def candidates(problem: Problem) -> list[Candidate]:
     """Every wrong value that one mistake leads to, the most common mistakes first."""
-    found = [
-        one
-        for family in (edits, siblings, misread)
-        for one in family.find(problem)
-        if math.isfinite(one.value) and abs(one.value - problem.right) > 1e-9 * abs(problem.right)
-    ]
-    return sorted(found, key=_rank)
+    found: list[Candidate] = []
+    for family in (edits.find, siblings.find, misread.find):
+        with suppress(ArithmeticError):  # powers of an extreme input leave what a float holds
+            found += family(problem)
+    return sorted((one for one in found if _is_wrong(one.value, problem.right)), key=_rank)
+
+
+def _is_wrong(value: float, right: float) -> bool:
+    return math.isfinite(value) and abs(value - right) > 1e-9 * abs(right)
 
 
 class Pair(NamedTuple):

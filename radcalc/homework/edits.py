@@ -2,27 +2,41 @@
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from radcalc.derivation import fill, letter_of
-from radcalc.homework.problem import Candidate, Problem
-from radcalc.homework.usual import USUAL
-from radcalc.laws.law import AnyLaw, Law
+from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
 
-# What is never left out or turned round: the light itself, and what stands for a whole factor.
+# What is never left out or turned round: what stands for a whole factor or for the light, and
+# numbers that are no factors.
 WHOLE = ("value", "q", "r", "p", "light", "heat")
+NO_FACTORS = ("exponent", "ev", "ev100", "iso", "adaptation", "part", "beam-part", "cosine")
 LABELS = {
     "cosine": "cosine of the incidence",
     "cosine-of-source": "cosine of the tilt",
     "share": "fall from the axis",
-    "na": "numerical aperture",
     "J": "factor between the densities",
 }
-# How easily a symbol is forgotten; others are rarely.
-FORGOTTEN = {"cosine": 1, "cosine-of-source": 1, "reflectance": 2, "gain": 2, "absorptance": 2, "share": 1}
+NAMES = {  # of symbols in the names of mistakes
+    "cosine-of-source": "cosine",
+    "J": "jacobian",
+    "luminous-efficacy": "efficacy",
+    "photon-efficacy": "efficacy",
+}
+# How easily a symbol is left out, or its square; a number of no unit is easier forgotten than a
+# length or a time.
+FORGOTTEN = {
+    "cosine": 1,
+    "cosine-of-source": 1,
+    "share": 1,
+    "reflectance": 2,
+    "gain": 2,
+    "absorptance": 2,
+}
 NOT_SQUARED = {"f-number": 1}
-NO_FACTORS = ("exponent", "ev", "ev100", "iso", "adaptation", "part", "beam-part", "cosine")
-RARELY, SELDOM = 3, 4
+USUALLY, RARELY, SELDOM, HARDLY = 2, 3, 4, 5
 RULES = {  # of the factors of a conversion
     "solid-angle": "I = Phi / Omega",
     "projected-solid-angle": "E = L Omega_p",
@@ -30,35 +44,53 @@ RULES = {  # of the factors of a conversion
     "time": "Q = Phi t",
     "bandwidth": "a band is the density times its width",
     "luminous-efficacy": "lumens are watts times the lumens per watt",
-    "efficacy": "lumens are watts times the lumens per watt",
     "photon-energy": "photons are joules over the joules per photon",
     "photon-efficacy": "photons are joules times the photons per joule",
+    "lux-per-ppfd": "lumens are photons per second times the lumen seconds per photon",
     "J": "E_nu = E_lambda lambda^2 / c",
 }
-NAMES = {"J": "jacobian", "luminous-efficacy": "efficacy", "photon-efficacy": "efficacy"}  # of a symbol in the name of its mistake
+WHY = {
+    "cosine": "a tilted surface catches less light",
+    "cosine-of-source": "a tilted surface sends less light",
+    "distance": "light spreads over the square of it",
+    "reflectance": "a reflector gives back rho of what it gets",
+    "gain": "a perfect diffuser has a gain of 1",
+    "share": "off the axis there is less light",
+}
+CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count them
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """Every edit of a law that leads to the result."""
+    """What follows with one edit of a law that leads to the result."""
     has_pi = False
     for law, target in p.chain.steps:
-        if isinstance(law, Law):
-            yield from _powers(p, law, target)
-        else:
-            yield from _numbers(p, law, target)
+        yield from _powers(p, law, target) if isinstance(law, Law) else _numbers(p, law, target)
         number, power = _constant(law)
-        has_pi |= bool(power)
-        yield from _constants(p, law, target, number, power)
+        has_pi |= power != 0
+        yield from filter(None, _constants(p, law, target, number, power))
     if not has_pi and (p.light or p.asks("solid-angle", "etendue", "sphere-fraction")):
-        rank, rule = SELDOM, "pi stands where directions of a diffuse surface are summed"
-        for name, size in (("pi-forgotten", math.pi), ("wrong-sphere", 4 * math.pi)):
+        rule = "pi and 4 pi stand where directions are summed: M = pi L, Phi = 4 pi I"
+        for name, told, size in (
+            ("pi-forgotten", "pi", math.pi),
+            ("wrong-sphere", "4 pi", 4 * math.pi),
+        ):
+            done = f"{told} was put in where it does not belong"
             for value in (p.right * size, p.right / size):
-                yield Candidate(name, rank, value, USUAL[name][1], rule)
+                yield Candidate(name, SELDOM, value, done, rule)
 
 
 def text_of(law: AnyLaw) -> str:
-    """The formula of a law in letters."""
-    return fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
+    """The formula of a law in letters, with its name."""
+    formula = fill(law.template, lambda name, _: letter_of(name) if name in SYMBOLS else name)
+    return f"{law.name}: {formula}" if law.name else formula
+
+
+def _label(name: str) -> str:
+    return LABELS.get(name) or SYMBOLS[name].label
+
+
+# ---------------------------------------------------------------------------------------------
+# Powers
 
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
@@ -66,59 +98,43 @@ def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
     own = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:
-        symbol = SYMBOLS.get(name)
-        is_light = symbol is not None and symbol.geometry is not None
-        if name == target or is_light or name in WHOLE:
+        if name == target or name in WHOLE or (name in SYMBOLS and SYMBOLS[name].geometry):
             continue
-        label = LABELS.get(name) or (symbol.label if symbol else name)
-        called = NAMES.get(name, name.removesuffix("-of-source"))
-        rule = text_of(law) or RULES.get(name, "")
-        exponent = -power / own
-        for kind, rank, done, by in _edits_of(name, label, power, exponent):
+        rule = "; ".join(filter(None, (text_of(law) or RULES[name], WHY.get(name))))
+        exponent = -power / own  # in the law as it was solved
+        for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
                 value = p.chain.after(target, start * size ** (exponent * by))
                 if value is not None:
-                    yield Candidate(f"{called}-{kind}", rank + later, value, done, rule)
-    if target == law.result:
-        return
-    label = LABELS.get(target) or SYMBOLS[target].label
-    turned: list[tuple[str, float, str, float]] = []
-    if abs(own) == 2:
-        done = f"the square root was not taken: the {label} was not squared"
-        turned.append(("not-squared", NOT_SQUARED.get(target, 2), done, start**2))
-    if target == p.chain.goal and not SYMBOLS[target].geometry and start:
-        done = f"the fraction was turned round: the {label} came out upside down"
-        turned.append(("upside-down", RARELY, done, 1 / start))
-    for kind, rank, done, size in turned:
-        value = p.chain.after(target, size)
-        if value is not None:
-            yield Candidate(f"{target}-{kind}", rank, value, done, text_of(law))
+                    called = f"{NAMES.get(name, name)}-{kind}"
+                    yield Candidate(called, rank + later, value, done, rule)
+    if target != law.result and start and not SYMBOLS[target].geometry:
+        yield from _turned(p, law, target, abs(own))
 
 
-def _edits_of(
-    name: str, label: str, power: float, exponent: float
-) -> Iterator[tuple[str, float, str, float]]:
+def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float, str, float]]:
     """The edits of a symbol's power: kind, rank, what was done, and by how many times the power.
 
-    `power` is that in the law as it is written, `exponent` that in the law as it was solved.
+    `is_above` tells whether one multiplies by it.
     """
-    symbol = SYMBOLS.get(name)
-    is_bare = symbol is not None and symbol.unit == "1"
-    rank = FORGOTTEN.get(name, RARELY if is_bare or name in RULES else SELDOM)
+    label = _label(name)
+    is_bare = name in RULES or SYMBOLS[name].unit == "1"
+    rank = FORGOTTEN.get(name, RARELY if is_bare else SELDOM)
     yield "forgotten", rank, f"the {label} was left out", -1.0
-    done, undone = ("divided", "multiplied") if exponent > 0 else ("multiplied", "divided")
-    yield "upside-down", RARELY, f"it was {done} by the {label}, not {undone}", -2.0
-    if abs(power) == 2:
-        rank = NOT_SQUARED.get(name, 2)
+    done, right = ("divided", "multiplied") if is_above else ("multiplied", "divided")
+    by = f"square of the {label}" if power == 2 else label
+    yield "upside-down", RARELY, f"it was {done} by the {by}, not {right}", -2.0
+    if power == 2:
+        rank = NOT_SQUARED.get(name, USUALLY)
         yield "not-squared", rank, f"the {label} was not squared", -0.5
     if name.startswith("cosine"):
         for more in (1.0, 2.0):
-            yield "squared", 5, f"the {label} was taken twice or three times", more
+            yield "squared", HARDLY, f"the {label} was taken twice or three times", more
 
 
 def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
-    """The number that a symbol stands for: in SI units, and in the unit that it was given in."""
-    size = p.chain.values.get(name, 0.0)
+    """The number that a symbol stands for, in SI units and as it was typed; how rare that is."""
+    size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
         typed = p.given[name].number if name in p.given else None
@@ -126,21 +142,37 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
             yield typed, 0.5
 
 
+def _turned(p: Problem, law: Law, target: str, power: float) -> Iterator[Candidate]:
+    """What follows where the law is solved the wrong way."""
+    size, label = p.chain.values[target], _label(target)
+    if power == 2 and (value := p.chain.after(target, size**2)) is not None:
+        done = f"the square root was not taken: the {label} was not squared"
+        rank = NOT_SQUARED.get(target, USUALLY)
+        yield Candidate(f"{target}-not-squared", rank, value, done, text_of(law))
+    if target == p.chain.goal and (value := p.chain.after(target, 1 / size)) is not None:
+        done = f"the fraction was turned round: the {label} came out upside down"
+        yield Candidate(f"{target}-upside-down", RARELY, value, done, text_of(law))
+
+
 def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
-    """What follows with a bare number of another law left out, or turned round."""
+    """What follows with a bare number of any other law left out, or turned round."""
     for name in law.names:
-        x = p.chain.values.get(name, 0.0)
-        if name == target or SYMBOLS[name].unit != "1" or name in NO_FACTORS or x <= 0:
+        size = p.chain.values.get(name, 0.0)
+        if name == target or SYMBOLS[name].unit != "1" or name in NO_FACTORS or size <= 0:
             continue
-        label = LABELS.get(name) or SYMBOLS[name].label
-        for kind, size, done, rank in (
-            ("forgotten", 1.0, f"the {label} was left out", FORGOTTEN.get(name, RARELY)),
-            ("upside-down", 1 / x, f"the {label} was used upside down", RARELY),
+        for kind, other, rank, done in (
+            ("forgotten", 1.0, FORGOTTEN.get(name, RARELY), "left out"),
+            ("upside-down", 1 / size, RARELY, "used upside down"),
         ):
-            at = {**p.chain.values, name: size}.__getitem__
-            value = p.chain.edited(target, lambda _, at=at: law.solve(target, at))
+            at = {**p.chain.values, name: other}.__getitem__
+            value = p.chain.solved(target, lambda _, at=at: law.solve(target, at))  # type: ignore[misc]
             if value is not None:
+                done = f"the {_label(name)} was {done}"
                 yield Candidate(f"{name}-{kind}", rank, value, done, text_of(law))
+
+
+# ---------------------------------------------------------------------------------------------
+# Constants
 
 
 def _constant(law: AnyLaw) -> tuple[float, int]:
@@ -148,11 +180,11 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
     right = law.template.partition(" = ")[2]
     number, pi, sign = 1.0, 0, 1
     for word in right.split():
-        if word == "pi":
-            pi += sign
-        elif word == "/":
+        if word == "/":
             sign = -1
             continue
+        if word == "pi":
+            pi += sign
         elif word.isdigit():
             number *= float(word) ** sign
         elif word != "Omega0":
@@ -165,46 +197,41 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
     return number, pi
 
 
-FAMILY = {"pi": math.pi, "2 pi": 2 * math.pi, "4 pi": 4 * math.pi}
-
-
 def _constants(
     p: Problem, law: AnyLaw, target: str, number: float, power: int
-) -> Iterator[Candidate]:
-    """What follows with another constant of its family."""
+) -> Iterator[Candidate | None]:
+    """What follows with another constant of the same family."""
     left = law.names[0]
 
-    def edit(name: str, ratio: float, rank: float = 0.0) -> Iterator[Candidate]:
-        usual, done, right = USUAL[name]
-        if target == left:
-            value = p.chain.after(target, p.chain.values[target] * ratio)
-        else:
-            def at(symbol: str) -> float:
-                return p.chain.values[symbol] / (ratio if symbol == left else 1.0)
+    def edit(name: str, ratio: float, done: str = "") -> Candidate | None:
+        def solve(at: At) -> Any:
+            if target == left:
+                return at(target) * ratio
+            return law.solve(target, lambda one: at(one) / (ratio if one == left else 1.0))
 
-            value = p.chain.edited(target, lambda _: law.solve(target, at))
-        if value is not None:
-            yield Candidate(name, rank or usual, value, done, right or text_of(law))
+        return usual(name, p.chain.solved(target, solve), done, text_of(law))
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
-        return  # which are half for full
-    if power:
-        own = math.pi * (number if number > 1 else 1.0)
-        for size in FAMILY.values():
-            if abs(size - own) > 1e-9 and number >= 1:
-                is_double = own == math.pi and size == 2 * math.pi
-                name = "two-pi-for-pi" if is_double else "wrong-sphere"
-                yield from edit(name, (size / own) ** power)
-        whole = number * math.pi
-        yield from edit("pi-forgotten" if number <= 1 else "wrong-sphere", (1 / math.pi) ** power)
-        if number != 1:
-            yield from edit("wrong-sphere" if number > 1 else "constant-forgotten", (1 / whole) ** power)
-        if number < 1:
-            yield from edit("constant-forgotten", 1 / number)
-        if number == 1:
-            yield from edit("pi-upside-down", (1 / math.pi**2) ** power)
+        return  # in which 2 is half for full
+    own = f"{number:g} pi" if number != 1 else "pi"
+    if power and number >= 1:
+        for size in (1, 2, 4):
+            wrong = f"{size} pi" if size > 1 else "pi"
+            if (own, wrong) == ("pi", "2 pi"):
+                yield edit("two-pi-for-pi", 2.0**power)
+            elif size != number:
+                done = f"{wrong} was used for {own}"
+                yield edit("wrong-sphere", (size / number) ** power, done)
+        name = "pi-forgotten" if number == 1 else "wrong-sphere"
+        yield edit(name, math.pi**-power, "pi was forgotten")
+        yield edit(name, (number * math.pi) ** -power, f"{own} was forgotten")
+    elif power:
+        yield edit("pi-forgotten", math.pi**-power, "pi was forgotten")
+        yield edit("constant-forgotten", (number * math.pi) ** -power)
+    if power and number == 1:
+        yield edit("pi-upside-down", math.pi ** (-2 * power))
     elif number != 1:
-        yield from edit("constant-forgotten", 1 / number)
-    if "c / " in law.template or law.name == "wavenumber":
+        yield edit("constant-forgotten", 1 / number)
+    if law.name in CYCLES:
         for ratio in (2 * math.pi, 0.5 / math.pi):
-            yield from edit("angular-for-cycles", ratio)
+            yield edit("angular-for-cycles", ratio)

@@ -1,189 +1,184 @@
-"""Inputs misread: half for full, in a neighbour unit, as another angle; and slips of the answer."""
+"""Inputs misread: half for full, from another line, in another unit; and slips of the answer."""
 
 import math
 from collections.abc import Iterator
 
-from radcalc.errors import RadcalcError
 from radcalc.given import Given
-from radcalc.homework.problem import Candidate, Problem
-from radcalc.homework.usual import USUAL
+from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.units.dimensions import ANGLE, AREA, ENERGY, LENGTH, PHOTON_ENERGY, SOLID_ANGLE, TIME
-from radcalc.units.dimensions import TEMPERATURE
-from radcalc.units.table import COUNT_AT, NUMBER, Unit, resolve
+from radcalc.spectra.spectrum import BlackBody
+from radcalc.units.dimensions import (
+    ANGLE,
+    AREA,
+    ENERGY,
+    LENGTH,
+    PHOTON_ENERGY,
+    SOLID_ANGLE,
+    TEMPERATURE,
+    TIME,
+)
+from radcalc.units.table import COUNT_AT, resolve
 
-# The name of a mistake, the value that it gives, and by how much it is rarer than usual.
-Wrong = Iterator[tuple[str, float | None] | tuple[str, float | None, float]]
+Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside another mistake
 CONES = ("half-angle", "apex-angle", "beam-angle", "field-angle", "within")
-PYRAMID = ("horizontal", "vertical")
-ROUND = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
-RECTANGLE = ("width", "length")
-NORMAL = ("incidence", "tilt", "polar", "elevation", "half-angle")
-PARTS = ("reflectance", "absorptance")
-FOOT = resolve("ft").factor
-EV = resolve("eV").factor
-# Units that one unit of an input is taken for, by dimension.
+PAIRS = (("horizontal", "vertical"), ("width", "length"))  # which are misread together
+SIZES = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
+FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "half-angle")
+FOOT, EV = resolve("ft").factor, resolve("eV").factor
+# Units [SI] that one unit of an input is taken for, by dimension: a number of centimetres is used
+# as one of metres, or metres are turned into centimetres and used as metres.
 NEIGHBOURS = {
-    LENGTH: ("length-unit", ("m", "cm", "mm")),
-    AREA: ("area-unit", ("m2", "cm2", "mm2")),
-    TIME: ("minutes-for-seconds", ("s", "min", "h", "ms")),
+    LENGTH: ("length-unit", (1e-2, 1e-3)),
+    AREA: ("area-unit", (1e-2, 1e-4, 1e-6)),
+    TIME: ("minutes-for-seconds", (60.0, 3600.0)),
 }
-LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")
+LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # which are taken for each other
+PER_PI = ("lambert", "apostilb", "skot", "blondel")  # the units that carry 1/pi
+CELSIUS = 273.15
 
 
 def find(p: Problem) -> Iterator[Candidate]:
     """Every input misread, and every slip of the whole."""
-    for family in (_doubled, _turned, _in_other_units, _parts, _photons, _units, _slips):
-        for name, value, *later in family(p):
-            if value is not None:
-                rank, done, right = USUAL[name]
-                yield Candidate(name, rank + sum(later), value, done, right)
+    for family in (_halves, _angles, _in_radians, _lengths, _photons, _units, _slips):
+        yield from filter(None, family(p))
+
+
+def _both(name: str, right: float, *factors: float) -> Found:
+    for factor in factors:
+        yield usual(name, right * factor)
+        yield usual(name, right / factor)
 
 
 def _numbers(p: Problem) -> list[Given]:
     return [one for one in p.given.values() if isinstance(one.value, float)]
 
 
-def _doubled(p: Problem) -> Wrong:
-    for names, mistake in (
-        ((*CONES, *PYRAMID), "full-for-half"),
-        (ROUND, "diameter-for-radius"),
-    ):
-        for name in names:
+def _halves(p: Problem) -> Found:
+    """Full angles for half ones, and diameters for radii."""
+    for one in _numbers(p):
+        for factor in (2.0, 0.5):
+            if one.name in (*CONES, *PAIRS[0]):
+                yield usual("full-for-half", p.misread(one.name, factor * one.value))
+            if one.name in SIZES:
+                is_usual = (factor == 2) == ("radius" not in one.name)
+                value = p.misread(one.name, factor * one.value)
+                yield usual("diameter-for-radius", value, later=0.0 if is_usual else 2.0)
+    for names in PAIRS:
+        if p.is_of("solid-angle") and p.given.keys() >= {*names}:
             for factor in (2.0, 0.5):
-                value = p.amount(name)
-                if name in p.given and value:
-                    is_usual = names is not ROUND or (factor == 2) == ("radius" not in name)
-                    yield mistake, p.misread(name, factor * value), 0.0 if is_usual else 2.0
-    for names in (PYRAMID, RECTANGLE):
-        if all(name in p.given for name in names):
-            for factor in (2.0, 0.5):
-                both = {name: factor * (p.amount(name) or 0.0) for name in names}
-                if names == PYRAMID or p.is_of("solid-angle"):
-                    yield "full-for-half", p.anew(both)
+                changed = {name: factor * p.given[name].value for name in names}
+                yield usual("full-for-half", p.anew(changed))
     if p.asks(*CONES):
         yield from _both("full-for-half", p.right, 2.0)
     if p.asks("radius", "diameter"):
         yield from _both("diameter-for-radius", p.right, 2.0)
-    radius, distance = p.radius(), p.amount("distance")
-    if p.facts.shape == "sphere" and radius and distance:
-        if "distance" in p.given:
-            yield "distance-to-surface", p.misread("distance", distance - radius)
-            yield "distance-to-surface", p.misread("distance", distance + radius)
-        elif p.asks("distance"):
-            yield "distance-to-surface", p.right - radius
 
 
-def _both(name: str, right: float, *factors: float) -> Wrong:
-    for factor in factors:
-        yield name, right * factor
-        yield name, right / factor
-
-
-def _turned(p: Problem) -> Wrong:
-    """Angles from the wrong line, and degrees as radians."""
+def _angles(p: Problem) -> Found:
+    """Angles that are left out, or counted from the wrong line."""
     for one in _numbers(p):
-        if one.dimension != ANGLE:
-            continue
         if one.name in ("incidence", "tilt") and one.value:
-            yield "cosine-forgotten", p.misread(one.name, 0.0)
-        if one.name in NORMAL:
-            yield "angle-from-surface", p.misread(one.name, math.pi / 2 - one.value)
-        if one.unit_text not in ("1", "rad"):
-            number = float(one.number)
-            turned = math.fmod(abs(number), 2 * math.pi)
-            for angle in (turned, 2 * math.pi - turned):  # the cosine is the same
-                yield "degrees-as-radians", p.misread(one.name, angle) or None
-            if one.name == "incidence" and math.cos(one.value):
-                yield "degrees-as-radians", p.right * math.cos(number) / math.cos(one.value)
-    half = p.half_angle()
-    degrees = next((p.given[n] for n in ("half-angle", "apex-angle") if n in p.given), None)
-    if half and degrees is not None and degrees.unit_text not in ("1", "rad"):
-        number = float(degrees.number) * half / degrees.value
-        turned = math.acos(math.cos(number))
-        for name, size in (
-            ("solid-angle", 4 * math.pi * math.sin(turned / 2) ** 2),
-            ("projected-solid-angle", math.pi * math.sin(number) ** 2),
-        ):
-            if name in p.chain.symbols:
-                yield "degrees-as-radians", p.chain.after(name, size)
-        if p.is_of("lambertian", "etendue"):
-            yield "degrees-as-radians", p.right * (math.sin(number) / math.sin(half)) ** 2
+            yield usual("cosine-forgotten", p.misread(one.name, 0.0))
+        if one.name in FROM_NORMAL:
+            yield usual("angle-from-surface", p.misread(one.name, math.pi / 2 - one.value))
     if p.asks("polar", "elevation", "incidence"):
-        yield "angle-from-surface", math.pi / 2 - p.right
+        yield usual("angle-from-surface", math.pi / 2 - p.right)
+
+
+def _in_radians(p: Problem) -> Found:
+    """Degrees in a calculator set to radians."""
+    name = "degrees-as-radians"
+    for one in _numbers(p):
+        if one.dimension != ANGLE or one.unit_text == "rad":
+            continue
+        number = float(one.number)
+        turned = math.fmod(abs(number), 2 * math.pi)
+        for angle in (turned, 2 * math.pi - turned):  # the cosine is the same
+            yield usual(name, p.misread(one.name, angle) or None)  # 0 is light from behind
+        if one.name == "incidence" and math.cos(one.value):
+            yield usual(name, p.right * math.cos(number) / math.cos(one.value))
+        if one.name in ("half-angle", "apex-angle"):
+            parts = 2 if one.name == "apex-angle" else 1
+            number, half = number / parts, one.value / parts
+            yield usual(name, p.chain.after("solid-angle", 2 * math.pi * (1 - math.cos(number))))
+            if p.is_of("lambertian", "etendue", "solid-angle") and not p.asks("solid-angle"):
+                yield usual(name, p.right * (math.sin(number) / math.sin(half)) ** 2)
     if ANGLE in p.target.dimensions:
-        yield from _both("degrees-as-radians", p.right, math.degrees(1))
+        yield from _both(name, p.right, math.degrees(1))
 
 
-def _in_other_units(p: Problem) -> Wrong:
-    """The number typed, in another unit."""
+def _lengths(p: Problem) -> Found:
+    """Lengths, areas, times and temperatures in another unit, and distances to another point."""
     for one in _numbers(p):
         if one.dimension in NEIGHBOURS and one.unit and one.name not in ("wavelength", "bandwidth"):
-            mistake, units = NEIGHBOURS[one.dimension]
-            factors = {resolve(text).factor for text in units} - {one.unit.factor}
+            mistake, others = NEIGHBOURS[one.dimension]
+            own = one.unit.factor
+            factors = {1 / other for other in others} if own == 1 else {1.0, *others}
             if one.dimension == AREA:  # as a length is
-                factors.add(one.unit.factor**0.5)
-            for factor in sorted(factors):
-                later = 0.0 if factor == 1 else 0.5
-                yield mistake, p.misread(one.name, float(one.number) * factor), later
+                factors.add(own**0.5)
+            for factor in sorted(factors - {own}):
+                value = p.misread(one.name, float(one.number) * factor)
+                yield usual(mistake, value, later=0.0 if factor == 1 else 0.5)
         if one.dimension == TEMPERATURE:
-            for shift in (273.15, -273.15):
-                yield "kelvin-for-celsius", p.misread(one.name, one.value + shift)
-    source = p.given["spectrum"].value if "spectrum" in p.given else None
-    temperature = getattr(source, "temperature", None)
-    if temperature and source is not None:
-        for shift in (273.15, -273.15):
-            if temperature + shift > 0:
-                yield "kelvin-for-celsius", p.anew({"spectrum": type(source)(temperature + shift)})
-
-
-def _parts(p: Problem) -> Wrong:
-    """What is lost for what is left; the other sign of the film's speed."""
-    for name in PARTS:
+            for shift in (CELSIUS, -CELSIUS):
+                yield usual("kelvin-for-celsius", p.misread(one.name, one.value + shift))
+    body = p.given["spectrum"].value if "spectrum" in p.given else None
+    if isinstance(body, BlackBody) and body.temperature > CELSIUS:
+        for shift in (CELSIUS, -CELSIUS):
+            changed = {"spectrum": BlackBody(body.temperature + shift)}
+            yield usual("kelvin-for-celsius", p.anew(changed))
+    radius, distance = p.radius(), p.amount("distance")
+    if p.question.shape == "sphere" and radius and distance:
+        for other in (distance - radius, distance + radius) if "distance" in p.given else ():
+            yield usual("distance-to-surface", p.misread("distance", other))
+        if p.asks("distance"):
+            yield usual("distance-to-surface", p.right - radius)
+    for name in ("reflectance", "absorptance"):
         part = p.amount(name)
         if part and part < 1 and name in p.chain.symbols:
-            yield "absorbed-for-reflected", p.chain.after(name, 1 - part)
+            yield usual("absorbed-for-reflected", p.chain.after(name, 1 - part))
 
 
-def _photons(p: Problem) -> Wrong:
+def _photons(p: Problem) -> Found:
     """Energies and wavelengths in the wrong unit, and moles."""
     wave = p.given.get("wavelength")
-    if wave is not None:
-        if wave.dimension in (ENERGY, PHOTON_ENERGY) and p.right and wave.value:
-            for factor in (EV, 1 / EV):
-                yield "joules-for-electronvolts", p.anew({"wavelength": wave.value * factor})
-        is_link = not p.light or {"photon-energy", "J"} & set(p.chain.symbols)
-        if wave.dimension == LENGTH and is_link:
-            yield from _both("nanometres-for-metres", p.right, 1e9, 1e7, 1e2)
-    if PHOTON_ENERGY in p.target.dimensions:
-        yield from _both("joules-for-electronvolts", p.right, EV)
     dimensions = (*p.target.dimensions, *(one.dimension for one in p.given.values()))
-    if any(d[COUNT_AT] for d in dimensions) or (wave is not None and p.light):
+    if wave is not None and wave.dimension in (ENERGY, PHOTON_ENERGY):
+        for factor in (EV, 1 / EV):
+            yield usual("joules-for-electronvolts", p.anew({"wavelength": wave.value * factor}))
+    if PHOTON_ENERGY in p.target.dimensions:
+        yield from _both("joules-for-electronvolts", p.right, EV, EV**2)
+    if wave is not None and (not p.light or not p.chain.symbols.isdisjoint(("photon-energy", "J"))):
+        yield from _both("nanometres-for-metres", p.right, 1e9, 1e7, 1e2)
+    if any(one[COUNT_AT] for one in dimensions) or (wave is not None and p.light):
         yield from _both("avogadro", p.right, AVOGADRO, AVOGADRO * 1e-6)
 
 
-def _units(p: Problem) -> Wrong:
+def _units(p: Problem) -> Found:
     """The units of a conversion mixed up with their neighbours, or the factor turned round."""
-    if p.facts.number:
-        yield "jacobian-forgotten", p.facts.unchanged if p.facts.jacobian else None
-    if p.facts.per_pi:
+    plan = p.question.plan
+    if plan is None:
+        return
+    if "J" in p.chain.symbols:
+        yield usual("jacobian-forgotten", p.question.number * plan.target.factor)
+    units = ((plan.source, 1), (plan.target, -1))
+    if any(word in name for unit, _ in units for name, _ in unit.atoms for word in PER_PI):
         yield from _both("pi-forgotten", p.right, math.pi)
         yield from _both("two-pi-for-pi", p.right, 2.0)
         yield from _both("pi-upside-down", p.right, math.pi**2)
-    plan = p.plan
-    if plan is None:
-        return
-    if not plan.links and p.facts.number and math.log10(plan.factor) % 1:
-        yield "unit-upside-down", p.facts.number / plan.factor * plan.target.factor
-    for unit, sign in ((plan.source, 1), (plan.target, -1)):
+    if not plan.links and math.log10(plan.factor) % 1:
+        yield usual("unit-upside-down", p.right / plan.factor**2)
+    for unit, sign in units:
         for text in LUMINANCES:
-            other: Unit = resolve(text)
-            if other.dimension == unit.dimension and unit.text != text:
-                yield "neighbour-unit", p.right * (other.factor / unit.factor) ** sign
+            other = resolve(text)
+            if other.dimension == unit.dimension and other.factor != unit.factor:
+                value = p.right * (other.factor / unit.factor) ** sign
+                yield usual("neighbour-unit", value, f"{unit.text} was taken as {text}")
 
 
-def _slips(p: Problem) -> Wrong:
+def _slips(p: Problem) -> Found:
+    """Feet, square degrees and prefixes in the answer."""
     if p.light and p.light.area:
         yield from _both("feet-for-metres", p.right, FOOT**2, FOOT)
     if SOLID_ANGLE in p.target.dimensions:

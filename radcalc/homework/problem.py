@@ -1,12 +1,13 @@
 """A question as the mistakes see it: what was given, what follows, and how to ask it anew."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from radcalc.answer import Value
 from radcalc.homework import chain
 from radcalc.homework.chain import FAILURES
 from radcalc.homework.question import Question
+from radcalc.homework.usual import USUAL
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS
 
@@ -25,6 +26,19 @@ class Candidate(NamedTuple):
     right: str
 
 
+def usual(
+    name: str, value: float | None, done: str = "", right: str = "", later: float = 0.0
+) -> Candidate | None:
+    """A usual mistake, if a value follows from it; with other words where these say it better.
+
+    `later` is by how much it is rarer than usual.
+    """
+    if value is None or not math.isfinite(value):
+        return None
+    rank, said, rule = USUAL[name]
+    return Candidate(name, rank + later, value, done or said, rule or right)
+
+
 class Problem:
     """One result of a question: what was given for it, what else follows, the right value [SI].
 
@@ -32,12 +46,11 @@ class Problem:
     """
 
     def __init__(self, question: Question, target: Value) -> None:
-        self.given, self.facts, self.target = question.given, question.facts, target
-        self.values = {v.name: v for v in question.answer.values if not v.is_absent}
+        self.question, self.given, self.target = question, question.given, target
+        self.results = {v.name: v for v in question.answer.values if not v.is_absent}
         self.right = float(target.amount)
         facts = GRID.get(target.dimensions[0])
         self.light = Reading(*facts) if facts else None
-        self._work_out, self.plan = question.work_out, question.plan
         if question.plan:
             self.chain = chain.of_conversion(question.plan, self.right, self.given)
         else:
@@ -45,16 +58,12 @@ class Problem:
 
     def is_of(self, *commands: str) -> bool:
         """Whether the question is one of these commands'."""
-        return self.facts.command in commands
+        return self.question.command in commands
 
     def asks(self, *names: str) -> bool:
         """Whether the result is one of these; a generic name serves every kind of light."""
         symbol = SYMBOLS.get(self.target.name)
         return self.target.name in names or (symbol is not None and symbol.generic in names)
-
-    def has(self, *names: str) -> bool:
-        """Whether one of these was given; a generic name serves every kind of light."""
-        return any(one.name in names or one.symbol.generic in names for one in self.given.values())
 
     def amount(self, name: str) -> float | None:
         """A number that was given, or that follows [SI]."""
@@ -63,9 +72,8 @@ class Problem:
             return float(value) if isinstance(value, (int, float)) else None
         if name in self.chain.values:
             return self.chain.values[name]
-        found = self.values.get(name)
         try:
-            return float(found.amount) if found else None
+            return float(self.results[name].amount)
         except FAILURES:
             return None
 
@@ -74,10 +82,18 @@ class Problem:
         diameter = self.amount("diameter")
         return diameter / 2 if diameter else self.amount("radius")
 
-    def half_angle(self) -> float | None:
-        """The half angle of the cone that was given, by whichever name [rad]."""
-        apex = self.amount("apex-angle") if "apex-angle" in self.given else None
-        return apex / 2 if apex else self.amount("half-angle")
+    def anew(self, changed: dict[str, Any]) -> float | None:
+        """The result with inputs changed [SI]; None where that is not possible."""
+        given = dict(self.given)
+        for name, value in changed.items():
+            given[name] = given[name]._replace(value=value, is_exact=True)
+        try:
+            for found in self.question.work_out(given).values:
+                if found.name == self.target.name and found.dimensions == self.target.dimensions:
+                    return float(found.amount)
+        except FAILURES:
+            pass  # a wrong input may be an impossible one
+        return None
 
     def misread(self, name: str, value: float) -> float | None:
         """The result with one input changed [SI]; by the laws alone where that is refused."""
@@ -85,17 +101,3 @@ class Problem:
         if found is None and name in self.chain.symbols:
             return self.chain.after(name, value)
         return found
-
-    def anew(self, changed: dict[str, object]) -> float | None:
-        """The result with inputs changed [SI]; None where that is not possible."""
-        given = dict(self.given)
-        for name, value in changed.items():
-            given[name] = given[name]._replace(value=value, is_exact=True)
-        try:
-            for found in self._work_out(given).values:
-                if found.name == self.target.name and found.dimensions == self.target.dimensions:
-                    amount = float(found.amount)
-                    return amount if math.isfinite(amount) else None
-        except FAILURES:
-            pass  # a wrong input may be an impossible one
-        return None

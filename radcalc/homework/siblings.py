@@ -1,22 +1,23 @@
 """Functions replaced by their siblings.
 
-A row of `LAWS` belongs to a law, by the start of its name, and the symbol that it was solved for;
-a function of the others gives the wrong values of that symbol.  What stands outside the laws (the
-shapes that are worked out at once, the eyes, a direction) has a function of its own.
+A row of `LAWS` belongs to the laws whose name begins so, and to the symbol that they were solved
+for; it gives wrong values of that symbol from the others.  What is worked out at once, outside
+the laws (shapes, directions, the eyes), has a function of its own.
 """
 
 import math
 from collections.abc import Callable, Iterator
 
+from radcalc.conversion.spectral import light
 from radcalc.geometry import cones, lobes, solid
 from radcalc.homework.chain import FAILURES
 from radcalc.homework.edits import text_of
-from radcalc.homework.problem import Candidate, Problem
-from radcalc.homework.usual import USUAL
+from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.laws.law import At
-from radcalc.spectra.observers import OBSERVERS, luminous_efficacy
+from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficacy
 
-Wrong = Iterator[tuple[str, float | None]]  # the name of a mistake, and the value that it gives
+Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
+Found = Iterator[Candidate | None]
 PI = math.pi
 
 
@@ -25,19 +26,20 @@ def find(p: Problem) -> Iterator[Candidate]:
     for law, target in p.chain.steps:
         for start, symbol, wrong in LAWS:
             if target == symbol and law.name.startswith(start):
-                try:
-                    found = [*wrong(p.chain.values.__getitem__)]
-                except FAILURES:
-                    continue
-                for name, size in found:
-                    value = None if size is None else p.chain.after(target, size)
-                    if value is not None:
-                        rank, done, right = USUAL[name]
-                        yield Candidate(name, rank, value, done, right or text_of(law))
-    for family in (_shape, _projection, _zone, _direction, _eyes, _beam, _near, _other_value):
-        for name, value in family(p):
-            if value is not None:
-                yield Candidate(name, USUAL[name][0], value, *USUAL[name][1:])
+                for name, value in _values(p, wrong):
+                    found = usual(name, p.chain.after(target, value), right=text_of(law))
+                    if found:
+                        yield found
+    for family in (_shape, _projection, _aside, _far, _zone, _integral, _direction, _eyes, _beam):
+        yield from filter(None, family(p))
+    yield from filter(None, _swapped(p))
+
+
+def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
+    try:
+        yield from wrong(p.chain.values.__getitem__)
+    except FAILURES:
+        return
 
 
 # ---------------------------------------------------------------------------------------------
@@ -45,12 +47,12 @@ def find(p: Problem) -> Iterator[Candidate]:
 
 
 def _flat(half: float) -> Wrong:
-    """What is taken for the solid angle of a cone of less than a hemisphere, plain or projected."""
+    """What is taken for the solid angle of a cone, plain or projected."""
+    yield "one-forgotten", 2 * PI * math.cos(half)
+    yield "sine-not-squared", PI * math.sin(half)
     if half < PI / 2:
         yield "flat-disc-for-cap", PI * math.tan(half) ** 2
         yield "flat-disc-for-cap", PI * half**2
-    yield "one-forgotten", 2 * PI * math.cos(half)
-    yield "sine-not-squared", PI * math.sin(half)
 
 
 def _cone(at: At) -> Wrong:
@@ -60,13 +62,13 @@ def _cone(at: At) -> Wrong:
     yield from _flat(half)
 
 
-def _projected(at: At) -> Wrong:
+def _projected_cone(at: At) -> Wrong:
     yield "solid-for-projected", cones.cone(at("half-angle"))
     yield from _flat(at("half-angle"))
 
 
-def _of_etendue(at: At) -> Wrong:
-    return ((name, at("area") * size) for name, size in _projected(at) if size is not None)
+def _etendue_of_cone(at: At) -> Wrong:
+    return ((name, at("area") * size) for name, size in _projected_cone(at))
 
 
 def _half_angle(at: At) -> Wrong:
@@ -74,29 +76,23 @@ def _half_angle(at: At) -> Wrong:
     ratio = math.sqrt(at("solid-angle") / PI)
     yield "flat-disc-for-cap", ratio
     yield "flat-disc-for-cap", math.atan(ratio)
-    if ratio < 1:
-        yield "solid-for-projected", math.asin(ratio)
+    yield "solid-for-projected", math.asin(ratio)
 
 
 def _lobe(at: At) -> Wrong:
     n = at("exponent")
     yield "lobe-without-one", 2 * PI
-    yield "lobe-without-one", 2 * PI / n if n else None
     yield "exponent-upside-down", 2 * PI * (n + 1)
+    yield "lobe-without-one", 2 * PI / n
 
 
 def _straight_line(at: At) -> Wrong:
     yield "sum-for-difference", math.sqrt(at("height") ** 2 - at("lateral") ** 2)
 
 
-def _exposure_value(at: At) -> Wrong:
-    yield "log10-for-log2", math.log10(at("light"))
-    yield "log10-for-log2", math.log(at("light"))
-
-
-def _of_light(constant: str, light: str) -> Callable[[At], Wrong]:
+def _logarithm(over: str, under: str = "") -> Callable[[At], Wrong]:
     def wrong(at: At) -> Wrong:
-        stops = at(light) * 100 / at(constant)
+        stops = at(over) * 100 / at(under) if under else at(over)
         yield "log10-for-log2", math.log10(stops)
         yield "log10-for-log2", math.log(stops)
 
@@ -112,8 +108,8 @@ def _pyramid(at: At) -> Wrong:
 def _discs(at: At) -> Wrong:
     first, second = at("radius") ** 2, at("receiver-radius") ** 2
     for rim in (0.0, first, second):
-        etendue = PI**2 * first * second / (at("distance") ** 2 + rim)
-        yield "far-field-of-extended-source", etendue
+        far = PI**2 * first * second / (at("distance") ** 2 + rim)
+        yield "far-field-of-extended-source", far
 
 
 def _mesopic(at: At) -> Wrong:
@@ -124,13 +120,13 @@ def _mesopic(at: At) -> Wrong:
 LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("solid angle of a cone", "solid-angle", _cone),
     ("solid angle of a cone", "half-angle", _half_angle),
-    ("projected solid angle of a cone", "projected-solid-angle", _projected),
-    ("etendue of a cone", "etendue", _of_etendue),
+    ("projected solid angle of a cone", "projected-solid-angle", _projected_cone),
+    ("etendue of a cone", "etendue", _etendue_of_cone),
     ("flux of a lobe over its peak", "solid-angle", _lobe),
     ("straight line", "distance", _straight_line),
-    ("exposure value", "ev", _exposure_value),
-    ("reflected light", "ev100", _of_light("k", "luminance")),
-    ("incident light", "ev100", _of_light("c", "illuminance")),
+    ("exposure value", "ev", _logarithm("light")),
+    ("reflected light", "ev100", _logarithm("luminance", "k")),
+    ("incident light", "ev100", _logarithm("illuminance", "c")),
     ("rectangular pyramid", "solid-angle", _pyramid),
     ("two coaxial discs", "etendue", _discs),
     ("mesopic luminance", "mesopic-luminance", _mesopic),
@@ -138,184 +134,180 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
 
 
 # ---------------------------------------------------------------------------------------------
-# Of what stands outside them
+# Of shapes that are worked out at once
 
 
-def _shape(p: Problem) -> Wrong:
-    """A sphere, a disc or a rectangle: one taken for another, or as flat and far away."""
-    shape, radius = p.facts.shape, p.radius()
+def _shape(p: Problem) -> Found:
+    """A sphere as a disc, a disc as a sphere, and both as flat."""
+    shape, radius = p.question.shape, p.radius()
     away = p.amount("height") or p.amount("distance")
-    offset = p.amount("offset") or 0.0
-    if not away:
+    if not away or p.amount("offset"):
         return
-    wrong: list[tuple[str, str, float]] = []
-    if shape in ("sphere", "disc") and radius and radius < away and not offset:
-        half = math.atan(radius / away) if shape == "sphere" else math.asin(radius / away)
-        own = math.asin(radius / away) if shape == "sphere" else math.atan(radius / away)
-        flat, square = PI * math.tan(own) ** 2, PI * own**2
-        ratio = PI * (radius / away) ** 2
-        name = "arctangent-for-arcsine"
-        wrong += [("half-angle", name, half), ("solid-angle", name, cones.cone(half))]
-        if shape == "sphere":  # a disc's is the far field
-            wrong.append(("projected-solid-angle", name, cones.projected_cone(half)))
-        for size in (flat, square, ratio):
-            wrong.append(("solid-angle", "flat-disc-for-cap", size))
-        projected = "projected-solid-angle"
-        wrong.append(("solid-angle", "solid-for-projected", cones.projected_cone(own)))
-        wrong.append((projected, "solid-for-projected", cones.cone(own)))
-        wrong.append((projected, "sine-not-squared", PI * math.sin(own)))
-    if shape == "rectangle" and not offset:
-        area = (p.amount("width") or 0.0) * (p.amount("length") or 0.0)
-        wrong.append(("solid-angle", "flat-for-curved", area / away**2))
-    if shape == "disc" and radius and offset:
-        slant = math.hypot(away, offset)
-        small = solid.patch(PI * radius**2, slant)
-        wrong.append(("solid-angle", "cosine-forgotten", small))
-        wrong.append(("solid-angle", "height-for-distance", small * slant / away))
-    for symbol, name, size in wrong:
-        yield name, p.chain.after(symbol, size)
+    if shape == "rectangle" and not p.light:  # that of light has a far field
+        flat = (p.amount("width") or 0.0) * (p.amount("length") or 0.0) / away**2
+        for symbol in ("solid-angle", "projected-solid-angle"):
+            yield usual("flat-for-curved", p.chain.after(symbol, flat))
+    if shape not in ("sphere", "disc") or not radius or radius >= away:
+        return
+    right, other = math.asin(radius / away), math.atan(radius / away)
+    if shape == "disc":
+        right, other = other, right
+    name = "arctangent-for-arcsine"
+    yield usual(name, p.chain.after("half-angle", other))
+    yield usual(name, p.chain.after("solid-angle", cones.cone(other)))
+    if shape == "sphere":  # a disc's is the far field
+        yield usual(name, p.chain.after("projected-solid-angle", cones.projected_cone(other)))
+    for flat in (PI * math.tan(right) ** 2, PI * right**2, PI * (radius / away) ** 2):
+        yield usual("flat-disc-for-cap", p.chain.after("solid-angle", flat))
+    sine = PI * math.sin(right)
+    yield usual("sine-not-squared", p.chain.after("projected-solid-angle", sine))
 
 
-def _projection(p: Problem) -> Wrong:
+def _projection(p: Problem) -> Found:
     """The solid angle of any shape for the projected one, and back."""
-    plain, projected_one = p.amount("solid-angle"), p.amount("projected-solid-angle")
-    if plain and projected_one and "half-angle" not in p.chain.symbols:
-        yield "solid-for-projected", p.chain.after("projected-solid-angle", plain)
-        yield "solid-for-projected", p.chain.after("solid-angle", projected_one)
+    plain, projected = p.amount("solid-angle"), p.amount("projected-solid-angle")
+    if plain and projected:
+        yield usual("solid-for-projected", p.chain.after("projected-solid-angle", plain))
+        yield usual("solid-for-projected", p.chain.after("solid-angle", projected))
 
 
-def _near(p: Problem) -> Wrong:
-    """The far field for the exact one, aslant too; the square law on a radiance."""
+def _aside(p: Problem) -> Found:
+    """A place aside of the axis, by its height alone, or without the cosine."""
+    height, offset, radius = p.amount("height"), p.amount("offset"), p.radius()
+    if not height or not offset:
+        return
+    slant = math.hypot(height, offset)
+    cosine = height / slant
+    square = p.right
+    if p.is_of("solid-angle"):
+        if p.question.shape != "disc" or not radius or not p.asks("solid-angle"):
+            return
+        small = solid.patch(PI * radius**2, slant)
+        yield usual("cosine-forgotten", small)
+        yield usual("height-for-distance", small / cosine)
+        return
+    far, near = p.amount("far-field-irradiance"), p.amount("irradiance")
+    if far and near and p.asks("irradiance"):
+        square = p.right * far / near
+        yield usual("cosine-forgotten", square / cosine)
+    for power in (2, 3):  # the latter without the cosine too
+        yield usual("height-for-distance", square / cosine**power)
+        if p.asks("intensity", "flux"):
+            yield usual("height-for-distance", square * cosine**power)
+
+
+def _far(p: Problem) -> Found:
+    """The far field for the exact one, and the inverse square on a radiance."""
     far, near = p.amount("far-field-irradiance"), p.amount("irradiance")
     if far and near and p.light and not p.asks("far-field-irradiance"):
-        for factor in (far / near, near / far):
-            yield "far-field-of-extended-source", p.right * factor
-    height, slant = p.amount("height"), p.amount("distance")
-    offset = p.amount("offset")
-    if height and offset:
-        slant = math.hypot(height, offset)
-        if far and near and p.asks("irradiance"):
-            yield "cosine-forgotten", p.right * far / near * slant / height
-            yield "height-for-distance", p.right * far / near * (slant / height) ** 2
-            yield "height-for-distance", p.right * far / near * (slant / height) ** 3
-        elif p.light and p.is_of("point-source"):
-            for power in (2, 3):
-                yield "height-for-distance", p.right * (slant / height) ** power
-                yield "height-for-distance", p.right / (slant / height) ** power
+        for ratio in (far / near, near / far):
+            yield usual("far-field-of-extended-source", p.right * ratio)
     distance = p.amount("distance")
     if distance and p.light and p.light.is_radiance:
-        yield "inverse-square-on-radiance", p.right * distance**2
-        yield "inverse-square-on-radiance", p.right / distance**2
+        for power in (2, -2):
+            yield usual("inverse-square-on-radiance", p.right * distance**power)
 
 
-def _zone(p: Problem) -> Wrong:
-    """A zone as caps; an integral without its sine."""
+def _zone(p: Problem) -> Found:
+    """A zone as caps, or without its sines."""
     ends = p.given["polar"].value if "polar" in p.given else None
-    if isinstance(ends, tuple) and p.asks("solid-angle", "projected-solid-angle", "integral"):
-        inner, outer = map(cones.cone, ends)
-        width = cones.cone(ends[1] - ends[0])
-        for caps in (outer + inner, outer, inner, width):
-            yield "zone-of-caps", p.right * caps / (outer - inner)
-        sines = 2 * PI * (math.sin(ends[1]) - math.sin(ends[0]))
-        yield "angle-from-surface", p.right * sines / (outer - inner)
-        if "azimuth" in p.given and isinstance(p.given["azimuth"].value, tuple):
-            low, high = p.given["azimuth"].value
-            yield "azimuth-forgotten", p.right * 2 * PI / (high - low)
-    if p.asks("integral"):
-        yield "azimuth-forgotten", p.right / (2 * PI)
-        half = p.amount("half-angle")
-        if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
-            yield "sine-forgotten", 2 * PI * half
-        if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
-            yield "sine-forgotten", 2 * PI * math.sin(half)
+    if not isinstance(ends, tuple):
+        return
+    inner, outer = map(cones.cone, ends)
+    width = ends[1] - ends[0]
+    for name, size in (
+        ("zone-of-caps", outer + inner),
+        ("zone-of-caps", outer),
+        ("zone-of-caps", inner),
+        ("zone-of-caps", cones.cone(width)),
+        ("angle-from-surface", 2 * PI * (math.sin(ends[1]) - math.sin(ends[0]))),
+        ("sine-forgotten", 2 * PI * width),
+    ):
+        yield usual(name, p.right * size / (outer - inner))
+    around = p.given["azimuth"].value if "azimuth" in p.given else None
+    if isinstance(around, tuple):
+        yield usual("azimuth-forgotten", p.right * 2 * PI / (around[1] - around[0]))
 
 
-def _direction(p: Problem) -> Wrong:
+def _integral(p: Problem) -> Found:
+    """The integral over a cone of 1, and of the cosine, without sin(theta); any without phi."""
+    half = p.amount("half-angle")
+    if not p.asks("integral"):
+        return
+    yield usual("azimuth-forgotten", p.right / (2 * PI))
+    if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
+        yield usual("sine-forgotten", 2 * PI * half)
+    if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
+        yield usual("sine-forgotten", 2 * PI * math.sin(half))
+
+
+def _direction(p: Problem) -> Found:
     """A direction, by its angles or its coordinates."""
+    if not p.is_of("direction"):
+        return
     if p.asks("azimuth"):
-        yield "wrong-quadrant", p.right + PI
-        yield "wrong-quadrant", p.right - PI
-        yield "x-for-y", PI / 2 - p.right
-        yield "x-for-y", math.pi / 2 - abs(math.remainder(p.right, PI))
-    if p.is_of("direction"):
-        if p.asks("x", "y"):
-            yield "x-for-y", p.amount("y" if p.asks("x") else "x")
-            polar, azimuth = p.amount("polar"), p.amount("azimuth")
-            if "polar" in p.given and polar and azimuth:
-                turn = math.sin if p.asks("y") else math.cos
-                wrong = math.sin(math.degrees(polar)) * turn(math.degrees(azimuth))
-                yield "degrees-as-radians", wrong
-        if p.asks("length"):
-            yield "root-forgotten", p.right**2
+        for turn in (PI, -PI):
+            yield usual("wrong-quadrant", p.right + turn)
+        yield usual("x-for-y", PI / 2 - p.right)
+        yield usual("x-for-y", PI / 2 - abs(math.remainder(p.right, PI)))
+    if p.asks("x", "y"):
+        yield usual("x-for-y", p.amount("y" if p.asks("x") else "x"))
+        polar, azimuth = p.amount("polar"), p.amount("azimuth")
+        if polar and azimuth:
+            turned = (math.cos if p.asks("x") else math.sin)(math.degrees(azimuth))
+            yield usual("degrees-as-radians", math.sin(math.degrees(polar)) * turned)
+    if p.asks("length"):
+        yield usual("root-forgotten", p.right**2)
 
 
-def _eyes(p: Problem) -> Wrong:
-    """The efficacies of the wrong eye, and watts as if all were seen best."""
+# ---------------------------------------------------------------------------------------------
+# Of eyes and beams, and one symbol for another
+
+EFFICACIES = ("luminous-efficacy", "scotopic-luminous-efficacy")
+
+
+def _eyes(p: Problem) -> Found:
+    """The efficacy of the wrong eye, and watts as if all were seen best."""
     day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
-    ratio = night.maximum / day.maximum
-    for symbol in ("luminous-efficacy", "efficacy", "scotopic-luminous-efficacy"):
+    rounded = 1700 / 683, night.maximum / day.maximum
+    for symbol in (*EFFICACIES, "sp-ratio"):
         if symbol not in p.chain.symbols:
             continue
         own = p.chain.values[symbol]
-        for size in (683.0, day.maximum):
-            yield "683-for-any-light", p.chain.after(symbol, size)
-        for factor in (ratio, 1 / ratio, 1700 / 683, 683 / 1700):
-            yield "scotopic-for-photopic", p.chain.after(symbol, own * factor)
-        if symbol == "efficacy":
-            continue
-        for eye, other in ((day, night), (night, day)):
-            efficacy = _efficacy(p, eye)
-            if efficacy:
-                yield "scotopic-for-photopic", p.chain.after(symbol, efficacy)
-                yield "scotopic-for-photopic", p.chain.after(symbol, efficacy / eye.maximum * other.maximum)
-        eye = night if symbol.startswith("scotopic") else day
-        yield "683-forgotten", p.chain.after(symbol, own / eye.maximum)
-    if "sp-ratio" in p.chain.symbols or p.asks("sp-ratio"):
-        for factor in (1700 / 683, 683 / 1700):
-            yield "scotopic-for-photopic", p.chain.after("sp-ratio", p.chain.values["sp-ratio"] * factor)
+        others = [own * ratio for ratio in rounded] + [own / ratio for ratio in rounded]
+        if symbol != "sp-ratio":
+            for size in (683.0, day.maximum):
+                yield usual("683-for-any-light", p.chain.after(symbol, size))
+            for eye, other in ((day, night), (night, day)):
+                seen = _efficacy(p, eye)
+                others += [seen, seen * other.maximum / eye.maximum] if seen else []
+            own_eye = night if symbol == EFFICACIES[1] else day
+            if "efficacy" not in p.given:
+                yield usual("683-forgotten", p.chain.after(symbol, own / own_eye.maximum))
+        for size in others:
+            yield usual("scotopic-for-photopic", p.chain.after(symbol, size))
 
 
-def _efficacy(p: Problem, eye: object) -> float | None:
+def _efficacy(p: Problem, eye: Observer) -> float | None:
     """What an eye sees of the light that is given [lm/W]."""
     if "wavelength" in p.given:
-        from radcalc.conversion.spectral import light
-
         return float(luminous_efficacy(light(p.given["wavelength"], None).table, eye))
-    if p.is_of("spectrum"):
-        name = "scotopic-luminous-efficacy" if eye is OBSERVERS["scotopic"] else "luminous-efficacy"
-        return p.amount(name)
-    return None
+    return p.amount(EFFICACIES[eye is OBSERVERS["scotopic"]]) if p.is_of("spectrum") else None
 
 
-def _beam(p: Problem) -> Wrong:
-    """A beam as a sphere, or as a cone."""
-    if p.light and "solid-angle" in p.chain.symbols and p.is_of("point-source", "convert"):
-        if {"isotropic", "hemisphere"} & set(p.given):
-            return
-        yield "spot-as-sphere", p.chain.after("solid-angle", cones.FULL)
-        yield "wrong-sphere", p.chain.after("solid-angle", cones.HEMISPHERE)
-        yield "cone-forgotten", p.chain.after("solid-angle", 1.0)
-        beam = p.amount("beam-angle")
-        n = p.amount("exponent")
-        if beam is None and n:
-            beam = float(lobes.angle(n, 0.5))
-        if beam:
-            yield "cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2))
-
-
-def _other_value(p: Problem) -> Wrong:
-    """One symbol's value for another's of the same sort."""
-    values = p.chain.values
-    for name, symbol, other in SWAPS:
-        if symbol in p.chain.symbols and other in values:
-            yield name, p.chain.after(symbol, values[other])
-    iso = values.get("iso")
-    if iso and "iso" in p.chain.symbols:
-        yield "iso-forgotten", p.chain.after("iso", 100.0)
-        yield "iso-upside-down", p.chain.after("iso", 1e4 / iso)
-    if "cosine" in p.chain.symbols and 0 < values["cosine"] < 1:
-        sine = math.sqrt(1 - values["cosine"] ** 2)
-        yield "angle-from-surface", p.chain.after("cosine", sine)
+def _beam(p: Problem) -> Found:
+    """A beam as a sphere, or a lobe as a cone."""
+    is_round = not p.given.keys().isdisjoint(("isotropic", "hemisphere"))
+    if not p.light or is_round or not p.is_of("point-source", "convert"):
+        return
+    yield usual("spot-as-sphere", p.chain.after("solid-angle", cones.FULL))
+    yield usual("wrong-sphere", p.chain.after("solid-angle", cones.HEMISPHERE))
+    yield usual("cone-forgotten", p.chain.after("solid-angle", 1.0))
+    beam, n = p.amount("beam-angle"), p.amount("exponent")
+    if n and not beam:
+        beam = float(lobes.angle(n, 0.5))
+    if beam:
+        yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
 
 
 SWAPS = (
@@ -324,3 +316,17 @@ SWAPS = (
     ("diagonal-for-width", "width", "diagonal"),
     ("height-for-distance", "distance", "height"),
 )
+
+
+def _swapped(p: Problem) -> Found:
+    """One symbol's value for another's of the same sort; the ISO speed, and sine for cosine."""
+    values, symbols = p.chain.values, p.chain.symbols
+    for name, symbol, other in SWAPS:
+        if symbol in symbols and other in values:
+            yield usual(name, p.chain.after(symbol, values[other]))
+    if "iso" in symbols:
+        yield usual("iso-forgotten", p.chain.after("iso", 100.0))
+        yield usual("iso-upside-down", p.chain.after("iso", 1e4 / values["iso"]))
+    if "cosine" in symbols and 0 < values["cosine"] < 1:
+        sine = math.sqrt(1 - values["cosine"] ** 2)
+        yield usual("angle-from-surface", p.chain.after("cosine", sine))

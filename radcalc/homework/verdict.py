@@ -15,6 +15,7 @@ from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, resolve
 
+ROUNDED = "rounded"  # which is no mistake
 REMARKS = ("error",)  # results that say how good another is
 WAYS = 4  # to say an answer clearly, that are shown
 
@@ -66,6 +67,8 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
         return verdict
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
+    if abs(right - said.value) <= max(said.half_unit, said.widest):
+        return verdict._replace(diagnoses=(_rounded(said, right),))
     found = diagnose(Problem(question, target), said, right)
     if question.steps and found and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, found[0])))
@@ -79,6 +82,16 @@ def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{right}{unit} * {ratio} = {claimed}{unit}"
     return Step(f"as it was answered: {found.done}", "", numbers)
+
+
+def _rounded(said: Claim, right: float) -> Diagnosis:
+    """The answer is the right one, in fewer digits than the tolerance asks for."""
+    digits = next(
+        (n for n in range(1, said.digits) if float(f"{right:.{n}g}") == said.value), said.digits
+    )
+    told = "the digit" if digits == 1 else f"the {digits} digits"
+    nearer = f"{right:.{max(3, digits + 1)}g}"
+    return Diagnosis(ROUNDED, f"right to {told} given", f"{nearer} is nearer")
 
 
 def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:

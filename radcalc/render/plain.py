@@ -63,6 +63,9 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"
     for diagnosis in said.diagnoses:
+        if diagnosis.mistake == "rounded":
+            lines.append(f"{diagnosis.done}; {diagnosis.right}")
+            continue
         lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
         word = "or"
     if not said.diagnoses:

@@ -127,7 +127,7 @@ def test_words_say_right_or_wrong_and_what_would_be_right(said):
     assert "350" in lines[0]
     assert "3.142 times" in lines[0]
     assert "pi was forgotten" in found.out
-    assert "L = rho E / pi" in found.out
+    assert "L = rho E / (pi Omega0)" in found.out
     found = said(LUX, "--check", "777")
     assert found.status == 1
     assert found.out.splitlines()[1] == "no usual mistake gives that number"
