@@ -9,7 +9,6 @@ from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.table import NUMBER, Unit, divide
 
-
 LEAST_MEANT = 2  # digits that a number is meant to have
 
 
@@ -54,15 +53,8 @@ def read_claim(text: str) -> Claim:
 
 def _digits(number: str, value: float) -> tuple[int, float, float]:
     """How many digits a number has, half a unit of the last, and of the last that is no zero."""
-def _digits(number: str, value: float) -> tuple[int, float, float]:
-    """How many digits a number has, half a unit of the last, and of the last that is no zero."""
     typed = typed_digits(number)
     if typed is None:  # pi/6, 2*pi
-        return 15, abs(value) * 1e-9, abs(value) * 1e-9
-    digits, power = typed[0].lstrip("0"), min(typed[1], 308)
-    zeros = 0 if "." in number else len(digits) - len(digits.rstrip("0"))
-    zeros = max(0, min(zeros, len(digits) - LEAST_MEANT))
-    return max(1, len(digits)), 0.5 * 10.0**power, 0.5 * 10.0 ** min(power + zeros, 308)
         return 15, abs(value) * 1e-9, abs(value) * 1e-9
     digits, power = typed[0].lstrip("0"), min(typed[1], 308)
     zeros = 0 if "." in number else len(digits) - len(digits.rstrip("0"))

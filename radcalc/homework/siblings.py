@@ -30,7 +30,18 @@ def find(p: Problem) -> Iterator[Candidate]:
                     found = usual(name, p.chain.after(target, value), right=text_of(law))
                     if found:
                         yield found
-    for family in (_shape, _projection, _aside, _far, _zone, _integral, _direction, _eyes, _beam):
+    for family in (
+        _shape,
+        _projection,
+        _aside,
+        _far,
+        _received,
+        _zone,
+        _integral,
+        _direction,
+        _eyes,
+        _beam,
+    ):
         yield from filter(None, family(p))
     yield from filter(None, _swapped(p))
 
@@ -206,6 +217,21 @@ def _far(p: Problem) -> Found:
     if distance and p.light and p.light.is_radiance:
         for power in (2, -2):
             yield usual("inverse-square-on-radiance", p.right * distance**power)
+
+
+def _received(p: Problem) -> Found:
+    """The irradiance times the receiver's area, for what an integral over it gives."""
+    irradiance, area = p.amount("irradiance"), p.amount("receiver-area")
+    if not p.asks("received-flux") or not irradiance or not area:
+        return
+    rule = "Phi = E A, where E is the same all over the receiver"
+    yield usual("flat-for-curved", irradiance * area, "E A was used, as on a small receiver", rule)
+    for factor in (1e2, 1e4, 1e6):
+        for wrong in (area * factor, area / factor):
+            yield usual("area-unit", irradiance * wrong)
+    yield Candidate("receiver-area-forgotten", 3, irradiance, "the area was left out", rule)
+    done = "it was divided by the area, not multiplied"
+    yield Candidate("receiver-area-upside-down", 3, irradiance / area, done, rule)
 
 
 def _zone(p: Problem) -> Found:

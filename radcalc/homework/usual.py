@@ -86,8 +86,6 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "joules-for-electronvolts": (2, "joules and electronvolts were mixed up", "1 eV = 1.602e-19 J"),
     "jacobian-forgotten": (2, "the density was converted as if it were a plain value",
         "E_nu = E_lambda lambda^2 / c: the width of the interval changes too"),
-    "step-width-forgotten": (2, "the width of the band, or of the steps of a sum, was left out",
-        "a band is the density times its width"),
     "absorbed-for-reflected": (3, "what is absorbed was used for what is reflected, or back",
         "a reflectance rho leaves 1 - rho"),
     # --- the light meter

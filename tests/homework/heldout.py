@@ -348,4 +348,8 @@ BLIND = [
     Wrong("direction 2.4 -1.1 0.7", "elevation", "deg",
           degrees(atan(sqrt(2.4**2 + 1.1**2) / 0.7)), "angle-from-surface"),
     Wrong("direction --polar 70deg --azimuth 25deg", "y", "", s(70) * c(25), "x-for-y"),
+    Wrong(f"{SA} cone --half-angle 25deg", "solid-angle", "deg2", cap(25) * degrees(1),
+          "deg2-for-sr"),
+    Wrong(f"{PS} --intensity 130cd --distance 2.3m --receiver-area 43cm2", "received-flux", "lm",
+          130 / 2.3**2, "receiver-area-forgotten"),
 ]  # fmt: skip
