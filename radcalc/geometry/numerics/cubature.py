@@ -12,11 +12,15 @@ from typing import Any, NamedTuple
 import numpy
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.numerics.quadrature import gauss
+from radcalc.geometry.numerics.quadrature import gauss, lobatto
 
-POINTS, FEWER = 10, 7  # of Gauss and Legendre, a side of a cell; of the rule that checks it
-FIRST = (4, 8)  # cells in polar angle and azimuth, before all are quartered once
+POINTS = 10  # of Gauss and Legendre, a side of a cell
+CHECKS = (7, 8)  # points a side of the rules of Gauss and Lobatto that check it
+INSIDE = 1e-11  # [1] of half a side: how far from it those have the points at its ends
+FIRST = (8, 16)  # cells in polar angle and azimuth, before all are quartered once
+SEEN = 0.2  # [1] of a side: no wider circle in a cell is free of points
 MOST = 100_000  # cells in all
+WORK = 1e10  # what the function may cost in all: points, times the cost of each
 BATCH = 2_000  # cells at a time, which is what bounds the memory
 ROUNDING = 1e-14  # [1] error of the sums, relative to the integral of the function's size
 SAFETY = 2.0  # [1] what a kink may leave, over the difference of two levels
@@ -48,6 +52,23 @@ class Integral(NamedTuple):
 
 Function = Callable[[dict[str, Any]], Any]
 Interval = tuple[float, float]
+Rule = tuple[Any, Any]
+
+
+def _rules() -> tuple[Rule, ...]:
+    """The rule that answers, and those that check it, as arrays of nodes and weights.
+
+    The checking ones look close to the sides of a cell, where a kink is before the first point of
+    Gauss: how far the first is off is then seen by the others, wherever the kink is.  At the very
+    ends a function may have no value (1/sin(theta) at a pole), or that of the neighbouring cell.
+    """
+    answer, *checks = (
+        (numpy.array(nodes), numpy.array(weights))
+        for nodes, weights in (gauss(POINTS), *map(lobatto, CHECKS))
+    )
+    for nodes, _ in checks:
+        nodes[[0, -1]] *= 1 - INSIDE
+    return answer, *checks
 
 
 class _Grid:
@@ -55,6 +76,7 @@ class _Grid:
 
     def __init__(self, function: Function, polar: Interval, azimuth: Interval) -> None:
         self.function, self.start = function, numpy.array([polar[0], azimuth[0]])
+        self.rules = _rules()
         self.width = numpy.array([polar[1] - polar[0], azimuth[1] - azimuth[0]]) / FIRST
         rows, columns = numpy.indices(FIRST)
         self.place = numpy.stack([numpy.zeros(rows.size, int), rows.ravel(), columns.ravel()], 1)
@@ -64,7 +86,7 @@ class _Grid:
         """Quarter some cells, and neighbours more than twice as large as the quarters.
 
         A quarter's error is told by how far the four together are from the whole, and by how
-        far a rule of fewer points is off in it: by the larger of the two.
+        far the rules that check it are off in it: by the largest of these.
         """
         split = self._graded(split)
         whole = self.place[split]
@@ -74,7 +96,7 @@ class _Grid:
         place = numpy.concatenate([levels, rows], 2).reshape(-1, 3)
         value, size, rough = self._integrate(place)
         differ = SAFETY * abs(value.reshape(-1, 4).sum(1) - self.value[split]) / 4
-        # Next to a singularity one of the two estimates may be small by chance.
+        # Any one of the estimates may be small by chance, where a kink is.
         error = numpy.maximum(numpy.repeat(differ, 4), rough)
         keep = numpy.ones(len(self.value), bool)
         keep[split] = False
@@ -99,20 +121,20 @@ class _Grid:
         return numpy.array(sorted(chosen))
 
     def _integrate(self, place: Any) -> tuple[Any, Any, Any]:
-        """For each cell the integral, that of the function's size, and how far two rules differ."""
+        """For each cell the integral, that of the function's size, and how far rules differ."""
         parts = []
         for start in range(0, len(place), BATCH):
             cut = place[start : start + BATCH]
-            value, size = self._rule(cut, POINTS)
-            parts.append((value, size, abs(value - self._rule(cut, FEWER)[0])))
+            (value, size), *checks = (self._rule(cut, *rule) for rule in self.rules)
+            differ = numpy.max([abs(value - check) for check, _ in checks], axis=0)
+            parts.append((value, size, differ))
         value, size, differ = (numpy.concatenate(part) for part in zip(*parts, strict=True))
         return value, size, differ
 
-    def _rule(self, place: Any, points: int) -> tuple[Any, Any]:
+    def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
         """By the product rule in each cell: the integral, and that of the function's size."""
         half = self.width / 2.0 ** (place[:, :1] + 1)
         middle = self.start + half * (2 * place[:, 1:] + 1)
-        nodes, weights = (numpy.array(x) for x in gauss(points))
         theta = (middle[:, :1] + half[:, :1] * nodes)[:, :, None]
         phi = (middle[:, 1:] + half[:, 1:] * nodes)[:, None, :]
         sine = numpy.sin(theta)
@@ -124,7 +146,7 @@ class _Grid:
             "z": numpy.cos(theta),
         }
         with numpy.errstate(all="ignore"):
-            values = numpy.broadcast_to(self.function(at), (len(place), points, points))
+            values = numpy.broadcast_to(self.function(at), (len(place), len(nodes), len(nodes)))
             area = half[:, :1, None] * half[:, 1:, None] * weights[:, None] * weights * sine
             value, size = (values * area).sum((1, 2)), (abs(values) * area).sum((1, 2))
         if not numpy.isfinite(size).all():
@@ -138,7 +160,11 @@ class _Grid:
 
 
 def over_directions(
-    function: Function, polar: Interval, azimuth: Interval, accuracy: float = 1e-9
+    function: Function,
+    polar: Interval,
+    azimuth: Interval,
+    accuracy: float = 1e-9,
+    cost: int = 1,
 ) -> Integral:
     """Integrate a function of direction over intervals of polar angle and azimuth.
 
@@ -154,6 +180,8 @@ def over_directions(
     accuracy : float, optional
         Error that is good enough, relative to the integral of the function's absolute value; 1e-9
         by default.
+    cost : int, optional
+        What the function costs at a point, in additions; 1 by default.  It bounds the cells.
 
     Returns
     -------
@@ -164,7 +192,8 @@ def over_directions(
     ------
     ConditionError
         If the function is not a finite number somewhere, the integral overflows, it is not within
-        the accuracy after 100 000 cells, or the function is 0 at all points looked at.
+        the accuracy after 100 000 cells (fewer for a costly function), or the function is 0 at all
+        points looked at.
 
     Notes
     -----
@@ -173,11 +202,13 @@ def over_directions(
         integral of  f(theta, phi) sin(theta)  dtheta dphi
 
     A product Gauss-Legendre rule of 10 by 10 points in each cell.  The cells that matter most are
-    quartered until the sum of the errors is within the accuracy.  The error of a cell is the larger
-    of two differences: between the four quarters and their whole (twice that, which leaves room
-    for kinks), and between the rule and one of 7 by 7 points.  Both are errors of coarser rules
-    than the answer, so the estimate is on the safe side for smooth functions.  A peak much narrower
-    than the first cells may fall between their points and be missed.
+    quartered until the sum of the errors is within the accuracy.  The error of a cell is the
+    largest of three differences: between the four quarters and their whole (twice that), and
+    between the rule and those of Gauss and Lobatto with 7 by 7 and 8 by 8 points.  All are errors
+    of coarser rules than the answer, so the estimate is on the safe side for smooth functions; and
+    wherever in a cell a kink, a step or the like is, one of the three is larger than the error that
+    it leaves (``tests/fuzz/integrals.py``).  A peak much narrower than the first cells may fall
+    between their points and be missed.
 
     Examples
     --------
@@ -190,6 +221,7 @@ def over_directions(
     (1.0, True)
     """
     grid = _Grid(function, polar, azimuth)
+    most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
     split = numpy.arange(len(grid.value))
     while True:
         grid.quarter(split)
@@ -206,7 +238,7 @@ def over_directions(
         order = numpy.argsort(grid.error)
         matters = numpy.cumsum(grid.error[order]) > accuracy * size / 2
         split = order[matters] if size else order
-        if cells + 3 * len(split) > MOST:
+        if cells + 3 * len(split) > most:
             raise _not_found(math.fsum(grid.value), error, size, cells)
 
 

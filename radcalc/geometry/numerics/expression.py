@@ -46,6 +46,8 @@ OPERATORS: dict[type, Callable[..., Any]] = {
     ast.USub: numpy.negative,
     ast.UAdd: numpy.positive,
 }
+CHEAP = ("abs", "min", "max", "sqrt")  # as an addition; other functions and powers take longer
+COSTS = {"function": 10, "power": 30}  # [1] of an addition, at most
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
 LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within each other
@@ -70,6 +72,8 @@ class Expression:
         The text as given.
     uses : set of str
         Those of theta, phi, x, y, z that the expression depends on.
+    cost : int
+        About what a value costs, in additions.
 
     Raises
     ------
@@ -104,6 +108,7 @@ class Expression:
     def __init__(self, text: str) -> None:
         self.text = text
         self.uses: set[str] = set()
+        self.cost = 1
         self._source = _prepared(text)
         try:
             with warnings.catch_warnings():
@@ -147,9 +152,11 @@ class Expression:
             case ast.Name(id=name):
                 raise _unknown(name)
             case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
+                self.cost += 1
                 unary, one = OPERATORS[type(op)], self._read(operand, depth - 1)
                 return lambda at: unary(one(at))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+                self.cost += COSTS["power"] if isinstance(op, ast.Pow) else 1
                 binary = OPERATORS[type(op)]
                 a, b = self._read(left, depth - 1), self._read(right, depth - 1)
                 return lambda at: binary(a(at), b(at))
@@ -171,6 +178,7 @@ class Expression:
                 f"{name}() takes {count} argument{'s' if count > 1 else ''}, not {len(args)}",
                 f"{name}({', '.join(('theta', 'phi')[:count])})",
             )
+        self.cost += 1 if name in CHEAP else COSTS["function"]
         inner = [self._read(arg, depth - 1) for arg in args]
         return lambda at: function(*(one(at) for one in inner))
 

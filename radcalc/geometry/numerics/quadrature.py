@@ -1,8 +1,8 @@
-"""Numerical integrals of functions of one variable: Gauss and Legendre's rule, and an adaptive one.
+"""Numerical integrals of functions of one variable: fixed rules, and an adaptive one.
 
-`gauss` gives nodes and weights, `integral` applies them to a smooth function, `adaptive` halves
-the interval where a function is not smooth enough.  Functions take and give floats; units are
-those of the function times those of its variable.
+`gauss` and `lobatto` give nodes and weights, `integral` applies the former to a smooth function,
+`adaptive` halves the interval where a function is not smooth enough.  Functions take and give
+floats; units are those of the function times those of its variable.
 """
 
 import math
@@ -58,6 +58,47 @@ def gauss(n: int) -> Rule:
             weights[i] = weights[n - 1 - i] = 2 / ((1 - x) * (1 + x) * slope**2)
         _RULES[n] = tuple(nodes), tuple(weights)
     return _RULES[n]
+
+
+def lobatto(n: int) -> Rule:
+    """Nodes and weights of the n-point Gauss-Lobatto rule on [-1, 1], which has the ends.
+
+    Parameters
+    ----------
+    n : int
+        Number of points, 2 or more.
+
+    Returns
+    -------
+    nodes : tuple of n floats
+        -1, the zeros of the derivative of Legendre's polynomial of degree n - 1, and 1.
+    weights : tuple of n floats
+        Their weights; the sum is 2.
+
+    Notes
+    -----
+    Exact for polynomials up to the degree 2n - 3.  The nodes are found by Newton's method from
+    cos(pi i/(n - 1)); the weights are 2/(n (n - 1) P(x)^2), with P of degree n - 1.
+
+    Examples
+    --------
+    Three points are Simpson's rule:
+
+    >>> from radcalc.geometry.numerics.quadrature import lobatto
+    >>> nodes, weights = lobatto(3)
+    >>> [round(x, 6) for x in nodes], [round(w, 6) for w in weights]
+    ([-1.0, 0.0, 1.0], [0.333333, 1.333333, 0.333333])
+    """
+    nodes, weights = [0.0] * n, [0.0] * n
+    for i in range(n):
+        x = -math.cos(math.pi * i / (n - 1))
+        for _ in range(8):
+            before, p = 1.0, x
+            for k in range(2, n):
+                before, p = p, ((2 * k - 1) * x * p - (k - 1) * before) / k
+            x -= (x * p - before) / (n * p)
+        nodes[i], weights[i] = x, 2 / (n * (n - 1) * p**2)
+    return tuple(nodes), tuple(weights)
 
 
 def integral(function: Callable[[float], float], low: float, high: float, n: int = 32) -> float:

@@ -74,6 +74,32 @@ def test_known_integrals_are_within_their_bound(text, polar, azimuth, value):
     assert got.error <= accuracy * (abs(value) if value > 0 else 4 * PI) * (1 + 1e-3)
 
 
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-6, 1e-7])
+@pytest.mark.parametrize("tilt", [0.0, 1e-9, 1e-4, 0.001, 0.003, 0.005, 0.01, 0.02])
+def test_a_kink_beside_the_cells_sides_is_seen(tilt, accuracy):
+    # the length of (tilt, 0, 1), times pi: the integral of max(z, 0) turned to that axis
+    value = PI * math.hypot(tilt, 1)
+    got = integrate(f"max({tilt}*x + z, 0)", accuracy=accuracy)
+    assert abs(got.value - value) <= got.error + 1e-15
+
+
+@pytest.mark.parametrize("at", [i / 97 * PI for i in range(1, 97)])
+def test_the_error_covers_a_kink_wherever_it_is(at):
+    # by parts: t sin(t) has the antiderivative sin(t) - t cos(t)
+    value = 2 * PI * (PI - at - math.sin(at))
+    got = integrate(f"max(theta - {at}, 0)", accuracy=1e-3)
+    assert abs(got.value - value) <= got.error
+
+
+def test_a_costly_function_gets_fewer_cells():
+    text = "+".join(f"tan({k}*x)" for k in range(5, 84))  # poles all over the sphere
+    costly = Expression(text)
+    assert costly.cost > 79 * 10
+    with pytest.raises(ConditionError, match="does not converge") as caught:
+        over_directions(costly, ALL, ROUND, cost=100 * costly.cost)
+    assert int(caught.value.message.split()[-2]) < 1000  # cells
+
+
 @pytest.mark.parametrize("text", ["x*y*(3*z**2 - 1)", "x*z", "y", "(3*z**2 - 1)*(5*z**3 - 3*z)"])
 def test_spherical_harmonics_are_orthogonal(text):
     got = integrate(text)

@@ -77,3 +77,9 @@ TOKENS = [*NAMES, *FUNCTIONS, "pi", "deg", "1", "2.5", "1e400", "0", "+", "-", "
 @given(st.lists(st.sampled_from(TOKENS), max_size=40).map("".join))
 def test_no_jumble_of_tokens_breaks_the_reader(text):
     refused_or_numbers(text)
+
+
+def test_the_cost_counts_what_takes_long():
+    assert Expression("1").cost == 1
+    assert Expression("x + y").cost < Expression("tan(x)").cost < Expression("x**y").cost
+    assert Expression("+".join(["tan(x)"] * 79)).cost == pytest.approx(79 * 11, abs=1)
