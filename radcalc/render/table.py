@@ -1,12 +1,15 @@
 """Tables for people, drawn by Rich; the only module that imports it.
 
-Users' text is never read as markup, and nothing is cut off: what does not fit is folded.
+Users' text is never read as markup, and nothing is cut off: texts are folded between their words.
+Where a number, a unit or a word does not fit, there is no table but a line for each row.
 """
 
 import io
 from collections.abc import Iterable, Sequence
+from textwrap import wrap
 
 from rich import box
+from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -18,6 +21,8 @@ from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import derivation, number
 
 DIGITS = 6
+GAP = 3  # columns of the terminal between two of a table
+LONG = 12  # letters of a word that may be folded
 REMARKS_ARE_APART = False
 
 
@@ -33,7 +38,7 @@ def results(results: Sequence[Result], style: Style) -> str:
         below = []
     below += [line for result in results for line in derivation(result.steps)]
     wide = _wide(results, precision, language)
-    if wide and sum(max(map(len, column)) + 3 for column in zip(*wide, strict=True)) <= width:
+    if wide and _widths(wide, wide[0], width):
         head, *lines = wide
         said = [
             f"{row.symbol}: {_quantity(row, language)}" for row in results[0].rows if row.symbol
@@ -110,18 +115,60 @@ def draw(
         emoji=False,
         legacy_windows=False,
     )
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-    for name in header:
-        table.add_column(
-            Text(name),
-            justify="right" if name in right else "left",
-            style="bold" if name in right else "",
-            overflow="fold",
-            no_wrap=name in right,  # a number broken over two lines is another number
-        )
-    for cells in lines:
-        table.add_row(*(Text(cell) for cell in cells))
-    console.print(table)
+    rows = list(lines)
+    whole = [name for name in header if name in (*right, "for", "unit")]
+    if header[0] == "unit":  # the name of what the row is about
+        whole.remove("unit")
+    widths = _widths([header, *rows], whole, width)
+    if widths:
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+        for name, columns in zip(header, widths, strict=True):
+            table.add_column(
+                Text(name),
+                width=columns,
+                justify="right" if name in right else "left",
+                style="bold" if name in right else "",
+                overflow="fold",
+            )
+        for cells in rows:
+            table.add_row(*(Text(cell) for cell in cells))
+        console.print(table)
+    else:
+        said = ["  ".join(filter(None, cells)).replace("\n", ", ") for cells in rows]
+        out.write("".join(f"{row}\n" for row in said))
     for line in below:
-        console.print(Text(line, style="dim"), overflow="fold")
-    return "\n".join(line.rstrip() for line in out.getvalue().splitlines()) + "\n"
+        folded = wrap(line, width, break_long_words=False, break_on_hyphens=False)
+        console.print(Text("\n".join(folded), style="dim"), overflow="ignore", crop=False)
+    return "\n".join(line.rstrip() for line in out.getvalue().split("\n"))
+
+
+def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> list[int] | None:
+    """How wide each column is; None where they do not fit beside each other.
+
+    The first row has the names.  A column that is `whole` is not folded, since a number or a
+    unit over two lines is another one.
+    """
+    columns = list(zip(*rows, strict=True))
+    most = [max(cell_len(line) for text in cells for line in text.split("\n")) for cells in columns]
+    widths = [
+        size if cells[0] in whole else max(_least(word) for text in cells for word in _words(text))
+        for size, cells in zip(most, columns, strict=True)
+    ]
+    spare = room - sum(widths) - GAP * (len(widths) - 1)
+    if spare < 0:
+        return None
+    while spare and widths != most:  # to the column that would be folded most
+        folds = [size / max(given, 1) for size, given in zip(most, widths, strict=True)]
+        widths[folds.index(max(folds))] += 1
+        spare -= 1
+    return widths
+
+
+def _words(text: str) -> list[str]:
+    return text.split() or [""]
+
+
+def _least(word: str) -> int:
+    """The columns that a word needs: all of its own, but for a long one that is no number."""
+    size = cell_len(word)
+    return size if word[:1].isdigit() else min(size, LONG)

@@ -50,3 +50,13 @@ def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
     assert "illuminance" in run("convert", "1", "lx", "fc", "--format", "table").stdout
     assert screen_of("convert", "100", "lx", "fc", "--format", "plain") == "9.290304\tfc\n"
     assert screen_of("convert", "100", "lx", "fc", "-n") == "9.290304\n"
+
+
+@pytest.mark.parametrize("columns", [15, 28, 40, 80])
+def test_a_list_is_a_table_where_its_words_fit_and_lines_elsewhere(columns):
+    screen = screen_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
+    assert ("───" in screen) == (columns == 80)
+    assert all(part in screen for part in ("0.1 to 0.3", "0.0002 to 0.002", "6.418e-5", "cd/m2"))
+    drawn = screen_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
+    assert "───" in drawn
+    assert "1.602176634e-19" in drawn
