@@ -55,7 +55,7 @@ def quick_lane(words: list[str]) -> int | None:
         if not target or value < 0:  # below 0 there is more to say
             return None
         made = plan(resolve(source), resolve(target))
-        text = line(made.apply(value), target, bare=number)
+        text = line(made.apply(value), made.target.text, bare=number)
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None
     try:

@@ -12,19 +12,30 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any
 
-SHOWN = 60
+SHOWN = 60  # letters of a text
+LISTED = 10  # names
 # The marks of a mention: private characters, which `quote` never lets through.
 START, VALUE, WORD, END = "\ue000", "\ue001", "\ue002", "\ue003"
+
+
+def printable(text: str) -> str:
+    """One line, without what would steer a terminal: anything else as Python writes it."""
+    if text.isprintable():
+        return text
+    return "".join([c if c.isprintable() else ascii(c)[1:-1] for c in text])
 
 
 def quote(text: str) -> str:
     """Make a user's text fit for a message: one line, printable, of bounded length."""
     text = text.replace("\u2212", "-")
-    if len(text) > SHOWN:
-        text = text[: SHOWN - 3] + "..."
-    if text.isprintable():
-        return text
-    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+    return printable(text if len(text) <= SHOWN else text[: SHOWN - 3] + "...")
+
+
+def listed(names: "Sequence[str]") -> str:
+    """Name the first few of a user's own names, and how many more there are."""
+    more = len(names) - LISTED
+    shown = ", ".join([quote(name) for name in names[:LISTED]])
+    return f"{shown} and {more} more" if more > 0 else shown
 
 
 def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:

@@ -104,7 +104,7 @@ def read_as(symbol: Symbol, value: Any) -> Given:
 def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
     if isinstance(value, str):
-        text = value.strip().replace("\u2212", "-")
+        text = " ".join(value.split()).replace("\u2212", "-")  # it is shown: on one line
         number, unit_text = _split(symbol, text)
         unit = resolve(unit_text) if unit_text else None
     elif isinstance(value, tuple):

@@ -3,7 +3,7 @@
 import os
 import sys
 
-from radcalc.errors import OutputError, Plain, RadcalcError
+from radcalc.errors import OutputError, Plain, RadcalcError, printable
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -111,9 +111,9 @@ def _wait(raw: "Any", reading: bool) -> None:
 
 
 def say(lines: "Iterable[str]") -> None:
-    """Write lines to standard error; nobody listening there is no failure."""
+    """Write lines to standard error, each as one; nobody listening there is no failure."""
     try:
-        text = "".join([line + "\n" for line in lines])
+        text = "".join([printable(line) + "\n" for line in lines])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass

@@ -114,7 +114,7 @@ def convert(
         texts = Numbers(planned(source_text), shown.style.precision)
     else:
         blank = " " if cut else "\t"
-        unit = "" if shown.style.bare else blank + target_text
+        unit = "" if shown.style.bare else blank + target.text
         texts = Quantities(planned, unit.encode(), shown.style.precision)
 
     def record(line: int, field: int | None, made: Plan, value: float) -> str:

@@ -105,6 +105,6 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         raise ConditionError(f"{told} has no unit", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER
     if is_part or given.unit is None or given.unit.text in ("%", "1"):
-        return Tolerance(f"within {text}", "relative", given.value)
+        return Tolerance(f"within {given.text}", "relative", given.value)
     size = given.value * divide(unit.bottom, unit.top)
-    return Tolerance(f"within {text}", "absolute", size)
+    return Tolerance(f"within {given.text}", "absolute", size)

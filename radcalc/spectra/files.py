@@ -11,7 +11,7 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import stdio
-from radcalc.errors import ConditionError, RadcalcError, option, quote
+from radcalc.errors import ConditionError, RadcalcError, listed, option, quote
 from radcalc.quantities.light import PER_WAVELENGTH, RADIANT, read
 from radcalc.spectra.spectrum import Table
 from radcalc.units.table import resolve
@@ -221,7 +221,7 @@ class _Reader:
         if width < 2:
             raise self.error(number, "one column only", "a wavelength and a value in every row")
         titles = header if len(header) == width else [""] * width
-        named = ", ".join(t or str(i) for i, t in enumerate(titles, 1) if i > 1)
+        named = listed([t or str(i) for i, t in enumerate(titles, 1) if i > 1])
         if not self.column:
             if width > 2:
                 raise self.error(
@@ -236,7 +236,7 @@ class _Reader:
             place = int(self.column) - 1
         else:
             raise self.error(0, f"there is no column of values '{quote(self.column)}'", named)
-        self.notes.append(f"values from column {place + 1} {titles[place]}".strip())
+        self.notes.append(f"values from column {place + 1} {quote(titles[place])}".strip())
         return place, titles[place]
 
     def numbers(
@@ -298,7 +298,7 @@ class _Reader:
                     problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
                     raise self.error(0, problem, "nm, um, angstrom, mm or m")
             if word.rstrip("s") in UNITS and word != "":
-                self.notes.append(f"the wavelengths are in {word}, as declared")
+                self.notes.append(f"the wavelengths are in {quote(word)}, as declared")
                 return UNITS[word.rstrip("s")]
         if 100 <= low < 2000 and high <= 20000:
             self.notes.append("the wavelengths are taken as nanometres, from their size")

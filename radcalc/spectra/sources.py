@@ -30,7 +30,7 @@ def spectrum(text: str, column: str = "") -> Spectrum:
         raise ConditionError(f"{option('column')} has no use with {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in KINDS:
-        return _of_kind(kind.lower(), parameters, text)
+        return _of_kind(kind.lower(), parameters, " ".join(text.split()))
     named = find_named(text)
     if named:
         return named

@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Callable
 
-from radcalc.errors import NumberError, UsageError, nearest, option, quote
+from radcalc.errors import NumberError, UsageError, listed, nearest, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
@@ -127,7 +127,7 @@ class Cut:
         near = nearest(name, names) or names
         raise UsageError(
             f"the header of stdin has no column '{quote(name)}'",
-            quote(", ".join(near))
+            listed(near)
             if len(cells) > 1
             else f"{option('delimiter', 'X')}, with what cuts the fields",
         )

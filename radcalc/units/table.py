@@ -135,8 +135,9 @@ def resolve(text: str) -> Unit:
 
     Raises UnitError for a text that is not a unit, with the nearest names as the hint.
     """
-    whole = text.strip().lower().replace(" ", "_")
-    if " " in text.strip() and whole in NAMES:  # a name of two words: foot lambert
+    text = " ".join(text.split())  # it is shown as typed, but for blanks that part lines
+    whole = text.lower().replace(" ", "_")
+    if " " in text and whole in NAMES:  # a name of two words: foot lambert
         unit = resolve(whole)
         unit.text = text
         return unit
