@@ -2,13 +2,15 @@
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import chain
 
 from radcalc.errors import NumberError, UsageError, listed, nearest, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
 MOST = 1_000_000  # as a field's number
+COMPARED = 1000  # names of a header that one is held against where it is not among them
 FIELDS = "N, N-, N-M, -M or several of them with commas between"
 
 Span = tuple[int, int]  # where a text begins and ends
@@ -23,14 +25,16 @@ class Fields:
         self.ranges = sorted(_range(text, part) for part in text.replace("\u2212", "-").split(","))
         self.last = max(last or first for first, last in self.ranges)
 
-    def of(self, count: int) -> list[int]:
-        """The indices of the fields meant, of a line that has `count` of them."""
+    def of(self, count: int) -> Iterator[int]:
+        """The indices of the fields meant, in order, of a line that has `count` of them."""
         if count < self.last:
             raise NumberError(f"there is no field {self.last}", f"a line of {self.last} fields")
-        chosen: set[int] = set()
+        chosen, done = [], 0
         for first, last in self.ranges:
-            chosen.update(range(first - 1, last or count))
-        return sorted(chosen)
+            end = last or count
+            chosen.append(range(max(first - 1, done), end))
+            done = max(done, end)
+        return chain.from_iterable(chosen)
 
 
 def _range(text: str, part: str) -> tuple[int, int]:
@@ -77,11 +81,12 @@ class Cut:
             b"[" + self.blanks + b"]*" + quoted + rest + b"|" + rest, re.DOTALL
         )
 
-    def spans(self, line: bytes) -> list[Span]:
+    def spans(self, line: bytes) -> Iterator[Span]:
         """Where every field begins and ends, blanks and quotes around it included."""
         if not self.delimiter:
-            return [found.span() for found in re.finditer(rb"[^ \t]+", line)]
-        spans, start = [], 0
+            yield from (found.span() for found in re.finditer(rb"[^ \t]+", line))
+            return
+        start = 0
         quoted = b'"' in line
         while True:
             if quoted and (found := self.pattern.match(line, start)):
@@ -90,9 +95,9 @@ class Cut:
             else:
                 end = line.find(self.delimiter, start)
                 end = len(line) if end < 0 else end
-            spans.append((start, end))
+            yield start, end
             if end == len(line):
-                return spans
+                return
             start = end + len(self.delimiter)
 
     def _check(self, field: bytes) -> None:
@@ -123,7 +128,7 @@ class Cut:
                 f"the header of stdin has the column '{quote(name)}' {count} times",
                 option("field", "N"),
             )
-        names = [cell.decode("utf-8", "replace") for cell in cells if cell]
+        names = [cell.decode("utf-8", "replace") for cell in cells[:COMPARED] if cell]
         near = nearest(name, names) or names
         raise UsageError(
             f"the header of stdin has no column '{quote(name)}'",

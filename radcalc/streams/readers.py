@@ -33,7 +33,7 @@ class Numbers:
         try:
             return self.made, parse_number(_decoded(text))
         except NumberError as error:
-            several = len(text.split()) > 1
+            several = len(text.split(None, 1)) > 1
             raise NumberError(error.message, self.example if several else error.hint) from None
 
     def show(self, made: Plan, value: float) -> bytes:

@@ -6,6 +6,7 @@ plain decimal is converted at once (`bulk.py`); any other goes line by line thro
 
 from collections.abc import Callable, Iterator
 from io import BytesIO
+from itertools import islice
 
 from radcalc.conversion.plan import Plan
 from radcalc.errors import LineError, RadcalcError, UsageError
@@ -15,6 +16,7 @@ from radcalc.streams.readers import Numbers, Quantities
 
 BLOCK = 1 << 16
 FEW = 200  # bytes that are not cut further
+MANY = 1000  # fields of a line that are converted at once
 LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
 BOM = b"\xef\xbb\xbf"
 
@@ -52,7 +54,7 @@ class Stream:
 
     def block(self, block: bytes) -> bytes | None:
         """Convert a block of whole lines at once; None where any of them is unusual."""
-        if block[-1:] != b"\n":
+        if block[-1:] != b"\n" or len(block) > 2 * BLOCK:  # which has a very long line
             return None
         crlf = b"\r" in block
         if crlf:
@@ -72,28 +74,43 @@ class Stream:
         text = body.lstrip(BLANKS)
         if not text or text[:1] == b"#":
             return b"" if self.record else line
-        parts: list[bytes] = []
-        done, field = 0, None
+        out, done = bytearray(), 0
+        field: int | None = None
         try:
-            for field, (start, end) in self._spans(body):
-                made, value = self.texts.read(body[start:end])
-                if self.record:
-                    parts.append(self.record(count, field, made, value).encode())
-                else:
-                    parts += [body[done:start], self.texts.show(made, value)]
-                done = end
+            places = self._places(body)
+            while some := list(islice(places, MANY)):
+                texts = [body[start:end] for _, (start, end) in some]
+                at_once = len(some) == MANY and not self.record
+                shown = self.texts.column(texts) if at_once else None
+                for k, (field, (start, end)) in enumerate(some):
+                    if shown:
+                        out += body[done:start] + shown[k]
+                    else:
+                        made, value = self.texts.read(texts[k])
+                        if self.record:
+                            out += self.record(count, field, made, value).encode()
+                        else:
+                            out += body[done:start] + self.texts.show(made, value)
+                    done = end
         except RadcalcError as error:
             where = f"stdin, line {count}" + (f", field {field}" if field else "")
             raise LineError(f"{where}: {error.message}", error.hint) from None
-        return b"".join(parts if self.record else [*parts, line[done:]])
+        return bytes(out if self.record else out + line[done:])
 
-    def _spans(self, body: bytes) -> list[tuple[int | None, Span]]:
-        """The texts to be converted: the number of the field, and where it is."""
+    def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
+        """The texts to be converted: the number of the field, and where it is.
+
+        A line may have millions of fields: they are counted first and not kept.
+        """
         if self.cut is None:
-            start = len(body) - len(body.lstrip(BLANKS))
-            return [(None, (start, len(body.rstrip(BLANKS))))]
-        spans = self.cut.spans(body)
-        return [(i + 1, self.cut.inner(body, spans[i])) for i in self.fields.of(len(spans))]
+            yield None, (len(body) - len(body.lstrip(BLANKS)), len(body.rstrip(BLANKS)))
+            return
+        chosen = self.fields.of(sum(1 for _ in self.cut.spans(body)))
+        wanted = next(chosen, None)
+        for index, span in enumerate(self.cut.spans(body)):
+            if index == wanted:
+                yield index + 1, self.cut.inner(body, span)
+                wanted = next(chosen, None)
 
 
 def run(
@@ -109,6 +126,9 @@ def run(
     """
     count, good = 0, True
     for block in _blocks(read):
+        if block is None:
+            problem = f"stdin, line {count + 1}: more than {LONGEST} bytes"
+            raise LineError(problem, "shorter lines")
         if not count and block.startswith(BOM):
             if not stream.record:
                 write(BOM)
@@ -160,8 +180,8 @@ def _parts(stream: Stream, block: bytes) -> Iterator[tuple[bytes, bytes | None]]
         yield from _parts(stream, block[middle:])
 
 
-def _blocks(read: Read) -> Iterator[bytes]:
-    """Whole lines, as many as there are; the last may lack its end."""
+def _blocks(read: Read) -> Iterator[bytes | None]:
+    """Whole lines, as many as there are; the last may lack its end; None for one too long."""
     parts: list[bytes] = []
     size = 0
     while data := read(BLOCK):
@@ -174,7 +194,8 @@ def _blocks(read: Read) -> Iterator[bytes]:
             parts.append(rest)
             size += len(rest)
         if size > LONGEST:
-            raise LineError(f"stdin has a line of more than {LONGEST} bytes", "shorter lines")
+            yield None
+            return
     if parts:
         yield b"".join(parts)
 

@@ -5,9 +5,9 @@ from radcalc.streams.fields import Fields, read_delimiter
 
 
 def test_fields_and_delimiters_are_read_as_written():
-    assert Fields("2,1").of(3) == [0, 1]
-    assert Fields("1-2,2-").of(4) == [0, 1, 2, 3]
-    assert Fields("\u22122").of(3) == [0, 1]  # a minus that was no option
+    assert list(Fields("2,1").of(3)) == [0, 1]
+    assert list(Fields("1-2,2-").of(4)) == [0, 1, 2, 3]
+    assert list(Fields("\u22122").of(3)) == [0, 1]  # a minus that was no option
     assert [read_delimiter(d) for d in ("tab", "\\t", "comma", ",", "·")] == [
         b"\t", b"\t", b",", b",", "·".encode(),
     ]  # fmt: skip

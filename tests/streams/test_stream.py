@@ -2,6 +2,7 @@
 
 import io
 import re
+import tracemalloc
 
 import pytest
 from hypothesis import example, given, settings
@@ -51,10 +52,27 @@ def test_a_huge_line_passes_and_an_endless_one_is_refused():
     rest = b"x" * 1_000_000
     out, good, _ = stream(b"1;" + rest + b"\n2;y\n", Stream(Numbers(LX_FC), Cut(b";")))
     assert (out, good) == (b"0.09290304;" + rest + b"\n0.18580608;y\n", True)
-    with pytest.raises(LineError, match="more than"):
-        run(Stream(Numbers(LX_FC)), lambda size: b"1" * size, lambda data: None)
+    out = io.BytesIO()
+    endless = iter([b"1\n2\n", b"3\n1"])
+    with pytest.raises(LineError, match="stdin, line 4: more than 16777216 bytes"):
+        run(Stream(Numbers(LX_FC)), lambda size: next(endless, b"1" * size), out.write)
+    assert out.getvalue().count(b"\n") == 3
     with pytest.raises(LineError, match="line 1: a text of"):
         stream(b"1" * (LONGEST // 8), Stream(Numbers(LX_FC)))
+
+
+@pytest.mark.parametrize("field", [b"1", b"1.5", b'"2"', b"1/3", b" 4 "])
+def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
+    count = 300_000 // (len(field) + 1)
+    line = b",".join([field] * count) + b"\n"
+    made = Stream(Numbers(LX_FC), Cut(b","), Fields("1-"))
+    tracemalloc.start()
+    out, _, _ = stream(line, made)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    one, _, _ = stream(field + b"\n", made)
+    assert out == b",".join([one[:-1]] * count) + b"\n"
+    assert peak < 5 * (len(line) + len(out)) + (1 << 20)
 
 
 def _own(unit: bytes = b"\tfc", precision: int | None = None) -> Quantities:
