@@ -85,12 +85,13 @@ class Value(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """What a calculator gives."""
+    """What a calculator gives; `more` are the other answers, where several fit what is given."""
 
     values: Sequence[Value]
     assumptions: Sequence[str] = ()
     notes: Sequence[str] = ()
     steps: Sequence[Step] = ()
+    more: "Sequence[Answer]" = ()
 
 
 def columns(results: Sequence[Result]) -> list[tuple[str, str]] | None:

@@ -178,7 +178,8 @@ def point_source(
     Returns
     -------
     dict of str to Quantity
-        What was given and what follows, by the names of ``--get`` with underscores.
+        What was given and what follows, by the names of ``--get`` with underscores.  Where
+        several heights or exponents fit, arrays of all the answers.
 
     Raises
     ------
@@ -321,14 +322,21 @@ def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
 
 def _results(work_out: Callable[[], Answer]) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
-    from radcalc.calculators.results import in_unit
-
     try:
         answer = work_out()
     except ValueError as error:
         if "broadcast" not in str(error):
             raise
         raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
+    answers = [_quantities(one) for one in (answer, *answer.more)]
+    if len(answers) == 1:
+        return answers[0]
+    return {name: Quantity.from_list([one[name] for one in answers]) for name in answers[0]}
+
+
+def _quantities(answer: Answer) -> dict[str, Any]:
+    from radcalc.calculators.results import in_unit
+
     found: dict[str, Any] = {}
     for value in answer.values:
         name = value.name.replace("-", "_")

@@ -27,23 +27,38 @@ GREEK = {
 }
 
 
-def format_number(value: Any) -> str:
+DIGITS, MOST_DIGITS = 6, 17
+
+
+def format_number(value: Any, digits: int = DIGITS) -> str:
     """A number for a derivation; an array by its shape."""
-    return f"{value:.6g}" if isinstance(value, (int, float)) else f"array{value.shape}"
+    if not isinstance(value, (int, float)):
+        return f"array{value.shape}"
+    return f"{value + 0.0:.{digits}g}"  # no -0
 
 
-def format_angle(angle: Any) -> str:
+def digits_apart(one: Any, other: Any) -> int:
+    """How many digits tell two numbers from each other, and their ratio from 1."""
+    digits = DIGITS
+    if isinstance(one, float) and isinstance(other, float) and one != other:
+        while abs(one - other) < 10.0 ** (1 - digits) * abs(one) and digits < MOST_DIGITS:
+            digits += 1
+    return digits
+
+
+def format_angle(angle: Any, digits: int = DIGITS) -> str:
     """An angle [rad] for a derivation."""
-    return f"{format_number(angle * (180 / math.pi))} deg"
+    return f"{format_number(angle * (180 / math.pi), digits)} deg"
 
 
-def format_value(value: Any, unit: str) -> str:
+def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
     """A value in a coherent unit, for a derivation."""
     if unit == "rad":
-        return format_angle(value)
+        return format_angle(value, digits)
     if unit in CUSTOMARY:
-        return f"{format_number(value * CUSTOMARY[unit])} {unit}"
-    return format_number(value) if unit == "1" else f"{format_number(value)} {unit}"
+        return f"{format_number(value * CUSTOMARY[unit], digits)} {unit}"
+    number = format_number(value, digits)
+    return number if unit == "1" else f"{number} {unit}"
 
 
 def letter_of(name: str) -> str:

@@ -68,7 +68,7 @@ def etendue(given: Inputs) -> Answer:
     others = (*RESULTS, *(name for name in takes if name != "etendue"))
     sheet = Worksheet(PAGE._replace(title=named, takes=takes, others=others), given)
     laws = [
-        *(_with_receiver(sheet) if has_receiver else _with_cone(sheet)),
+        *sheet.place(_with_receiver if has_receiver else _with_cone),
         laws_of.FLUX,
         laws_of.PER_AREA,
         CONFIGURATION_FACTOR,
@@ -134,7 +134,7 @@ def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
 def _with_receiver(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
     at_most_one(given, "the size of the receiver", *RECEIVERS)
-    if "etendue" not in given:
+    if "etendue" not in given and not {"flux", "radiance"} <= sheet.known.keys():
         one_of(given, "the size of the receiver", *RECEIVERS)
         one_of(given, "the distance", "distance")
     tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")

@@ -1,10 +1,14 @@
 """The light meter: exposure values, and what light they stand for."""
 
+import math
+
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import MissingInput, mention
+from radcalc.derivation import format_number
+from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.given import Inputs
-from radcalc.laws.exposure import LAWS, STEPS, C, K
+from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS, C, K
+from radcalc.maths import any_true
 
 LIGHT = ("ev100", "luminance", "illuminance")
 PAGE = Page(
@@ -15,6 +19,7 @@ PAGE = Page(
         "ev",
         "luminance",
         "illuminance",
+        "reflectance",
         "saturation-luminance",
         "f-number",
         "time",
@@ -57,5 +62,32 @@ def ev(given: Inputs) -> Answer:
     if "iso" not in given and not (film_is_known and light_is_known):
         sheet.know("iso", 100.0)
         sheet.assume("ISO 100")
-    sheet.solve(LAWS, STEPS)
-    return sheet.answer(LAWS)
+    if not {"luminance", "illuminance"} <= set(given):
+        sheet.solve(LAWS, STEPS)
+        _say_average(sheet)
+        return sheet.answer(LAWS)
+    laws = [law for law in LAWS if law is not REFLECTED] + [REFLECTANCE]
+    try:
+        sheet.solve(laws, STEPS)
+        sheet.assume("exposed for the illuminance, whatever the scene reflects of it")
+    except ConditionError:  # exposed for the luminance, if that fits
+        laws = [law for law in LAWS if law is not INCIDENT] + [REFLECTANCE]
+        sheet.solve(laws, STEPS)
+        sheet.assume("exposed for the luminance, whatever light falls on the scene")
+    if any_true(sheet.at("reflectance") > 1 + 1e-9):
+        raise ConditionError(
+            f"a reflectance of {format_number(sheet.at('reflectance'))} is not possible: the scene "
+            "sends out more light than falls on it",
+            "less luminance, or more illuminance",
+        )
+    return sheet.answer(laws)
+
+
+def _say_average(sheet: Worksheet) -> None:
+    """Say what lies between a luminance and an illuminance."""
+    if {"luminance", "illuminance"} & set(sheet.given):
+        average = format_number(100 * math.pi * sheet.at("k") / sheet.at("c"), 3)
+        sheet.assume(
+            "between luminance and illuminance a scene of the average reflectance pi K / C, "
+            f"{average} %"
+        )

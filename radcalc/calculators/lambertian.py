@@ -106,10 +106,13 @@ def _judge(sheet: Worksheet) -> None:
         )
     if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("size"):
         far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
-        if is_array(far) or is_array(exact) or not exact or abs(far / exact - 1) < 1e-6:
+        if is_array(far) or is_array(exact) or not exact:
             return
         nearest = 5 * sheet.known["size"].value
-        times = f"gives {format_number(far / exact)} times that" if far else "gives no light"
+        times = format_number(far / exact)
+        if times == "1":
+            return
+        times = f"gives {times} times that" if far else "gives no light"
         said = f"the inverse square law, from the centre, {times}"
         if far and sheet.at("distance") < nearest:
             said += f"; it is for {format_number(nearest)} m and more, five times the size"
@@ -130,7 +133,10 @@ def _exact_shape(sheet: Worksheet) -> str:
 
 def _refuse_near(sheet: Worksheet) -> None:
     """Refuse a patch for which the far field does not hold, however it was found; else say so."""
-    if not sheet.has("distance") or not sheet.has("area"):
+    if not sheet.has("distance"):
+        return
+    if not sheet.has("area"):
+        sheet.assume("a source small beside its distance")
         return
     away = sheet.at("distance")
     sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]

@@ -4,7 +4,7 @@ The intensity is that on the source's axis.
 """
 
 import math
-from typing import Any
+from functools import reduce
 
 from radcalc.answer import Answer
 from radcalc.calculators.light import Lit
@@ -12,8 +12,8 @@ from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import (
     ConditionError,
-    Exclusive,
     MissingInput,
+    RadcalcError,
     command,
     mention,
     option,
@@ -24,17 +24,25 @@ from radcalc.laws.point import (
     ACROSS,
     ANY_LAWS,
     ASIDE,
+    AXIS,
     CONICAL,
     FALL,
+    FLAT,
+    FLOOR,
     INSIDE,
     INVERSE_SQUARE,
+    INVERSE_SQUARE_OF_ENERGY,
     ISOTROPIC,
     LAWS,
     LOBED,
     OFF_AXIS,
+    OFF_AXIS_OF_ENERGY,
+    OFFSET,
     RECEIVED,
+    SPOT,
 )
-from radcalc.maths import any_true, atan2, hypot, is_array
+from radcalc.laws.solver import reached
+from radcalc.maths import any_true, hypot, is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 CONE = ("half-angle", "apex-angle", "solid-angle")
@@ -61,24 +69,55 @@ ASSUMED = {
     CONICAL: "the same intensity everywhere in the cone, none outside",
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
+LYING = "the receiver lies flat, in a plane across the source's axis"
 
 
 def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     """Everything that follows for a point source from whatever is known of it.
 
     `given` are light quantities by whichever name, the distribution, lengths, angles, times, and
-    what links the kinds.  With `any_incidence` that is looked for, and not taken to be 0.
+    what links the kinds.  With `any_incidence` that is looked for, and not taken to be 0.  Where
+    nothing tells how far aside of the axis the receiver is, it is on it, unless the rest tells
+    another place.
     """
+    offsets = {"offset", "offset-y"} & set(given)
+    if "height" not in given or offsets or "distance" in given:
+        return _answer(given, bool(offsets or "height" in given), any_incidence)
+    try:
+        return _answer(given, False, any_incidence)
+    except ConditionError as error:
+        try:
+            return _answer(given, True, any_incidence)
+        except RadcalcError:
+            raise error from None
+
+
+def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
+    """What follows for a receiver on the source's axis, or aside of it."""
     shape = spread(given)
     sheet = Worksheet(
         PAGE._replace(others=(*POSITION, "off-axis", *SHAPED[shape], *RECEIVER)), given
     )
     sheet.defaults.add("incidence")
     _refuse_foreign(sheet.lit)
-    _refuse_height_and_distance(sheet.given)
-    laws = [*LAWS[shape], *ANY_LAWS, *_position(sheet, shape)]
+    laws = [*LAWS[shape], *ANY_LAWS]
+    laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
     sheet.assume(ASSUMED[shape])
     _solve(sheet, laws, any_incidence)
+    if is_aside and not sheet.has("height"):
+        told = next(given[name] for name in ("offset", "offset-y") if name in given)
+        raise MissingInput(
+            f"{option('height')} is missing beside {option(told.name)}",
+            mention("{height=6m}, along the source's axis"),
+        )
+    answers = [_judged(one, shape, laws) for one in sheet.each()]
+    return answers[0]._replace(more=tuple(answers[1:]))
+
+
+def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
+    """The answer, with what is to be said of it."""
+    if len(sheet.solutions) > 1:
+        sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
     if sheet.has("received-flux"):
         _judge_receiver(sheet, shape)
     if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
@@ -92,7 +131,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
 def _solve(sheet: Worksheet, laws: list[AnyLaw], any_incidence: bool) -> None:
     """Work out what follows; light comes along the receiver's normal unless told otherwise."""
-    told = "incidence" in sheet.known
+    told = "incidence" in sheet.known or FLAT in laws
     placed = sheet.has("irradiance", "distance", "exposure")
     if told or any_incidence or not placed:
         sheet.solve(laws)
@@ -131,15 +170,6 @@ def _refuse_foreign(lit: Lit) -> None:
         raise MissingInput("a light quantity is missing", hint)
 
 
-def _refuse_height_and_distance(given: Inputs) -> None:
-    if {"height", "distance"} <= set(given) and "offset" not in given:
-        raise Exclusive(
-            ("height", "distance"),
-            "are the same on the source's axis",
-            mention("one of them, or {height} with {offset}"),
-        )
-
-
 def spread(given: Inputs) -> str:
     """How the light is spread: as it was chosen, or as an input of its own tells."""
     chosen = given["distribution"].value if "distribution" in given else None
@@ -162,46 +192,54 @@ def spread(given: Inputs) -> str:
     return str(chosen or ISOTROPIC)
 
 
-def _position(sheet: Worksheet, shape: str) -> list[AnyLaw]:
-    """What the receiver's place adds: known values, and laws for a place off the axis."""
+def _on_axis(sheet: Worksheet, shape: str) -> list[AnyLaw]:
+    """The laws of a receiver somewhere on the source's axis, or about a source without one."""
+    _know_incidence(sheet)
+    laws: list[AnyLaw] = [INVERSE_SQUARE, RECEIVED[shape]]
+    if "height" in sheet.given:
+        sheet.know("lateral", 0.0)
+        if "incidence" not in sheet.given:
+            sheet.know("incidence", 0.0)
+            sheet.assume(LYING)
+    return laws if shape == ISOTROPIC else [*laws, INVERSE_SQUARE_OF_ENERGY]
+
+
+def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
+    """The laws of a receiver off the source's axis, of which the place may be looked for."""
     given = sheet.given
-    if "incidence" in given:
-        sheet.know("incidence", angle_of(given, "incidence"), given["incidence"])
+    _know_incidence(sheet)
+    laws = [*laws, AXIS]
+    own: list[AnyLaw] = [AXIS]
     lateral = [given[name] for name in ("offset", "offset-y") if name in given]
-    if not lateral:
-        if "height" in given:
-            sheet.know("lateral", 0.0)
-            _lie_flat(sheet, 0.0)
-        return [INVERSE_SQUARE, RECEIVED[shape]]
-    if "height" not in given:
-        raise MissingInput(
-            f"{option('height')} is missing beside {option(lateral[0].name)}",
-            mention("{height=6m}, along the source's axis"),
-        )
-    sideways = abs(lateral[0].value)
-    if len(lateral) == 2:
-        sideways = hypot(*(one.value for one in lateral))
-    sheet.know("lateral", sideways, *lateral)
-    off = atan2(sideways, given["height"].value)
-    sheet.know("off-axis", off)
-    _lie_flat(sheet, off)
-    received = (ASIDE if "incidence" in given else ACROSS)[shape]
+    if lateral:
+        sheet.know("lateral", reduce(hypot, (one.value for one in lateral), 0.0), *lateral)
+    else:
+        own.append(OFFSET)
+    is_flat = "incidence" not in given
+    if is_flat:
+        own.append(FLAT)
+        sheet.assume(LYING)
+    own.append((ACROSS if is_flat else ASIDE)[shape])
     if shape == ISOTROPIC:
-        return [INVERSE_SQUARE, received]
-    sheet.assume("the source points straight down")
-    if shape == CONICAL:
-        if not (set(CONE) & set(given) or {"flux", "intensity"} <= set(sheet.known)):
-            sheet.assume("the receiver is inside the cone")
-            return [INVERSE_SQUARE, received]
-        return [OFF_AXIS, INSIDE, received]
-    return [OFF_AXIS, FALL, received]
+        own.append(INVERSE_SQUARE)
+    else:
+        sheet.assume("the source points straight down")
+        own += [OFF_AXIS, OFF_AXIS_OF_ENERGY, INSIDE if shape == CONICAL else FALL]
+    known = reached([*laws, *own], set(sheet.known))
+    if is_flat and not {"height", "lateral"} <= known:
+        own += FLOOR[shape]
+    if shape == LOBED and "exponent" not in known:
+        own.append(SPOT)
+    if shape == CONICAL and "half-angle" not in known:
+        sheet.assume("the receiver is inside the cone")
+        own.remove(INSIDE)
+        sheet.know("share", 1.0)
+    return own
 
 
-def _lie_flat(sheet: Worksheet, off: Any) -> None:
-    """A receiver under a height lies in a plane across the source's axis, unless told."""
-    if "incidence" not in sheet.given:
-        sheet.know("incidence", off)
-        sheet.assume("the receiver lies flat, in a plane across the source's axis")
+def _know_incidence(sheet: Worksheet) -> None:
+    if "incidence" in sheet.given:
+        sheet.know("incidence", angle_of(sheet.given, "incidence"), sheet.given["incidence"])
 
 
 def _judge_receiver(sheet: Worksheet, shape: str) -> None:

@@ -1,13 +1,23 @@
 """A projection screen: how bright the picture of a projector is."""
 
+from typing import Any
+
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.errors import MissingInput, mention
+from radcalc.geometry import cones
 from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import sqrt
+from radcalc.maths import hypot, sqrt
 
 SIZES = ("width", "height", "diagonal", "aspect", "area")
+
+
+def _side(diagonal: Any, other: Any) -> Any:
+    cones.refuse(diagonal <= other, "the diagonal is not longer than the side", "more of it")
+    return sqrt((diagonal - other) * (diagonal + other))
+
+
 LAWS: list[AnyLaw] = [
     law("illuminance of a picture", "{flux} = {irradiance} {area}", "ISO 80000-7, illuminance"),
     law(
@@ -24,6 +34,15 @@ LAWS: list[AnyLaw] = [
             "diagonal": lambda at: at("width") * sqrt(1 + at("aspect") ** -2),
             "width": lambda at: at("diagonal") / sqrt(1 + at("aspect") ** -2),
             "aspect": lambda at: 1 / sqrt((at("diagonal") / at("width")) ** 2 - 1),
+        },
+    ),
+    relation(
+        "sides of a picture",
+        "{diagonal}^2 = {width}^2 + {height}^2",
+        {
+            "diagonal": lambda at: hypot(at("width"), at("height")),
+            "width": lambda at: _side(at("diagonal"), at("height")),
+            "height": lambda at: _side(at("diagonal"), at("width")),
         },
     ),
     relation(

@@ -19,11 +19,17 @@ from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import (
     CUT_DISC,
     FLAT,
+    FLAT_FLUX,
     SMALL_SOURCE,
+    SMALL_SOURCE_ENERGY,
+    SMALL_SOURCE_INTENSITY,
     SPHERE_AREA,
     SPHERE_AT_DISTANCE,
+    SPHERE_ENERGY,
     SPHERE_FLUX,
     SPHERE_FRONT,
+    SPHERE_INTENSITY,
+    disc_flux,
     disc_on_axis,
 )
 from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller
@@ -72,7 +78,7 @@ def _radius(sheet: Worksheet) -> Any:
 def _patch(sheet: Worksheet) -> list[AnyLaw]:
     """A flat source of whatever shape, small where it is seen from a distance."""
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT]
+    laws: list[AnyLaw] = [FLAT, FLAT_FLUX]
     if "width" in given or "length" in given:
         laws.append(RECTANGLE)
     if _is_sized(sheet):
@@ -94,7 +100,7 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
         sheet.know("incidence", incidence, given["incidence"])
         sheet.assume("a disc that faces the receiver, of which the horizon leaves a part")
         return [*laws, CUT_DISC]
-    return [*laws, SMALL_SOURCE]
+    return [*laws, SMALL_SOURCE, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY]
 
 
 def _is_cut(sheet: Worksheet, distance: Any) -> Any:
@@ -176,7 +182,7 @@ def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[
 
 
 def _disc(sheet: Worksheet) -> list[AnyLaw]:
-    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT]
+    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT, FLAT_FLUX]
     height = _height(sheet)
     if _is_sized(sheet) and height is not None:
         size = _radius(sheet)
@@ -193,13 +199,13 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
     if "offset" in sheet.given or "incidence" in sheet.given:
         missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
         raise MissingInput(mention("too little is given beside {offset} or {incidence}"), missing)
-    laws.append(disc_on_axis("height" if "height" in sheet.given else "distance"))
-    return laws
+    away = "height" if "height" in sheet.given else "distance"
+    return [*laws, disc_on_axis(away), disc_flux(away)]
 
 
 def _sphere(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [*round_sizes(sheet.given), SPHERE_AREA, SPHERE_FRONT]
+    laws: list[AnyLaw] = [*round_sizes(given), SPHERE_AREA, SPHERE_FRONT, SPHERE_INTENSITY]
     incidence = angle_of(given, "incidence")
     _say_facing(sheet)
     sheet.know("cosine", cones.facing(incidence))
@@ -219,12 +225,12 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
     if "incidence" in given:
         message = mention("{incidence} has no use without {radius} and {distance}")
         raise MissingInput(message, "both of them")
-    return [*laws, SPHERE_AT_DISTANCE, SPHERE_FLUX]
+    return [*laws, SPHERE_AT_DISTANCE, SPHERE_FLUX, SPHERE_ENERGY]
 
 
 def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT, RECTANGLE]
+    laws: list[AnyLaw] = [FLAT, FLAT_FLUX, RECTANGLE]
     height = _height(sheet)
     if height is None:
         for name in ("corner", "perpendicular", *OFFSETS, "incidence"):

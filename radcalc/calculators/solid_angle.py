@@ -99,7 +99,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     takes = SHAPES[shape].takes
     page = Page(named, takes, others=_sizes(takes, given), goal="solid-angle")
     sheet = Worksheet(page, given, with_light=False)
-    seen = _polygon(sheet, points) if shape == "polygon" else SHAPES[shape].see(sheet)
+    seen = _polygon(sheet, points) if shape == "polygon" else sheet.place(SHAPES[shape].see)
     sheet.solve(seen.laws)
     if not (sheet.has("solid-angle") and sheet.has("projected-solid-angle")):
         raise _unsolved(sheet)

@@ -1,15 +1,15 @@
 """The worksheet of a calculator: what is given, the laws, and everything that follows."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
 from itertools import islice
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import light
 from radcalc.calculators.results import known, value
-from radcalc.derivation import coherent_unit_of, format_number, format_value
+from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
 from radcalc.errors import (
     ConditionError,
     Contradiction,
@@ -29,7 +29,7 @@ from radcalc.laws.solver import (
     Known,
     Solution,
     reached,
-    solve,
+    solve_all,
 )
 from radcalc.maths import larger
 from radcalc.quantities.light import KINDS
@@ -66,7 +66,7 @@ class Page(NamedTuple):
     kinds: tuple[str, ...] = KINDS
 
 
-Placing = Callable[["Worksheet"], list[AnyLaw]]
+T = TypeVar("T")
 
 
 class Worksheet:
@@ -90,6 +90,7 @@ class Worksheet:
         self.assumptions, self.notes = list(self.lit.assumptions), list(self.lit.notes)
         self.known: dict[str, Known] = {}
         self.solution = Solution({}, [])
+        self.solutions = [self.solution]
         for name, one in self.lit.values.items():
             self.known[name] = Known(
                 self.lit.amounts[name], lambda name=name: light.rounding(self.lit, name), one.text
@@ -103,20 +104,22 @@ class Worksheet:
         off = max((one.rounding for one in of), default=0.0)
         self.known[name] = Known(value, off * abs(value), of[0].text if of else "")
 
-    def place(self, how: Placing) -> list[AnyLaw]:
-        """Add what a function works out of the inputs, and give the laws that it names.
+    def place(self, how: Callable[["Worksheet"], T]) -> T:
+        """Add what a function works out of the inputs, and give what it returns.
 
         What it adds may be off by what the inputs, moved by their roundings, would make of it.
         """
         before = dict(self.known)
-        laws = how(self)
+        returned = how(self)
         for name, one in self.known.items():
             if name not in before and not one.text:
                 off = partial(self._rounding, how, before, name)
                 self.known[name] = one._replace(rounding=off)
-        return laws
+        return returned
 
-    def _rounding(self, how: Placing, before: dict[str, Known], name: str) -> Any:
+    def _rounding(
+        self, how: Callable[["Worksheet"], Any], before: dict[str, Known], name: str
+    ) -> Any:
         """How far a value may be off [SI] that was worked out of the inputs."""
         value = self.known[name].value
         total = 0.0 * value
@@ -125,8 +128,7 @@ class Worksheet:
                 continue
             moved = [0.0 * value]
             for factor in (1 + one.rounding, 1 - one.rounding):
-                twin = object.__new__(Worksheet)
-                twin.__dict__.update(self.__dict__)
+                twin = self._twin()
                 twin.given = {**self.given, key: one._replace(value=one.value * factor)}
                 twin.known, twin.used = dict(before), set()
                 twin.placed, twin.assumptions, twin.notes = [], [], []
@@ -166,9 +168,23 @@ class Worksheet:
     def solve(self, laws: Sequence[AnyLaw], steps: dict[str, float] | None = None) -> None:
         """Work out what follows; a contradiction is said in the units given."""
         try:
-            self.solution = solve(laws, self.known, steps)
+            self.solutions = solve_all(laws, self.known, steps)
+            self.solution = self.solutions[0]
         except Disagreement as error:
             raise self._contradiction(error, steps or {}) from None
+
+    def each(self) -> Iterator["Worksheet"]:
+        """Give a sheet for each set of values that fits what is given."""
+        for solution in self.solutions:
+            twin = self._twin()
+            twin.solution = solution
+            twin.assumptions, twin.notes = list(self.assumptions), list(self.notes)
+            yield twin
+
+    def _twin(self) -> "Worksheet":
+        twin = object.__new__(Worksheet)
+        twin.__dict__.update(self.__dict__)
+        return twin
 
     def answer(self, laws: Sequence[AnyLaw], first: Iterable[Value] = ()) -> Answer:
         """Everything that follows, once it is solved; nothing that is given may be idle."""
@@ -188,7 +204,7 @@ class Worksheet:
         results += self._absent(laws)
         before = [*self.lit.steps, *self.placed]
         steps = Derivation(self.solution, self.lit.kind, before, shown.steps)
-        assumptions = tuple(dict.fromkeys([*self.assumptions, *shown.assumptions]))
+        assumptions = _once([*self.assumptions, *shown.assumptions])
         return Answer(
             results, assumptions, tuple(dict.fromkeys([*self.notes, *shown.notes])), steps
         )
@@ -257,21 +273,34 @@ class Worksheet:
             )
         unit = coherent_unit_of(error.name, self.lit.kind)
         one = everything.get(error.name)
-        told = f"{error.name} {format_value(error.given, unit)}"
+        digits = digits_apart(error.given, error.found)
+        told = f"{error.name} {format_value(error.given, unit, digits)}"
         if one:
             told = option(one.name, one.text)
         ratio = ""
         if error.name in steps:
             ratio = f" ({format_number(error.given - error.found)} apart)"
         elif isinstance(error.found, float) and error.found:
-            ratio = f" (ratio {format_number(error.given / error.found)})"
+            ratio = f" (ratio {format_number(error.given / error.found, digits)})"
+        found = format_value(error.found, unit, digits)
         return Contradiction(
-            f"{told} contradicts the rest, which gives {format_value(error.found, unit)}{ratio}",
+            f"{told} contradicts the rest, which gives {found}{ratio}",
             f"without one of {options(names, ', ')}",
             error.name,
             error.given,
             error.found,
         )
+
+
+def _once(texts: Iterable[str]) -> tuple[str, ...]:
+    """Texts without the clauses that others before them have."""
+    said: dict[str, None] = {}
+    kept = []
+    for text in texts:
+        clauses = [clause for clause in text.split("; ") if clause not in said]
+        said.update(dict.fromkeys(clauses))
+        kept += ["; ".join(clauses)] if clauses else []
+    return tuple(kept)
 
 
 def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:

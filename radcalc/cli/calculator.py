@@ -81,7 +81,8 @@ def run(
         check.refuse_several(len(each))
         question = of_calculator(command, shape, each[0][1], work_out, asked.steps)
         return check.judge(question, asked.check, asked.tolerance, output)
-    show([(case, work_out(given)) for case, given in each], asked, output)
+    answers = [one for case, given in each for one in _every(case, work_out(given))]
+    show(answers, asked, output)
     return stdio.ANSWERED
 
 
@@ -105,6 +106,14 @@ def show(answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output) ->
     if output.style.bare:
         raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
     output.show([_result(case, answer) for case, answer in _spread(answers)])
+
+
+def _every(case: str, answer: Answer) -> list[tuple[str, Answer]]:
+    """The answer to a case, or all of them where several fit, each with its number."""
+    if not answer.more:
+        return [(case, answer)]
+    of_case = f"{case}, " if case else ""
+    return [(f"{of_case}answer {k}", one) for k, one in enumerate((answer, *answer.more), start=1)]
 
 
 def _lines(columns: Sequence[Any], precision: int | None) -> str:

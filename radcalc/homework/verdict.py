@@ -36,7 +36,19 @@ class Verdict(NamedTuple):
 
 
 def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
-    """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf)."""
+    """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
+
+    Where several answers fit what is given, one of them is right.
+    """
+    verdicts = (
+        _check(question._replace(answer=answer), claim, tolerance)
+        for answer in (question.answer, *question.answer.more)
+    )
+    first = next(verdicts)
+    return first if first.is_right else next((v for v in verdicts if v.is_right), first)
+
+
+def _check(question: Question, claim: str, tolerance: str) -> Verdict:
     said = read_claim(claim)
     target, unit_text, is_of_another = _target(question, said, tolerance)
     unit = resolve(unit_text)

@@ -5,6 +5,8 @@
 - exposure value at ISO 100: EV100 = EV - log2(S / 100), with the ISO speed S
 - reflected light: L = K 2^EV100 / 100, [cd/m2], with K = 12.5 cd s/m2 unless it is given
 - incident light: E = C 2^EV100 / 100, [lx], with C = 250 lx s unless it is given
+- `REFLECTANCE` of a scene that is not the meter's average one: L = rho E / (pi Omega0), which is
+  rho = pi K / C on average
 - saturation: L_sat = 1.2 cd/m2 2^EV100, where a sensor of saturation-based speed is full
 
 For a lens focused far away, without a filter.  Marked values are rounded, so that what is given
@@ -17,6 +19,29 @@ from radcalc.maths import log2
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of meters use
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
 STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
+REFLECTED = relation(
+    "reflected light",
+    "{luminance} = {k} 2^{ev100} / 100",
+    {
+        "luminance": lambda at: at("k") / 100 * 2.0 ** at("ev100"),
+        "ev100": lambda at: log2(at("luminance") * 100 / at("k")),
+    },
+    "ISO 2720",
+)
+INCIDENT = relation(
+    "incident light",
+    "{illuminance} = {c} 2^{ev100} / 100",
+    {
+        "illuminance": lambda at: at("c") / 100 * 2.0 ** at("ev100"),
+        "ev100": lambda at: log2(at("illuminance") * 100 / at("c")),
+    },
+    "ISO 2720",
+)
+REFLECTANCE = law(
+    "reflectance of the scene",
+    "{luminance} = {reflectance} {illuminance} / (pi Omega0)",
+    "ISO 80000-7, reflectance",
+)
 LAWS: list[AnyLaw] = [
     law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"),
     relation(
@@ -35,24 +60,8 @@ LAWS: list[AnyLaw] = [
         },
         "ISO 2720",
     ),
-    relation(
-        "reflected light",
-        "{luminance} = {k} 2^{ev100} / 100",
-        {
-            "luminance": lambda at: at("k") / 100 * 2.0 ** at("ev100"),
-            "ev100": lambda at: log2(at("luminance") * 100 / at("k")),
-        },
-        "ISO 2720",
-    ),
-    relation(
-        "incident light",
-        "{illuminance} = {c} 2^{ev100} / 100",
-        {
-            "illuminance": lambda at: at("c") / 100 * 2.0 ** at("ev100"),
-            "ev100": lambda at: log2(at("illuminance") * 100 / at("c")),
-        },
-        "ISO 2720",
-    ),
+    REFLECTED,
+    INCIDENT,
     relation(
         "saturation",
         "{saturation-luminance} = 1.2 cd/m2 2^{ev100}",

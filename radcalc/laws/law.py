@@ -165,6 +165,21 @@ def law(
     return Law(name, template, names, tuple(powers), constant, unit, reference)
 
 
+class Several(tuple[float, ...]):
+    """Values of a symbol [SI] that fit a law equally well, in place of the one that most have.
+
+    Parameters
+    ----------
+    iterable : iterable of float [SI]
+        The values.
+
+    Examples
+    --------
+    >>> Several((1.0, 4.0))[1]
+    4.0
+    """
+
+
 class Relation(NamedTuple):
     """A law that is no monomial: a function of the other values for each target.
 
@@ -178,7 +193,7 @@ class Relation(NamedTuple):
         Its symbols, that on the left first.
     solvers : dict of str to callable
         For each symbol it can be solved for, a function that takes `at` (which gives the value of
-        every other symbol by its name) and gives that symbol's value [SI].
+        every other symbol by its name) and gives that symbol's value [SI], or `Several` of them.
     reference : str
         Where the law is from.
 
@@ -217,7 +232,7 @@ class Relation(NamedTuple):
 
         Returns
         -------
-        float or ndarray [SI]
+        float, ndarray or Several [SI]
             The target.
 
         Examples

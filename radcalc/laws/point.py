@@ -5,7 +5,7 @@ of the cosine (a lobe).  I is the intensity on the axis.
 
 Isotropic (`LAWS[ISOTROPIC]`):
 
-- isotropic source: Phi = 4 pi Omega0 I
+- isotropic source: Phi = 4 pi Omega0 I; exposure: H = Q cos(theta) / (4 pi d^2)
 - part of an isotropic source: k = sin^2(beta/2), within the half angle beta
 
 Cone (`LAWS[CONICAL]`), uniform within its half angle alpha and dark outside:
@@ -31,6 +31,16 @@ All (`ANY_LAWS`), for a source that is small beside its distance d (five times i
 - cosine of the incidence: 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
 - flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
 
+- the same of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
+
+And of a place on the floor under a source at the height h, x from the foot of its axis:
+
+- `AXIS`: gamma = atan(x / h); `FLAT`: theta = gamma; `OFFSET`: x
+- `FLOOR`: E = I h^(n + 1) Omega0 / (h^2 + x^2)^((n + 3)/2), with n = 0 but for a lobe, solved for
+  x and for the heights, of which there are up to two; of an energy with H, Q / Omega for E, I
+- `SPOT`: E = Phi (n + 1) / (2 pi) cos(gamma)^n cos(theta) / d^2, solved for the exponents of a
+  lobe, of which there are up to two
+
 And of a round receiver of any size, beside that distance and beside the light's footprint:
 
 - flux on a receiver: Phi_r = I Omega_r, where `RECEIVED` has the solid angle Omega_r of each
@@ -42,6 +52,7 @@ irradiance) for the first laws, the rest are integrals of the distributions.
 """
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from radcalc.derivation import format_number
@@ -49,8 +60,22 @@ from radcalc.errors import option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, law, relation
-from radcalc.maths import acos, exp, hypot, log, piecewise, sin, sqrt
+from radcalc.laws.law import AnyLaw, At, Relation, Several, law, relation
+from radcalc.maths import (
+    acos,
+    any_true,
+    atan,
+    atan2,
+    cos,
+    exp,
+    expm1,
+    hypot,
+    log,
+    piecewise,
+    sin,
+    sqrt,
+    tan,
+)
 
 ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
 
@@ -84,6 +109,10 @@ BEAM_ANGLE = relation(
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
         law("isotropic source", "{flux} = 4 pi Omega0 {intensity}", "ISO 80000-7, intensity"),
+        law(
+            "exposure by an isotropic source",
+            "{exposure} = {energy} {cosine} / (4 pi {distance}^2)",
+        ),
         relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
@@ -138,6 +167,14 @@ INVERSE_SQUARE = law(
     "{irradiance} = {intensity} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
+INVERSE_SQUARE_OF_ENERGY = law(
+    "inverse square law, of an energy",
+    "{exposure} = {energy} {cosine} Omega0 / ({solid-angle} {distance}^2)",
+)
+OFF_AXIS_OF_ENERGY = law(
+    "inverse square law, of an energy, off the source's axis",
+    "{exposure} = {energy} {share} {cosine} Omega0 / ({solid-angle} {distance}^2)",
+)
 OFF_AXIS = law(
     "inverse square law, off the source's axis",
     "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
@@ -157,7 +194,8 @@ ANY_LAWS: list[AnyLaw] = [
         "{distance}^2 = {height}^2 + {lateral}^2",
         {
             "distance": lambda at: hypot(at("height"), at("lateral")),
-            "height": lambda at: _height_of(at("distance"), at("lateral")),
+            "height": lambda at: _side(at("distance"), at("lateral"), "offset"),
+            "lateral": lambda at: _side(at("distance"), at("height"), "height"),
         },
     ),
     law("flux within", "{flux-within} = {flux} {part}"),
@@ -177,13 +215,14 @@ def _incidence_of(cosine: Any) -> Any:
     return acos(piecewise(cosine > 1, lambda c: 1.0 + 0 * c, lambda c: c, cosine))
 
 
-def _height_of(distance: Any, lateral: Any) -> Any:
+def _side(distance: Any, other: Any, name: str) -> Any:
+    """The height or the offset, by Pythagoras from the other of the two."""
     cones.refuse(
-        distance <= lateral,
-        "the distance is less than the offset",
+        distance < other,
+        f"the distance is less than the {name}",
         f"{option('distance')} is the straight line to the source",
     )
-    return (distance - lateral) ** 0.5 * (distance + lateral) ** 0.5
+    return (distance - other) ** 0.5 * (distance + other) ** 0.5
 
 
 INSIDE = relation(
@@ -206,6 +245,127 @@ FALL = relation(
         "share": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
         "exponent": lambda at: _exponent_at(at("share"), at("off-axis")),
     },
+)
+
+
+AXIS = relation(
+    "angle off the source's axis",
+    "{off-axis} = atan({lateral} / {height})",
+    {"off-axis": lambda at: atan2(at("lateral"), at("height"))},
+)
+FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
+OFFSET = law("offset", "{offset} = {lateral}")
+
+
+def _floor(shape: str, of_energy: bool) -> Relation:
+    """What a place on the floor gets, solved for the place."""
+    exponent = (lambda at: at("exponent")) if shape == LOBED else (lambda at: 0.0)
+    height, distance = "{height}", "({height}^2 + {lateral}^2)^(3/2)"
+    if shape == LOBED:
+        height, distance = "{height}^({exponent} + 1)", f"{distance[:-6]}^(({{exponent}} + 3)/2)"
+    left, right = "{irradiance}", f"{{intensity}} {height} Omega0 / {distance}"
+    if of_energy:
+        whole = "4 pi" if shape == ISOTROPIC else "{solid-angle}"
+        left, right = "{exposure}", f"{{energy}} {height} Omega0 / ({whole} {distance})"
+
+    def part(at: At) -> Any:
+        """What a square metre gets, over the intensity."""
+        if not of_energy:
+            return at("irradiance") / at("intensity")
+        whole = 4 * math.pi if shape == ISOTROPIC else at("solid-angle")
+        return at("exposure") * whole / at("energy")
+
+    return relation(
+        "exposure of a floor" if of_energy else "illuminance of a floor",
+        f"{left} = {right}",
+        {
+            "lateral": lambda at: _lateral_of(
+                part(at) * at("height") ** 2, at("height"), exponent(at)
+            ),
+            "height": lambda at: _heights_of(part(at), at("lateral"), exponent(at)),
+        },
+    )
+
+
+def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
+    """The offset where so much is left of the irradiance under the source: cos^(n + 3)."""
+    cones.refuse(
+        (part > 1) | (part <= 0),
+        f"more light than that intensity sends to that height ({format_number(part)} times it)",
+        "another irradiance, intensity or height",
+    )
+    return height * sqrt(expm1(-2 * log(part) / (exponent + 3)))
+
+
+def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
+    """The heights, up to two, at which E / I is so much: (cos^(n + 1) sin^2)(gamma) / x^2."""
+    if any_true(lateral == 0):
+        return sqrt(1 / part)
+
+    def excess(off: float) -> float:
+        return float(
+            (exponent + 1) * log(cos(off)) + 2 * log(sin(off)) - log(part * lateral * lateral)
+        )
+
+    brightest = atan(sqrt(2 / (exponent + 1)))
+    found = _both_sides(excess, 1e-9, brightest, math.pi / 2 - 1e-9, "height")
+    return Several(lateral / tan(off) for off in found)
+
+
+def _both_sides(
+    excess: Callable[[float], float], low: float, top: float, high: float, what: str
+) -> tuple[float, ...]:
+    """Where a function that rises to its top, and falls behind it, is 0."""
+    cones.refuse(
+        excess(top) < 0,
+        f"more light than any {what} gives there",
+        "less irradiance, or more flux or intensity",
+    )
+    ends = [end for end in (low, high) if excess(end) < 0]
+    return tuple(_root(excess, end, top) for end in ends)
+
+
+def _root(function: Callable[[float], float], below: float, above: float) -> float:
+    """Where a function is 0, between where it is less and where it is not."""
+    for _ in range(200):
+        middle = (below + above) / 2
+        if middle in (below, above):
+            break
+        if function(middle) < 0:
+            below = middle
+        else:
+            above = middle
+    return above
+
+
+FLOOR = {
+    shape: [_floor(shape, of_energy) for of_energy in (False, True)]
+    for shape in (ISOTROPIC, CONICAL, LOBED)
+}
+
+
+def _exponents_of(at: At) -> Any:
+    """The exponents, up to two, with which (n + 1) cos(gamma)^n is so much."""
+    part = 2 * math.pi * at("irradiance") * at("distance") ** 2 / at("flux") / at("cosine")
+    fall = -lobes.ln_cos(at("off-axis"))
+    if fall == 0:
+        return _exponent_of(2 * math.pi / part)
+
+    def excess(exponent: float) -> float:
+        return float(log(exponent + 1) - exponent * fall - log(part))
+
+    brightest = max(1 / fall - 1, 0.0)
+    high = 2 * brightest + 1
+    while excess(high) >= 0:
+        high *= 2
+    return Several(_both_sides(excess, 0.0, brightest, high, "exponent"))
+
+
+SPOT = relation(
+    "lobe of a flux, off its axis",
+    "{irradiance} = {flux} ({exponent} + 1) / (2 pi) cos({off-axis})^{exponent} {cosine} "
+    "/ {distance}^2",
+    {"exponent": _exponents_of},
 )
 
 

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
-from radcalc.laws.law import AnyLaw, Relation
+from radcalc.laws.law import AnyLaw, Relation, Several
 from radcalc.maths import any_true, is_array, larger
 from radcalc.units.numbers import EXACT
 
@@ -45,21 +45,6 @@ class Known(NamedTuple):
 
 
 Values = dict[str, Known]
-
-
-class Several(tuple[float, ...]):
-    """Values of a symbol [SI] that fit a law equally well, in place of the one that most have.
-
-    Parameters
-    ----------
-    iterable : iterable of float [SI]
-        The values.
-
-    Examples
-    --------
-    >>> Several((1.0, 4.0))[1]
-    4.0
-    """
 
 
 class Solution(NamedTuple):

@@ -5,6 +5,7 @@ What leaves it (`LAWS`):
 - Lambertian exitance: M = pi Omega0 L (ISO 80000-7, radiance and exitance)
 - Lambertian reflector: M = rho E_i, with the reflectance rho up to 1 (ISO 80000-7, reflectance)
 - flux of a surface: Phi = M A; intensity of a surface: I = L A_p, of the apparent area
+- `FLAT_FLUX`: Phi = pi Omega0 I, and of a sphere `SPHERE_INTENSITY`: Phi = 4 pi Omega0 I
 - `FLAT`: A_p = A; of a sphere `SPHERE_AREA`: A = 4 pi R^2 and `SPHERE_FRONT`: A_p = pi R^2
 
 What a receiver gets, exactly at any distance:
@@ -13,13 +14,17 @@ What a receiver gets, exactly at any distance:
 - `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
 - `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
 - `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
-- `SPHERE_FLUX`: Phi = 4 pi d^2 E
+- `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
+- `disc_flux`: Phi = pi (R^2 + h^2) E
+- exposure by the energy of a surface: H = Q Omega_p / (pi Omega0 A)
 - `EXPOSURE` and `ENERGY` of `radcalc.laws.energy`
 
 And from far away, five times the size and more:
 
 - `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2; where the receiver's horizon
   cuts a disc that faces it, `CUT_DISC` has the integral over what is left
+- `SMALL_SOURCE_INTENSITY`: E = I cos(theta_s) cos(theta) Omega0 / d^2; `SMALL_SOURCE_ENERGY`:
+  H = Q cos(theta_s) cos(theta) / (pi d^2)
 - inverse square law, as an estimate: E_ff = I cos(theta_s) cos(theta) Omega0 / d^2
 
 Lengths [m], areas [m2], solid angles [sr]; light in coherent SI of one kind.  Howell is J. R.
@@ -66,13 +71,26 @@ LAWS: list[AnyLaw] = [
     ),
     EXPOSURE,
     ENERGY,
+    law(
+        "exposure by the energy of a surface",
+        "{exposure} = {energy} {projected-solid-angle} / (pi Omega0 {area})",
+    ),
 ]
+FLAT_FLUX = law("flux of a flat surface", "{flux} = pi Omega0 {intensity}")
+SMALL_SOURCE_ENERGY = law(
+    "exposure by the energy of a small source",
+    "{exposure} = {energy} {cosine-of-source} {cosine} / (pi {distance}^2)",
+)
 FLAT = law("as seen from the front", "{apparent-area} = {area}")
 SPHERE_AREA = law("area of a sphere", "{area} = 4 pi {radius}^2")
 SPHERE_FRONT = law("as seen from anywhere", "{apparent-area} = pi {radius}^2")
 SMALL_SOURCE = law(
     "small source",
     "{projected-solid-angle} = {area} {cosine-of-source} {cosine} Omega0 / {distance}^2",
+)
+SMALL_SOURCE_INTENSITY = law(
+    "inverse square law of a small source",
+    "{irradiance} = {intensity} {cosine-of-source} {cosine} Omega0 / {distance}^2",
 )
 
 CUT_DISC = relation(
@@ -150,6 +168,60 @@ def disc_on_axis(away: str) -> Relation:
     )
 
 
+def disc_flux(away: str) -> Relation:
+    """Flux of a uniform disc by the irradiance at a place on its axis, exact at any distance.
+
+    Parameters
+    ----------
+    away : {"distance", "height"}
+        The symbol of the length [m] between that place and the disc.
+
+    Returns
+    -------
+    Relation
+        Between the flux [SI], the irradiance [SI], the radius [m] and `away` [m].
+
+    Raises
+    ------
+    ConditionError
+        When the relation is solved for a length, if the flux is too little for the irradiance.
+
+    Notes
+    -----
+    ::
+
+        Phi = pi (R^2 + h^2) E
+
+    The flux pi^2 R^2 L over the irradiance pi R^2 L / (R^2 + h^2) of the same radiance L.
+
+    Examples
+    --------
+    >>> disc = disc_flux("height")
+    >>> round(disc.solve("radius", {"flux": 6.2831853, "irradiance": 1.0, "height": 1.0}.get), 6)
+    1.0
+    """
+
+    def side(at: At, other: str) -> Any:
+        square = at("flux") / (math.pi * at("irradiance")) - at(other) ** 2
+        cones.refuse(
+            square < 0,
+            "more irradiance than a disc of that flux gives there",
+            "more flux, or less irradiance",
+        )
+        return sqrt(square)
+
+    return relation(
+        "flux of a disc, from its axis",
+        f"{{flux}} = pi ({{radius}}^2 + {{{away}}}^2) {{irradiance}}",
+        {
+            "flux": lambda at: math.pi * (at("radius") ** 2 + at(away) ** 2) * at("irradiance"),
+            "irradiance": lambda at: at("flux") / (math.pi * (at("radius") ** 2 + at(away) ** 2)),
+            "radius": lambda at: side(at, away),
+            away: lambda at: side(at, "radius"),
+        },
+    )
+
+
 SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",
@@ -161,3 +233,5 @@ SPHERE_AT_DISTANCE = relation(
     HOWELL,
 )
 SPHERE_FLUX = law("flux of a sphere at a distance", "{flux} = 4 pi {distance}^2 {irradiance}")
+SPHERE_ENERGY = law("energy of a sphere at a distance", "{energy} = 4 pi {distance}^2 {exposure}")
+SPHERE_INTENSITY = law("flux of a sphere", "{flux} = 4 pi Omega0 {intensity}")

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from radcalc.answer import Result, Step
     from radcalc.render.formats import Judgement, Records, Style
 
-DIGITS = 12
+DIGITS, RATIO_DIGITS = 12, 4
 REMARKS_ARE_APART = True
 
 
@@ -58,7 +58,8 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     right = f"{said.name} is {number(said.right, digits)}{unit}"
     if said.is_right:
         return f"right ({said.tolerance}): {right}\n"
-    ratio = f" ({number(said.ratio, 4)} times that)" if said.ratio is not None else ""
+    times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
+    ratio = f" ({times} times that)" if times != "1" else ""
     claimed = f"{number(said.claimed, digits)}{other}"
     lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"

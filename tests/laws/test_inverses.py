@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 from laws.every_law import LAWS, OF_PAGES, RELATIONS
 from mpmath import mpf
 
+from radcalc.laws.law import Several
+
 PI = math.pi
 
 SIZE = st.floats(0.01, 100)
@@ -91,7 +93,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         lambda angle, n: 1 - math.cos(angle / 2) ** (n + 1)),
     ("cosine of the incidence", "cosine"): ({"incidence": ANGLE}, "cosine", math.cos),
     ("straight line to the source", "distance"): (
-        {"height": st.floats(0.1, 10), "lateral": st.floats(0, 10)}, "distance", math.hypot),
+        {"height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)}, "distance", math.hypot),
     ("inside the cone", "share"): (
         {"off-axis": ANGLE, "half-angle": ANGLE}, "share",
         lambda off, angle: 1.0 if off <= angle else 0.0),
@@ -150,6 +152,22 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         {"c": SIZE, "ev100": st.floats(-10, 25)}, "illuminance", lambda c, n: c * 2**n / 100),
     ("saturation", "saturation-luminance"): (
         {"ev100": st.floats(-10, 25)}, "saturation-luminance", lambda n: 1.2 * 2**n),
+    ("angle off the source's axis", "off-axis"): (
+        {"lateral": SIZE, "height": SIZE}, "off-axis", math.atan2),
+    ("illuminance of a floor", "irradiance"): (
+        {"height": st.floats(0.5, 5), "lateral": st.floats(0.5, 5), "intensity": SIZE},
+        "irradiance", None),
+    ("exposure of a floor", "exposure"): (
+        {"height": st.floats(0.5, 5), "lateral": st.floats(0.5, 5), "energy": SIZE},
+        "exposure", None),
+    ("lobe of a flux, off its axis", "irradiance"): (
+        {"flux": SIZE, "exponent": st.floats(0.5, 50), "off-axis": st.floats(0.05, 1.2),
+         "cosine": st.floats(0.1, 1), "distance": SIZE}, "irradiance",
+        lambda flux, n, off, cosine, d:
+            flux * (n + 1) / (2 * PI) * math.cos(off) ** n * cosine / d**2),
+    ("flux of a disc, from its axis", "flux"): (
+        {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10), "irradiance": SIZE}, "flux",
+        lambda radius, height, irradiance: PI * (radius**2 + height**2) * irradiance),
     ("mesopic luminance", "mesopic-luminance"): (
         {"mesopic-luminance": st.floats(0.006, 4.9), "sp-ratio": st.floats(0.3, 5)}, "luminance",
         _photopic),
@@ -173,6 +191,16 @@ def test_every_symbol_of_a_law_comes_back(law, data):
         assert law.solve(target, others.__getitem__) == pytest.approx(values[target], rel=1e-13)
 
 
+TURNING = ("illuminance of a floor", "exposure of a floor", "lobe of a flux, off its axis")
+
+
+def _floor(at: dict[str, float]) -> float:
+    """I cos^n(gamma) cos(gamma) / d^2 of a point on the floor; of an energy I is Q / Omega."""
+    distance = math.hypot(at["height"], at["lateral"])
+    source = at["energy"] / at.get("solid-angle", 4 * PI) if "energy" in at else at["intensity"]
+    return source / distance**2 * (at["height"] / distance) ** (at.get("exponent", 0.0) + 1)
+
+
 def test_every_relation_has_a_textbooks_formula_and_no_other_has():
     assert set(FORWARD) == {(law.name, law.names[0]) for law in RELATIONS}
 
@@ -182,17 +210,25 @@ def test_every_relation_has_a_textbooks_formula_and_no_other_has():
 @settings(max_examples=60)
 def test_every_symbol_of_a_relation_comes_back(law, data):
     drawn, result, formula = FORWARD[law.name, law.names[0]]
-    names = {"height": "distance"} if law.name == "disc on its axis" else {}
+    names = {"height": "distance"} if "distance" in law.names else {}
+    if law.name.endswith("of a floor"):
+        more = {"exponent": st.floats(0.0, 50), "solid-angle": SIZE}
+        drawn = drawn | {name: more[name] for name in law.names if name in more}
     drawn = {n if n in law.names else names[n]: s for n, s in drawn.items()}
     values = {name: data.draw(strategy, name) for name, strategy in drawn.items()}
     if law.name == "inside the cone":
         assume(abs(values["off-axis"] - values["half-angle"]) > 1e-9)
-    values[result] = formula(*values.values())
+    values[result] = formula(*values.values()) if formula else _floor(values)
     assert set(values) == set(law.names)
     for target in law.targets:
         others = {name: value for name, value in values.items() if name != target}
         found = law.solve(target, others.__getitem__)
-        assert found == pytest.approx(values[target], rel=1e-9, abs=1e-10), target
+        if isinstance(found, Several):
+            assert len(set(found)) == len(found) <= 2
+            found = min(found, key=lambda one: abs(one - values[target]))
+        # beside the most that any height or exponent gives, the last digits of it are lost
+        rel = 1e-6 if law.name in TURNING else 1e-9
+        assert found == pytest.approx(values[target], rel=rel, abs=1e-10), target
 
 
 @pytest.mark.parametrize("law", OF_PAGES, ids=lambda law: f"{law.name}: {law.names}")

@@ -74,13 +74,13 @@ def test_no_law_of_the_source_text_is_left_out(module):
 
 def test_what_the_calculators_solve_is_among_the_laws_that_are_tested(monkeypatch):
     caught = []
-    solve = worksheet.solve
+    solve = worksheet.solve_all
 
     def catch(laws, *words):
         caught.extend(laws)
         return solve(laws, *words)
 
-    monkeypatch.setattr(worksheet, "solve", catch)
+    monkeypatch.setattr(worksheet, "solve_all", catch)
     for extra in ({"half_angle": "1rad"}, {"exponent": 2}, {}):
         point_source(intensity="1cd", height="1m", offset="1m", **extra)
     lambertian(luminance="1cd/m2", diameter="1cm", distance="1m")
