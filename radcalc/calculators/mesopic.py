@@ -37,7 +37,7 @@ def mesopic(given: Inputs) -> Answer:
             raise Exclusive(("sp-ratio", "spectrum"), "both give the S/P ratio")
         source = given["spectrum"].value
         sheet.know("sp-ratio", _ratio_of(given["spectrum"]))
-        sheet.assume(f"the S/P ratio of {source.label}")
+        sheet.assume(f"the S/P ratio of {source.described.removeprefix('spectrum ')}")
         sheet.notes += source.notes
     luminances = {"luminance", "mesopic-luminance", "scotopic-luminance"} & set(given)
     if not luminances:

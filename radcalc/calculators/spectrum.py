@@ -46,7 +46,7 @@ def spectrum(given: Inputs) -> Answer:
     ]
     shares = f"; range-fraction is of {counts.known}, all that is known" if known else ""
     assumptions = [
-        f"spectrum {source.label}; watts counted over {counts.over(RADIANT)}, "
+        f"{source.described}; watts counted over {counts.over(RADIANT)}, "
         f"photons over {counts.over(PHOTON)}{shares}",
         eye.assumption,
     ]

@@ -147,7 +147,7 @@ def spectral_factor(
         limits.value if limits else None,
         photon_limits.value if photon_limits else None,
     )
-    said = [f"spectrum {source.label}"]
+    said = [source.described]
     for kind in (over, under):
         if kind == LUMINOUS:
             said.append(seen_by.assumption)

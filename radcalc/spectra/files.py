@@ -1,112 +1,46 @@
 """Measured spectra from files: two or more columns, whatever separates them.
 
 What can be read in one way only is read, and said; everything else is an error with its line.
+A file is read a block at a time, and its numbers alone are kept.
 """
 
-import os
-import re
-from collections.abc import Iterator
+from array import array
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import stdio
-from radcalc.errors import ConditionError, RadcalcError, listed, option, quote
-from radcalc.quantities.light import PER_WAVELENGTH, RADIANT, read
+from radcalc.errors import ConditionError, listed, nearest, option, quote
+from radcalc.spectra import titles
+from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import Table
-from radcalc.units.table import resolve
 
-UNITS = {
-    "nm": 1.0,
-    "nanometre": 1.0,
-    "nanometer": 1.0,
-    "um": 1e3,
-    "micron": 1e3,
-    "micrometre": 1e3,
-    "micrometer": 1e3,
-    "angstrom": 0.1,
-    "å": 0.1,
-    "mm": 1e6,
-    "m": 1e9,
-}
-# A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
-DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
-BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
 DELIMITERS = ("\t", ";", "|", ",")
-LARGE = 1 << 18  # bytes from which a regular file is worth loading NumPy for
-NOISE = 0.05  # of the peak: negative values within it are a spectrometer's noise
-LARGEST = 1 << 29  # bytes
 COMMENTS = ("#", "%", "//", ";;")
+NOISE = 0.05  # of the peak: negative values within it are a spectrometer's noise
+BLOCK = 1 << 20  # bytes read at a time
+LONGEST = 1 << 22  # bytes of a line
+LARGEST = 1 << 29  # bytes of a file
+MANY = 10_000  # rows from which NumPy is worth loading
+MOST = 20_000_000  # rows
+MOST_COMMENTS = 1000
+SHOWN = 5  # columns that are named in a hint
+ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
 def read_file(path: str, column: str = "") -> Table:
     """Read a spectrum from a file, or from standard input where the path is '-'."""
-    name = "stdin" if path == "-" else quote(path)
+    if path == "-":
+        return _Reader("stdin", stdio.read, column).table()
+    name = quote(path)
     try:
-        if path == "-":
-            raw = stdio.read_all(LARGEST)
-        else:
-            if os.path.getsize(path) > LARGE:
-                table = _large(name, path, column)
-                if table is not None:
-                    return table
-            with open(path, "rb") as file:
-                raw = file.read(LARGEST)
-                if file.read(1):
-                    raise ConditionError(
-                        f"{name} is too large to be explained", "a regular table of numbers"
-                    )
+        with open(path, "rb", buffering=0) as file:
+            return _Reader(name, file.read, column).table()
     except OSError as error:
         raise ConditionError(
             f"cannot read {name}: {error.strerror}", "a file with a spectrum"
         ) from None
-    try:
-        text = raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = raw[: error.start].count(b"\n") + 1
-        raise ConditionError(
-            f"{name}, line {line}: not UTF-8 text", "the file in UTF-8 (iconv converts it)"
-        ) from None
-    return _Reader(name, text.splitlines(), column).table()
-
-
-def _large(name: str, path: str, column: str) -> Table | None:
-    """Read a large, regular file with NumPy; None leaves it to the reader that explains."""
-    import numpy
-
-    from radcalc.spectra.arrays import ArrayTable
-
-    with open(path, "rb") as file:
-        head = file.read(LARGE).decode("utf-8-sig", "replace").splitlines()[:-1]
-    reader = _Reader(name, head, column)
-    try:
-        layout = reader.layout()
-        if layout.comma:
-            return None
-        data = numpy.loadtxt(
-            path,
-            delimiter=layout.delimiter,
-            skiprows=layout.first - 1,
-            comments=None,
-            ndmin=2,
-            encoding="utf-8-sig",
-        )
-    except (ValueError, RadcalcError):
-        return None
-    grid, values = data[:, 0].copy(), data[:, layout.place].copy()
-    regular = numpy.isfinite(grid).all() and numpy.isfinite(values).all()
-    if not regular or not (numpy.diff(grid) > 0).all():
-        return None
-    return reader.finish(grid, values, layout, ArrayTable)
-
-
-# The radiant quantity by the powers of 1/area and 1/solid angle.
-QUANTITIES = {
-    (0, 0): "flux",
-    (0, 1): "intensity",
-    (1, 0): "irradiance",
-    (1, 1): "radiance",
-}
 
 
 class _Layout(NamedTuple):
@@ -115,92 +49,180 @@ class _Layout(NamedTuple):
     delimiter: str | None
     comma: bool
     header: list[str]
-    first: int  # the line of the first row of data
+    width: int
     place: int  # the column of the values
     title: str
 
 
 class _Reader:
-    """One file: its delimiter, its header, its columns."""
+    """One file: its delimiter, its header, its columns; read a block at a time."""
 
-    def __init__(self, name: str, lines: list[str], column: str) -> None:
+    def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
         self.name = name
-        self.lines = lines
+        self.read = read
         self.column = column
         self.notes: list[str] = []
         self.comments: list[str] = []
-        self.data: list[tuple[int, str]] = []
+        self.grid, self.values = array("d"), array("d")
+        self.lines = array("q")  # of the rows
 
     def error(self, number: int, problem: str, hint: str) -> ConditionError:
         where = f", line {number}" if number else ""
         return ConditionError(f"{self.name}{where}: {problem}", hint)
 
-    def rows(self) -> Iterator[tuple[int, str]]:
+    def blocks(self) -> Iterator[tuple[int, list[str]]]:
+        """The lines of the file, many at a time, and the number of the first of them."""
+        number, size, rest = 1, 0, b""
+        encoding = "utf-8-sig"
+        while True:
+            data = self.read(BLOCK)
+            size += len(data)
+            if size > LARGEST:
+                raise self.error(0, f"more than {LARGEST} bytes", "fewer rows")
+            ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
+            cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
+            whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
+            if not data:
+                whole = rest
+            elif len(rest) > LONGEST:
+                problem = f"a line of more than {LONGEST} bytes"
+                raise self.error(number, problem, "a wavelength and a value in every row")
+            try:
+                lines = whole.decode(encoding).splitlines()
+            except UnicodeDecodeError as error:
+                number += whole[: error.start].count(b"\n")
+                raise self.error(
+                    number, "not UTF-8 text", "the file in UTF-8 (iconv converts it)"
+                ) from None
+            if whole:
+                yield number, lines
+                number += len(lines)
+                encoding = "utf-8"
+            if not data:
+                return
+
+    def rows(self, lines: list[str], number: int) -> Iterator[tuple[int, str]]:
         """The lines with data, with their numbers; comments are kept apart."""
-        for number, line in enumerate(self.lines, 1):
+        for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
             if line.lstrip().startswith(COMMENTS):
-                self.comments.append(line.lstrip("#%/; \t"))
+                if len(self.comments) < MOST_COMMENTS:
+                    self.comments.append(quote(line.lstrip("#%/; \t")))
             else:
                 yield number, line
 
     def table(self) -> Table:
-        """The whole file, one line at a time."""
-        layout = self.layout()
-        rows = [(number, line) for number, line in self.data if number >= layout.first]
-        if len(rows) < 2:
-            raise self.error(0, f"{len(rows)} row of data is no spectrum", "two rows or more")
-        grid, values = self.numbers(rows, layout.delimiter, layout.comma, layout.place)
-        grid, values = self.sorted(grid, values, rows)
-        return self.finish(grid, values, layout, Table)
+        """The whole file."""
+        layout = None
+        first: list[tuple[int, str]] = []  # the rows that show how the file is laid out
+        for number, lines in self.blocks():
+            if len(self.grid) > MOST:
+                raise self.error(number, f"more than {MOST} rows", "fewer of them")
+            if layout and self.take_plain(lines, number, layout):
+                continue
+            rows = self.rows(lines, number)
+            if not layout:
+                first += rows
+                if len(first) < 3:
+                    continue
+                layout, rows = self.layout(first), iter(first)
+            self.take(rows, layout)
+        if not layout:
+            layout = self.layout(first)
+            self.take(iter(first), layout)
+        if len(self.grid) < 2:
+            count = len(self.grid)
+            raise self.error(0, f"{count} row of data is no spectrum", "two rows or more")
+        return self.finish(layout)
 
-    def layout(self) -> _Layout:
-        """The delimiter, the header and the columns, from the lines there are."""
-        self.data = list(self.rows())
-        if not self.data:
+    def layout(self, rows: list[tuple[int, str]]) -> _Layout:
+        """The delimiter, the header and the columns, from the first rows; the header is taken out.
+
+        They are the table's, or all there is.
+        """
+        if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
-        typical = self.data[min(1, len(self.data) - 1)][1]  # no header, unless it is alone
+        typical = rows[min(1, len(rows) - 1)][1]  # no header, unless it is alone
         delimiter, comma = self.dialect(typical)
-        header = self.cells(self.data[0][1], delimiter)
-        rows = self.data
+        header = self.cells(rows[0][1], delimiter)
         if _is_number(header[0], comma):
             header = []
         else:
-            rows = rows[1:]
+            del rows[0]
         if not rows:
             raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
         width = len(self.cells(rows[0][1], delimiter))
         self.check_titles(header)
-        place, title = self.value_column(header, width, rows[0][0])
-        return _Layout(delimiter, comma, header, rows[0][0], place, title)
+        place, title = self.value_column(header or self.commented(width), width, rows[0][0])
+        return _Layout(delimiter, comma, header, width, place, title)
+
+    def commented(self, width: int) -> list[str]:
+        """The titles of columns, where a comment has them."""
+        for comment in reversed(self.comments):
+            cells = self.cells(comment, self.dialect(comment)[0])
+            if len(cells) == width and not _is_number(cells[0], False):
+                return cells
+        return []
+
+    def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
+        """Take in rows that are numbers and nothing else; say whether they are."""
+        columns = None if layout.comma else _columns(lines, layout, len(self.grid) > MANY)
+        if columns is None:
+            return False
+        self.grid.extend(columns[0])
+        self.values.extend(columns[1])
+        self.lines.extend(range(number, number + len(lines)))
+        return True
+
+    def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
+        """Take in rows one by one, and say which of them is wrong."""
+        for number, line in rows:
+            cells = self.cells(line, layout.delimiter)
+            if len(cells) != layout.width:
+                raise self.error(
+                    number,
+                    f"{len(cells)} columns instead of {layout.width}",
+                    "a value in every column",
+                )
+            self.grid.append(self.number(cells[0], layout.comma, number))
+            self.values.append(self.number(cells[layout.place], layout.comma, number))
+            self.lines.append(number)
 
     def check_titles(self, header: list[str]) -> None:
         """Refuse a first column that says it is something else than wavelengths."""
-        titles = [_plain(title) for title in header]
-        if any(DECLARED.match(title) or title.startswith("wavelength") for title in titles[1:]):
+        plain = [titles.plain(title) for title in header]
+        if any(map(titles.is_wavelength, plain[1:])):
             raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
-        if titles and any(word in titles[0] for word in ("freq", "energy", "wavenumber")):
+        if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):
             raise self.error(0, f"'{quote(header[0])}' is no wavelength", "wavelengths first")
 
-    def finish(self, grid: Any, values: Any, layout: _Layout, kind: type[Table]) -> Table:
+    def finish(self, layout: _Layout) -> Table:
         """Give the numbers their units, and say what was repaired or is odd."""
-        scale = self.wavelength_unit(layout.header, grid[0], grid[-1])
-        low = values.min() if kind is not Table else min(values)
+        grid, values = self.sorted()
+        nanometres = self.wavelength_unit(layout.header, grid[0], grid[-1])
+        low = min(values)
         if low < -NOISE * max(values):
             raise self.error(0, f"a value of {low:g}: too far below 0 for noise", "no dark light")
         if low < 0:
-            count = int(sum(value < 0 for value in values))
+            count = sum(value < 0 for value in values)
             self.notes.append(f"{count} negative values (down to {low:g}) are kept as noise")
         if not any(values):
             raise self.error(0, "every value is 0", "a spectrum with light in it")
-        absolute, factor = self.absolute(layout.title)
-        if kind is Table:
-            grid = grid if scale == 1 else [x * scale for x in grid]
-            values = values if factor == 1 else [value * factor for value in values]
+        try:
+            meant = titles.values(layout.title)
+        except ConditionError as error:
+            raise self.error(0, error.message, error.hint) from None
+        if len(grid) > MANY:
+            found = _table_of_many(self.name, grid, values, nanometres, meant)
         else:
-            grid, values = grid * scale, values * factor
-        return kind(self.name, grid, values, notes=tuple(self.notes), absolute=absolute)
+            xs, ys = [x * nanometres for x in grid], [y * meant.factor for y in values]
+            if meant.are_photons:
+                ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
+            found = Table(self.name, xs, ys, absolute=meant.absolute)
+        found.notes = (*self.notes, *found.notes)
+        found.reading = meant.said
+        return found
 
     def dialect(self, line: str) -> tuple[str | None, bool]:
         """The delimiter (None: blanks) and whether numbers have a decimal comma."""
@@ -220,53 +242,26 @@ class _Reader:
         """Which column has the values, and its title."""
         if width < 2:
             raise self.error(number, "one column only", "a wavelength and a value in every row")
-        titles = header if len(header) == width else [""] * width
-        named = listed([t or str(i) for i, t in enumerate(titles, 1) if i > 1])
+        names = header if len(header) == width else [""] * width
         if not self.column:
             if width > 2:
+                chosen = f"{self.name}:COLUMN (or {option('column')})"
                 raise self.error(
                     number,
                     f"there are {width - 1} columns of values",
-                    f"{self.name}:COLUMN (or {option('column')}) with one of: {named}",
+                    f"{chosen} with one of: {_named(names)}",
                 )
-            return 1, titles[1]
-        if self.column in titles[1:]:
-            place = titles.index(self.column)
+            return 1, names[1]
+        if self.column in names[1:]:
+            place = names.index(self.column)
         elif self.column.isdecimal() and 2 <= int(self.column) <= width:
             place = int(self.column) - 1
         else:
-            raise self.error(0, f"there is no column of values '{quote(self.column)}'", named)
-        self.notes.append(f"values from column {place + 1} {quote(titles[place])}".strip())
-        return place, titles[place]
-
-    def numbers(
-        self, rows: list[tuple[int, str]], delimiter: str | None, comma: bool, place: int
-    ) -> tuple[list[float], list[float]]:
-        """Both columns as numbers; the slow way only to say what is wrong, and where."""
-        try:
-            if comma or not all(line.isascii() and "_" not in line for _, line in rows):
-                raise ValueError
-            split = [line.split(delimiter) for _, line in rows]
-            width = len(split[0])
-            grid = [float(cells[0]) for cells in split]
-            values = [float(cells[place]) for cells in split]
-            regular = all(len(cells) == width for cells in split)
-            total = sum(grid) + sum(values)
-            if regular and total - total == 0:
-                return grid, values
-        except (ValueError, IndexError):
-            pass
-        grid, values = [], []
-        width = len(self.cells(rows[0][1], delimiter))
-        for number, line in rows:
-            cells = self.cells(line, delimiter)
-            if len(cells) != width:
-                raise self.error(
-                    number, f"{len(cells)} columns instead of {width}", "a value in every column"
-                )
-            for target, cell in ((grid, cells[0]), (values, cells[place])):
-                target.append(self.number(cell, comma, number))
-        return grid, values
+            near = nearest(self.column, [quote(name) for name in names[1:]], SHOWN)
+            problem = f"there is no column of values '{quote(self.column)}'"
+            raise self.error(0, problem, ", ".join(near) or _named(names))
+        self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
+        return place, names[place]
 
     def number(self, cell: str, comma: bool, line: int) -> float:
         if not cell:
@@ -286,39 +281,16 @@ class _Reader:
         """Nanometres per unit of the first column: declared, or plain from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
-        titles = [_plain(title) for title in header]
-        bare = titles[:1] if titles and titles[0].rstrip("s") in UNITS else []
-        for text in titles[:1] + [_plain(comment) for comment in self.comments]:
-            found = DECLARED.search(text)
-            word = found.group(1) if found else ""
-            if text in titles[:1]:
-                bracket = BRACKETED.search(text)
-                word = bracket.group(1) if bracket else text if bare else word
-                if bracket and word.rstrip("s") not in UNITS:
-                    problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
-                    raise self.error(0, problem, "nm, um, angstrom, mm or m")
-            if word.rstrip("s") in UNITS and word != "":
-                self.notes.append(f"the wavelengths are in {quote(word)}, as declared")
-                return UNITS[word.rstrip("s")]
-        if 100 <= low < 2000 and high <= 20000:
-            self.notes.append("the wavelengths are taken as nanometres, from their size")
-            return 1.0
-        if 0.1 <= low < 2.5 and high <= 100:
-            self.notes.append("the wavelengths are taken as micrometres, from their size")
-            return 1e3
-        if high < 1e-4:
-            self.notes.append("the wavelengths are taken as metres, from their size")
-            return 1e9
-        raise self.error(
-            0,
-            f"wavelengths from {low:g} to {high:g} in a unit that is not declared",
-            "a header such as: wavelength (nm), value",
-        )
+        try:
+            factor, note = titles.wavelengths(header[:1], self.comments, low, high)
+        except ConditionError as error:
+            raise self.error(0, error.message, error.hint) from None
+        self.notes.append(note)
+        return factor
 
-    def sorted(
-        self, grid: list[float], values: list[float], rows: list[tuple[int, str]]
-    ) -> tuple[list[float], list[float]]:
+    def sorted(self) -> tuple[Sequence[float], Sequence[float]]:
         """Rising wavelengths: a falling table is turned round, any other is sorted; both said."""
+        grid, values, lines = self.grid, self.values, self.lines
         if all(map(lt, grid, grid[1:])):
             return grid, values
         if all(map(lt, grid[1:], grid)):
@@ -327,40 +299,112 @@ class _Reader:
         order = sorted(range(len(grid)), key=grid.__getitem__)
         for before, after in pairwise(order):
             if grid[before] == grid[after]:
-                first, second = sorted((rows[before][0], rows[after][0]))
+                first, second = sorted((lines[before], lines[after]))
                 raise self.error(
                     second,
                     f"the wavelength {grid[after]:g} nm stands in line {first} already",
                     "each once",
                 )
         self.notes.append("the wavelengths are not in order; the rows are sorted")
-        return [grid[i] for i in order], [values[i] for i in order]
-
-    def absolute(self, title: str) -> tuple[str, float]:
-        """The radiant quantity and the scale to W/../nm, where the title has a unit."""
-        for opening, closing in ("()", "[]"):
-            if opening in title and closing in title:
-                text = title[title.index(opening) + 1 : title.rindex(closing)]
-                try:
-                    unit = resolve(text)
-                except RadcalcError:  # a title is free text: no unit, no absolute values
-                    continue
-                facts = read(unit)
-                if facts is None or not unit.is_light:
-                    continue  # a percentage, say: relative values
-                if facts.kind == RADIANT and facts.axis == PER_WAVELENGTH and not facts.time:
-                    return QUANTITIES[facts.area, facts.solid_angle], unit.factor * 1e-9
-                raise self.error(
-                    0,
-                    f"values in {quote(text)} are no radiant power per wavelength",
-                    "values in W/m2/nm or the like",
-                )
-        return "", 1.0
+        return array("d", [grid[i] for i in order]), array("d", [values[i] for i in order])
 
 
-def _plain(text: str) -> str:
-    """A title or a comment in small letters, with one kind of micro."""
-    return text.strip().lower().replace("µ", "u").replace("μ", "u")
+def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
+    """Wavelengths and values of rows that are numbers and nothing else; None of others."""
+    try:
+        if are_many and lines[0].strip():
+            import numpy
+
+            rows = numpy.loadtxt(lines, delimiter=layout.delimiter, comments=None, ndmin=2)
+            if rows.shape != (len(lines), layout.width) or not numpy.isfinite(rows).all():
+                return None
+            return rows[:, 0], rows[:, layout.place]
+        split = [line.split(layout.delimiter) for line in lines]
+        if [len(cells) for cells in split].count(layout.width) != len(split):
+            return None
+        texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
+        for text in map(" ".join, texts):
+            if not text.isascii() or "_" in text:  # float() would read 5_50, and other digits
+                return None
+        columns = [list(map(float, column)) for column in texts]
+    except ValueError:
+        return None
+    total = sum(map(sum, columns))
+    return columns if total - total == 0 else None
+
+
+def _table_of_many(
+    name: str,
+    grid: Sequence[float],
+    values: Sequence[float],
+    nanometres: float,
+    meant: titles.Meaning,
+) -> Table:
+    import numpy
+
+    from radcalc.spectra.arrays import ArrayTable
+
+    xs: Any
+    ys: Any
+    xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
+    if meant.are_photons:
+        ys = ys * ENERGY / xs
+    return ArrayTable(name, xs, ys, absolute=meant.absolute)
+
+
+def _named(titles: Sequence[str]) -> str:
+    """The columns of values by their titles, or else their numbers."""
+    return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])
+
+
+def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
+    """Wavelengths and values of rows that are numbers and nothing else; None of others."""
+    try:
+        if are_many and lines[0].strip():
+            import numpy
+
+            rows = numpy.loadtxt(lines, delimiter=layout.delimiter, comments=None, ndmin=2)
+            if rows.shape != (len(lines), layout.width) or not numpy.isfinite(rows).all():
+                return None
+            return rows[:, 0], rows[:, layout.place]
+        split = [line.split(layout.delimiter) for line in lines]
+        if [len(cells) for cells in split].count(layout.width) != len(split):
+            return None
+        texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
+        for text in map(" ".join, texts):
+            if not text.isascii() or "_" in text:  # float() would read 5_50, and other digits
+                return None
+        columns = [list(map(float, column)) for column in texts]
+    except ValueError:
+        return None
+    total = sum(map(sum, columns))
+    return columns if total - total == 0 else None
+
+
+def _table_of_many(
+    name: str,
+    grid: Sequence[float],
+    values: Sequence[float],
+    nanometres: float,
+    meant: titles.Meaning,
+) -> Table:
+    import numpy
+
+    from radcalc.spectra.arrays import ArrayTable
+
+    xs: Any
+    ys: Any
+    xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
+    if meant.are_photons:
+        ys = ys * ENERGY / xs
+    return ArrayTable(name, xs, ys, absolute=meant.absolute)
+
+
+def _named(titles: Sequence[str]) -> str:
+    """The columns of values by their titles, or else their numbers; the first of very many."""
+    names = [quote(title) or str(number) for number, title in enumerate(titles, 1) if number > 1]
+    more = f" ... ({len(names)} of them)" if len(names) > SHOWN else ""
+    return ", ".join(names[:SHOWN]) + more
 
 
 def _is_number(cell: str, comma: bool) -> bool:

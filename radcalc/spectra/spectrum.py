@@ -29,12 +29,15 @@ def range_text(limits: Range) -> str:
 class Spectrum:
     """Watts per nanometre against wavelength [nm]; relative unless `absolute` names a quantity.
 
+    `reading` says what a file's values were taken as.
+
     `limits` is where watts are counted unless somebody says otherwise, `known` where there are
     numbers, and `is_whole` tells whether there is nothing beyond.  No light has a wavelength above
     `longest`.
     """
 
     absolute = ""
+    reading = ""
     known = WHOLE
     is_whole = True
     longest = math.inf
@@ -45,6 +48,11 @@ class Spectrum:
         self.limits = limits
         self.notes = notes
         self._moments: dict[tuple[int, int], Sequence[float]] = {}
+
+    @property
+    def described(self) -> str:
+        """Which spectrum it is, and what it was read as: what an answer assumes."""
+        return f"spectrum {self.label}" + (f", {self.reading}" if self.reading else "")
 
     def power(self, limits: Range) -> float:
         """Watts between two wavelengths."""

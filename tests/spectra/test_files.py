@@ -1,7 +1,10 @@
 """Files of spectra, as people write them and as they get them wrong."""
 
+import subprocess
+
 import numpy as np
 import pytest
+from conftest import entry_point, run
 
 from radcalc.errors import RadcalcError
 from radcalc.spectra.files import read_file
@@ -69,8 +72,19 @@ BROKEN = {
     "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is no wavelength"),
     "an unknown length": ("wavelength (furlong),x\n400,1\n700,1\n", "no unit of length"),
     "wavelengths last": ("value,wavelength (nm)\n1,400\n1,700\n", "not in the first column"),
-    "photons": ("nm,J (umol/m2/s/nm)\n400,1\n700,1\n", "no radiant power per wavelength"),
-    "per hertz": ("nm,K (W/m2/Hz)\n400,1\n700,1\n", "no radiant power per wavelength"),
+    "per hertz": ("nm,K (W/m2/Hz)\n400,1\n700,1\n", "not power or photons per wavelength"),
+    "not per wavelength": ("nm,umol/m2/s\n400,1\n700,1\n", "not power or photons per wavelength"),
+    "lumens": ("nm,lm/nm\n400,1\n700,1\n", "not power or photons per wavelength"),
+    "a luminous word": ("nm,illuminance\n400,1\n700,1\n", "not power or photons"),
+    "absorbance": ("nm,absorbance\n400,1\n700,1\n", "'absorbance' is not light"),
+    "a transmittance": ("nm,Transmittance (%)\n400,1\n700,1\n", "is not light"),
+    "a reflectance": ("nm,reflectance_1\n400,1\n700,1\n", "is not light"),
+    "a responsivity": ("nm,Responsivity (A/W)\n400,1\n700,1\n", "is not light"),
+    "an efficiency": ("nm,quantum efficiency\n400,1\n700,1\n", "is not light"),
+    "counts": ("nm,Intensity (counts)\n400,1\n700,1\n", "is not light, or not calibrated"),
+    "titles in a comment": ("# nm, absorbance\n400,1\n700,1\n", "'absorbance' is not light"),
+    "very many columns": ("1," * 9999 + "1\n", "there are 9999 columns of values"),
+    "an endless line": (b"0" * (1 << 23), "line 1: a line of more than 4194304 bytes"),
     "dark light": ("400,1\n550,-0.5\n700,1\n", "too far below 0 for noise"),
     "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
     "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
@@ -87,6 +101,75 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(text, message, tmp_path
         read_file(str(path))
     assert message in caught.value.message
     assert caught.value.hint
+
+
+PHOTONS = [  # what the values are, and how they are said to be taken
+    ("nm,umol/m2/s/nm", "irradiance", "photons turned into watts"),
+    ("nm,PPFD (umol/m2/s/nm)", "irradiance", "photons turned into watts"),
+    ("nm,photon flux density umol m-2 s-1 nm-1", "irradiance", "photons turned into watts"),
+    ("nm,flux [umol/s/nm]", "flux", "photons turned into watts"),
+    ("# wavelength (nm), umol/m2/s/nm", "irradiance", "photons turned into watts"),
+    ("nm,photons", "", "taken as relative photons per wavelength"),
+    ("nm,PPFD", "", "taken as relative photons per wavelength"),
+    ("nm,Photon_flux", "", "taken as relative photons per wavelength"),
+]
+
+
+@pytest.mark.parametrize(("head", "absolute", "said"), PHOTONS)
+def test_photons_are_turned_into_watts(head, absolute, said, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{head}\n400,1\n500,1\n700,1\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert table.absolute == absolute
+    assert said in table.described
+    # the SI's h c N_A = 0.119626565... J m/mol: umol of 400 nm have 0.299 J
+    micromole = 0.11962656582 / 400e-9 * 1e-6
+    assert table.values[0] == pytest.approx(micromole if absolute else 4.96611e-19, rel=1e-5)
+    ratios = [value / table.values[0] for value in table.values]
+    assert ratios == pytest.approx([1, 400 / 500, 400 / 700], rel=1e-12)
+
+
+@pytest.mark.parametrize("head", ["nm,value", "nm,Relative intensity (%)", "nm,LED-B3 1", "# lamp"])
+def test_relative_watts_are_said_to_be_assumed(head, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{head}\n400,1\n700,2\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert (table.absolute, list(table.values)) == ("", [1, 2])
+    assert table.described.endswith("its values taken as relative watts per wavelength")
+    done = run("convert", "1", "W", "lm", "--spectrum", str(path))
+    assert "assumed: " in done.stderr.split("relative watts")[0]
+
+
+@pytest.mark.parametrize("head", ["nm,W/m2/nm", "nm,E uW/cm2/nm", "nm,I [W m-2 nm-1]"])
+def test_a_unit_without_brackets_is_a_unit(head, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{head}\n400,1\n700,2\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert table.absolute == "irradiance"
+    assert table.values[0] == pytest.approx(0.01 if "cm2" in head else 1, rel=1e-12)
+
+
+def test_an_unknown_column_is_told_the_nearest(tmp_path):
+    path = tmp_path / "wide.csv"
+    names = ",".join(f"column{k}" for k in range(5000))
+    row = ",".join(["1"] * 5000)
+    path.write_text(f"nm,{names}\n400,{row}\n700,{row}\n", encoding="utf-8")
+    for column in ("", "colunm17"):
+        with pytest.raises(RadcalcError) as caught:
+            read_file(str(path), column)
+        assert len(caught.value.hint) < 300
+    assert "column17" in caught.value.hint
+
+
+@pytest.mark.parametrize("words", ["spectrum -", "convert 1 W lm --spectrum -"])
+def test_what_has_no_end_or_no_beginning_is_refused(words):
+    quoted = f"'{entry_point()}' {words}"
+    for source in ("</dev/zero", "<&-"):
+        done = subprocess.run(["sh", "-c", f"{quoted} {source}"], capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (2, ""), done.stderr
+        assert "stdin" in done.stderr
+    done = run(*words.replace("-", "/dev/zero", 1).split())
+    assert (done.returncode, done.stdout) == (2, "")
 
 
 def test_an_unreadable_file_is_an_error(tmp_path):
@@ -123,6 +206,25 @@ def test_repairs_are_said(tmp_path):
         assert said in notes
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("extra", ["", "# half way", '"410.00001","2"', "\n\n"])
+def test_a_file_of_many_blocks_is_read_line_by_line(extra, end, tmp_path):
+    rows = [f"{400 + k / 1000:.3f},{1 + k % 7}" for k in range(150_000)]
+    rows.insert(9000, extra.replace("\n", end))
+    path = tmp_path / "long.csv"
+    path.write_text(end.join(["nm,value", *rows]), encoding="utf-8", newline="")
+    table = read_file(str(path))
+    kept = 150_000 + ("410" in extra)
+    assert len(table.grid) == kept
+    assert table.grid[-1] == pytest.approx(549.999)
+    bad = end.join(["nm,value", *rows, "600,x"])
+    path.write_text(bad, encoding="utf-8", newline="")
+    with pytest.raises(RadcalcError) as caught:
+        read_file(str(path))
+    number = 150_003 + extra.count("\n")
+    assert f"line {number}:" in caught.value.message
+
+
 def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
     grid = np.linspace(300, 1100, 20001)
     values = np.exp(-(((grid - 550) / 80) ** 2))
@@ -142,8 +244,8 @@ def test_a_large_file_gives_what_a_small_one_gives(tmp_path):
 
 @pytest.mark.parametrize(
     ("line", "message"),
-    [("nan,1", "'nan' is not a number"), ("300,1", "stands in line"), ("700", "1 columns"),
-     ("700,x", "'x' is not a number")],
+    [("nan,1", "'nan' is not a number"), ("300,1", "stands in line"), ("701", "1 columns"),
+     ("701,x", "'x' is not a number"), ("701,1_0", "'1_0' is not a number")],
 )  # fmt: skip
 def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tmp_path):
     path = tmp_path / "large.csv"

@@ -1,0 +1,133 @@
+"""What the titles of a file's columns say: the unit of its wavelengths, and what its values are."""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
+from radcalc.units.table import resolve
+
+UNITS = {
+    "nm": 1.0,
+    "nanometre": 1.0,
+    "nanometer": 1.0,
+    "um": 1e3,
+    "micron": 1e3,
+    "micrometre": 1e3,
+    "micrometer": 1e3,
+    "angstrom": 0.1,
+    "å": 0.1,
+    "mm": 1e6,
+    "m": 1e9,
+}
+# A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
+DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
+BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
+IN_BRACKETS = re.compile(r"\((.*)\)|\[(.*)\]")
+WORD = r"(?<![a-z]){}(?![a-z])"
+NO_LIGHT = re.compile(
+    WORD.format(
+        "(?:absorb|absorpt|transmitt|transmiss|reflect|respons|sensitiv|efficien|extinct|emissiv)"
+        "[a-z]*"
+    )
+    + "|"
+    + WORD.format("(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark)")
+)
+PHOTONS = re.compile(WORD.format("(?:photons?|quanta|quantum|y?ppfd?|pfd|u?mol|u?einsteins?)"))
+LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
+KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
+# The radiant quantity by the powers of 1/area and 1/solid angle.
+QUANTITIES = {
+    (0, 0): "flux",
+    (0, 1): "intensity",
+    (1, 0): "irradiance",
+    (1, 1): "radiance",
+}
+
+
+class Meaning(NamedTuple):
+    """What the values of a file are: watts or photons per wavelength, absolute or relative."""
+
+    said: str
+    are_photons: bool = False
+    absolute: str = ""  # the radiant quantity, where there is a unit
+    factor: float = 1.0  # to W/../nm or photon/s/../nm
+
+
+def plain(text: str) -> str:
+    """A title or a comment in small letters, with one kind of micro."""
+    return text.strip().lower().replace("µ", "u").replace("μ", "u")
+
+
+def is_wavelength(title: str) -> bool:
+    """Whether a plain title is that of wavelengths."""
+    return bool(DECLARED.match(title)) or title.startswith("wavelength")
+
+
+def wavelengths(
+    titles: Sequence[str], comments: Iterable[str], low: float, high: float
+) -> tuple[float, str]:
+    """Nanometres per unit of the wavelengths, and what to say of it.
+
+    Declared in the title, if there is one, or in a comment, or else plain from the numbers.
+    """
+    own = [plain(title) for title in titles]
+    for text in own + [plain(comment) for comment in comments]:
+        found = DECLARED.search(text)
+        word = found.group(1) if found else ""
+        if text in own:
+            bracket = BRACKETED.search(text)
+            bare = text if text.rstrip("s") in UNITS else word
+            word = bracket.group(1) if bracket else bare
+            if bracket and word.rstrip("s") not in UNITS:
+                problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
+                raise ConditionError(problem, "nm, um, angstrom, mm or m")
+        if word and word.rstrip("s") in UNITS:
+            return UNITS[word.rstrip("s")], f"the wavelengths are in {quote(word)}, as declared"
+    for unit, factor, fits in (
+        ("nanometres", 1.0, 100 <= low < 2000 and high <= 20000),
+        ("micrometres", 1e3, 0.1 <= low < 2.5 and high <= 100),
+        ("metres", 1e9, high < 1e-4),
+    ):
+        if fits:
+            return factor, f"the wavelengths are taken as {unit}, from their size"
+    problem = f"wavelengths from {low:g} to {high:g} in a unit that is not declared"
+    raise ConditionError(problem, "a header such as: wavelength (nm), value")
+
+
+def values(title: str) -> Meaning:
+    """What the values under a title are; refuse what is no light, or not per wavelength."""
+    text = plain(title).replace("_", " ")
+    if NO_LIGHT.search(text):
+        raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
+    found = IN_BRACKETS.search(title)
+    bracket = next(filter(None, found.groups()), "") if found else ""
+    words = title.split()
+    for part in [bracket, *(" ".join(words[start:]) for start in range(len(words)))]:
+        facts, factor = _light(part, part == bracket)
+        if facts is None:
+            continue
+        if facts.axis != PER_WAVELENGTH or facts.kind == LUMINOUS or facts.time:
+            problem = f"values in {quote(part)} are not power or photons per wavelength"
+            raise ConditionError(problem, KNOWN)
+        are_photons = facts.kind == PHOTON
+        said = "photons turned into watts" if are_photons else ""
+        return Meaning(said, are_photons, QUANTITIES[facts.area, facts.solid_angle], factor * 1e-9)
+    if LUMENS.search(text):
+        raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
+    if PHOTONS.search(text):
+        return Meaning("its values taken as relative photons per wavelength", True)
+    return Meaning("its values taken as relative watts per wavelength")
+
+
+def _light(text: str, in_brackets: bool) -> tuple[Reading | None, float]:
+    """What a text is as a unit of light, and its factor to SI; outside brackets W is a word."""
+    if not text or not (in_brackets or "/" in text or "-" in text or "⁻" in text):
+        return None, 1.0
+    try:
+        unit = resolve(text)
+    except RadcalcError:  # a title is free text: no unit, no absolute values
+        return None, 1.0
+    facts = read(unit)
+    return (facts if unit.is_light else None), float(unit.factor)
