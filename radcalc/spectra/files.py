@@ -357,56 +357,6 @@ def _named(titles: Sequence[str]) -> str:
     return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])
 
 
-def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
-    """Wavelengths and values of rows that are numbers and nothing else; None of others."""
-    try:
-        if are_many and lines[0].strip():
-            import numpy
-
-            rows = numpy.loadtxt(lines, delimiter=layout.delimiter, comments=None, ndmin=2)
-            if rows.shape != (len(lines), layout.width) or not numpy.isfinite(rows).all():
-                return None
-            return rows[:, 0], rows[:, layout.place]
-        split = [line.split(layout.delimiter) for line in lines]
-        if [len(cells) for cells in split].count(layout.width) != len(split):
-            return None
-        texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
-        for text in map(" ".join, texts):
-            if not text.isascii() or "_" in text:  # float() would read 5_50, and other digits
-                return None
-        columns = [list(map(float, column)) for column in texts]
-    except ValueError:
-        return None
-    total = sum(map(sum, columns))
-    return columns if total - total == 0 else None
-
-
-def _table_of_many(
-    name: str,
-    grid: Sequence[float],
-    values: Sequence[float],
-    nanometres: float,
-    meant: titles.Meaning,
-) -> Table:
-    import numpy
-
-    from radcalc.spectra.arrays import ArrayTable
-
-    xs: Any
-    ys: Any
-    xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
-    if meant.are_photons:
-        ys = ys * ENERGY / xs
-    return ArrayTable(name, xs, ys, absolute=meant.absolute)
-
-
-def _named(titles: Sequence[str]) -> str:
-    """The columns of values by their titles, or else their numbers; the first of very many."""
-    names = [quote(title) or str(number) for number, title in enumerate(titles, 1) if number > 1]
-    more = f" ... ({len(names)} of them)" if len(names) > SHOWN else ""
-    return ", ".join(names[:SHOWN]) + more
-
-
 def _is_number(cell: str, comma: bool) -> bool:
     if not cell.isascii() or "_" in cell:  # float() would read 5_50 and other scripts' digits
         return False
