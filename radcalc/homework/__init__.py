@@ -4,7 +4,7 @@ It needs no command line: a `Question` holds the right answer and how it was wor
 `check` judges what somebody answered to it.
 """
 
-from radcalc.homework.diagnosis import Diagnosis
+from radcalc.homework.answer import Diagnosis
 from radcalc.homework.question import Question
 from radcalc.homework.verdict import Verdict, check
 

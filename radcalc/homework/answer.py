@@ -62,6 +62,14 @@ def _digits(number: str, value: float) -> tuple[int, float, float]:
     return max(1, len(digits)), 0.5 * 10.0**power, 0.5 * 10.0 ** min(power + zeros, 308)
 
 
+class Diagnosis(NamedTuple):
+    """A likely mistake: its name, what was done, and what would have been right."""
+
+    mistake: str
+    done: str
+    right: str
+
+
 class Tolerance(NamedTuple):
     """Relative, absolute in the answer's unit, or in significant digits."""
 

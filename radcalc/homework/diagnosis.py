@@ -5,10 +5,12 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import NamedTuple, TypeVar
 
+from radcalc.answer import Value
 from radcalc.homework import edits, misread, siblings
-from radcalc.homework.answer import Claim
+from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.misread import SLIPS
 from radcalc.homework.problem import Candidate, Problem
+from radcalc.homework.question import Question
 
 MOST = 5  # diagnoses
 COARSEST = 0.05  # how far a number of one digit may be off a mistake's
@@ -19,20 +21,13 @@ SPREAD = math.log(GUESS)
 BY_CHANCE = 0.05  # the part of such answers that the mistakes looked for may take in
 
 
-class Diagnosis(NamedTuple):
-    """A likely mistake: its name, what was done, and what would have been right."""
-
-    mistake: str
-    done: str
-    right: str
-
-
-def diagnose(problem: Problem, said: Claim, right: float) -> tuple[Diagnosis, ...]:
+def diagnose(question: Question, target: Value, said: Claim, right: float) -> tuple[Diagnosis, ...]:
     """The mistakes that reproduce an answer to the digits typed, the likeliest first.
 
     `right` is the right value in the answer's unit.  Two mistakes at once are looked for only
     where no single one fits: with so many pairs a number of few digits would always fit some.
     """
+    problem = Problem(question, target)
     single = candidates(problem)
     search = _Search(said, problem.right, right)
     found = search.of(single, said.half_unit)

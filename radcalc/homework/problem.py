@@ -4,8 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from radcalc.answer import Value
-from radcalc.homework import chain
-from radcalc.homework.chain import FAILURES
+from radcalc.homework.chain import FAILURES, of_answer
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
 from radcalc.quantities.light import GRID, Reading
@@ -52,9 +51,11 @@ class Problem:
         facts = GRID.get(target.dimensions[0])
         self.light = Reading(*facts) if facts else None
         if question.plan:
-            self.chain = chain.of_conversion(question.plan, self.right, self.given)
+            from radcalc.homework.factors import of_conversion  # with the laws of conditions
+
+            self.chain = of_conversion(question.plan, self.right, self.given)
         else:
-            self.chain = chain.of_answer(question.answer, target, self.given)
+            self.chain = of_answer(question.answer, target, self.given)
 
     def is_of(self, *commands: str) -> bool:
         """Whether the question is one of these commands'."""

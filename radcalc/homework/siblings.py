@@ -7,14 +7,16 @@ the laws (shapes, directions, the eyes), has a function of its own.
 
 import math
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
-from radcalc.conversion.spectral import light
-from radcalc.geometry import cones, lobes, solid
+from radcalc.geometry import cones
 from radcalc.homework.chain import FAILURES
 from radcalc.homework.edits import text_of
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.laws.law import At
-from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficacy
+
+if TYPE_CHECKING:
+    from radcalc.spectra.observers import Observer
 
 Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
 Found = Iterator[Candidate | None]
@@ -30,20 +32,8 @@ def find(p: Problem) -> Iterator[Candidate]:
                     found = usual(name, p.chain.after(target, value), right=text_of(law))
                     if found:
                         yield found
-    for family in (
-        _shape,
-        _projection,
-        _aside,
-        _far,
-        _received,
-        _zone,
-        _integral,
-        _direction,
-        _eyes,
-        _beam,
-    ):
+    for family in OUTSIDE:
         yield from filter(None, family(p))
-    yield from filter(None, _swapped(p))
 
 
 def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
@@ -193,7 +183,7 @@ def _aside(p: Problem) -> Found:
     if p.is_of("solid-angle"):
         if p.question.shape != "disc" or not radius or not p.asks("solid-angle"):
             return
-        small = solid.patch(PI * radius**2, slant)
+        small = PI * (radius / slant) ** 2
         yield usual("cosine-forgotten", small)
         yield usual("height-for-distance", small / cosine)
         return
@@ -225,7 +215,7 @@ def _received(p: Problem) -> Found:
     if not p.asks("received-flux") or not irradiance or not area:
         return
     rule = "Phi = E A, where E is the same all over the receiver"
-    yield usual("flat-for-curved", irradiance * area, "E A was used, as on a small receiver", rule)
+    yield usual("flat-for-curved", irradiance * area, "E A was used, as on a small receiver")
     for factor in (1e2, 1e4, 1e6):
         for wrong in (area * factor, area / factor):
             yield usual("area-unit", irradiance * wrong)
@@ -294,6 +284,10 @@ EFFICACIES = ("luminous-efficacy", "scotopic-luminous-efficacy")
 
 def _eyes(p: Problem) -> Found:
     """The efficacy of the wrong eye, and watts as if all were seen best."""
+    if p.chain.symbols.isdisjoint((*EFFICACIES, "sp-ratio")):
+        return
+    from radcalc.spectra.observers import OBSERVERS
+
     day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
     rounded = 1700 / 683, night.maximum / day.maximum
     for symbol in (*EFFICACIES, "sp-ratio"):
@@ -305,7 +299,7 @@ def _eyes(p: Problem) -> Found:
             for size in (683.0, day.maximum):
                 yield usual("683-for-any-light", p.chain.after(symbol, size))
             for eye, other in ((day, night), (night, day)):
-                seen = _efficacy(p, eye)
+                seen = _efficacy(p, eye, eye is night)
                 others += [seen, seen * other.maximum / eye.maximum] if seen else []
             own_eye = night if symbol == EFFICACIES[1] else day
             if "efficacy" not in p.given:
@@ -314,11 +308,14 @@ def _eyes(p: Problem) -> Found:
             yield usual("scotopic-for-photopic", p.chain.after(symbol, size))
 
 
-def _efficacy(p: Problem, eye: Observer) -> float | None:
+def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
     """What an eye sees of the light that is given [lm/W]."""
     if "wavelength" in p.given:
+        from radcalc.conversion.spectral import light
+        from radcalc.spectra.observers import luminous_efficacy
+
         return float(luminous_efficacy(light(p.given["wavelength"], None).table, eye))
-    return p.amount(EFFICACIES[eye is OBSERVERS["scotopic"]]) if p.is_of("spectrum") else None
+    return p.amount(EFFICACIES[is_dark]) if p.is_of("spectrum") else None
 
 
 def _beam(p: Problem) -> Found:
@@ -331,7 +328,7 @@ def _beam(p: Problem) -> Found:
     yield usual("cone-forgotten", p.chain.after("solid-angle", 1.0))
     beam, n = p.amount("beam-angle"), p.amount("exponent")
     if n and not beam:
-        beam = float(lobes.angle(n, 0.5))
+        beam = 2 * math.acos(0.5 ** (1 / n))
     if beam:
         yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
 
@@ -356,3 +353,18 @@ def _swapped(p: Problem) -> Found:
     if "cosine" in symbols and 0 < values["cosine"] < 1:
         sine = math.sqrt(1 - values["cosine"] ** 2)
         yield usual("angle-from-surface", p.chain.after("cosine", sine))
+
+
+OUTSIDE = (
+    _shape,
+    _projection,
+    _aside,
+    _far,
+    _received,
+    _zone,
+    _integral,
+    _direction,
+    _eyes,
+    _beam,
+    _swapped,
+)

@@ -8,9 +8,7 @@ from radcalc.answer import Step, Value
 from radcalc.calculators.results import in_unit, pick
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, option, quote
-from radcalc.homework.answer import Claim, read_claim, read_tolerance
-from radcalc.homework.diagnosis import Diagnosis, diagnose
-from radcalc.homework.problem import Problem
+from radcalc.homework.answer import Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, resolve
@@ -81,7 +79,9 @@ def _check(question: Question, claim: str, tolerance: str) -> Verdict:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
     if abs(right - said.value) <= max(said.half_unit, said.widest):
         return verdict._replace(diagnoses=(_rounded(said, right),))
-    found = diagnose(Problem(question, target), said, right)
+    from radcalc.homework.diagnosis import diagnose  # which right answers do without
+
+    found = diagnose(question, target, said, right)
     if question.steps and found and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, found[0])))
     return verdict._replace(diagnoses=found)
