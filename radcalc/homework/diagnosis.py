@@ -18,7 +18,7 @@ LEAST_DIGITS = 3  # of an answer that two mistakes together are told from
 COMMON = 4  # the last rank that is common enough to be made together with a slip
 GUESS = 30.0  # how many times too large or too small an answer by chance is expected to be
 SPREAD = math.log(GUESS)
-BY_CHANCE = 0.05  # the part of such answers that the mistakes looked for may take in
+BY_CHANCE = 0.03  # the part of such answers that the mistakes looked for may take in
 
 
 def diagnose(question: Question, target: Value, said: Claim, right: float) -> tuple[Diagnosis, ...]:

@@ -24,6 +24,7 @@ NAMES = {  # of symbols in the names of mistakes
     "J": "jacobian",
     "luminous-efficacy": "efficacy",
     "photon-efficacy": "efficacy",
+    "lux-per-ppfd": "efficacy",
 }
 # How easily a symbol is left out, or its square; a number of no unit is easier forgotten than a
 # length or a time.
@@ -34,6 +35,7 @@ FORGOTTEN = {
     "reflectance": 2,
     "gain": 2,
     "absorptance": 2,
+    "projected-solid-angle": 4,
 }
 NOT_SQUARED = {"f-number": 1}
 USUALLY, RARELY, SELDOM, HARDLY = 2, 3, 4, 5
@@ -57,6 +59,7 @@ WHY = {
     "gain": "a perfect diffuser has a gain of 1",
     "share": "off the axis there is less light",
 }
+IN_ITS_UNIT = ("bandwidth", "efficacy")  # one reckons with these as they are written
 CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count them
 
 
@@ -137,8 +140,9 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
     size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
-        typed = p.given[name].number if name in p.given else None
-        if isinstance(typed, float) and (kind == "not-squared" or name == "bandwidth"):
+        own = "efficacy" if "efficacy" in NAMES.get(name, name) else name
+        typed = p.given[own].number if own in p.given else None
+        if isinstance(typed, float) and (kind == "not-squared" or own in IN_ITS_UNIT):
             yield typed, 0.5
 
 

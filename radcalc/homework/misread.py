@@ -81,7 +81,7 @@ def _angles(p: Problem) -> Found:
         if one.name in ("incidence", "tilt") and one.value:
             yield usual("cosine-forgotten", p.misread(one.name, 0.0))
         if one.name in FROM_NORMAL:
-            yield usual("angle-from-surface", p.misread(one.name, math.pi / 2 - one.value))
+            yield usual("angle-from-surface", p.misread(one.name, abs(math.pi / 2 - one.value)))
     if p.asks("polar", "elevation", "incidence"):
         yield usual("angle-from-surface", math.pi / 2 - p.right)
 

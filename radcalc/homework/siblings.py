@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
 Found = Iterator[Candidate | None]
 PI = math.pi
+DIFFUSE = "all directions are 4 pi sr, a hemisphere 2 pi sr, and pi sr projected"
 
 
 def find(p: Problem) -> Iterator[Candidate]:
@@ -165,11 +166,18 @@ def _shape(p: Problem) -> Found:
 
 
 def _projection(p: Problem) -> Found:
-    """The solid angle of any shape for the projected one, and back."""
+    """The solid angle of any shape for the projected one, and back; the pi in either."""
     plain, projected = p.amount("solid-angle"), p.amount("projected-solid-angle")
-    if plain and projected:
-        yield usual("solid-for-projected", p.chain.after("projected-solid-angle", plain))
-        yield usual("solid-for-projected", p.chain.after("solid-angle", projected))
+    if not plain or not projected:
+        return
+    yield usual("solid-for-projected", p.chain.after("projected-solid-angle", plain))
+    yield usual("solid-for-projected", p.chain.after("solid-angle", projected))
+    if not p.chain.steps or p.light:  # worked out outside the laws
+        yield usual(
+            "pi-forgotten", p.chain.after("projected-solid-angle", projected / PI), right=DIFFUSE
+        )
+        yield usual("two-pi-for-pi", p.chain.after("projected-solid-angle", 2 * projected))
+        yield usual("wrong-sphere", p.chain.after("solid-angle", 2 * plain), right=DIFFUSE)
 
 
 def _aside(p: Problem) -> Found:
@@ -247,14 +255,15 @@ def _zone(p: Problem) -> Found:
 
 def _integral(p: Problem) -> Found:
     """The integral over a cone of 1, and of the cosine, without sin(theta); any without phi."""
-    half = p.amount("half-angle")
     if not p.asks("integral"):
         return
+    half = PI / 2 if "hemisphere" in p.given else p.amount("half-angle")
     yield usual("azimuth-forgotten", p.right / (2 * PI))
     if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
         yield usual("sine-forgotten", 2 * PI * half)
     if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
         yield usual("sine-forgotten", 2 * PI * math.sin(half))
+        yield usual("solid-for-projected", cones.cone(half))
 
 
 def _direction(p: Problem) -> Found:
