@@ -4,7 +4,7 @@ Written before the generators of mistakes, from textbooks' classical errors, and
 `corpus.py`: the numbers come from the formulas as learners misuse them, never from radcalc.
 """
 
-from math import acos, asin, atan, cos, degrees, log, log2, pi, radians, sqrt
+from math import acos, asin, atan, cos, degrees, hypot, log, log2, pi, radians, sqrt
 
 from homework.corpus import (
     DARK450,
@@ -25,6 +25,7 @@ from homework.corpus import (
 )
 
 DARK610 = 0.01593  # CIE 1951
+V532 = 0.88496  # CIE 1924
 EV = 1.602176634e-19  # J
 SIGMA = 5.670374419e-8  # W/(m2 K4)
 SCREEN = "screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2"
@@ -352,4 +353,69 @@ BLIND = [
           "deg2-for-sr"),
     Wrong(f"{PS} --intensity 130cd --distance 2.3m --receiver-area 43cm2", "received-flux", "lm",
           130 / 2.3**2, "receiver-area-forgotten"),
+]  # fmt: skip
+
+# A third set, written after the second was passed.
+THIRD = [
+    Wrong("convert 2.4 klm lx --area 12ft2", "", "lx", 2400 / 12, "area-unit"),
+    Wrong("convert 300 lx W/m2 --wavelength 555nm", "", "W/m2", 300 * 683, "efficacy-upside-down"),
+    Wrong("point-source --flux 1030lm --half-angle 20deg --distance 3.1m", "illuminance", "lx",
+          1030 / (4 * pi * 3.1**2), "spot-as-sphere"),
+    Wrong("point-source --flux 1030lm --half-angle 20deg --distance 3.1m", "illuminance", "lx",
+          1030 / (pi * t(20)**2 * 3.1**2), "flat-disc-for-cap"),
+    Wrong("point-source --intensity 530cd --height 3.2m --offset 4.1m", "illuminance", "lx",
+          530 / (3.2**2 + 4.1**2), "cosine-forgotten"),
+    Wrong("point-source --intensity 530cd --height 3.2m --offset 4.1m", "illuminance", "lx",
+          530 * 3.2 / hypot(3.2, 4.1) / 3.2**2, "height-for-distance"),
+    Wrong("lambertian disc --radius 20cm --height 1.1m --luminance 510cd/m2", "illuminance", "lx",
+          2 * pi * 510 * 0.04 / (0.04 + 1.21), "two-pi-for-pi"),
+    Wrong("lambertian --luminance 250cd/m2 --area 0.53m2", "flux", "lm",
+          4 * pi * 250 * 0.53, "wrong-sphere"),
+    Wrong("lambertian sphere --flux 820lm --radius 5.5cm", "luminance", "cd/m2",
+          820 / (pi * pi * 0.055**2), "wrong-sphere"),
+    Wrong("lambertian sphere --flux 820lm --radius 5.5cm", "luminance", "cd/m2",
+          820 / (4 * pi * 0.055**2), "pi-forgotten"),
+    Wrong("solid-angle disc --radius 6cm --height 20cm", "solid-angle", "sr",
+          cap(degrees(asin(0.3))), "arctangent-for-arcsine"),
+    Wrong("solid-angle sphere --radius 1737km --distance 384400km", "half-angle", "deg",
+          degrees(asin(3474 / 384400)), "diameter-for-radius|full-for-half"),
+    Wrong("solid-angle cone --apex-angle 40deg", "sphere-fraction", "",
+          cap(40) / 4 / pi, "full-for-half"),
+    Wrong("etendue --diameter 50um --na 0.12", "etendue", "mm2.sr",
+          pi * pi * 0.05**2 * 0.12**2, "diameter-for-radius"),
+    Wrong("ev --f-number 2.8 --time 1/250s --iso 1600", "illuminance", "lx",
+          12.5 / 1600 * 2.8**2 * 250, "k-for-c"),
+    Wrong("ev --luminance 4100cd/m2 --f-number 8", "time", "s",
+          8 * 12.5 / (4100 * 100), "f-number-not-squared"),
+    Wrong("photon 1064nm", "frequency", "THz", C / 1064 / 1000000000000.0, "nanometres-for-metres"),
+    Wrong("photon 3.3e14Hz", "wavelength", "nm",
+          C / 330000000000000.0 * 1000000000.0 * 2 * pi, "angular-for-cycles"),
+    Wrong("photon 589nm", "wavenumber", "cm-1", 1 / 5.89e-07, "power-of-ten|nanometres-for-metres"),
+    Wrong("calorimeter --irradiance 820W/m2 --receiver-area 15cm2 --mass 25g "
+          "--specific-heat 4186J/kg/K --time 10min",
+          "temperature-rise", "K", 820 * 15 * 600 / (0.025 * 4186), "area-unit"),
+    Wrong("mesopic --luminance 0.5cd/m2 --sp-ratio 0.6", "mesopic-luminance", "cd/m2",
+          0.5 * 0.6, "scotopic-for-mesopic"),
+    Wrong("convert 18 fc lx", "", "lx", 18 * 0.0929, "unit-upside-down|feet-for-metres"),
+    Wrong("convert 0.83 mW lm --wavelength 532nm", "", "lm",
+          0.00083 * 1700 * V532, "scotopic-for-photopic"),
+    Wrong("direction --polar 120deg --azimuth 40deg", "z", "", s(120), "angle-from-surface"),
+    Wrong("direction 3 4 12", "polar", "deg", degrees(atan(12 / 5)), "angle-from-surface"),
+    Wrong("integrate cos(theta) --hemisphere", "integral", "sr",
+          2 * pi, "solid-for-projected|two-pi-for-pi|wrong-sphere"),
+    Wrong("solid-angle zone --polar 30deg:60deg", "projected-solid-angle", "sr",
+          cap(60) - cap(30), "solid-for-projected"),
+    Wrong("spectrum blackbody:5800K", "exitance", "W/m2",
+          5.670374419e-08 * 5800**4 * pi, "pi-forgotten"),
+    Wrong("screen --flux 3100lm --diagonal 2.6m --aspect 16/9", "luminance", "cd/m2",
+          3100 / (2.6**2 * 9 / 16) / pi, "diagonal-for-width"),
+    Wrong("convert 640 umol/m2/s lx --efficacy 54lm.s/umol", "", "lx",
+          640 / 54, "efficacy-upside-down|lux-per-ppfd-upside-down"),
+    Wrong("convert 75 W/sr W/m2 --distance 120cm", "", "W/m2", 75 / 120**2, "length-unit"),
+    Wrong("convert 15 lm lx --diameter 25cm", "", "lx", 15 / (pi * 0.25**2), "diameter-for-radius"),
+    Wrong("lambertian hemisphere --luminance 3100cd/m2", "illuminance", "lx",
+          3100 * 2 * pi, "two-pi-for-pi|solid-for-projected"),
+    Wrong("lambertian plane --luminance 3100cd/m2", "illuminance", "lx", 3100.0, "pi-forgotten"),
+    Wrong("etendue --area 1.3cm2 --receiver-area 2.2cm2 --distance 0.8m --radiance 4e4cd/m2",
+          "flux", "lm", 40000.0 * 0.00013 * 0.00022 / 0.8, "distance-not-squared"),
 ]  # fmt: skip

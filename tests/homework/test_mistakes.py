@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 from homework.corpus import CORPUS, Wrong
-from homework.heldout import BLIND, HELD_OUT
+from homework.heldout import BLIND, HELD_OUT, THIRD
 from homework.questions import CONE, LUX, POINT, RIGHT, TILTED, asked, claim_of, mistakes, verdict
 
 from radcalc.homework import check
@@ -32,8 +32,8 @@ def diagnosed(k: int, wrong: Wrong) -> tuple[str, list[str]]:
 
 @pytest.mark.parametrize(
     ("wrongs", "first"),
-    [(CORPUS, 0.98), (HELD_OUT, 0.95), (BLIND, 0.95)],
-    ids=["corpus", "held out", "blind"],
+    [(CORPUS, 0.98), (HELD_OUT, 0.95), (BLIND, 0.95), (THIRD, 0.9)],
+    ids=["corpus", "held out", "blind", "third"],
 )
 def test_the_intended_mistake_is_named_and_mostly_first(wrongs, first):
     misses, count = [], 0
@@ -75,7 +75,7 @@ EDITS = ("-forgotten", "-upside-down", "-not-squared", "-squared")  # of any sym
 
 
 def test_every_mistake_of_the_corpora_has_a_rank_or_is_an_edit_of_a_symbol():
-    named = {name for w in (*CORPUS, *HELD_OUT, *BLIND) for name in w.mistake.split("|")}
+    named = {name for w in (*CORPUS, *HELD_OUT, *BLIND, *THIRD) for name in w.mistake.split("|")}
     assert {name for name in named if name not in USUAL and not name.endswith(EDITS)} == set()
     assert set(USUAL) <= named
     assert set(SLIPS) <= set(USUAL)
