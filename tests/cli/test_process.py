@@ -8,7 +8,7 @@ import time
 
 import pytest
 from conftest import ROOT, entry_point, python, run
-from helpers import started
+from helpers import on_terminal, started
 
 
 @pytest.mark.parametrize(
@@ -106,6 +106,32 @@ def test_a_bug_is_reported_as_one(monkeypatch, capsys):
     assert "Traceback" in capsys.readouterr().err
 
 
+def test_memory_that_is_not_there_is_no_bug(monkeypatch, capsys):
+    from radcalc import cli
+
+    def greedy(*args, **kwargs):
+        raise MemoryError
+
+    monkeypatch.setattr(cli.commands, "invoke", greedy)
+    assert cli.run(["convert"]) == 2
+    assert capsys.readouterr().err.startswith("radcalc: not enough memory\ntry: ")
+
+
+@pytest.mark.parametrize("asked", ["nonsense", "bash", "bash_nonsense", "bash_complete"])
+def test_a_completion_that_there_is_not_is_refused(asked, monkeypatch):
+    monkeypatch.setenv("_RADCALC_COMPLETE", asked)
+    done = run()
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith(f"radcalc: _RADCALC_COMPLETE={asked} asks for nothing")
+
+
+def test_a_shell_completes_commands(monkeypatch):
+    monkeypatch.setenv("_RADCALC_COMPLETE", "bash_complete")
+    monkeypatch.setenv("COMP_WORDS", "radcalc conv")
+    monkeypatch.setenv("COMP_CWORD", "1")
+    assert run().stdout == "plain,convert\n"
+
+
 def test_an_interrupt_exits_130_without_a_traceback():
     code = (
         "import sys, time, radcalc.stdio as c\n"
@@ -122,9 +148,46 @@ def test_an_interrupt_exits_130_without_a_traceback():
         time.sleep(0.1)  # asleep, as a user who interrupts it finds it
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
-    assert (process.returncode, err.strip()) == (130, "")
+    assert (process.returncode, err) == (130, "")
 
 
+def heed_interrupts() -> None:
+    """What a process in the background of a shell is started without."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def test_an_interrupted_stream_ends_quietly_in_a_pipe():
+    words = (entry_point(), "convert", "-", "lx", "fc")
+    streams = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with started(*words, **streams, preexec_fn=heed_interrupts) as process:
+        process.stdin.write(b"1\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == b"0.09290304\n"
+        process.send_signal(signal.SIGINT)
+        assert process.wait(30) == 130
+        assert process.stderr.read() == b""
+        process.stdin.close()
+
+
+def test_an_interrupted_stream_ends_quietly_on_a_terminal():
+    words = (sys.executable, "-c", ON_A_TERMINAL, entry_point(), "convert", "-", "lx", "fc")
+    heeding = {"start_new_session": True, "preexec_fn": heed_interrupts}
+    with on_terminal(*words, **heeding) as (process, leader):
+        os.write(leader, b"1\n")
+        screen = b""
+        while b"0.09290304" not in screen:
+            screen += os.read(leader, 1000)
+        os.write(leader, b"\x03")
+        assert process.wait(30) == 130
+        assert os.read(leader, 1000).strip() in (b"", b"^C")
+
+
+# The terminal is the one that a Ctrl-C comes from.
+ON_A_TERMINAL = """
+import fcntl, os, sys, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+os.execv(sys.argv[1], sys.argv[1:])
+"""
 LAUNCHER = str(ROOT / "bin" / "radcalc")  # hatch_build.py says where it is installed
 
 
