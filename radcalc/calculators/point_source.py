@@ -18,6 +18,7 @@ from radcalc.errors import (
     mention,
     option,
 )
+from radcalc.geometry import cones
 from radcalc.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
@@ -103,6 +104,10 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     laws = [*LAWS[shape], *ANY_LAWS]
     laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
     sheet.assume(ASSUMED[shape])
+    if shape == ISOTROPIC and "intensity" in sheet.lit.values and "distribution" not in given:
+        sheet.notes.append(
+            mention("4 pi times the intensity is not the flux of a beam: {beam-angle} gives that")
+        )
     _solve(sheet, laws, any_incidence)
     if is_aside and not sheet.has("height"):
         told = next(given[name] for name in ("offset", "offset-y") if name in given)
@@ -120,6 +125,8 @@ def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
         sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
     if sheet.has("received-flux"):
         _judge_receiver(sheet, shape)
+    if "beam-angle" in sheet.given and sheet.has("intensity"):
+        _compare_cone(sheet)
     if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
         sheet.notes.append("light from the side or behind does not reach the receiver")
     if shape == CONICAL and sheet.has("share") and any_true(sheet.at("share") == 0):
@@ -240,6 +247,16 @@ def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
 def _know_incidence(sheet: Worksheet) -> None:
     if "incidence" in sheet.given:
         sheet.know("incidence", angle_of(sheet.given, "incidence"), sheet.given["incidence"])
+
+
+def _compare_cone(sheet: Worksheet) -> None:
+    """Say what a uniform cone of a beam angle would give, which is often meant by it."""
+    omega = cones.cone(sheet.at("beam-angle") / 2)
+    name = "intensity" if "flux" in sheet.lit.values else "flux"
+    other = sheet.at("flux") / omega if name == "intensity" else sheet.at("intensity") * omega
+    if not is_array(other):
+        size = format_value(other, coherent_unit_of(name, sheet.lit.kind))
+        sheet.notes.append(f"a uniform cone of that full angle would have {size}")
 
 
 def _judge_receiver(sheet: Worksheet, shape: str) -> None:

@@ -199,6 +199,8 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
     if "offset" in sheet.given or "incidence" in sheet.given:
         missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
         raise MissingInput(mention("too little is given beside {offset} or {incidence}"), missing)
+    if "irradiance" in sheet.lit.values:
+        sheet.assume("the receiver is on the disc's axis and faces it")
     away = "height" if "height" in sheet.given else "distance"
     return [*laws, disc_on_axis(away), disc_flux(away)]
 

@@ -81,6 +81,11 @@ def _area(conditions: Conditions) -> Factor:
     return geometric.area(conditions.take(AREA))
 
 
+def _front_area(conditions: Conditions) -> Factor:
+    factor = geometric.area(conditions.take(AREA))
+    return factor._replace(assumption=f"{factor.assumption}, seen along its normal")
+
+
 def _far_area(conditions: Conditions) -> Factor:
     area, given = conditions.take(AREA), conditions.given
     return geometric.far_area(area, given[DISTANCE], given.get("incidence"))
@@ -109,6 +114,7 @@ def _disc(conditions: Conditions) -> Factor:
 
 PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANCE: _reflector}
 AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
+IN_FRONT: Supply = {**PLAIN, AREA: _front_area}
 FAR: Supply = {**PLAIN, AREA: _far_area}
 REFLECTED = Way({REFLECTANCE: 1}, {REFLECTANCE: lambda c: geometric.reflected(c.take(REFLECTANCE))})
 DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
@@ -132,7 +138,7 @@ WAYS = {
         Way({AREA: -1, CONE: 1}, PLAIN, False, False),
     ),
     (INTENSITY, RADIANCE): (
-        Way({AREA: -1}, PLAIN),
+        Way({AREA: -1}, IN_FRONT),
         Way({DISTANCE: 1, REFLECTANCE: 1}, PLAIN),
         Way({AREA: -1, CONE: 1, REFLECTANCE: 1}, PLAIN, False, False),
     ),

@@ -8,6 +8,8 @@ from helpers import Q, number
 from mpmath import mpf
 
 from radcalc import point_source
+from radcalc.calculators.point_source import point_source as work_out
+from radcalc.given import read
 
 PI = math.pi
 
@@ -167,3 +169,11 @@ def test_an_array_of_receivers_and_of_distances():
     assert found["received_flux"].to("lm").magnitude == pytest.approx(
         [100, 100, 50 / spot], rel=1e-4
     )
+
+
+def test_a_beam_angle_says_what_a_uniform_cone_would_give():
+    """1000 cd at 30 degrees: 299 lm as a lobe, 2 pi (1 - cos 15 deg) 1000 lm = 214 lm as a cone."""
+    for given, said in (({"intensity": "1000cd"}, "214.094 lm"), ({"flux": "214lm"}, "999.56 cd")):
+        inputs = {name: read(name, text) for name, text in given.items()}
+        answer = work_out({**inputs, "beam-angle": read("beam-angle", "30deg")})
+        assert f"a uniform cone of that full angle would have {said}" in answer.notes
