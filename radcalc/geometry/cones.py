@@ -6,16 +6,24 @@ These are the parts of the geometry that a conversion needs; the other shapes ar
 """
 
 import math
-from typing import Any
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError
-from radcalc.maths import Number, any_true, asin, cos, piecewise, sin, sqrt
+from radcalc.maths import Number, any_true, asin, cos, piecewise, sin, smaller, sqrt
 
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
 # [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
 # as somebody types them, are still within the sphere.
 SLACK = 1e-12
+# What functions are held to, so that squares and ratios stay within a float: the largest of their
+# arguments, and the arguments of which 1 over it is the least that is not 0.
+LARGEST = 1e100
+SIZES = {"radius", "other", "distance", "height", "width", "length", "length_", "area", "reach"}
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 def refuse(bad: Any, message: str, hint: str) -> None:
@@ -50,6 +58,56 @@ def refuse(bad: Any, message: str, hint: str) -> None:
     """
     if any_true(bad):
         raise ConditionError(message, hint)
+
+
+def bounded(function: F) -> F:
+    """Hold what a function of sizes and angles is given to what floats reckon with.
+
+    Parameters
+    ----------
+    function : callable
+        Takes floats and arrays, and perhaps None or a tuple, which is let through.
+
+    Returns
+    -------
+    callable
+        The same function; of a NaN it gives NaN.
+
+    Raises
+    ------
+    ConditionError
+        When that is called with what is above 1e100, or a size that is below 1e-100 and not 0.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import solid
+    >>> solid.disc(1.0, float("inf"))
+    Traceback (most recent call last):
+        ...
+    radcalc.errors.ConditionError: a size of inf is beyond what radcalc reckons with
+    try: sizes from 1e-100 to 1e+100
+    """
+
+    names = function.__code__.co_varnames
+
+    @wraps(function)
+    def held(*given: Any, **named: Any) -> Any:
+        for name, size in (*zip(names, given, strict=False), *named.items()):
+            if size is None or isinstance(size, tuple):
+                continue
+            far = abs(size)
+            least = 1 / LARGEST if name in SIZES else 0.0
+            if any_true((far > LARGEST) | ((far < least) & (far > 0))):
+                shown = f"a size of {size}" if isinstance(size, float) else "one of the sizes"
+                raise ConditionError(
+                    f"{shown} is beyond what radcalc reckons with",
+                    f"sizes from {1 / LARGEST:g} to {LARGEST:g}",
+                )
+            if isinstance(size, float) and size != size:
+                return size
+        return function(*given, **named)
+
+    return held  # type: ignore[return-value]
 
 
 def cone(half_angle: Number) -> Number:
@@ -287,4 +345,4 @@ def facing(tilt: Number) -> Number:
     >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
     (0.5, 0.0)
     """
-    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * abs(t), tilt)
+    return piecewise(abs(tilt) < math.pi / 2, cos, lambda t: 0.0 * smaller(math.pi, abs(t)), tilt)

@@ -88,7 +88,8 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     Raises
     ------
     ConditionError
-        If a polar angle is negative or above pi (by more than a relative 1e-12).
+        If a polar angle is negative or above pi (by more than a relative 1e-12), or an azimuth is
+        infinite.
 
     Notes
     -----
@@ -113,5 +114,7 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
         raise ConditionError(
             "a polar angle is from 0 to 180 deg", "an elevation is from -90 to 90 deg"
         )
+    if any_true(abs(azimuth) == math.inf):
+        raise ConditionError("an endless azimuth is no direction", "any number of turns")
     across = sin(polar)
     return across * cos(azimuth), across * sin(azimuth), cos(polar)

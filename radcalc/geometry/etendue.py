@@ -15,10 +15,11 @@ beams are in a medium of refractive index 1 (in another, n^2 G is what refractio
 import math
 
 from radcalc.geometry import projected
-from radcalc.geometry.cones import refuse
+from radcalc.geometry.cones import bounded, refuse
 from radcalc.maths import Number, hypot, larger, power_of_two, smaller, sqrt
 
 
+@bounded
 def patch_and_cone(area: Number, half_angle: Number) -> Number:
     """Etendue of a flat patch and a circular cone of directions about its normal.
 
@@ -37,8 +38,8 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a half angle is outside 0 to pi/2: a surface neither sends nor receives light past its
-        horizon.
+        If an area is negative, or a half angle is outside 0 to pi/2: a surface neither sends nor
+        receives light past its horizon.
 
     Notes
     -----
@@ -66,9 +67,11 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
         "a surface neither sends nor sees light past its horizon",
         "a half angle from 0 to 90 deg",
     )
+    refuse(area < 0, "a negative area is not possible", "0 or more")
     return area * projected.cone(half_angle)
 
 
+@bounded
 def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     """Etendue of two parallel discs on one axis, at any distance.
 
@@ -87,7 +90,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a distance is not above 0.
+        If a radius is negative, or a distance is not above 0.
 
     Notes
     -----
@@ -121,6 +124,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     >>> round(math.pi**2 / 2 * (3 - math.sqrt(5)), 6)
     3.769853
     """
+    refuse((radius < 0) | (other < 0), "a negative radius is not possible", "0 or more")
     refuse(distance <= 0, "the discs touch", "a distance above 0")
     scale = power_of_two(larger(larger(radius, other), distance))
     radius, other, distance = radius / scale, other / scale, distance / scale
@@ -129,6 +133,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     return 2 * (math.pi * (radius * (other / sqrt(total + root))) * scale) ** 2
 
 
+@bounded
 def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
     """Distance of two discs that face each other on one axis, from their etendue.
 
@@ -167,6 +172,7 @@ def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
     return sqrt((radius**2 - part) * (other**2 - part) / part)
 
 
+@bounded
 def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     """Radius of one of two discs that face each other on one axis, from their etendue.
 
@@ -203,12 +209,14 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     >>> round(etendue.discs_radius(2.0, 3.0, etendue.coaxial_discs(1.0, 2.0, 3.0)), 9)
     1.0
     """
+    refuse(distance <= 0, "the discs touch", "a distance above 0")
     part = _part_of_discs(etendue, other)
     return sqrt(part * (other**2 + distance**2 - part) / (other**2 - part))
 
 
 def _part_of_discs(etendue: Number, radius: Number) -> Number:
     """G / pi^2, which must be less than the square of the smaller radius."""
+    refuse(radius < 0, "a negative radius is not possible", "0 or more")
     part = etendue / math.pi**2
     refuse(
         (part <= 0) | (part >= radius**2),

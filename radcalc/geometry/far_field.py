@@ -13,12 +13,13 @@ arguments are floats or arrays that are broadcast together.
 import math
 from typing import Any
 
-from radcalc.geometry.cones import facing
+from radcalc.geometry.cones import bounded, facing, refuse
 from radcalc.maths import Number, any_true, asin, is_array, larger, piecewise, sin, smaller
 
 REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at most
 
 
+@bounded
 def size(area: Number, *sides: Number) -> Number:
     """How large a patch counts beside its distance.
 
@@ -34,12 +35,18 @@ def size(area: Number, *sides: Number) -> Number:
     float or ndarray [m]
         The diameter of a circle of that area, or a side that is longer.
 
+    Raises
+    ------
+    ConditionError
+        If an area is negative.
+
     Examples
     --------
     >>> from radcalc.geometry import far_field
     >>> round(far_field.size(1.0), 6), far_field.size(1.0, 4.0, 0.25)
     (1.128379, 4.0)
     """
+    refuse(area < 0, "a negative area is not possible", "0 or more")
     longest = 2 * (area / math.pi) ** 0.5
     for side in sides:
         longest = larger(longest, side)
@@ -61,6 +68,11 @@ def reach(area: Number, *sides: Number) -> Number:
     float or ndarray [m]
         Half the diagonal of a rectangle, or a little more.
 
+    Raises
+    ------
+    ConditionError
+        If an area is negative.
+
     Examples
     --------
     >>> from radcalc.geometry import far_field
@@ -70,12 +82,12 @@ def reach(area: Number, *sides: Number) -> Number:
     return REACH * size(area, *sides)
 
 
-def is_near(distance: Number, size: Number, slack: float = 1e-12) -> bool:
+def is_near(distance: Number, extent: Number, slack: float = 1e-12) -> bool:
     """Whether a distance is under five times a size.
 
     Parameters
     ----------
-    distance, size : float or ndarray [m]
+    distance, extent : float or ndarray [m]
         Distance and size of a patch.
     slack : float, optional
         By what part of it the distance may fall short; 1e-12 by default.
@@ -91,9 +103,10 @@ def is_near(distance: Number, size: Number, slack: float = 1e-12) -> bool:
     >>> far_field.is_near(4.9, 1.0), far_field.is_near(5.0, 1.0)
     (True, False)
     """
-    return any_true(distance < 5 * size * (1 - slack))
+    return any_true(distance < 5 * extent * (1 - slack))
 
 
+@bounded
 def error(
     size: Number,
     distance: Number,
@@ -122,6 +135,11 @@ def error(
     float or ndarray [1]
         The bound, for the projected solid angle and the solid angle of the patch.
 
+    Raises
+    ------
+    ConditionError
+        If a size is negative, or a distance is not above 0.
+
     Notes
     -----
     To the second order in p = size/(2 d), a disc has 1 - p^2 cos(2 tilt) times the far field, give
@@ -143,15 +161,18 @@ def error(
     >>> round(far_field.error(1.0, 5.0), 6)
     0.012075
     """
+    _check(size, distance)
     cosine = facing(incidence)
     slope = piecewise(cosine > 0, lambda c: (1 - c * c) ** 0.5 / c, lambda c: 0.0 * c, cosine)
     if is_long:
         terms = 1.08 + 0.92 * sin(tilt) ** 2 + 4 / 3 * abs(sin(tilt)) * slope
     else:
         terms = 1.05 + 0.53 * abs(sin(2 * tilt)) * slope
-    return 1.15 * (size / (2 * distance)) ** 2 * terms
+    part = size / (2 * distance)
+    return 1.15 * part * part * terms
 
 
+@bounded
 def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     """Whether a receiver's plane may cut a patch.
 
@@ -169,6 +190,11 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     bool or ndarray of bool
         False where all of the patch is above the receiver's horizon, or all of it below.
 
+    Raises
+    ------
+    ConditionError
+        If a reach is negative, or a distance is not above 0.
+
     Examples
     --------
     A disc of 1 m radius 10 m away is seen within 5.74 degrees:
@@ -178,10 +204,17 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     >>> [far_field.is_cut(1.0, 10.0, math.radians(angle)) for angle in (84, 85, 95, 96)]
     [False, True, True, False]
     """
+    _check(reach, distance)
     within = asin(smaller(reach / distance, 1.0 + 0 * reach / distance))
     return abs(abs(incidence) - math.pi / 2) < within
 
 
+def _check(reach: Number, distance: Number) -> None:
+    refuse(reach < 0, "a negative size is not possible", "0 or more")
+    refuse(distance <= 0, "the receiver is on the patch", "a distance above 0")
+
+
+@bounded
 def steepest(reach: Number, distance: Number) -> str:
     """The incidence up to which a receiver's plane cuts nothing off a patch, for a message.
 
@@ -195,24 +228,30 @@ def steepest(reach: Number, distance: Number) -> str:
     str
         In degrees, rounded down to a tenth.
 
+    Raises
+    ------
+    ConditionError
+        If a reach is negative, or a distance is not above 0.
+
     Examples
     --------
     >>> from radcalc.geometry import far_field
     >>> far_field.steepest(1.0, 10.0)
     '84.2deg'
     """
+    _check(reach, distance)
     part = reach / distance
     part = float(part.max()) if is_array(part) else part
     most = 90 - math.degrees(math.asin(min(part, 1.0)))
     return f"{math.floor(10 * most) / 10:g}deg"
 
 
-def percent(error: Number) -> str:
+def percent(bound: Number) -> str:
     """A bound of an error, as a text.
 
     Parameters
     ----------
-    error : float or ndarray [1]
+    bound : float or ndarray [1]
         The bound; of an array the largest counts.
 
     Returns
@@ -226,4 +265,4 @@ def percent(error: Number) -> str:
     >>> far_field.percent(0.022)
     'within 2.2 %'
     """
-    return f"within {100 * (float(error.max()) if is_array(error) else error):.2g} %"
+    return f"within {100 * (float(bound.max()) if is_array(bound) else bound):.2g} %"

@@ -12,7 +12,10 @@ Angles are in radians; arguments are floats or NumPy arrays, which are broadcast
 
 import math
 
+from radcalc.geometry.cones import SLACK, refuse
 from radcalc.maths import Number, asin, expm1, log1p, piecewise, sin
+
+SMALLEST = 1e-150  # [rad] of a full angle, whose square a float can hold
 
 
 def ln_cos(angle: Number) -> Number:
@@ -30,8 +33,8 @@ def ln_cos(angle: Number) -> Number:
 
     Raises
     ------
-    ValueError
-        If the cosine of a float is negative; of an array such an element gives NaN.
+    ConditionError
+        If an angle is beyond a right one.
 
     Notes
     -----
@@ -50,6 +53,8 @@ def ln_cos(angle: Number) -> Number:
     >>> lobes.ln_cos(1e-9)
     -5e-19
     """
+    bad = abs(angle) > math.pi / 2
+    refuse(bad, "a lobe has no light beyond 90 deg from its axis", "from 0 to 90 deg")
     return log1p(-2 * sin(angle / 2) ** 2)
 
 
@@ -71,8 +76,8 @@ def exponent(full_angle: Number, share: float) -> Number:
 
     Raises
     ------
-    ZeroDivisionError
-        If the angle, a float, is 0.
+    ConditionError
+        If an angle is not between 0 and pi, or the share not between 0 and 1.
 
     Notes
     -----
@@ -101,7 +106,15 @@ def exponent(full_angle: Number, share: float) -> Number:
     >>> round(n, 2), round(2 * math.pi * 1000 / (n + 1))
     (19.99, 299)
     """
+    _check_share(share)
+    bad = (full_angle <= SMALLEST) | (full_angle >= math.pi)
+    refuse(bad, "no lobe has that full angle", "more than 0 and less than 180 deg")
     return math.log(share) / ln_cos(full_angle / 2)
+
+
+def _check_share(share: float) -> None:
+    bad = (share <= 0) | (share >= 1)
+    refuse(bad, "no lobe has that share of its peak at an angle", "more than 0 and less than 1")
 
 
 def angle(exponent: Number, share: float) -> Number:
@@ -119,6 +132,11 @@ def angle(exponent: Number, share: float) -> Number:
     float or ndarray [rad]
         From 0 to pi, which is the answer for n = 0: the intensity is uniform up to the edge of
         the hemisphere.
+
+    Raises
+    ------
+    ConditionError
+        If an exponent is negative, or the share is not between 0 and 1.
 
     Notes
     -----
@@ -141,6 +159,8 @@ def angle(exponent: Number, share: float) -> Number:
     >>> round(math.degrees(lobes.angle(0.0, 0.5)), 10)
     180.0
     """
+    _check_share(share)
+    _check_exponent(exponent)
     fall = piecewise(
         exponent > 0, lambda n: expm1(math.log(share) / n), lambda n: n - 1.0, exponent
     )
@@ -162,6 +182,11 @@ def part(exponent: Number, within: Number) -> Number:
     float or ndarray [1]
         From 0 to 1; 1 from pi/2 on.
 
+    Raises
+    ------
+    ConditionError
+        If an exponent is negative, or an angle is outside 0 to pi.
+
     Notes
     -----
     ::
@@ -181,6 +206,9 @@ def part(exponent: Number, within: Number) -> Number:
     >>> lobes.part(1.0, math.pi / 2)
     1.0
     """
+    _check_exponent(exponent)
+    bad = (within < 0) | (within > math.pi * (1 + SLACK))
+    refuse(bad, "a part within that angle is not possible", "from 0 to 180 deg")
     return piecewise(
         within < math.pi / 2,
         lambda w, n: -expm1((n + 1) * ln_cos(w)),
@@ -203,6 +231,11 @@ def solid_angle(exponent: Number) -> Number:
     float or ndarray [sr]
         From above 0 to 2 pi.
 
+    Raises
+    ------
+    ConditionError
+        If an exponent is negative.
+
     Notes
     -----
     ::
@@ -219,4 +252,10 @@ def solid_angle(exponent: Number) -> Number:
     >>> round(lobes.solid_angle(1.0), 6)
     3.141593
     """
+    _check_exponent(exponent)
     return 2 * math.pi / (exponent + 1)
+
+
+def _check_exponent(exponent: Number) -> None:
+    bad = (exponent < 0) | (exponent == math.inf)
+    refuse(bad, "a lobe of that exponent is not possible", "0 or more, and finite")

@@ -19,6 +19,7 @@ from itertools import pairwise
 from typing import Any
 
 from radcalc.errors import ConditionError
+from radcalc.geometry.cones import refuse
 from radcalc.geometry.numerics.special import arc_excess
 from radcalc.geometry.numerics.strips import over_triangle
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times, vector
@@ -330,6 +331,8 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     far = length(first)
     points = [plus(first, side) for side in sides]
     lengths = [length(point) for point in points]
+    for size in lengths:
+        refuse(size == 0, "the observer is at a corner of the shape", "another viewpoint")
     moves = [_move(first, far, *one) for one in zip(sides, points, lengths, strict=True)]
     turns = [
         smaller(length(side) / size, 2.0 + 0 * size)

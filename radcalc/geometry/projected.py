@@ -44,6 +44,7 @@ RIGHT = math.pi / 2  # [rad] a right angle
 UP = (0.0, 0.0, 1.0)  # [1] the normal of a receiver that faces a flat shape's plane
 
 
+@cones.bounded
 def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     """Projected solid angle of a circular cone whose axis is tilted from the receiver's normal.
 
@@ -145,6 +146,7 @@ def _crescent(half_angle: float, tilt: float) -> float:
     return integral(zone, 0.0, 1.0)
 
 
+@cones.bounded
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     """Projected solid angle of a spherical zone about the receiver's normal, or of a part of it.
 
@@ -193,6 +195,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     return azimuth / 2 * sum_ * sin(upper - lower)
 
 
+@cones.bounded
 def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     """Projected solid angle of a sphere, seen from a receiver outside it.
 
@@ -245,6 +248,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     return cone(solid.angular_radius(radius, distance), tilt)
 
 
+@cones.bounded
 def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.0) -> Number:
     """Projected solid angle of a circular disc, for a receiver parallel to it or tilted.
 
@@ -377,6 +381,7 @@ def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: 
     return adaptive(strip, low, high)
 
 
+@cones.bounded
 def rectangle(
     width: Number,
     length_: Number,

@@ -23,6 +23,7 @@ UNEVEN = 0.01  # [1] the most by which a lobe may vary over a receiver that is t
 FAINT = 1e-18  # [1] what is left of a lobe where no more of it is integrated
 
 
+@cones.bounded
 def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Number:
     """Solid angle of a disc seen from a point, by the distance of its centre and its turn.
 
@@ -61,8 +62,7 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
     >>> round(far, 9)
     0.5
     """
-    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
-    cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
+    _check(radius, distance)
     return each(_isotropic, radius, distance, abs(incidence))
 
 
@@ -72,6 +72,7 @@ def _isotropic(radius: float, distance: float, incidence: float) -> Number:
     return solid.disc(radius, distance * math.cos(incidence), distance * math.sin(incidence))
 
 
+@cones.bounded
 def cone(
     half_angle: Number,
     radius: Number,
@@ -101,7 +102,7 @@ def cone(
     Raises
     ------
     ConditionError
-        If a radius is negative, a distance is not above 0, a half angle is outside 0 to pi, or the
+        If a radius is negative, a distance is not above 0, an angle is out of its range, or the
         cone's edge may cross a disc that is turned: an incidence does not say about which axis.
 
     Notes
@@ -120,7 +121,7 @@ def cone(
     True
     """
     cones.cone(half_angle)  # refuses what is no cone
-    isotropic(radius, distance)  # as that does its arguments
+    _check(radius, distance, off_axis)
 
     def one(half: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
@@ -145,6 +146,7 @@ def cone(
     return each(one, half_angle, radius, distance, off_axis, turn)
 
 
+@cones.bounded
 def lobe(
     exponent: Number,
     radius: Number,
@@ -174,7 +176,8 @@ def lobe(
     Raises
     ------
     ConditionError
-        If a radius is negative, a distance is not above 0, or the lobe varies by more than 1 %
+        If a radius or an exponent is negative, a distance is not above 0, an angle off the axis is
+        out of its range, or the lobe varies by more than 1 %
         over a disc that is turned: an incidence does not say about which axis.
 
     Notes
@@ -196,7 +199,8 @@ def lobe(
     >>> round(receivers.lobe(1.0, math.tan(math.radians(60)), 1.0) / math.pi, 12)
     0.75
     """
-    isotropic(radius, distance)  # refuses as that does
+    _check(radius, distance, off_axis)
+    lobes.solid_angle(exponent)  # refuses what is no lobe
 
     def one(n: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
@@ -230,6 +234,7 @@ def lobe(
     return each(one, exponent, radius, distance, off_axis, turn)
 
 
+@cones.bounded
 def unevenness(
     exponent: Number, radius: Number, distance: Number, off_axis: Number = 0.0
 ) -> Number:
@@ -250,6 +255,12 @@ def unevenness(
         Relative to the intensity towards the centre; infinite where the disc may reach the edge of
         the lobe, or the source.
 
+    Raises
+    ------
+    ConditionError
+        If a radius or an exponent is negative, a distance is not above 0, or an angle off the axis
+        is out of its range.
+
     Notes
     -----
     However the disc is turned, it is seen within the angle d = asin(R/distance) from its centre::
@@ -266,6 +277,8 @@ def unevenness(
     >>> round(receivers.unevenness(181.0, 0.01, 1.0), 5)
     0.00901
     """
+    _check(radius, distance, off_axis)
+    lobes.solid_angle(exponent)  # refuses what is no lobe
     return each(_unevenness, exponent, radius, distance, off_axis)
 
 
@@ -279,6 +292,13 @@ def _unevenness(exponent: float, radius: float, distance: float, off_axis: float
     more = exponent * (lobes.ln_cos(max(0.0, off_axis - reach)) - middle)
     less = exponent * (lobes.ln_cos(off_axis + reach) - middle)
     return max(math.expm1(min(more, 700.0)), -math.expm1(less))
+
+
+def _check(radius: Number, distance: Number, off_axis: Number = 0.0) -> None:
+    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
+    bad = (off_axis < 0) | (off_axis >= math.pi / 2)
+    cones.refuse(bad, "that angle off the axis is not possible", "from 0 to below 90 deg")
 
 
 def _lies_across(off_axis: float, incidence: float) -> bool:

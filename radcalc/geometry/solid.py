@@ -26,6 +26,7 @@ from radcalc.geometry.cones import (
     FULL,
     HEMISPHERE,
     SLACK,
+    bounded,
     check_tilt,
     cone,
     cone_of,
@@ -64,6 +65,7 @@ __all__ = [
 ]
 
 
+@bounded
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     """Solid angle of a spherical zone between two polar angles, or of a part of it in azimuth.
 
@@ -162,6 +164,7 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
     )
 
 
+@bounded
 def angular_radius(radius: Number, distance: Number) -> Number:
     """Angular radius of a sphere: the half angle of the cone that touches it.
 
@@ -279,6 +282,7 @@ def _sine(solid_angle: Number) -> Number:
     return 2 * sqrt(part) * sqrt(1 - part)
 
 
+@bounded
 def sphere_distance(radius: Number, solid_angle: Number) -> Number:
     """Distance of the centre of a sphere that fills a given solid angle.
 
@@ -320,6 +324,7 @@ def sphere_distance(radius: Number, solid_angle: Number) -> Number:
     return radius / _sine(solid_angle)
 
 
+@bounded
 def sphere_radius(distance: Number, solid_angle: Number) -> Number:
     """Radius of a sphere at a given distance that fills a given solid angle.
 
@@ -389,6 +394,7 @@ def check_height(height: Number) -> None:
     )
 
 
+@bounded
 def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     """Solid angle of a circular disc, from a point on its axis or off it.
 
@@ -537,6 +543,7 @@ def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
     return turn - 4 * height / farthest * cel(nearest / farthest, p, part, part * b)
 
 
+@bounded
 def rectangle(
     width: Number,
     length: Number,
@@ -623,7 +630,7 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     Raises
     ------
     ConditionError
-        If a side is negative, or a height is not above 0.
+        If a side is negative, a height is not above 0, or a length is infinite.
 
     Notes
     -----
@@ -641,6 +648,8 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     """
     refuse((width < 0) | (length < 0), "a negative side is not possible", "0 or more")
     check_height(height)
+    far = larger(larger(width, length), larger(height, larger(abs(offset), abs(offset_y))))
+    refuse(far == math.inf, "an infinite length has no corners", "a length that is finite")
     corner = (-offset - width / 2, -offset_y - length / 2, height)
     return corner, [(0.0, 0.0, 0.0), (width, 0.0, 0.0), (width, length, 0.0), (0.0, length, 0.0)]
 
@@ -730,9 +739,10 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
     40.0
     """
     check_pyramid(other, other)
+    text = "no pyramid of that angle fills that solid angle"
+    refuse((solid_angle < 0) | (solid_angle > HEMISPHERE), text, "from 0 to 2pi sr")
     sine, widest = sin(solid_angle / 4), sin(other / 2)
-    bad = (solid_angle < 0) | (solid_angle > HEMISPHERE) | (sine > widest * (1 + SLACK))
-    refuse(bad, "no pyramid of that angle fills that solid angle", "a smaller solid angle")
+    refuse((sine > widest * (1 + SLACK)) | (widest == 0), text, "a smaller solid angle")
     return 2 * asin(smaller(sine / widest, 1.0 + 0 * sine))
 
 
@@ -764,6 +774,7 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
     refuse(bad, "a pyramid of those angles is not possible", "from 0 to 180 deg, face to face")
 
 
+@bounded
 def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     """Solid angle of a small flat patch of any outline, to first order in its size.
 

@@ -140,7 +140,11 @@ def integral(function: Callable[[float], float], low: float, high: float, n: int
 
 
 def adaptive(
-    function: Callable[[float], float], low: float, high: float, accuracy: float = 1e-13
+    function: Callable[[float], float],
+    low: float,
+    high: float,
+    accuracy: float = 1e-13,
+    most: int = MOST,
 ) -> float:
     """Integral of a piecewise smooth function over an interval, which is halved where needed.
 
@@ -153,6 +157,8 @@ def adaptive(
     accuracy : float, optional
         By how much the halves may differ from their whole, relative to the integral of the
         function's absolute value as a first rule sees it; 1e-13 by default.
+    most : int, optional
+        The most intervals; 2000 by default.
 
     Returns
     -------
@@ -162,7 +168,7 @@ def adaptive(
     Raises
     ------
     ConditionError
-        If an interval was halved 60 times, or there are more than 2000 of them, and they still
+        If an interval was halved 60 times, or there are more than `most` of them, and they still
         do not agree.
 
     Notes
@@ -189,7 +195,7 @@ def adaptive(
         if abs(left + right - whole) <= accuracy * max(size, abs(left + right)):
             parts.append(left + right)
             continue
-        if depth == DEEPEST or len(parts) + len(open_) > MOST:
+        if depth == DEEPEST or len(parts) + len(open_) > most:
             raise ConditionError("the integral does not converge", "less extreme values")
         open_ += [(a, middle, left, depth + 1), (middle, b, right, depth + 1)]
     return math.fsum(parts)

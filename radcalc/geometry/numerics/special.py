@@ -7,6 +7,7 @@ summed as series there.  All arguments and results are dimensionless floats or N
 
 import math
 
+from radcalc.errors import ConditionError
 from radcalc.maths import Number, any_true, asin, atan, piecewise, sqrt
 
 SMALL = 0.25  # [1] below this a series keeps the digits that a difference would lose
@@ -19,8 +20,7 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     Parameters
     ----------
     kc : float or ndarray
-        Complementary modulus, above 0.  At 0 the integral is infinite and the iteration would not
-        end.
+        Complementary modulus, above 0; at 0 the integral is infinite.
     p : float or ndarray
         Characteristic, above 0; Legendre's n is 1 - p.
     a, b : float or ndarray
@@ -30,6 +30,11 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     -------
     float or ndarray
         The integral; arrays are broadcast together.
+
+    Raises
+    ------
+    ConditionError
+        If kc or p is not above 0.
 
     Notes
     -----
@@ -63,6 +68,8 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     >>> round(cel(math.sqrt(0.5), 1.0, 1.0, 1.0), 10)
     1.8540746773
     """
+    if any_true((kc <= 0) | (p <= 0)):
+        raise ConditionError("the elliptic integral is infinite", "kc and p above 0")
     p = sqrt(p)
     b = b / p
     product, mean, root = kc, 1.0, kc

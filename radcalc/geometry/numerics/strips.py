@@ -12,9 +12,14 @@ Every term is positive, so no digits cancel.  Floats only; lengths in any one un
 
 import math
 
+from radcalc.errors import ConditionError
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times
 
+STRIPS = 120  # intervals of strips, which the thinnest splinters do not reach: the time has a bound
+# [1] at which to stop.  Where an edge passes the observer at 1e-9 of its length, the coordinates
+# have no digits left for the first.
+ACCURACIES = (1e-13, 1e-8)
 FAR = 15.0  # of the parameter of a strip: past it sech^3 has fallen by 1e-19
 
 
@@ -40,7 +45,7 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
     Raises
     ------
     ConditionError
-        If the integral does not converge.
+        If the integral does not converge, or lengths differ by more than a float holds.
 
     Notes
     -----
@@ -93,10 +98,15 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
         low = dot(normal, p)
         left, right = (foot_up, low, x, y), (foot_up, low + dot(normal, pq), -x, y)
     h = abs(height)
-    halves = (
-        _half(h, start, foot, level, top, left),
-        _half(h, -start - base, base - foot, level, top, right),
-    )
+    try:
+        halves = (
+            _half(h, start, foot, level, top, left),
+            _half(h, -start - base, base - foot, level, top, right),
+        )
+    except (ArithmeticError, ValueError):  # ratios past what a float holds
+        raise ConditionError(
+            "the shape is too thin, or too near, to be integrated", "lengths that differ less"
+        ) from None
     return math.copysign(sum(halves), height)
 
 
@@ -132,7 +142,13 @@ def _half(
         height = low + x * run if from_end else up + x * h * math.sinh(u)
         return _projected_strip(h, q, level, rise, height, y, from_end) * q
 
-    return adaptive(strip, 0.0, _sinh_step(start / h, width / h))
+    step = _sinh_step(start / h, width / h)
+    for accuracy in ACCURACIES[:-1]:
+        try:
+            return adaptive(strip, 0.0, step, accuracy, STRIPS)
+        except ConditionError:
+            continue  # the digits of the coordinates do not tell where the edge is
+    return adaptive(strip, 0.0, step, ACCURACIES[-1], STRIPS)
 
 
 def _sinh_step(x: float, dx: float) -> float:
@@ -179,4 +195,4 @@ def _projected_strip(
     panels = max(1, math.ceil(end - start))
     step = (end - start) / panels
     sums = (integral(part, start + k * step, start + (k + 1) * step, 12) for k in range(panels))
-    return h / q**3 * math.fsum(sums)
+    return h / q / q / q * math.fsum(sums)

@@ -1,0 +1,106 @@
+"""Every public function of the geometry at the edges of its arguments.
+
+0, the least and the largest of floats, infinity, negative numbers, NaN, a right angle and its
+neighbours: each call ends, with a number (NaN for a NaN alone) or with a `RadcalcError`.
+"""
+
+import importlib
+import inspect
+import math
+import random
+import signal
+from contextlib import contextmanager
+
+import numpy as np
+
+from radcalc.errors import RadcalcError
+from radcalc.geometry import outline, polygons, projected
+
+SHORT, LONG = 20, 2_000  # calls of each function
+RIGHT = math.pi / 2
+EDGES = (
+    0.0, -0.0, 5e-324, 1e-300, 1e-100, 1e-9, 0.5, 1.0, 3.0, RIGHT, math.nextafter(RIGHT, 0),
+    math.nextafter(RIGHT, 4), math.pi, math.nextafter(math.pi, 4), 2 * math.pi, 1e9, 1e99, 1e100,
+    1e200, 1e308, math.inf, -1e-9, -1.0, -math.inf, math.nan,
+)  # fmt: skip
+MODULES = (
+    "cones",
+    "directions",
+    "etendue",
+    "far_field",
+    "lobes",
+    "projected",
+    "receivers",
+    "solid",
+)
+# What takes no numbers alone, and is swept below or by its own tests.
+OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
+SECONDS = 20
+
+
+@contextmanager
+def ending(case):
+    """Fail where a call does not end."""
+
+    def stop(*_):
+        raise AssertionError(f"does not end: {case}")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(SECONDS)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def held(function, *given, clean: bool) -> int:
+    """Whether a call gives a number, which is NaN for what is not clean alone."""
+    case = f"{function.__module__}.{function.__name__}{given}"
+    with ending(case):
+        try:
+            found = function(*given)
+        except RadcalcError:
+            return 0
+        except (ArithmeticError, ValueError, TypeError) as error:
+            raise AssertionError(f"{case}: {error!r}") from error
+    for value in np.ravel(np.asarray(found, dtype=object)):
+        if isinstance(value, (float, complex)) and clean:
+            assert not isinstance(value, complex), case
+            assert value == value, case
+    return 1
+
+
+def functions():
+    for name in MODULES:
+        module = importlib.import_module(f"radcalc.geometry.{name}")
+        for found, function in vars(module).items():
+            own = inspect.isfunction(function) and function.__module__ == module.__name__
+            if own and not found.startswith("_") and found not in OTHERS:
+                names = inspect.signature(function).parameters
+                yield function, [one for one in names if one not in ("normal", "is_long")]
+
+
+def sweep(count: int, seed: int) -> str:
+    dice, answers, calls = random.Random(seed), 0, 0
+    for function, names in functions():
+        for _ in range(count * len(names)):
+            given = [dice.choice(EDGES) for _ in names]
+            calls += 1
+            answers += held(function, *given, clean=not any(map(math.isnan, given)))
+    size = [x for x in EDGES if abs(x) <= 1e100 and not 0 < abs(x) < 1e-100]
+    for _ in range(count):
+        points = [tuple(dice.choice(size) for _ in range(3)) for _ in range(3)]
+        toward = tuple(dice.choice(size) for _ in range(3))
+        calls += 4
+        answers += held(polygons.polygon, points, clean=True)
+        answers += held(polygons.triangle, *points, clean=True)
+        answers += held(projected.polygon, points, toward, clean=True)
+        answers += held(outline.read, points, toward, clean=False)
+    return f"{answers} of {calls} calls are answered"
+
+
+if __name__ == "__main__":
+    from command import main
+
+    main(sweep, LONG)
