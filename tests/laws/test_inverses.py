@@ -121,6 +121,10 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("lobe, a receiver in its light off the axis, turned", "received-solid-angle"): (
         {"exponent": st.just(0.0), **SMALL, "off-axis": st.floats(0, 1.4), "incidence": ANGLE},
         "received-solid-angle", lambda _, a, d, off, t: _on_disc(a, d, t)),
+    ("disc on its axis, cut by the receiver's horizon", "projected-solid-angle"): (
+        {"radius": st.floats(0.1, 1), "distance": st.floats(5, 10),
+         "incidence": st.floats(0, 1.3)},  # of which nothing is cut yet
+        "projected-solid-angle", lambda r, d, t: PI * r**2 / (r**2 + d**2) * math.cos(t)),
     ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
         lambda r, h: PI * r**2 / (r**2 + h**2)),
