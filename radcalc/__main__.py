@@ -52,9 +52,11 @@ def quick_lane(words: list[str]) -> int | None:
         return None
     try:
         value, source, target = read_operands(operands)
-        if not target or value < 0:  # below 0 there is more to say
+        if not target:
             return None
         made = plan(resolve(source), resolve(target))
+        if value < 0 and made.source.is_light:  # there is more to say
+            return None
         text = line(made.apply(value), made.target.text, bare=number)
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None

@@ -32,7 +32,7 @@ from radcalc.quantities.symbols import (
     Limits,
     Symbol,
 )
-from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.dimensions import ANGLE, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
@@ -106,6 +106,8 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     if isinstance(value, str):
         text = " ".join(value.split()).replace("\u2212", "-")  # it is shown: on one line
         number, unit_text = _split(symbol, text)
+        if TEMPERATURE in symbol.dimensions:
+            _refuse_celsius(name, number, unit_text)
         unit = resolve(unit_text) if unit_text else None
     elif isinstance(value, tuple):
         number, unit, *said = value
@@ -115,8 +117,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     dimension = unit.dimension if unit else NUMBER
     if dimension not in symbol.dimensions:
         if unit is None:
-            written = _with_unit(symbol, quote(text))
-            raise MissingUnit(name, quote(text), written)
+            raise MissingUnit(name, quote(text), _with_unit(symbol, quote(text)))
         raise ConditionError(
             f"{option(name)} takes {symbol.takes}, not {describe(unit)}",
             option(name, symbol.example),
@@ -145,9 +146,21 @@ def _split(symbol: Symbol, text: str) -> tuple[float, str]:
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 
+def _refuse_celsius(name: str, number: float, unit: str) -> None:
+    """Refuse degrees of a scale, where a difference is meant."""
+    kelvins = {"c": 1.0, "f": 5 / 9}.get(unit.lower().replace("℃", "°c").lstrip("°deg "))
+    if kelvins and unit[:1] in "°℃dDcCfF":
+        raise ConditionError(
+            f"{option(name)} takes a difference of temperature, in kelvins",
+            option(name, f"{number * kelvins:.6g}K"),
+        )
+
+
 def _with_unit(symbol: Symbol, number: str) -> str:
     if ANGLE in symbol.dimensions and ("pi" in number or "π" in number):
         return f"{number}rad"
+    if TIME in symbol.dimensions and "/" in number:
+        return f"{number}s"  # as a shutter says it
     return number + symbol.example.lstrip("0123456789.")
 
 
@@ -225,7 +238,7 @@ def _read_wavelengths(symbol: Symbol, value: Any) -> Given:
     if low >= high:
         raise ConditionError(
             f"{option(symbol.name, quote(text))} ends before it starts",
-            f"{ends[1].text}:{ends[0].text}",
+            option(symbol.name, f"{ends[1].text}:{ends[0].text}"),
         )
     return Given(symbol, text, (low, high))
 

@@ -143,9 +143,10 @@ def _result(given: Inputs, name: str, size: Any) -> Value:
 
 def _unsolved(sheet: Worksheet) -> UsageError:
     """What is missing of a shape."""
-    shown = [name for name in sheet.page.takes if name not in ("diameter", "offset", "tilt")]
+    others = ("diameter", "offset", "tilt", *sheet.given)
+    shown = [name for name in sheet.page.takes if name not in others]
     message = f"something is missing: {sheet.page.title} takes two"
-    return MissingInput(message, options(shown, ", "))
+    return MissingInput(message, options(shown))
 
 
 def _enter(sheet: Worksheet, omega: Any, flat: Any, *steps: Step) -> None:
@@ -226,9 +227,14 @@ def _sphere(sheet: Worksheet) -> Seen:
     at_most_one(sheet.given, "the size of the source", *ROUND)
     sizes = {"radius" if name in ROUND else name for name in sheet.given}
     if len(sizes) != 2:
-        problem = "too much is given" if len(sizes) > 2 else "something is missing"
-        needed = mention("{radius}, {distance}, {solid-angle}")
-        raise MissingInput(f"{problem}: a sphere takes two", needed)
+        takes = ("radius", "distance", "solid-angle")
+        if len(sizes) < 2:
+            others = options(name for name in takes if name not in sizes)
+            raise MissingInput("something is missing: a sphere takes two", others)
+        given = [name for name in sheet.given if name != "solid-angle" or len(sizes) > 2]
+        raise MissingInput(
+            "too much is given: a sphere takes two", f"without one of {options(given, ', ')}"
+        )
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
     return Seen(laws, "a plane whose normal points to the sphere's centre")
 

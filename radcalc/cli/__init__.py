@@ -8,7 +8,17 @@ import click
 from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.cli.spelling import Shell
-from radcalc.errors import MissingUnit, NumberError, RadcalcError, UsageError, nearest, quote
+from radcalc.errors import (
+    MissingUnit,
+    NumberError,
+    RadcalcError,
+    UsageError,
+    nearest,
+    option,
+    quote,
+)
+from radcalc.errors import command as call_of
+from radcalc.errors import manual as help_of
 from radcalc.units.numbers import read_number
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -33,6 +43,21 @@ COMMANDS = {
     "units": "Units, their definitions and sources.",
     "quantities": "Names of the quantities, in three languages.",
     "typical": "Typical values: sun, sky, moon and lamps.",
+}
+# What people call what a command is about, whose own name is not like it.
+MEANT = {
+    "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
+    "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
+    "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
+    "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
+    "photon": "wavelength frequency wavenumber laser",
+    "mesopic": "scotopic photopic purkinje",
+    "direction": "vector angle angles spherical azimuth elevation",
+    "integrate": "integral",
+    "calorimeter": "heat thermometer",
+    "units": "unit",
+    "screen": "projector cinema",
+    "solid-angle": "steradian steradians omega",
 }
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
@@ -75,17 +100,17 @@ class Commands(Helped, click.Group):
         from importlib import import_module
 
         own = f"radcalc.cli.{cmd_name.replace('-', '_')}"
-        command: click.Command
+        found: click.Command
         try:
-            command = import_module(own).command
+            found = import_module(own).command
         except ModuleNotFoundError as error:
             if error.name != own:
                 raise
             from radcalc.cli.command import of_page
 
-            command = of_page(cmd_name)  # a calculator's page says all that there is to it
-        command.short_help = COMMANDS[cmd_name]
-        return command
+            found = of_page(cmd_name)  # a calculator's page says all that there is to it
+        found.short_help = COMMANDS[cmd_name]
+        return found
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the table of the commands."""
@@ -105,9 +130,7 @@ class Commands(Helped, click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command, or say which one is near."""
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            near = nearest(args[0], COMMANDS, 1)
-            hint = f"{near[0]} (see radcalc --help)" if near else "radcalc --help"
-            raise UsageError(f"there is no command '{quote(args[0])}'", hint)
+            raise UsageError(f"there is no command '{quote(args[0])}'", _meant(args))
         return super().resolve_command(ctx, args)
 
 
@@ -158,7 +181,7 @@ def run(words: list[str]) -> int:
         return _answer(words)
     except RadcalcError as error:
         if isinstance(error, MissingUnit):
-            error.hint += " (one word, no blank)"  # where the shell would cut it
+            _join_unit(error, words)
         return stdio.complain(error, Shell)
     except click.UsageError as error:
         return stdio.complain(_usage(error, words), Shell)
@@ -204,6 +227,42 @@ def _completions(asked: str) -> str:
     )
 
 
+def _meant(args: list[str]) -> str:
+    """What to type in place of a word that is no command."""
+    word = args[0].lower()
+    if word[:1].isdigit() and len(args) > 1:
+        return call_of("convert", *args)
+    if near := nearest(word, COMMANDS, 1, 0.75):
+        return f"{near[0]} (see radcalc --help)"
+    from radcalc.calculators.solid_angle import ALIASES, SHAPES
+
+    if word in SHAPES or word in ALIASES:
+        return f"{call_of('solid-angle', word)} (see {help_of('solid-angle')})"
+    names = [name for name, others in MEANT.items() if word in others.split()]
+    return f"{names[0]} (see {help_of(names[0])})" if names else "radcalc --help"
+
+
+def _join_unit(error: MissingUnit, words: list[str]) -> None:
+    """Say to write `--distance 2 ft`, which the shell cuts, as one word."""
+    from radcalc.quantities.symbols import SYMBOLS
+    from radcalc.units.table import resolve
+
+    flag = f"--{error.symbol}"
+    behind = words[words.index(flag) + 2 :][:1] if flag in words else []
+    symbol = SYMBOLS.get(error.symbol)
+    try:
+        if behind and symbol and resolve(behind[0]).dimension in symbol.dimensions:
+            error.hint = option(error.symbol, f"{error.text}{behind[0]}")
+    except RadcalcError:
+        pass
+    error.hint += " (one word, no blank)"
+
+
+def _takers(name: str) -> list[str]:
+    """The commands that have an option."""
+    return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
+
+
 def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
     """Click's complaint of a wrong option or command, with the nearest right ones."""
     called = next((word for word in words if word in COMMANDS), "")
@@ -211,6 +270,10 @@ def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
     if isinstance(error, click.NoSuchOption):
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
+        others = [] if near or error.option_name[:2] != "--" else _takers(error.option_name)
+        if others:
+            said = f"there is no option '{quote(error.option_name)}' in {called}"
+            return RadcalcError(said, f"{help_of(others[0])}; it is of {', '.join(others)}")
         near = near or nearest(error.option_name, known, cutoff=0.7)
         hint = f"{', '.join(near)} (see {help_})" if near else help_
         return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)
@@ -224,8 +287,8 @@ def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
 
 def _parameters(called: str) -> list[click.Parameter]:
     context = click.Context(commands)
-    command = commands.get_command(context, called) or commands
-    return command.get_params(context)
+    found = commands.get_command(context, called) or commands
+    return found.get_params(context)
 
 
 def one_line(text: str) -> str:

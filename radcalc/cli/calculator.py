@@ -1,6 +1,6 @@
 """What every calculator shares: reading its inputs, --get, --check, and showing answers."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from radcalc import stdio
@@ -16,6 +16,7 @@ from radcalc.render.plain import DIGITS, number
 from radcalc.units.ranges import MOST, one_by_one
 
 LINES = 1000  # formatted at a time
+BLOCK = 100_000  # values of a long range that are worked out at a time
 Case = tuple[str, Inputs]
 
 
@@ -81,27 +82,59 @@ def run(
         check.refuse_several(len(each))
         question = of_calculator(command, shape, each[0][1], work_out, asked.steps)
         return check.judge(question, asked.check, asked.tolerance, output)
-    answers = [one for case, given in each for one in _every(case, work_out(given))]
+    if asked.wanted:
+        each = [part for one in each for part in _blocks(one)]
+    else:
+        _refuse_long(each)
+    answers = (one for case, given in each for one in _every(case, work_out(given)))
     show(answers, asked, output)
     return stdio.ANSWERED
 
 
-def show(answers: Sequence[tuple[str, Answer]], asked: Asked, output: Output) -> None:
+def _blocks(case: Case) -> Iterator[Case]:
+    """A case of a long range in parts, whose answers do not fill the memory."""
+    name, given = case
+    long = next((one for one in given.values() if is_array(one.value)), None)
+    if long is None:
+        yield case
+        return
+    for start in range(0, len(long.value), BLOCK):
+        part = slice(start, start + BLOCK)
+        values = long._replace(value=long.value[part], number=long.number[part])
+        yield name, {**given, long.name: values}
+
+
+def _refuse_long(each: Sequence[Case]) -> None:
+    """Refuse a table of more answers than anybody reads."""
+    for _, given in each:
+        count = max((len(one.value) for one in given.values() if is_array(one.value)), default=1)
+        if count > MOST:
+            raise UsageError(f"a table of {count} answers is too long", "-g NAME:UNIT, for columns")
+
+
+def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
     if not asked.steps:
-        answers = [(case, answer._replace(steps=())) for case, answer in answers]
+        answers = ((case, answer._replace(steps=())) for case, answer in answers)
     if asked.wanted:
         if output.format not in (PLAIN, TABLE):
             raise UsageError(
                 f"--get prints bare numbers, and contradicts --format {output.format}",
                 "one of them",
             )
-        lines = [
-            _lines([pick(answer.values, name) for name in asked.wanted], output.style.precision)
-            for _, answer in answers
-        ]
-        stdio.write("".join(lines))
-        output.remark([_result("", answer._replace(values=())) for _, answer in answers])
+        lines: list[str] = []
+        remarks: dict[tuple[Any, ...], Result] = {}
+        for _, answer in answers:
+            columns = [pick(answer.values, name) for name in asked.wanted]
+            is_part = any(is_array(value.given) for value in answer.values)
+            if not (is_part and lines) or any(map(is_array, columns)):
+                lines.append(_lines(columns, output.style.precision))
+            steps = () if is_part and lines[1:] else answer.steps
+            said = _result("", answer._replace(values=(), steps=steps))
+            remarks[said if said.steps else said[1:3]] = said
+        for text in lines:
+            stdio.write(text)
+        output.remark(list(remarks.values()))
         return
     if output.style.bare:
         raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
@@ -130,7 +163,7 @@ def _lines(columns: Sequence[Any], precision: int | None) -> str:
     return "".join([form * (len(part) // len(columns)) % tuple(part) for part in pieces])
 
 
-def _spread(answers: Sequence[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
+def _spread(answers: Iterable[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
     """The answers, those of a long range one by one."""
     found: list[tuple[str, Answer]] = []
     for case, answer in answers:
@@ -140,8 +173,6 @@ def _spread(answers: Sequence[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
             found.append((case, answer))
             continue
         count = max(len(value.si) for value in long)
-        if count > MOST:
-            raise UsageError(f"a table of {count} answers is too long", "-g NAME:UNIT, for columns")
         given = next(value for value in long if value.given is not None)
         for k in range(count):
             name = f"{given.given[k]:.15g}{given.units[0]}"

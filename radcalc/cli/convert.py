@@ -12,8 +12,10 @@ from radcalc.cli import streams
 from radcalc.cli.command import LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan
-from radcalc.errors import ConversionError, UsageError
+from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
 from radcalc.given import Given, read, values_of
+from radcalc.quantities.light import read as read_light
+from radcalc.units.numbers import read_number
 from radcalc.units.operands import read_operands
 from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
@@ -109,7 +111,12 @@ def command(
     asked = streams.Asked(**stream_options)
     if words[:1] == ("-",):
         streams.refuse_second_reader(typed)
-    each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
+    try:
+        each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
+    except MissingUnit as error:
+        if error.symbol == "efficacy":
+            error.hint = likely_efficacy(error, list(words))
+        raise
     if words[:1] == ("-",):
         if check is not None:
             raise UsageError("--check takes one answer, and a stream has several", "one value")
@@ -145,6 +152,25 @@ def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
     return [
         (f"{varied} {case[varied].text}" if varied else "", list(case.values())) for case in each
     ]
+
+
+def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
+    """The hint for an efficacy without a unit: one that links the kinds of the two units."""
+    try:
+        _, source, target = read_operands(words)
+        readings = [read_light(resolve(text)) for text in (source, target)]
+    except RadcalcError:  # which is said when the unit is there
+        return error.hint
+    kinds = {reading.kind for reading in readings if reading}
+    units = {
+        frozenset("ev"): ("lm/W", "W/lm"),
+        frozenset("ep"): ("umol/J", "J/umol"),
+        frozenset("vp"): ("lm.s/umol", "umol/lm/s"),
+    }.get(frozenset(kinds))
+    if units is None:
+        return error.hint
+    is_small = read_number(error.text)[0] < 1
+    return option("efficacy", f"{error.text}{units[is_small]}")
 
 
 def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:

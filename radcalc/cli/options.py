@@ -23,6 +23,9 @@ from radcalc.render.formats import (
     renderer,
 )
 
+FEW = 3  # remarks that differ in their numbers alone, and are all shown
+WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
+
 
 class Output(NamedTuple):
     """How an answer is to be shown, decided once."""
@@ -62,7 +65,7 @@ class Output(NamedTuple):
         lines: list[str] = []
         if self.style.remarks:
             said = [line for r in results for line in stdio.remarks(r.assumptions, r.notes)]
-            lines = [spelled(line) for line in dict.fromkeys(said)]
+            lines = folded([spelled(line) for line in dict.fromkeys(said)])
         stdio.say(lines + [line for r in results for line in derivation(r.steps)])
 
     def _on_terminal(self) -> Style:
@@ -72,6 +75,18 @@ class Output(NamedTuple):
         import shutil  # costs as much as a conversion, and only tables need it
 
         return self.style._replace(width=shutil.get_terminal_size((80, 24)).columns)
+
+
+def folded(lines: Sequence[str]) -> list[str]:
+    """Lines of which those that differ in their numbers alone are one, where they are many."""
+    alike: dict[str, list[str]] = {}
+    for line in lines:
+        alike.setdefault(line.translate(WITHOUT_NUMBERS), []).append(line)
+    return [
+        line
+        for group in alike.values()
+        for line in (group if len(group) <= FEW else [f"{group[0]} (and {len(group) - 1} like it)"])
+    ]
 
 
 OPTIONS = (
@@ -131,4 +146,4 @@ def refuse_number_options(shown: Output, command: str) -> None:
     """Refuse -n and --precision, which have no use with a list."""
     if shown.style.bare or shown.style.precision:
         useless = "-n" if shown.style.bare else "--precision"
-        raise UsageError(f"{useless} has no use with {command}", f"radcalc {command} alone")
+        raise UsageError(f"{useless} has no use with {command}", f"radcalc {command}")

@@ -9,7 +9,7 @@ from radcalc import stdio
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan
-from radcalc.errors import RadcalcError, UsageError
+from radcalc.errors import RadcalcError, UsageError, command
 from radcalc.given import Given
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
@@ -57,7 +57,8 @@ def refuse(asked: Asked) -> None:
     for name, value in zip(Asked._fields, asked, strict=True):
         if value is not None:
             raise UsageError(
-                f"--{name} is for lines of standard input", "radcalc convert - UNIT TARGET"
+                f"--{name} is for lines of standard input",
+                command("convert", "-", "UNIT", "TARGET"),
             )
 
 

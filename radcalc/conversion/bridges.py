@@ -37,6 +37,7 @@ from radcalc.errors import (
 from radcalc.given import Given
 from radcalc.maths import any_true
 from radcalc.quantities.light import (
+    PHOTON,
     Reading,
     coherent_text,
     describe,
@@ -280,7 +281,7 @@ class Bridge:
         self, source: Unit, target: Unit, given: Sequence[Given], number: str = "1"
     ) -> None:
         self.source, self.target = source, target
-        self.amount = f"{number}{quote(source.text)}"
+        self.number, self.amount = number, f"{number}{quote(source.text)}"
         self.conditions = Conditions(given)
         self.lacking: dict[str, tuple[str, str]] = {}
 
@@ -320,7 +321,25 @@ class Bridge:
             raise self._missing(unused)
         if unused:
             between = f"in converting {describe(self.source)} to {describe(self.target)}"
-            raise Unused(unused, between)
+            raise Unused(unused, between, self._instead(unused))
+
+    def _instead(self, unused: Sequence[str]) -> str:
+        """What is meant by a condition that has no use between two units of one quantity."""
+        start, end = read(self.source), read(self.target)
+        if start is None or end is None or start != end or len(unused) > 1:
+            return ""
+        given = next(one for one in self.conditions.given.values() if one.name == unused[0])
+        if given.name in ("incidence", "reflectance") and start.area and not start.solid_angle:
+            is_turned = given.name == "incidence"
+            part = geometric.cosine(given) if is_turned else given.value
+            said = "E cos(theta)" if is_turned else "the part that is reflected"
+            number = f"{self.number}*{part:.12g}"
+            again = command("convert", number, self.source.text, self.target.text)
+            return f"{again}, which is {said}"
+        if given.name == TIME and not start.time:
+            whole = _over_time(self.target, end)
+            return f"{whole} in place of {quote(self.target.text)}, for all of that time"
+        return ""
 
     def _missing(self, unused: Sequence[str]) -> MissingCondition:
         phrases, hints = zip(*self.lacking.values(), strict=True)
@@ -329,13 +348,26 @@ class Bridge:
         comma = "," if listed or any(", or " in phrase for phrase in phrases) else ""
         message = (
             f"{self.heading}: {f'{comma} and '.join(phrases)}{comma} "
-            f"{'are' if several else 'is'} missing"
+            f"{'are' if several or _is_plural(phrases[0]) else 'is'} missing"
         )
         if unused:
             useless = options(unused, " and ")
             message += f"; {useless} {'has' if len(unused) == 1 else 'have'} no use"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
         return MissingCondition(message, hint, self.source.text, self.target.text, phrases)
+
+
+def _is_plural(phrase: str) -> bool:
+    """Whether it is `an area and a solid angle`, and nothing else would do."""
+    return " and " in phrase and " or " not in phrase
+
+
+def _over_time(unit: Unit, reading: Reading) -> str:
+    """The unit of what a rate gives in a time: mol/m2 of mol/m2/day, lm.s of lm."""
+    for rate in ("/s", "/min", "/h", "/d", "/day"):
+        if reading.kind == PHOTON and unit.text.endswith(rate):
+            return quote(unit.text.removesuffix(rate))
+    return coherent_text(reading._replace(time=1)).replace(" ", ".")
 
 
 # ---------------------------------------------------------------------------------------------

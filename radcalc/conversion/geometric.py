@@ -121,6 +121,11 @@ def inverse_square(given: Given, incidence: Given | None) -> Factor:
     return Factor("q", value, "sr/m2", said, (step,), notes)
 
 
+def cosine(incidence: Given) -> float:
+    """The part of the light along a normal that reaches a surface turned away from it."""
+    return float(cones.facing(incidence.value))
+
+
 def _cosine(incidence: Given | None) -> tuple[Any, str, tuple[str, ...]]:
     """The cosine of the incidence; light from behind the surface gives 0, and a note."""
     if incidence is None:

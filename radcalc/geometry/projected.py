@@ -21,6 +21,7 @@ in forms that lose their digits for small shapes; the forms here keep them.
 import math
 from typing import Any
 
+from radcalc.errors import option
 from radcalc.geometry import cones, solid
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
@@ -559,7 +560,7 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
 
     n = vector(normal)
     largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
-    cones.refuse(largest == 0, "a normal of length 0 has no direction", "another, such as 0,0,1")
+    cones.refuse(largest == 0, "a normal of length 0 has no direction", option("normal", "0,0,1"))
     n = times(n, 1 / power_of_two(largest))
     unit = times(n, 1 / length(n))
     coordinates = [*first, *unit, *(x for side in sides for x in side)]

@@ -13,6 +13,7 @@ from radcalc.units.table import NUMBER, Unit, resolve
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
 BRACKETS = str.maketrans("[]()", "    ")
+IN_NO_NAME = "!?#@$&=<>|~;"  # what has them is no name
 LONGEST = 200  # characters of a search
 
 
@@ -26,7 +27,8 @@ class Found(NamedTuple):
 def fold(text: str) -> str:
     """A text as it is compared: no case, no diacritics, words parted by one blank."""
     bare = "".join(c for c in unicodedata.normalize("NFKD", text) if not unicodedata.combining(c))
-    return " ".join("".join(c if c.isalnum() else " " for c in bare.casefold()).split())
+    parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare.casefold())
+    return " ".join("".join(parts).split())
 
 
 def search(text: str) -> list[Found]:

@@ -1,12 +1,13 @@
 """The words of a conversion: VALUE UNIT [to] TARGET, in every way people write them."""
 
-from radcalc.errors import NumberError, UsageError, quote
+from radcalc.errors import NumberError, UsageError, command, quote
 from radcalc.units.numbers import split_quantity
 
 SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
-EXAMPLE = "radcalc convert 100 lx fc"
-STREAM_EXAMPLE = "radcalc convert - lx fc, or radcalc convert - fc for lines with their own unit"
+EXAMPLE = command("convert", "100", "lx", "fc")
+STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
+STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
 
 
 def read_operands(words: list[str]) -> tuple[float, str, str]:

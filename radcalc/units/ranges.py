@@ -21,6 +21,8 @@ def read_series(text: str) -> list[str]:
     if ":" in text:
         return _range(text)
     parts = text.split(",")
+    if len(parts) > MOST:
+        raise ConditionError(f"a list of {len(parts)} values is too long", f"at most {MOST}")
     if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
         return parts
     return [text]  # 1,5 and 1,000: the grammar refuses them with its own words
@@ -109,5 +111,6 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         raise ConditionError(f"'{quote(text)}' never reaches its end", "a step from START to STOP")
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
     if values > most:
-        raise ConditionError(f"'{quote(text)}' has {values} values", f"at most {most}")
+        many = f"{values}" if count < 1e15 else f"{count:.2g}"
+        raise ConditionError(f"'{quote(text)}' has {many} values", f"at most {most}")
     return start, step, values, numbers[0][1]

@@ -174,9 +174,16 @@ def resolve(text: str) -> Unit:
     if loose and light and "(" not in text:
         raise UnitError(
             f"the unit '{quote(text)}' has a length that multiplies light",
-            f"({loose}-1)-1 for a density per wavenumber, {loose}-1 for one per length",
+            f"{_with(text, loose, f'({loose}-1)-1')} for a density per wavenumber, "
+            f"{_with(text, loose, f'{loose}-1')} for one per length",
         )
     return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
+
+
+def _with(text: str, old: str, new: str) -> str:
+    """The text of a unit with its last `old` made new."""
+    before, _, after = text.rpartition(old)
+    return quote(f"{before}{new}{after}")
 
 
 def _as_wavenumber(unit: Unit, inverted: int) -> Unit:
