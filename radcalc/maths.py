@@ -5,8 +5,10 @@ A scalar answer needs no NumPy: it is imported only when an argument is an array
 
 import math
 from collections.abc import Callable
+from sys import float_info
 from typing import Any
 
+SMALLEST = float_info.min  # below it a float loses digits
 FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
 Number = Any  # a float, or anything that NumPy can work on element by element
 
@@ -30,6 +32,14 @@ def _call(name: str, *xs: Number) -> Number:
     return getattr(math, name)(*xs)
 
 
+def is_lost(value: Number, *of: Number) -> bool:
+    """Whether a product of factors that are not 0, or an element of it, is too small to be held."""
+    small = abs(value) < SMALLEST
+    for factor in of:
+        small = small & (factor != 0)
+    return any_true(small)
+
+
 def product(a: Number, b: Number) -> tuple[Number, bool]:
     """The product of arrays, and whether an element of it is beyond what a float holds."""
     import numpy
@@ -37,7 +47,7 @@ def product(a: Number, b: Number) -> tuple[Number, bool]:
     with numpy.errstate(all="ignore"):
         found = a * b
         gone = ~numpy.isfinite(found) & numpy.isfinite(a) & numpy.isfinite(b)
-        gone |= (abs(found) < numpy.finfo(float).tiny) & (a != 0) & (b != 0)
+        gone |= (abs(found) < SMALLEST) & (a != 0) & (b != 0)
     return found, bool(numpy.any(gone))
 
 

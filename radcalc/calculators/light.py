@@ -9,9 +9,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import LINKS_HINT
-from radcalc.errors import ConditionError, Exclusive, MissingInput, TooNarrow, option, options
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    MissingInput,
+    NumberError,
+    TooNarrow,
+    option,
+    options,
+)
 from radcalc.given import Given, Inputs
-from radcalc.maths import larger
+from radcalc.maths import is_lost, larger
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
 from radcalc.quantities.symbols import (
     LINKS,
@@ -127,6 +135,14 @@ def _factor(links: Inputs, over: str, under: str) -> "Factor | None":
     return spectral.linked(links, over, under)
 
 
+def _multiple(name: str, amount: Any, factor: Any) -> Any:
+    """An amount of one kind in another, unless a number cannot hold it."""
+    found = amount * factor
+    if is_lost(found, amount, factor):
+        raise NumberError(f"{name} is too small for a number", "less extreme values")
+    return found
+
+
 class Shown(NamedTuple):
     """Light quantities as results, with what their kinds assume."""
 
@@ -150,7 +166,10 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
                 factors[kind] = factor
     values: dict[str, list[Value]] = {}
     for name, amount in found.items():
-        reach = {dimension(name, kind): amount * factor.value for kind, factor in factors.items()}
+        reach = {
+            dimension(name, kind): _multiple(name, amount, factor.value)
+            for kind, factor in factors.items()
+        }
         values[name] = [_value(lit, name, lit.kind, amount, reach)]
         values[name] += [
             _value(lit, name, kind, reach[dimension(name, kind)], {}) for kind in factors

@@ -8,7 +8,7 @@ from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, options, quote
 from radcalc.given import Given
-from radcalc.maths import is_array, is_column
+from radcalc.maths import is_array, is_column, is_lost
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import COHERENT
@@ -61,7 +61,7 @@ def in_unit(value: Value, unit: Unit) -> Any:
     if value.given is not None and unit.text == value.units[0]:
         return value.given + 0.0
     ratio = exact_ratio(Unit("SI", 1, 1, unit.dimension, ()), unit)
-    return held(value.name, amount * (float(ratio) if is_array(amount) else ratio))
+    return held(value.name, amount * (float(ratio) if is_array(amount) else ratio), amount)
 
 
 def _shown(value: Value, text: str) -> Any:
@@ -82,8 +82,13 @@ def _refuse_absent(value: Value) -> None:
         raise MissingInput(f"no {value.label} follows from what is given", hint)
 
 
-def held(name: str, number: Any) -> Any:
-    """A result as floats, unless it has left what a number can hold."""
+def held(name: str, number: Any, of: Any = None) -> Any:
+    """A result as floats, unless it has left what a number can hold.
+
+    It is too small where it has lost digits, or is 0 and what it is a multiple `of` is not.
+    """
+    if is_lost(number, number if of is None else of):
+        raise NumberError(f"{name} is too small for a number", "less extreme values")
     if type(number) is float and number - number == 0:
         return number + 0.0
     if is_column(number):

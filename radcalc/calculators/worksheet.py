@@ -31,14 +31,16 @@ from radcalc.laws.solver import (
     reached,
     solve_all,
 )
-from radcalc.maths import larger
+from radcalc.maths import is_array, larger
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
+from radcalc.units.dimensions import AREA, LENGTH
 
 # What calculators are about: what leads nowhere near one of these has no use.
 GOALS = frozenset(
     {name for name, symbol in SYMBOLS.items() if symbol.generic == name} | {"projected-solid-angle"}
 )
+FARTHEST = 1e75  # between lengths, whose ratio is squared
 OFFSETS = ("offset", "offset-y")
 PLACED = (*OFFSETS, "incidence", "tilt")  # what a calculator itself makes use of
 
@@ -82,6 +84,7 @@ class Worksheet:
         if with_light:
             quantities, links, self.given = sort(given)
         refuse_foreign(self.given, page.takes, page.title)
+        _refuse_disparate(self.given)
         if with_light:
             self.lit = light.read_light(quantities, links)
         self.defaults: set[str] = set()  # what goes without saying where nothing gives it
@@ -308,6 +311,20 @@ def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:
     foreign = [name for name in given if name not in takes]
     if foreign:
         raise Unused(foreign, f"with {title}")
+
+
+def _refuse_disparate(given: Inputs) -> None:
+    """Refuse lengths and areas that are so far apart that a number cannot hold their ratio."""
+    powers = {LENGTH: 1.0, AREA: 0.5}
+    sizes = {
+        name: abs(one.value) ** powers[one.dimension]
+        for name, one in given.items()
+        if one.dimension in powers and not is_array(one.value) and one.value
+    }
+    if sizes and max(sizes.values()) > FARTHEST * min(sizes.values()):
+        least, most = min(sizes, key=sizes.__getitem__), max(sizes, key=sizes.__getitem__)
+        told = " beside ".join(option(name, quote(given[name].text)) for name in (least, most))
+        raise ConditionError(f"{told} is beyond what radcalc reckons with", "less extreme values")
 
 
 def _live(laws: Sequence[AnyLaw], known: set[str], goal: str) -> set[str]:

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
-from radcalc.laws.law import AnyLaw, Relation, Several
-from radcalc.maths import any_true, is_array, larger
+from radcalc.laws.law import AnyLaw, Law, Relation, Several
+from radcalc.maths import any_true, is_array, is_lost, larger
 from radcalc.units.numbers import EXACT
 
 
@@ -243,7 +243,13 @@ def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
                 raise
             fits = f"no {target.replace('-', ' ')} fits what is given, by the law '{law.name}'"
             raise ConditionError(fits, "other values") from None
-    if is_array(value) or isinstance(value, Several):
+    if isinstance(value, Several):
+        return value
+    if isinstance(law, Law) and is_lost(value, *at.values()):
+        raise NumberError(
+            f"the {target.replace('-', ' ')} is too small for a number", "less extreme values"
+        )
+    if is_array(value):
         return value
     if isinstance(value, complex) or value != value or value in (float("inf"), float("-inf")):
         raise NumberError(

@@ -8,6 +8,7 @@ A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
 """
 
 import math
+from sys import float_info
 
 from radcalc.errors import NumberError, quote
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 MAX_LENGTH = 1000
 INFINITE = float("inf")
-SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
+SMALLEST = float_info.min  # below it a float loses digits
 
 EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m

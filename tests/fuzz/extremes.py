@@ -1,0 +1,86 @@
+"""Calculators with values of any size: what a number cannot hold is refused, and is no 0.
+
+The oracle is that a product of positive numbers is positive: no result of inputs above 0 is 0,
+infinite, or below the least number that a float holds in full.
+"""
+
+import contextlib
+import io
+import math
+import random
+import sys
+from unittest import mock
+
+from radcalc import cli, stdio
+
+SHORT, LONG = 250, 20_000
+
+CALLS = (
+    "point-source --flux {}lm --distance {}m",
+    "point-source --intensity {}W/sr --height {}m --time {}s",
+    "point-source --flux {}W --half-angle {}rad --distance {}m",
+    "point-source --irradiance {}W/m2 --distance {}m --wavelength 555nm",
+    "point-source --photon-flux {}photon/s --distance {}m --wavelength 555nm --exponent 3",
+    "lambertian --luminance {}cd/m2 --area {}m2 --distance {}m",
+    "lambertian --irradiance {}W/m2 --area {}m2 --distance {}m --wavelength 600nm",
+    "lambertian disc --radiance {}W/m2/sr --radius {}m --distance {}m",
+    "lambertian sphere --luminance {}cd/m2 --radius {}m --distance {}m",
+    "lambertian rectangle --luminance {}cd/m2 --width {}m --length {}m --height {}m",
+    "lambertian --incident-illuminance {}lx --reflectance 0.5 --area {}m2",
+    "etendue --area {}m2 --receiver-area {}m2 --distance {}m --radiance {}W/m2/sr",
+    "etendue --area {}m2 --half-angle {}rad --radiance {}W/m2/sr",
+    "etendue --area {}m2 --f-number {}",
+    "solid-angle cone --half-angle {}rad",
+    "solid-angle patch --area {}m2 --distance {}m",
+    "solid-angle disc --radius {}m --height {}m",
+    "solid-angle sphere --radius {}m --distance {}m",
+    "solid-angle rectangle --width {}m --length {}m --height {}m",
+    "solid-angle pyramid --horizontal {}rad --vertical {}rad",
+    "calorimeter --mass {}g --specific-heat {}J/kg/K --temperature-rise {}K --time {}s",
+    "calorimeter --flux {}W --time {}s --receiver-area {}m2",
+    "ev --luminance {}cd/m2 --iso {}",
+    "ev --f-number {} --time {}s",
+    "photon {}nm",
+    "photon {}Hz",
+    "screen --flux {}lm --width {}m --height {}m",
+    "convert {} W/m2 W/cm2",
+    "convert {} lm lx --isotropic --distance {}m",
+    "convert {} umol/s W --wavelength {}nm",
+)
+MAY_BE_0 = ("luminous-effic", "ev", "incidence")  # of what is not seen, or stands upright
+
+
+def call(words: list[str]) -> tuple[int, str]:
+    """Run a command in this process: its status, and what it writes."""
+    out = io.StringIO()
+    with (
+        mock.patch.object(stdio, "write", out.write),
+        contextlib.redirect_stderr(io.StringIO()),
+    ):
+        return cli.run(words), out.getvalue()
+
+
+def sweep(count: int, seed: int) -> str:
+    """Draw a call and the sizes of its inputs, from 1e-99 to 1e99 or of everyday sizes."""
+    draw = random.Random(seed)
+    answered = 0
+    for _ in range(count):
+        size = draw.choice((3, 30, 99))
+        line = draw.choice(CALLS)
+        sizes = [f"{10 ** draw.uniform(-size, size):.3g}" for _ in range(line.count("{}"))]
+        words = line.format(*sizes).split()
+        status, written = call([*words, "--precision", "17"])
+        assert status in (stdio.ANSWERED, stdio.FAILED), (words, status)
+        answered += status == stdio.ANSWERED
+        for row in written.splitlines():
+            *name, value, _ = row.split("\t")
+            if name and any(part in name[0] for part in MAY_BE_0):
+                continue
+            assert sys.float_info.min <= abs(float(value)) < math.inf, (words, row)
+    return f"{answered} of {count} calls answered, each with numbers above 0"
+
+
+if __name__ == "__main__":
+    from command import main
+
+    main(sweep, LONG)
