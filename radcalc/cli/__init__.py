@@ -270,7 +270,8 @@ def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
     if isinstance(error, click.NoSuchOption):
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
-        others = [] if near or error.option_name[:2] != "--" else _takers(error.option_name)
+        is_named = called and not near and error.option_name.startswith("--")
+        others = _takers(error.option_name) if is_named else []
         if others:
             said = f"there is no option '{quote(error.option_name)}' in {called}"
             return RadcalcError(said, f"{help_of(others[0])}; it is of {', '.join(others)}")
