@@ -41,7 +41,8 @@ PAGE = Page(
         "illuminance=500lx f-number=4 iso=400 get=time:ms",
     ),
     remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
-    "of the light.",
+    "of the light.  From {luminance} to {illuminance} it takes an average scene; both of them give "
+    "the reflectance of the scene.",
 )
 
 

@@ -99,6 +99,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     sheet = Worksheet(
         PAGE._replace(others=(*POSITION, "off-axis", *SHAPED[shape], *RECEIVER)), given
     )
+    sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
     sheet.defaults.add("incidence")
     _refuse_foreign(sheet.lit)
     laws = [*LAWS[shape], *ANY_LAWS]

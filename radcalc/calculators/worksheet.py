@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
-from itertools import islice
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
@@ -80,6 +79,7 @@ class Worksheet:
 
     def __init__(self, page: Page, given: Inputs, with_light: bool = True) -> None:
         self.page = page
+        self.takes = page.takes  # what may be named as missing
         self.lit, self.given = light.DARK, given
         if with_light:
             quantities, links, self.given = sort(given)
@@ -219,19 +219,25 @@ class Worksheet:
         live = _live(laws, set(values), goal)
         aliases = {"offset": "lateral", "offset-y": "lateral"}
         everything = self._quantities()
-        for name, one in everything.items():
-            own = aliases.get(name, name)
-            if own in live or name in self.used:
-                continue
-            missing = (n for n in self._inputs() if n not in values)
-            brings = (n for n in missing if own in _live(laws, reached(laws, known | {n}), goal))
-            useful = list(islice(brings, 4))
-            alone = "" if len(everything) > 1 else " alone"
-            hint = (
-                f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"
-            )
-            told = option(one.name, one.text)
-            raise Idle(f"nothing follows from {told}{alone}", hint)
+        idle = {
+            own: one
+            for name, one in everything.items()
+            if (own := aliases.get(name, name)) not in live and name not in self.used
+        }
+        if not idle:
+            return
+        name, one = next(iter(idle.items()))
+        brings = {
+            n: _live(laws, reached(laws, known | {n}), goal)
+            for n in self._inputs()
+            if n not in values
+        }
+        # what makes use of all that is given, or else of this
+        useful = [n for n, then in brings.items() if idle.keys() <= then]
+        useful = (useful or [n for n, then in brings.items() if name in then])[:4]
+        alone = "" if len(everything) > 1 else " alone"
+        hint = f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"
+        raise Idle(f"nothing follows from {option(one.name, one.text)}{alone}", hint)
 
     def _quantities(self) -> Inputs:
         """What is given, but for flags, choices and spectra."""
@@ -240,7 +246,7 @@ class Worksheet:
 
     def _inputs(self) -> tuple[str, ...]:
         """The symbols that can be given, light quantities by generic names."""
-        takes = self.page.takes  # which may have light quantities, in the order to name them
+        takes = self.takes  # which may have light quantities, in the order to name them
         return (*(n for n in self.page.light if SYMBOLS[n].help and n not in takes), *takes)
 
     def _absent(self, laws: Sequence[AnyLaw]) -> list[Value]:

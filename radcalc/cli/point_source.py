@@ -41,6 +41,7 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --illuminance 500lx --distance 2m
       radcalc point-source --intensity 100cd --illuminance 25lx            (the distance)
       radcalc point-source --intensity 250cd --height 6m --offset 8m
+      radcalc point-source --intensity 250cd --height 6m --illuminance 3lx   (the offset)
       radcalc point-source --flux 4.5klm --half-angle 12.5deg --distance 1m,2m,5m
       radcalc point-source --intensity 1000cd --beam-angle 30deg
       radcalc point-source --intensity 100cd --exponent 3 --within 45deg -g flux-within:lm
@@ -50,7 +51,8 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     Any sufficient set of the quantities gives the others; what is given twice is checked, to the
     digits typed.  The irradiance is at the receiver.  Light comes along the receiver's normal,
     unless --incidence tells otherwise or -g incidence asks what it is; under a --height the
-    source points straight down and the receiver lies flat.  Several sources add up:
+    source points straight down and the receiver lies flat.  An offset, a height or an exponent
+    follows from the light; where two fit, both are shown.  Several sources add up:
 
     \b
       for i in 100cd 250cd; do
