@@ -35,6 +35,7 @@ NEIGHBOURS = {
 }
 LUMINANCES = ("fL", "lambert", "asb", "nit", "stilb")  # which are taken for each other
 PER_PI = ("lambert", "apostilb", "skot", "blondel")  # the units that carry 1/pi
+CARRIES_PI = "lambert, foot-lambert, apostilb and skot carry 1/pi, nit and stilb do not"
 CELSIUS = 273.15
 
 
@@ -164,9 +165,10 @@ def _units(p: Problem) -> Found:
         yield usual("jacobian-forgotten", p.question.number * plan.target.factor)
     units = ((plan.source, 1), (plan.target, -1))
     if any(word in name for unit, _ in units for name, _ in unit.atoms for word in PER_PI):
-        yield from _both("pi-forgotten", p.right, math.pi)
+        for name, size in (("pi-forgotten", math.pi), ("pi-upside-down", math.pi**2)):
+            for value in (p.right * size, p.right / size):
+                yield usual(name, value, right=CARRIES_PI)
         yield from _both("two-pi-for-pi", p.right, 2.0)
-        yield from _both("pi-upside-down", p.right, math.pi**2)
     if not plan.links and math.log10(plan.factor) % 1:
         yield usual("unit-upside-down", p.right / plan.factor**2)
     for unit, sign in units:

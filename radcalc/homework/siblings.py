@@ -333,7 +333,8 @@ def _beam(p: Problem) -> Found:
     if not p.light or is_round or not p.is_of("point-source", "convert"):
         return
     yield usual("spot-as-sphere", p.chain.after("solid-angle", cones.FULL))
-    yield usual("wrong-sphere", p.chain.after("solid-angle", cones.HEMISPHERE))
+    hemisphere = p.chain.after("solid-angle", cones.HEMISPHERE)
+    yield usual("wrong-sphere", hemisphere, "2 pi was used for the beam", "I = Phi / Omega")
     yield usual("cone-forgotten", p.chain.after("solid-angle", 1.0))
     beam, n = p.amount("beam-angle"), p.amount("exponent")
     if n and not beam:

@@ -31,6 +31,18 @@ def test_the_digits_typed(text, digits, half):
     assert said.half_unit == pytest.approx(half, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("text", "widest"),
+    [
+        ("1000", 50.0), ("1200", 50.0), ("25450", 5.0), ("100", 5.0), ("10", 0.5), ("470lx", 5.0),
+        ("100.", 0.5), ("1.20e3", 5.0), ("120.0", 0.05), ("3e5", 50000.0), ("0", 0.5),
+    ],
+)  # fmt: skip
+def test_zeros_at_the_end_of_a_whole_number_may_be_no_digits(text, widest):
+    """All but the first two; a point or an exponent tells that they are meant."""
+    assert read_claim(text).widest == pytest.approx(widest, rel=1e-12)
+
+
 def test_formulas_are_typed_exactly():
     assert read_claim("pi/6sr").digits == 15
     assert read_claim("2pi sr").value == pytest.approx(2 * math.pi)

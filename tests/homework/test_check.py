@@ -44,6 +44,30 @@ def test_right_answers_are_accepted_at_their_digits(words, name, unit):
     assert not verdict(words, claim_of(name, value * 1.03, 4, unit)).is_right
 
 
+@pytest.mark.parametrize(
+    ("words", "claim", "told", "nearer"),  # 130/2.3^2 = 24.575, 470 0.72/pi = 107.72
+    [
+        ("convert 130 cd lx --distance 2.3m", "25", "the 2 digits", "24.6"),
+        ("convert 130 cd lx --distance 2.3m", "2e1", "the digit", "24.6"),
+        ("convert 470 lx cd/m2 --reflectance 0.72", "110", "the 2 digits", "108"),
+        ("convert 470 lx cd/m2 --reflectance 0.72", "1.1e2", "the 2 digits", "108"),
+    ],
+)
+def test_a_right_answer_in_few_digits_is_accused_of_nothing(words, claim, told, nearer):
+    found = verdict(words, claim)
+    assert not found.is_right
+    assert [one.mistake for one in found.diagnoses] == ["rounded"]
+    assert found.diagnoses[0].done == f"right to {told} given"
+    assert found.diagnoses[0].right == f"{nearer} is nearer"
+    assert verdict(words, claim, "10%" if told != "the digit" else "30%").is_right
+
+
+def test_the_last_zero_of_a_mistake_is_no_digit():
+    """Multiplied by pi, not divided, it is 350 pi, that is 1099.6."""
+    found = verdict("convert 500 lx cd/m2 --reflectance 0.7", "1100")
+    assert found.diagnoses[0].mistake == "pi-upside-down"
+
+
 def test_a_right_value_of_zero_has_no_ratio():
     for claim, tolerance, is_right in [
         ("azimuth=0deg", "1%", True), ("azimuth=0.1deg", "1%", False),

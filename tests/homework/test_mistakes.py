@@ -71,6 +71,31 @@ def test_what_ties_reproduces_the_number_as_well():
             assert min(near) <= said.half_unit * (1 + 1e-9), (claim, one.mistake)
 
 
+def test_every_diagnosis_says_what_was_done_and_what_would_be_right():
+    for k, wrong in enumerate((*CORPUS, *HELD_OUT, *BLIND, *THIRD)):
+        claim = claim_of(wrong.name, wrong.number, digits_of(k), wrong.unit)
+        for one in verdict(wrong.question, claim).diagnoses:
+            assert one.mistake, wrong
+            assert one.done, wrong
+            assert one.right, wrong
+            assert "{" not in one.done + one.right
+
+
+MOST_WORK = 16  # answers worked out anew to judge one; most edits follow the laws alone
+
+
+def test_a_wrong_answer_is_worked_out_anew_few_times():
+    for words, name, unit in RIGHT:
+        question, done = asked(words, name), []
+
+        def count(given, question=question, done=done):
+            done.append(given)
+            return question.work_out(given)
+
+        check(question._replace(work_out=count), claim_of(name, 3.456e-7, 4, unit))
+        assert len(done) <= MOST_WORK, (words, len(done))
+
+
 EDITS = ("-forgotten", "-upside-down", "-not-squared", "-squared")  # of any symbol
 
 
