@@ -7,6 +7,7 @@ their own: a product of what stands between.
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 from radcalc.answer import Answer, Value
@@ -88,11 +89,13 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
 
 
 def multiply(powers: Powers, right: float, values: dict[str, float], steps: Steps) -> None:
-    """End a chain with a product of powers."""
-    product = math.prod(values[name] ** power for name, power in powers)
-    names = (VALUE, *(name for name, _ in powers))
+    """End a chain with a product of powers; not where these leave what a float holds."""
     values[VALUE] = right
-    steps.append((Law("", "", names, tuple(powers), right / product if product else 1.0), VALUE))
+    with suppress(OverflowError):
+        product = math.prod(values[name] ** power for name, power in powers)
+        names = (VALUE, *(name for name, _ in powers))
+        constant = right / product if product else 1.0
+        steps.append((Law("", "", names, tuple(powers), constant), VALUE))
 
 
 # ---------------------------------------------------------------------------------------------

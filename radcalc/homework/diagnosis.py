@@ -21,21 +21,21 @@ SPREAD = math.log(GUESS)
 BY_CHANCE = 0.03  # the part of such answers that the mistakes looked for may take in
 
 
-def diagnose(question: Question, target: Value, said: Claim, right: float) -> tuple[Diagnosis, ...]:
+def diagnose(question: Question, target: Value, said: Claim, scale: float) -> tuple[Diagnosis, ...]:
     """The mistakes that reproduce an answer to the digits typed, the likeliest first.
 
-    `right` is the right value in the answer's unit.  Two mistakes at once are looked for only
+    `scale` is the answer's unit [SI].  Two mistakes at once are looked for only
     where no single one fits: with so many pairs a number of few digits would always fit some.
     """
     problem = Problem(question, target)
     single = candidates(problem)
-    search = _Search(said, problem.right, right)
+    search = _Search(said, problem.right, scale)
     found = search.of(single, said.half_unit)
     if not found and said.digits >= LEAST_DIGITS:
         both = pairs(single, problem.right)
         found = [one.together() for one in search.of(both, said.half_unit)]
     if not found and said.widest > said.half_unit:
-        found = _Search(said, problem.right, right).of(single, said.widest)
+        found = _Search(said, problem.right, scale).of(single, said.widest)
     near = [one for one in found if one.rank <= found[0].rank + 1]  # rarer ones only confuse
     seen: dict[str, Diagnosis] = {}
     for one in near:
@@ -104,9 +104,8 @@ class _Search:
     so that a number that has nothing to do with any of them seldom hits one by chance.
     """
 
-    def __init__(self, said: Claim, right: float, shown: float) -> None:
-        self.said, self.right = said, right
-        self.scale = right / shown if shown else 1.0
+    def __init__(self, said: Claim, right: float, scale: float) -> None:
+        self.said, self.right, self.scale = said, right, scale
         self.seen: set[float] = set()  # those looked at that are as large as a guess might be
 
     def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:

@@ -81,7 +81,8 @@ def _check(question: Question, claim: str, tolerance: str) -> Verdict:
         return verdict._replace(diagnoses=(_rounded(said, right),))
     from radcalc.homework.diagnosis import diagnose  # which right answers do without
 
-    found = diagnose(question, target, said, right)
+    scale = float(target.amount) / right if right else unit.factor
+    found = diagnose(question, target, said, scale)
     if question.steps and found and verdict.ratio is not None:
         verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, found[0])))
     return verdict._replace(diagnoses=found)

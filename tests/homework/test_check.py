@@ -78,6 +78,12 @@ def test_a_right_value_of_zero_has_no_ratio():
         assert found.ratio is None
 
 
+def test_what_is_no_0_is_compared_in_the_unit_of_the_answer():
+    found = verdict("direction 1 0 0.3", "azimuth=180deg")
+    assert [one.mistake for one in found.diagnoses] == ["wrong-quadrant"]
+    assert verdict("direction 1 0 0.3", "azimuth=3deg").diagnoses == ()  # not pi radians
+
+
 def test_a_name_of_an_input_is_checked_as_well():
     assert verdict(TILTED, "intensity=130cd").is_right
     found = verdict(TILTED, "intensity=131.9cd")
