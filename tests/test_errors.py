@@ -322,3 +322,25 @@ def test_the_name_of_a_file_is_no_mention(tmp_path):
             assert done.returncode == 0, done.stderr
             assert "--height" not in done.stdout + done.stderr
             assert START not in done.stdout + done.stderr
+
+
+# C0 and C1 controls, separators, formatting and bidirectional characters, surrogates, private use.
+UNSEEN = (
+    "\0\t\n\r\x1b\x7f\x85\x9b\xa0\xad\u061c\u200b\u200e\u200f\u2028\u2029\u202a\u202e\u2066\u2069"
+)
+
+
+@given(st.text(st.sampled_from(UNSEEN + "\ud800\udcff\ue000\ufeffa\u00e5\u03bb"), max_size=200))
+def test_what_is_quoted_is_one_printable_line_of_bounded_length(text):
+    shown = errors.quote(text)
+    assert shown.isprintable()
+    assert len(shown) <= 10 * errors.SHOWN
+    assert not set(shown) & set(UNSEEN)
+    if text.isprintable() and len(text) <= errors.SHOWN:
+        assert shown == text
+
+
+def test_names_are_listed_up_to_a_few():
+    assert errors.listed(["a", "b\n"]) == "a, b\\n"
+    names = [f"column {k}" for k in range(100_000)]
+    assert errors.listed(names).endswith("column 9 and 99990 more")
