@@ -35,7 +35,9 @@ def test_a_closed_pipe_ends_quietly(words):
 @pytest.mark.parametrize("words", ["100 lx fc", "100 lx fc --json"])
 def test_no_standard_output_at_all_is_an_error(words):
     done = subprocess.run(
-        ["sh", "-c", f"exec {entry_point()} convert {words} >&-"], capture_output=True, text=True
+        ["sh", "-c", f'exec "$@" convert {words} >&-', "sh", entry_point()],
+        capture_output=True,
+        text=True,
     )
     assert done.returncode == 2
     assert "standard output is closed" in done.stderr
@@ -43,7 +45,7 @@ def test_no_standard_output_at_all_is_an_error(words):
 
 def test_no_standard_error_is_no_failure():
     done = subprocess.run(
-        ["sh", "-c", f"exec {entry_point()} convert 800 lm cd --isotropic 2>&-"],
+        ["sh", "-c", 'exec "$@" convert 800 lm cd --isotropic 2>&-', "sh", entry_point()],
         capture_output=True,
         text=True,
     )

@@ -217,8 +217,9 @@ def test_the_header_option_never_takes_the_next_word():
 
 
 def test_a_closed_pipe_ends_at_once_and_quietly():
-    script = f"yes 1 | {{ {entry_point()} convert - lx fc; echo $? >&2; }} | head -n 1"
-    done = subprocess.run(["sh", "-c", script], capture_output=True, text=True, timeout=60)
+    script = 'yes 1 | { "$@" convert - lx fc; echo $? >&2; } | head -n 1'
+    command = ["sh", "-c", script, "sh", entry_point()]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert (done.stdout, done.stderr) == ("0.09290304\n", "0\n")
 
 
@@ -236,8 +237,8 @@ def test_a_full_disk_is_an_error():
 def test_no_standard_input_or_output_is_an_error():
     for closed, message in (("<&-", "cannot read stdin"), (">&-", "standard output is closed")):
         done = subprocess.run(
-            ["sh", "-c", f"echo 1 | sh -c 'exec {entry_point()} convert - lx fc {closed}'"],
-            capture_output=True, text=True, timeout=60,
+            ["sh", "-c", f'exec "$@" convert - lx fc {closed}', "sh", entry_point()],
+            input="1\n", capture_output=True, text=True, timeout=60,
         )  # fmt: skip
         assert done.returncode == 2
         assert message in done.stderr
