@@ -151,6 +151,18 @@ def test_the_light_on_a_receiver_turned_under_a_rectangle(x, y, incidence):
     assert number(found, "irradiance", "lx") == pytest.approx(expected, rel=1e-10)
 
 
+@pytest.mark.parametrize("incidence", [-60, -15, 30, 60, 85])
+@pytest.mark.parametrize("place", ["height", "distance"])
+def test_on_a_rectangles_axis_the_receiver_is_turned_along_the_width(place, incidence):
+    angle = math.radians(incidence)
+    found = lambertian(
+        "rectangle", luminance="3000cd/m2", width="1m", length="2m", incidence=f"{incidence}deg",
+        **{place: "1.5m"},
+    )  # fmt: skip
+    expected = 3000 * rectangle_integral(1, 2, 1.5, 0, 0, (math.sin(angle), 0, math.cos(angle)))
+    assert number(found, "irradiance", "lx") == pytest.approx(expected, rel=1e-10)
+
+
 def test_a_corner_is_half_the_width_and_the_length_aside():
     sizes = {"luminance": "3000cd/m2", "width": "1m", "length": "2m", "height": "1.5m"}
     for flags in ((), ("perpendicular",)):

@@ -84,6 +84,12 @@ def test_worked_values(value, source, target, conditions, expected, tolerance, o
     assert got == pytest.approx(expected, rel=tolerance, abs=0), origin
 
 
+@pytest.mark.parametrize("nm", ["399.9", "400", "555", "700", "700.1"])
+def test_photons_that_ppfd_does_not_count_are_noted(nm):
+    made = plan(resolve("umol/s"), resolve("W"), [read("wavelength", f"{nm}nm")])
+    assert any("400-700 nm" in note for note in made.notes) == (not 400 <= float(nm) <= 700)
+
+
 def test_zero_lumens_are_an_answer_with_a_note():
     made = plan(resolve("W"), resolve("lm"), [read("wavelength", "300nm")])
     assert made.apply(1.0) == 0

@@ -53,6 +53,18 @@ def test_a_product_after_a_solidus_is_refused_with_both_readings(text, readings)
     assert caught.value.hint == readings
 
 
+@pytest.mark.parametrize(
+    ("text", "power"),
+    [
+        ("square m", 2), ("sq m", 2), ("Sq m", 2), ("cubic m", 3), ("cu m", 3), ("lm per sq m", -2),
+        ("m12", 12), ("m^-12", -12), ("m⁺²", 2), ("m^+2", 2), ("m^(2)", 2), ("(m2)3", 6),
+        ("(" * 16 + "m" + ")" * 16, 1),
+    ],
+)  # fmt: skip
+def test_powers_as_words_digits_and_brackets(text, power):
+    assert parse_unit(text)[-1][:2] == ("m", power)
+
+
 @pytest.mark.parametrize("text", ["W/m2/cm-1", "mW/(m2 sr cm-1)", "W m-2 (cm-1)-1"])
 def test_an_inverse_below_a_solidus_is_marked(text):
     assert ("cm", 1, True) in parse_unit(text)
@@ -88,6 +100,8 @@ def test_what_is_no_unit_is_refused(text):
         ("-5", -5),
         ("\u22125", -5),
         ("+5", 5),
+        ("+.5", 0.5),
+        ("-5.", -5),
         ("1/3", 1 / 3),
         ("4pi", 4 * math.pi),
         ("4π", 4 * math.pi),
@@ -105,7 +119,8 @@ def test_numbers_are_read(text, value):
 @pytest.mark.parametrize(
     "text",
     [
-        "", "-", "nan", "inf", "-inf", "Infinity", "1,5", "1,000", "1,000,000", "1_000", "0x10",
+        "", "-", "+", ".", "+.", "-.", "nan", "inf", "-inf", "Infinity", "1,5", "1,000",
+        "1,000,000", "1_000", "0x10",
         "1e999", "-1e999", "1e-999", "1e-310", "1/0", "10**10", "٣", "1٣", "²", "one", "--5",
         "1 000", "1..2", "pixel", "5²", "1e308*10", "9" * 2000, "1e400/1e400", "1e400*0",
         "1/1e400", "1e-200*1e-200", "1e-200/1e200", "1e308pi", "1/2pi", "2/3 pi", "pi/2π",
