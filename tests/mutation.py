@@ -1,6 +1,7 @@
 """Random mutants of the core, each in a copy of the tree, and those that no test notices.
 
     python tests/mutation.py [--count N] [--seed S] [--skip N] [PATH ...]
+    python tests/mutation.py --count 0       whether the tree passes as it is, as it must
 
 A mutant is one place of one file changed: a comparison turned, an operator exchanged, a number
 changed, a condition negated, a sign dropped, `and` for `or`, None returned, a statement deleted.
@@ -139,7 +140,8 @@ def stages(root: Path, file: Path, known: Path) -> Iterator[tuple[str, list[str]
     part = file.relative_to(root / "radcalc").parts[0].removesuffix(".py")
     near = sorted((root / "tests" / part).rglob("test_*.py"))
     own = [path for path in near if path.stem == f"test_{file.stem}"]
-    pytest = [sys.executable, "-m", "pytest", "-xqn0", "-p", "no:cacheprovider"]
+    pytest = [sys.executable, "-m", "pytest", "-x", "-q", "-n0", "--hypothesis-seed=0"]
+    pytest += ["-p", "no:cacheprovider"]
     for name, tests in (("own", own), ("folder", [x for x in near if x not in own])):
         if tests:
             yield name, [*pytest, *map(str, tests)]
@@ -183,6 +185,9 @@ def main() -> None:
         command = [sys.executable, "tests/mutation.py", "--transcripts", str(known)]
         subprocess.run(command, cwd=root, env=env, check=True)  # those that need a shell
         drawn = list(mutants(root, given.seed, given.paths))
+        if not given.count:
+            for part in given.paths:
+                print(part, noticed(root, root / "radcalc" / part, known) or "passes", flush=True)
         for number in range(given.skip, min(given.skip + given.count, len(drawn))):
             file, text = drawn[number]
             before = file.read_text()
