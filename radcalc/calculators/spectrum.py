@@ -128,7 +128,10 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
         return [absent(name, UNSEEN, LIT) for name in COLOURS], []
     found = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
     try:
-        temperature, distance = colorimetry.temperature_and_distance(light)
+        if isinstance(source, BlackBody):  # its own temperature, by definition
+            temperature, distance = source.temperature, 0.0
+        else:
+            temperature, distance = colorimetry.temperature_and_distance(light)
     except colorimetry.Undefined as error:
         return [*found, *(absent(name, str(error), CHROMATICITY) for name in COLOURS[2:])], []
     found += [value("cct", temperature), value("duv", distance)]

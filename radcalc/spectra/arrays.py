@@ -80,7 +80,7 @@ class ArrayTable(Table):
         grid, values = self._part(limits)
         return ArrayTable(self.label, grid, values, is_whole=True) if len(grid) else None
 
-    def moments(self, start: int, count: int) -> Sequence[float]:
+    def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""
         nodes = np.arange(start, start + count, dtype=float)
         union, share = _shares(self.grid, nodes)

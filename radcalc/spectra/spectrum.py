@@ -1,6 +1,7 @@
 """What a spectrum is to radcalc: something that can be counted in watts, lumens and photons."""
 
 import math
+from array import array
 from collections.abc import Sequence
 from operator import mul
 
@@ -60,14 +61,18 @@ class Spectrum:
 
     def moments(self, start: int, count: int) -> Sequence[float]:
         """What to weight at each of `count` whole nanometres; see `integrals.moments`."""
+        if (start, count) not in self._moments:
+            found = self.find_moments(start, count)
+            self._moments[start, count] = array("d", found)  # small: there may be many spectra
+        return self._moments[start, count]
+
+    def find_moments(self, start: int, count: int) -> Sequence[float]:
+        """Work out the moments."""
         raise NotImplementedError
 
     def weigh(self, start: int, weights: Sequence[float]) -> float:
         """Watts weighted by a table at every nanometre from `start`."""
-        key = start, len(weights)
-        if key not in self._moments:
-            self._moments[key] = self.moments(*key)
-        total: float = sum(map(mul, self._moments[key], weights))
+        total: float = sum(map(mul, self.moments(start, len(weights)), weights))
         return total
 
     def seen(self, observer: Observer) -> float:
@@ -133,7 +138,7 @@ class Table(Spectrum):
         """See `Spectrum`."""
         return integral(self.grid, self.values, *limits)
 
-    def moments(self, start: int, count: int) -> Sequence[float]:
+    def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""
         return moments(self.grid, self.values, start, count)
 
@@ -184,7 +189,7 @@ class Lines(Spectrum):
         """See `Spectrum`."""
         return sum(watts for place, watts in self.lines if limits[0] <= place <= limits[1])
 
-    def moments(self, start: int, count: int) -> Sequence[float]:
+    def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`; a line is shared out between the nanometres on both sides of it."""
         found = [0.0] * count
         for place, watts in self.lines:
@@ -234,7 +239,7 @@ class BlackBody(Spectrum):
         """See `Spectrum`."""
         return planck.exitance(self.temperature, limits[0] * 1e-9, limits[1] * 1e-9)
 
-    def moments(self, start: int, count: int) -> Sequence[float]:
+    def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`; Planck's law at every nanometre, and linear between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
         found = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
