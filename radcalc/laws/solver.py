@@ -338,7 +338,14 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     """Refuse values that contradict each other by a law."""
     names = [name for name in law.targets if name in sheet.given] or list(law.targets)
     name = names[0]
-    other, value = _follow(law, name, sheet), sheet.values[name].value
+    try:
+        other = _follow(law, name, sheet)
+    except ConditionError:
+        if isinstance(law, Relation):
+            raise
+        name = law.result  # where no light arrives nothing else can be told by the law
+        other = _follow(law, name, sheet)
+    value = sheet.values[name].value
     if isinstance(other, Several):
         other = min(other, key=lambda one: abs(one - value))
     difference = abs(value - other)

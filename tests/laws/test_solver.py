@@ -6,7 +6,7 @@ import random
 import pytest
 from helpers import number
 
-from radcalc import point_source
+from radcalc import lambertian, point_source
 from radcalc.errors import Contradiction
 from radcalc.laws import etendue, exposure, heat, mesopic, point, sizes, surface
 from radcalc.laws.solver import Disagreement, Known, solve
@@ -98,3 +98,11 @@ def test_what_is_typed_twice_is_compared_to_its_digits(given_values, fits):
     else:
         with pytest.raises(Contradiction, match=r"contradicts .*\(ratio "):
             call()
+
+
+def test_two_ways_to_no_light_are_no_contradiction():
+    # by the intensity and by the radiance, from behind the receiver
+    found = lambertian(
+        luminance="100cd/m2", area="1cm2", distance="1m", incidence="120deg", time="3s"
+    )
+    assert number(found, "irradiance", "lx") == number(found, "exposure", "lx s") == 0
