@@ -14,7 +14,7 @@ from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, command, mention, option
 from radcalc.geometry import far_field
 from radcalc.given import Inputs, angle_of
-from radcalc.laws.surface import CUT_DISC, LAWS
+from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
 from radcalc.maths import any_true, is_array
 
 QUANTITIES = (
@@ -59,6 +59,8 @@ def lambertian(shape: str, given: Inputs) -> Answer:
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
     laws = [*LAWS, *sheet.place(SHAPES[shape].place)]
+    if "time" not in given:
+        laws.append(SURFACE_ENERGY)
     sheet.assume("Lambertian: the same radiance in all directions")
     sheet.page = sheet.page._replace(takes=INPUTS)  # what another shape would take may be lacking
     sheet.solve(laws)

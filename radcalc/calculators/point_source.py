@@ -34,6 +34,7 @@ from radcalc.laws.point import (
     INVERSE_SQUARE,
     INVERSE_SQUARE_OF_ENERGY,
     ISOTROPIC,
+    ISOTROPIC_ENERGY,
     LAWS,
     LOBED,
     OFF_AXIS,
@@ -209,7 +210,9 @@ def _on_axis(sheet: Worksheet, shape: str) -> list[AnyLaw]:
         if "incidence" not in sheet.given:
             sheet.know("incidence", 0.0)
             sheet.assume(LYING)
-    return laws if shape == ISOTROPIC else [*laws, INVERSE_SQUARE_OF_ENERGY]
+    if "time" not in sheet.given:
+        laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else INVERSE_SQUARE_OF_ENERGY)
+    return laws
 
 
 def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
@@ -232,7 +235,9 @@ def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
         own.append(INVERSE_SQUARE)
     else:
         sheet.assume("the source points straight down")
-        own += [OFF_AXIS, OFF_AXIS_OF_ENERGY, INSIDE if shape == CONICAL else FALL]
+        own += [OFF_AXIS, INSIDE if shape == CONICAL else FALL]
+    if "time" not in given:
+        own.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else OFF_AXIS_OF_ENERGY)
     known = reached([*laws, *own], set(sheet.known))
     if is_flat and not {"height", "lateral"} <= known:
         own += FLOOR[shape]

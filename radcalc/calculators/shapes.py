@@ -78,7 +78,7 @@ def _radius(sheet: Worksheet) -> Any:
 def _patch(sheet: Worksheet) -> list[AnyLaw]:
     """A flat source of whatever shape, small where it is seen from a distance."""
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT, FLAT_FLUX]
+    laws: list[AnyLaw] = [FLAT, *_without_size(sheet, FLAT_FLUX)]
     if "width" in given or "length" in given:
         laws.append(RECTANGLE)
     if _is_sized(sheet):
@@ -100,7 +100,13 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
         sheet.know("incidence", incidence, given["incidence"])
         sheet.assume("a disc that faces the receiver, of which the horizon leaves a part")
         return [*laws, CUT_DISC]
-    return [*laws, SMALL_SOURCE, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY]
+    of_intensity = _without_size(sheet, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)
+    return [*laws, SMALL_SOURCE, *of_intensity]
+
+
+def _without_size(sheet: Worksheet, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
+    """The laws that lead past a size, where none is given."""
+    return () if set(SIZES) & set(sheet.given) else laws
 
 
 def _is_cut(sheet: Worksheet, distance: Any) -> Any:
@@ -182,7 +188,7 @@ def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[
 
 
 def _disc(sheet: Worksheet) -> list[AnyLaw]:
-    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT, FLAT_FLUX]
+    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT, *_without_size(sheet, FLAT_FLUX)]
     height = _height(sheet)
     if _is_sized(sheet) and height is not None:
         size = _radius(sheet)
@@ -207,7 +213,12 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
 
 def _sphere(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [*round_sizes(given), SPHERE_AREA, SPHERE_FRONT, SPHERE_INTENSITY]
+    laws: list[AnyLaw] = [
+        *round_sizes(given),
+        SPHERE_AREA,
+        SPHERE_FRONT,
+        *_without_size(sheet, SPHERE_INTENSITY),
+    ]
     incidence = angle_of(given, "incidence")
     _say_facing(sheet)
     sheet.know("cosine", cones.facing(incidence))
@@ -232,7 +243,7 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
 
 def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT, FLAT_FLUX, RECTANGLE]
+    laws: list[AnyLaw] = [FLAT, *_without_size(sheet, FLAT_FLUX), RECTANGLE]
     height = _height(sheet)
     if height is None:
         for name in ("corner", "perpendicular", *OFFSETS, "incidence"):

@@ -167,6 +167,7 @@ INVERSE_SQUARE = law(
     "{irradiance} = {intensity} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
+ISOTROPIC_ENERGY = law("isotropic energy", "{exposure} = {energy} {cosine} / (4 pi {distance}^2)")
 INVERSE_SQUARE_OF_ENERGY = law(
     "inverse square law, of an energy",
     "{exposure} = {energy} {cosine} Omega0 / ({solid-angle} {distance}^2)",

@@ -16,7 +16,7 @@ What a receiver gets, exactly at any distance:
 - `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
 - `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
 - `disc_flux`: Phi = pi (R^2 + h^2) E
-- exposure by the energy of a surface: H = Q Omega_p / (pi Omega0 A)
+- `SURFACE_ENERGY`: H = Q Omega_p / (pi Omega0 A)
 - `EXPOSURE` and `ENERGY` of `radcalc.laws.energy`
 
 And from far away, five times the size and more:
@@ -71,11 +71,11 @@ LAWS: list[AnyLaw] = [
     ),
     EXPOSURE,
     ENERGY,
-    law(
-        "exposure by the energy of a surface",
-        "{exposure} = {energy} {projected-solid-angle} / (pi Omega0 {area})",
-    ),
 ]
+SURFACE_ENERGY = law(
+    "exposure by the energy of a surface",
+    "{exposure} = {energy} {projected-solid-angle} / (pi Omega0 {area})",
+)
 FLAT_FLUX = law("flux of a flat surface", "{flux} = pi Omega0 {intensity}")
 SMALL_SOURCE_ENERGY = law(
     "exposure by the energy of a small source",
