@@ -109,10 +109,6 @@ BEAM_ANGLE = relation(
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
         law("isotropic source", "{flux} = 4 pi Omega0 {intensity}", "ISO 80000-7, intensity"),
-        law(
-            "exposure by an isotropic source",
-            "{exposure} = {energy} {cosine} / (4 pi {distance}^2)",
-        ),
         relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
