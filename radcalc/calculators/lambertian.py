@@ -85,7 +85,7 @@ def _refuse_whole(shape: str, lit: Lit) -> None:
         if name in lit.values:
             raise ConditionError(
                 f"{option(lit.values[name].name)}: a {shape} has no end, and no {name} of its own",
-                mention("{radiance}, {exitance} or {irradiance}"),
+                mention("{radiance}, {exitance} or {irradiance} in its place"),
             )
 
 

@@ -230,7 +230,7 @@ def _completions(asked: str) -> str:
 def _meant(args: list[str]) -> str:
     """What to type in place of a word that is no command."""
     word = args[0].lower()
-    if word[:1].isdigit() and len(args) > 1:
+    if word[:1].isdigit() and len(args) > 1 and all(quote(one) == one for one in args):
         return call_of("convert", *args)
     if near := nearest(word, COMMANDS, 1, 0.75):
         return f"{near[0]} (see radcalc --help)"
@@ -252,7 +252,7 @@ def _join_unit(error: MissingUnit, words: list[str]) -> None:
     symbol = SYMBOLS.get(error.symbol)
     try:
         if behind and symbol and resolve(behind[0]).dimension in symbol.dimensions:
-            error.hint = option(error.symbol, f"{error.text}{behind[0]}")
+            error.hint = option(error.symbol, f"{error.text}{quote(behind[0])}")
     except RadcalcError:
         pass
     error.hint += " (one word, no blank)"

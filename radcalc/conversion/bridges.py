@@ -214,8 +214,8 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
     by_flux = coherent_text(start._replace(area=0, solid_angle=0))
     by_radiance = coherent_text(start._replace(area=1, solid_angle=1))
     steps = [
-        f"{command('convert', bridge.amount, unit, **{step.name.replace('-', '_'): step.text})} "
-        f"and then {option(then.name, then.text)}, for a uniform {what}"
+        f"{command('convert', bridge.amount, unit, **{step.name: quote(step.text)})} "
+        f"and then {option(then.name, quote(then.text))}, for a uniform {what}"
         for unit, step, then, what in (
             (by_flux, first, second, "intensity"),
             (by_radiance, second, first, "radiance"),
@@ -334,7 +334,7 @@ class Bridge:
             part = geometric.cosine(given) if is_turned else given.value
             said = "E cos(theta)" if is_turned else "the part that is reflected"
             number = f"{self.number}*{part:.12g}"
-            again = command("convert", number, self.source.text, self.target.text)
+            again = command("convert", number, quote(self.source.text), quote(self.target.text))
             return f"{again}, which is {said}"
         if given.name == TIME and not start.time:
             whole = _over_time(self.target, end)
@@ -439,7 +439,11 @@ def _unlike(bridge: Bridge) -> RadcalcError:
     if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
         return ConversionError(
             f"{heading}: no condition links them, but a photon has both",
-            command("photon", bridge.amount, get=f"{PHOTON_NAMES[target.dimension]}:{target.text}"),
+            command(
+                "photon",
+                bridge.amount,
+                get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
+            ),
         )
     if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
         name = "half-angle" if source.dimension == ANGLE else "solid-angle"

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.errors import ConditionError, RadcalcError, nearest, quote
+from radcalc.errors import ConditionError, RadcalcError, manual, nearest, quote
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
 CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180}  # deg [rad]: 30*deg is 30 degrees
@@ -211,7 +211,7 @@ def _finite(value: float) -> float:
 
 def _unknown(name: str) -> RadcalcError:
     """The refusal of a name, with those most like it."""
-    known = (*NAMES, *CONSTANTS, *FUNCTIONS)
-    near = nearest(name, known)
+    near = nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
     message = f"'{quote(name)}' is not known in an expression"
-    return ConditionError(message, ", ".join(near or known))
+    names = f"{', '.join(NAMES)} (see {manual('integrate')})"
+    return ConditionError(message, ", ".join(near) or names)

@@ -1,0 +1,78 @@
+"""Every hint of a refusal, typed as it says, is answered."""
+
+import shlex
+
+import pytest
+from following import call, liars
+from helpers import shell
+from test_cases import FILES, transcripts
+from test_refusals import COMMANDS, CONVERSIONS, STREAMS
+
+
+def conversion(source, target, conditions):
+    given = [f"--{k}" if v is True else f"--{k}={v}" for k, v in conditions.items()]
+    return ["convert", "1", source, target, *given]
+
+
+def corpus():
+    """Every refusal that the tests know of."""
+    yield from (conversion(*row[:3]) for row in CONVERSIONS.values())
+    yield from (row[0].split() for row in COMMANDS.values())
+    yield from (["convert", "-", *row[0]] for row in STREAMS.values())
+    for path in FILES:
+        for command, output in transcripts(path):
+            if "\ntry: " in output and not set("|<>;$") & set(command):
+                yield shlex.split(command)[1:]
+
+
+CALLS = {" ".join(words)[:90]: words for words in corpus()}
+
+
+@pytest.mark.parametrize("words", CALLS.values(), ids=CALLS)
+def test_a_hint_leads_to_an_answer(words):
+    found = liars(words)
+    assert not found, "\n".join(found)
+
+
+# words of a command, a part of the hint that answers what was asked
+MEANT = [
+    ("ev --f-number 2.8 --time 1/60", "--time 1/60s"),
+    ("convert 500 lx umol/m2/s --efficacy 0.0185", "--efficacy 0.0185umol/lm/s"),
+    ("convert 500 lx umol/m2/s --efficacy 54", "--efficacy 54lm.s/umol"),
+    ("convert 5 W umol/s --efficacy 2.7", "--efficacy 2.7umol/J"),
+    ("convert 5 W umol/s --efficacy 2.7 umol/J", "--efficacy 2.7umol/J"),
+    ("convert 5 W lm --efficacy 93", "--efficacy 93lm/W"),
+    ("convert 100 cd lx --distance 2 ft", "--distance 2ft"),
+    ("convert 1.000,5 lx fc", "1000.5"),
+    # cos 60 deg = 1/2, cos 45 deg = sqrt(1/2)
+    ("convert 1000 W/m2 W/m2 --incidence 60deg", "radcalc convert 1000*0.5 W/m2 W/m2"),
+    ("convert 800 lx klx --incidence 45deg", "radcalc convert 800*0.707106781187 lx klx"),
+    ("convert 500 lx fc --reflectance 80%", "radcalc convert 500*0.8 lx fc"),
+    ("convert 400 umol/m2/s mol/m2/day --time 12h", "mol/m2 in place of mol/m2/day"),
+    ("convert 60 W kW --time 2h", "J in place of kW"),
+    ("convert 500 lx fc --time 2h", "lm.s/m2 in place of fc"),
+    ("convert 555 nm THz", "radcalc photon 555nm -g frequency:THz"),
+    ("convert 2 eV nm", "radcalc photon 2eV -g wavelength:nm"),
+    ("convert 30 deg sr", "radcalc solid-angle cone --half-angle 30deg"),
+    ("calorimeter --mass 1kg --temperature-rise 2°C", "--temperature-rise 2K"),
+    ("calorimeter --mass 1kg --temperature-rise 9degF", "--temperature-rise 5K"),
+    ("cone --half-angle 30deg", "radcalc solid-angle cone"),
+    ("camera --f-number 2.8", "ev (see"),
+    ("lamp", "point-source (see"),
+    ("800 lm cd --isotropic", "radcalc convert 800 lm cd --isotropic"),
+    ("point-source --f-number 2.8", "radcalc etendue --help; it is of etendue, ev"),
+    ("solid-angle cone --flux 5lm", "point-source, lambertian"),
+    ("convert 1 cd lx --distance 1m:1e300m:2m", "at most 10000"),
+    (f"convert 1 cd lx --distance {'1m,' * 10_000}2m", "at most 10000"),
+    ("typical lx!!!", "radcalc typical"),
+    ("quantities luminance?", "luminance"),
+]
+
+
+@pytest.mark.parametrize(("line", "part"), MEANT, ids=[line[:60] for line, _ in MEANT])
+def test_a_hint_answers_what_was_meant(line, part):
+    error = call(line.split()).error
+    assert error is not None
+    message, hint = shell(error)
+    assert part in hint, hint
+    assert len(message) < 200
