@@ -194,6 +194,8 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
         elif word != "Omega0":
             break
         sign = 1
+    if "/ (4 pi " in right:
+        return 4.0, pi - 1
     if "/ (pi " in right:
         pi -= 1
     if "/ (4 " in right:
