@@ -287,7 +287,7 @@ def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
 
 
 def _parameters(called: str) -> list[click.Parameter]:
-    context = click.Context(commands)
+    context = click.Context(commands, **commands.context_settings)  # or -h is forgotten
     found = commands.get_command(context, called) or commands
     return found.get_params(context)
 
