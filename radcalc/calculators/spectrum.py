@@ -5,7 +5,7 @@ import math
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.results import absent, value
 from radcalc.derivation import Formula
-from radcalc.errors import ConditionError, option
+from radcalc.errors import ConditionError, command, option
 from radcalc.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
@@ -18,6 +18,7 @@ from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
 COLOURS = ("x", "y", "cct", "duv", "cri")
 CHROMATICITY = "the chromaticity: x and y"
 UNSEEN = "nothing of this spectrum is seen"
+RELATIVE = "the spectrum is relative, how much light there is it does not say"
 LIT = "a spectrum with light from 360 nm to 830 nm"
 
 
@@ -143,7 +144,7 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
     away = colorimetry.difference(light, like)
     if away <= colorimetry.SIMILAR:
         return found, []
-    beyond = f"the colour is {away:.2g} in (u, v) from that of the reference"
+    beyond = f"the colour is {away:.4g} in (u, v) from that of the reference"
     return found, [f"cri: {beyond}, and CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
 
 
@@ -164,7 +165,8 @@ def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
         ]
     if source.absolute:
         return [_of_light(source.absolute, kind, amounts) for kind in (RADIANT, LUMINOUS)]
-    return []
+    hint = command("convert", "VALUE", "UNIT", "UNIT", spectrum=source.label)
+    return [absent(name, RELATIVE, hint) for name in ("irradiance", "illuminance")]
 
 
 def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:

@@ -138,6 +138,8 @@ def test_the_lumens_that_a_range_leaves_out_are_said():
         ("band:500nm:600nm", "fwhm", "the data end above half"),
         ("band:800nm:900nm", "lux-per-ppfd", "no photons"),
         ("line:2um", "sp-ratio", "nothing of this spectrum is seen"),
+        ("D65", "irradiance", "the spectrum is relative"),
+        ("D65", "illuminance", "the spectrum is relative"),
     ],
 )
 def test_a_result_that_has_no_meaning_says_why(source, name, reason):
