@@ -42,6 +42,6 @@ def judge(question: "Question", claim: str, tolerance: str | None, shown: "Outpu
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    verdict = check(question, claim, tolerance or "1%")
+    verdict = check(question, claim, tolerance)
     shown.judge(Judgement(verdict, question.answer.assumptions, question.answer.notes))
     return stdio.ANSWERED if verdict.is_right else stdio.WRONG

@@ -8,12 +8,13 @@ from radcalc.answer import Step, Value
 from radcalc.calculators.results import in_unit, pick
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, option, quote
-from radcalc.homework.answer import Claim, Diagnosis, read_claim, read_tolerance
+from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, resolve
 
 ROUNDED = "rounded"  # which is no mistake
+TOLERANCE = "1%"
 REMARKS = ("error",)  # results that say how good another is
 WAYS = 4  # to say an answer clearly, that are shown
 
@@ -33,9 +34,10 @@ class Verdict(NamedTuple):
     steps: tuple[Step, ...]
 
 
-def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
+def check(question: Question, claim: str, tolerance: str | None = None) -> Verdict:
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
+    Without a tolerance it is 1%, or the digits typed where these are at least two and leave more.
     Where several answers fit what is given, one of them is right.
     """
     verdicts = (
@@ -46,8 +48,8 @@ def check(question: Question, claim: str, tolerance: str = "1%") -> Verdict:
     return first if first.is_right else next((v for v in verdicts if v.is_right), first)
 
 
-def _check(question: Question, claim: str, tolerance: str) -> Verdict:
-    said = read_claim(claim)
+def _check(question: Question, claim: str, asked: str | None) -> Verdict:
+    said, tolerance = read_claim(claim), asked or TOLERANCE
     target, unit_text, is_of_another = _target(question, said, tolerance)
     unit = resolve(unit_text)
     right = in_unit(target, unit)
@@ -77,8 +79,11 @@ def _check(question: Question, claim: str, tolerance: str) -> Verdict:
         return verdict
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
-    if abs(right - said.value) <= max(said.half_unit, said.widest):
-        return verdict._replace(diagnoses=(_rounded(said, right),))
+    if said.value and abs(right - said.value) <= max(said.half_unit, said.widest):
+        rounded = _rounded(said, right)
+        if asked or said.digits < LEAST_MEANT:
+            return verdict._replace(diagnoses=(rounded,))
+        return verdict._replace(is_right=True, tolerance=rounded.done, diagnoses=(rounded,))
     from radcalc.homework.diagnosis import diagnose  # which right answers do without
 
     scale = float(target.amount) / right if right else unit.factor
@@ -104,7 +109,7 @@ def _rounded(said: Claim, right: float) -> Diagnosis:
     )
     told = "the digit" if digits == 1 else f"the {digits} digits"
     nearer = f"{right:.{max(3, digits + 1)}g}"
-    return Diagnosis(ROUNDED, f"right to {told} given", f"{nearer} is nearer")
+    return Diagnosis(ROUNDED, f"to {told} given", f"{nearer} is nearer")
 
 
 def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:

@@ -57,7 +57,8 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     other = "" if said.claimed_unit == "1" else f" {said.claimed_unit}"
     right = f"{said.name} is {number(said.right, digits)}{unit}"
     if said.is_right:
-        return f"right ({said.tolerance}): {right}\n"
+        nearer = "".join(f"; {diagnosis.right}" for diagnosis in said.diagnoses)
+        return f"right ({said.tolerance}): {right}{nearer}\n"
     times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times that)" if times != "1" else ""
     claimed = f"{number(said.claimed, digits)}{other}"
@@ -65,7 +66,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     word = "likely"
     for diagnosis in said.diagnoses:
         if diagnosis.mistake == "rounded":
-            lines.append(f"{diagnosis.done}; {diagnosis.right}")
+            lines.append(f"right {diagnosis.done}; {diagnosis.right}")
             continue
         lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
         word = "or"

@@ -54,12 +54,20 @@ def test_right_answers_are_accepted_at_their_digits(words, name, unit):
     ],
 )
 def test_a_right_answer_in_few_digits_is_accused_of_nothing(words, claim, told, nearer):
-    found = verdict(words, claim)
-    assert not found.is_right
-    assert [one.mistake for one in found.diagnoses] == ["rounded"]
-    assert found.diagnoses[0].done == f"right to {told} given"
-    assert found.diagnoses[0].right == f"{nearer} is nearer"
+    for tolerance in (None, "1%"):
+        found = verdict(words, claim, tolerance)
+        assert found.is_right == (tolerance is None and told != "the digit")
+        assert [one.mistake for one in found.diagnoses] == ["rounded"]
+        assert found.diagnoses[0].done == f"to {told} given"
+        assert found.diagnoses[0].right == f"{nearer} is nearer"
     assert verdict(words, claim, "10%" if told != "the digit" else "30%").is_right
+
+
+@pytest.mark.parametrize("claim", ["0", "0.00", "0e309"])
+def test_nothing_is_no_rounded_answer(claim):
+    found = verdict("convert 1 lx fc", claim)
+    assert not found.is_right
+    assert "rounded" not in [one.mistake for one in found.diagnoses]
 
 
 def test_the_last_zero_of_a_mistake_is_no_digit():
