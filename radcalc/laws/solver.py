@@ -351,6 +351,8 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     difference = abs(value - other)
     if not any_true(difference > EXACT * abs(value) + 1e-300):
         return
+    for each in law.names:
+        sheet.off(each)  # by the values as they are, before the other one takes its place
     aside = sheet._replace(values={**sheet.values, name: Known(other)})
     allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
     if any_true(difference > allowed):

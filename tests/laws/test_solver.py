@@ -106,3 +106,12 @@ def test_two_ways_to_no_light_are_no_contradiction():
         luminance="100cd/m2", area="1cm2", distance="1m", incidence="120deg", time="3s"
     )
     assert number(found, "irradiance", "lx") == number(found, "exposure", "lx s") == 0
+
+
+def test_a_wrong_value_does_not_widen_what_is_allowed_of_the_others():
+    # I = 40.654 cd and 13.28 lm: n = 18.23; 40.654 cos(47.47 deg)^19.23 / 19.75^2 = 5.6e-5 lx
+    with pytest.raises(Contradiction):
+        point_source(
+            distribution="lobe", exposure="0.3577lx.s", flux="13.28lm", height="13.35m",
+            intensity="40.654cd", offset="14.552m", time="3679.1s",
+        )  # fmt: skip
