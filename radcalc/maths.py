@@ -25,7 +25,7 @@ def is_column(x: Any) -> bool:
 
 def _call(name: str, *xs: Number) -> Number:
     for x in xs:
-        if is_array(x):
+        if type(x) is not float and is_array(x):  # the type first, since nearly all are floats
             import numpy
 
             return getattr(numpy, name)(*xs)
@@ -35,6 +35,8 @@ def _call(name: str, *xs: Number) -> Number:
 def is_lost(value: Number, *of: Number) -> bool:
     """Whether a product of factors that are not 0, or an element of it, is too small to be held."""
     small = abs(value) < SMALLEST
+    if small is False:
+        return False
     for factor in of:
         small = small & (factor != 0)
     return any_true(small)
