@@ -137,15 +137,16 @@ def transcripts(known: set[str]) -> list[str]:
 def stages(root: Path, file: Path, known: Path) -> Iterator[tuple[str, list[str]]]:
     """The commands that look for the mutant, those that find it soonest first."""
     yield "transcripts", [sys.executable, "tests/mutation.py", "--transcripts", str(known)]
-    part = file.relative_to(root / "radcalc").parts[0].removesuffix(".py")
-    near = sorted((root / "tests" / part).rglob("test_*.py"))
+    place = file.relative_to(root / "radcalc")
+    folders = [root / "tests" / x for x in (place.with_suffix(""), *place.parents[:-1])]
+    near = [path for folder in folders for path in sorted(folder.glob("test_*.py"))]
     own = [path for path in near if path.stem == f"test_{file.stem}"]
     pytest = [sys.executable, "-m", "pytest", "-x", "-q", "-n0", "--hypothesis-seed=0"]
     pytest += ["-p", "no:cacheprovider"]
     for name, tests in (("own", own), ("folder", [x for x in near if x not in own])):
         if tests:
             yield name, [*pytest, *map(str, tests)]
-    yield "last", [*pytest, *(f"tests/{name}" for name in LAST if name != part)]
+    yield "last", [*pytest, *(f"tests/{name}" for name in LAST if name != place.parts[0])]
 
 
 def noticed(root: Path, file: Path, known: Path) -> str:
