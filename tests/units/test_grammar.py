@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from radcalc.errors import NumberError, UnitError
 from radcalc.units.grammar import parse_unit
-from radcalc.units.numbers import parse_number, split_quantity
+from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.table import resolve
 
 SAME = [("W", 1), ("m", -2), ("sr", -1)]
@@ -212,3 +212,15 @@ def test_ten_megabytes_are_refused_without_reading_them(hostile):
             parse_unit(hostile)
         with pytest.raises(NumberError):
             split_quantity(hostile)
+
+
+@pytest.mark.parametrize(
+    ("text", "half_a_digit"),
+    [
+        ("2", 0.005 / 2), ("2.5", 0.005 / 2.5), ("2.50", 0.005 / 2.5), ("-2.500", 0.0005 / 2.5),
+        ("1.25e3", 5 / 1250), ("0.0012", 0.000005 / 0.0012), ("31.6 lx", 0.05 / 31.6),
+        ("1/3", 1e-9), ("4pi", 1e-9), ("0", 1e-9),
+    ],
+)  # fmt: skip
+def test_a_number_may_be_off_by_half_its_last_digit_of_at_least_three(text, half_a_digit):
+    assert rounding(text) == pytest.approx(half_a_digit, rel=1e-14)
