@@ -86,6 +86,11 @@ def test_the_light_of_a_lobe_aside_of_its_axis(n, height, x, y):
     assert number(back, "intensity", "cd") == pytest.approx(900, rel=1e-12)
 
 
+def test_the_height_of_an_irradiance_straight_below():
+    found = point_source(intensity="100cd", offset="0m", irradiance="25lx")
+    assert number(found, "height", "m") == pytest.approx(2, rel=1e-12)
+
+
 def test_a_cone_ends_at_its_edge():
     # at 3 m height the edge of a cone of 30 deg is at 3 tan(30 deg) = 1.73 m
     def at(offset):

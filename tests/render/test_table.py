@@ -60,3 +60,10 @@ def test_a_list_is_a_table_where_its_words_fit_and_lines_elsewhere(columns):
     drawn = screen_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in drawn
     assert "1.602176634e-19" in drawn
+
+
+def test_two_answers_with_the_same_rows_are_a_line_each():
+    words = ("point-source", "--intensity", "100cd", "--distance", "1m,2m", "--format", "table")
+    lines = run(*words).stdout.splitlines()
+    assert lines[0].split()[:4] == ["I_v", "[cd]", "d", "[m]"]
+    assert [line.split()[:2] for line in lines[2:4]] == [["100", "1"], ["100", "2"]]
