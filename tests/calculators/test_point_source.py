@@ -91,6 +91,11 @@ def test_the_height_of_an_irradiance_straight_below():
     assert number(found, "height", "m") == pytest.approx(2, rel=1e-12)
 
 
+def test_what_is_given_exactly_twice_may_differ_by_the_arithmetic():
+    found = point_source(flux="4pi/3 lm", intensity="1/3 cd")
+    assert number(found, "intensity", "cd") == pytest.approx(1 / 3, rel=1e-15)
+
+
 def test_a_cone_ends_at_its_edge():
     # at 3 m height the edge of a cone of 30 deg is at 3 tan(30 deg) = 1.73 m
     def at(offset):

@@ -10,6 +10,7 @@ from radcalc.errors import ConditionError
 from radcalc.geometry import cones, directions, etendue, lobes, projected, solid
 from radcalc.geometry.numerics import special
 from radcalc.laws.etendue import APERTURE, LENS, PATCHES
+from radcalc.maths import CHUNK, in_chunks
 
 REFUSED = [
     (solid.cone, (-1e-9,)), (solid.cone, (3.15,)), (solid.cone_of, (-1.0,)),
@@ -93,3 +94,10 @@ def test_arrays_give_what_floats_give(function, axes):
     if len(axes) > 1:
         part = function(*np.ix_(*axes[:-1]), float(axes[-1][-1]))
         np.testing.assert_allclose(part, want[..., -1], rtol=2e-13, atol=0)
+
+
+@pytest.mark.parametrize("count", [3, CHUNK, CHUNK + 1, 3 * CHUNK])
+def test_a_long_row_in_parts_is_the_whole_row(count):
+    row = np.arange(count, dtype=float)
+    assert (in_chunks(lambda x, y: x + 2 * y, row, row) == 3 * row).all()
+    assert (in_chunks(lambda x, y: x + 2 * y, row, 1.0) == row + 2).all()
