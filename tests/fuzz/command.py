@@ -1,4 +1,4 @@
-"""The command line of a sweep: python tests/fuzz/NAME.py [--count N] [--seed S]."""
+"""The command line of a sweep: PYTHONPATH=tests python -m fuzz.NAME [--count N] [--seed S]."""
 
 import argparse
 import time

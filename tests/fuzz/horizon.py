@@ -150,6 +150,6 @@ def sweep(count: int, seed: int) -> str:
 
 
 if __name__ == "__main__":
-    from command import main
+    from fuzz.command import main
 
     main(sweep, LONG)

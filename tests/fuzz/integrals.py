@@ -117,6 +117,6 @@ def sweep(count, seed):
 
 
 if __name__ == "__main__":
-    from command import main
+    from fuzz.command import main
 
     main(sweep, LONG)

@@ -619,6 +619,6 @@ def is_a_state(state: State, typed: Part, found: Values) -> bool:
 
 
 if __name__ == "__main__":
-    from command import main
+    from fuzz.command import main
 
     main(sweep, LONG)

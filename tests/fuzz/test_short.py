@@ -1,4 +1,4 @@
-"""A short run of every sweep; `python tests/fuzz/NAME.py` runs the whole of one."""
+"""A short run of every sweep; `PYTHONPATH=tests python -m fuzz.NAME` runs the whole of one."""
 
 import importlib
 from pathlib import Path
