@@ -22,7 +22,7 @@ HERE = (0.0, 0.0, 0.0)
         ([SQUARE[0], SQUARE[1], SQUARE[1], SQUARE[2]], HERE, "given twice"),
         ([(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (3.0, 0.0, 1.0)], HERE, "no area"),
         ([*SQUARE[:3], (0.0, 1.0, 1.01)], HERE, "not flat"),
-        ([SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]], HERE, "area|cross"),
+        ([SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]], HERE, "cross"),
         ([(0.0, 0.0, 1.0), (4.0, 3.0, 1.0), (4.0, 0.0, 1.0), (0.0, 2.0, 1.0)], HERE, "cross"),
         # a vertex on another side
         ([(0.0, 0.0, 1.0), (4.0, 0.0, 1.0), (4.0, 2.0, 1.0), (2.0, 0.0, 1.0), (0.0, 2.0, 1.0)],

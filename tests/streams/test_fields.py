@@ -1,7 +1,7 @@
 import pytest
 
 from radcalc.errors import UsageError
-from radcalc.streams.fields import Fields, read_delimiter
+from radcalc.streams.fields import Cut, Fields, read_delimiter
 
 
 def test_fields_and_delimiters_are_read_as_written():
@@ -13,3 +13,8 @@ def test_fields_and_delimiters_are_read_as_written():
     ]  # fmt: skip
     with pytest.raises(UsageError):
         Fields("")
+
+
+def test_a_lone_quotation_mark_is_a_cell_and_no_quotes():
+    assert Cut(b",").inner(b'a,"', (2, 3)) == (2, 3)
+    assert Cut(b",").inner(b'a,""', (2, 4)) == (3, 3)
