@@ -31,9 +31,10 @@ DIGITS, MOST_DIGITS = 6, 17
 
 
 def format_number(value: Any, digits: int = DIGITS) -> str:
-    """A number for a derivation; an array by its shape."""
+    """A number for a derivation or a message; an array by its least and its greatest element."""
     if not isinstance(value, (int, float)):
-        return f"array{value.shape}"
+        low, high = (format_number(float(end), digits) for end in (value.min(), value.max()))
+        return low if low == high else f"{low} to {high}"
     return f"{value + 0.0:.{digits}g}"  # no -0
 
 

@@ -79,9 +79,9 @@ def etendue(given: Inputs) -> Answer:
     if not sheet.has("etendue"):
         raise _unlimited(sheet)
     size = sheet.at("etendue")
-    if size == 0:
+    if any_true(size == 0):
         sheet.notes.append("one of the patches is seen from its edge or from behind")
-    elif not size > FAINTEST:
+    elif any_true(size < FAINTEST):
         raise NumberError("the etendue is too small to be held by a number", "larger sizes")
     _note_far_field(sheet)
     first = value("etendue", size, "m2 sr", "mm2 sr")

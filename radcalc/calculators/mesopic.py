@@ -13,6 +13,7 @@ PAGE = Page(
     ("luminance", "sp-ratio", "spectrum", "mesopic-luminance", "scotopic-luminance"),
     others=RESULTS,
     goal="mesopic-luminance",
+    takes_arrays=False,
     about="Give the mesopic luminance of CIE 191:2010, between night and day.",
     sections={
         "Light": ("luminance", "sp-ratio", "spectrum"),

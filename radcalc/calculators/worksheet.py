@@ -65,6 +65,7 @@ class Page(NamedTuple):
     examples: tuple[str, ...] = ()
     remarks: str = ""
     kinds: tuple[str, ...] = KINDS
+    takes_arrays: bool = True
 
 
 T = TypeVar("T")

@@ -104,7 +104,7 @@ def of_page(name: str) -> "SectionedCommand":
     def calculate(typed: dict[str, Any], asked: Any, shown: options.Output) -> int:
         from radcalc.cli.calculator import cases, run
 
-        return run(cases(typed, arrays=True), work_out, asked, shown, name)
+        return run(cases(typed, page.takes_arrays), work_out, asked, shown, name)
 
     examples = [_example(Shell.command(name, *line.split())) for line in page.examples]
     calculate.__doc__ = "\n\n".join(

@@ -24,7 +24,7 @@ Powers = list[tuple[str, float]]
 VALUE = "value"  # the result at the end of a product
 # Results that are another one but for a factor, where they stand outside the laws.
 SAME = {"sphere-fraction": "solid-angle", "apex-angle": "half-angle"}
-FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError, TypeError)
+FAILURES = (RadcalcError, ArithmeticError, ValueError, KeyError)
 
 
 class Chain:

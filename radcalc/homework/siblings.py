@@ -1,8 +1,8 @@
 """Functions replaced by their siblings.
 
-A row of `LAWS` belongs to the laws whose name begins so, and to the symbol that they were solved
-for; it gives wrong values of that symbol from the others.  What is worked out at once, outside
-the laws (shapes, directions, the eyes), has a function of its own.
+A row of `LAWS` belongs to the law of that name, and to the symbol that it was solved for; it gives
+wrong values of that symbol from the others.  What is worked out at once, outside the laws (shapes,
+directions, the eyes), has a function of its own.
 """
 
 import math
@@ -27,8 +27,8 @@ DIFFUSE = "all directions are 4 pi sr, a hemisphere 2 pi sr, and pi sr projected
 def find(p: Problem) -> Iterator[Candidate]:
     """Every function of the derivation replaced by one of its siblings."""
     for law, target in p.chain.steps:
-        for start, symbol, wrong in LAWS:
-            if target == symbol and law.name.startswith(start):
+        for name_of_law, symbol, wrong in LAWS:
+            if target == symbol and law.name == name_of_law:
                 for name, value in _values(p, wrong):
                     found = usual(name, p.chain.after(target, value), right=text_of(law))
                     if found:
@@ -125,7 +125,7 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("projected solid angle of a cone", "projected-solid-angle", _projected_cone),
     ("etendue of a cone", "etendue", _etendue_of_cone),
     ("flux of a lobe over its peak", "solid-angle", _lobe),
-    ("straight line", "distance", _straight_line),
+    ("straight line to the source", "distance", _straight_line),
     ("exposure value", "ev", _logarithm("light")),
     ("reflected light", "ev100", _logarithm("luminance", "k")),
     ("incident light", "ev100", _logarithm("illuminance", "c")),

@@ -237,6 +237,8 @@ def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
     try:
         value = law.solve(target, at.__getitem__)
     except (ConditionError, *ARITHMETIC) as error:
+        if not isinstance(error, ConditionError) and any(map(is_array, at.values())):
+            raise  # arrays have no such errors
         value = _nearest(law, target, sheet, at)
         if value is None:
             if isinstance(error, ConditionError):

@@ -4,6 +4,7 @@ What can be read in one way only is read, and said; everything else is an error 
 A file is read a block at a time, and its numbers alone are kept.
 """
 
+import csv
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
@@ -108,7 +109,7 @@ class _Reader:
                 continue
             if line.lstrip().startswith(COMMENTS):
                 if len(self.comments) < MOST_COMMENTS:
-                    self.comments.append(quote(line.lstrip("#%/; \t")))
+                    self.comments.append(line.lstrip("#%/; \t"))
             else:
                 yield number, line
 
@@ -236,13 +237,20 @@ class _Reader:
         return None, False
 
     def cells(self, line: str, delimiter: str | None) -> list[str]:
-        return [cell.strip().strip('"').strip() for cell in line.split(delimiter)]
+        if delimiter and '"' in line:
+            parts = next(csv.reader([line], delimiter=delimiter))
+        else:
+            parts = line.split(delimiter)
+        return [cell.strip().strip('"').strip() for cell in parts]
 
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
         """Which column has the values, and its title."""
         if width < 2:
             raise self.error(number, "one column only", "a wavelength and a value in every row")
-        names = header if len(header) == width else [""] * width
+        if header and len(header) != width:
+            problem = f"{len(header)} titles over {width} columns"
+            raise self.error(number, problem, "a title for each column, or no titles")
+        names = header or [""] * width
         if not self.column:
             if width > 2:
                 chosen = f"{self.name}:COLUMN (or {option('column')})"

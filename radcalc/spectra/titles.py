@@ -24,7 +24,7 @@ UNITS = {
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
 DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
-IN_BRACKETS = re.compile(r"\((.*)\)|\[(.*)\]")
+IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
 WORD = r"(?<![a-z]){}(?![a-z])"
 NO_LIGHT = re.compile(
     WORD.format(
@@ -101,11 +101,10 @@ def values(title: str) -> Meaning:
     text = plain(title).replace("_", " ")
     if NO_LIGHT.search(text):
         raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
-    found = IN_BRACKETS.search(title)
-    bracket = next(filter(None, found.groups()), "") if found else ""
+    brackets = ["".join(filter(None, found)) for found in IN_BRACKETS.findall(title)][::-1]
     words = title.split()
-    for part in [bracket, *(" ".join(words[start:]) for start in range(len(words)))]:
-        facts, factor = _light(part, part == bracket)
+    for part in [*brackets, *(" ".join(words[start:]) for start in range(len(words)))]:
+        facts, factor = _light(part, part in brackets)
         if facts is None:
             continue
         if facts.axis != PER_WAVELENGTH or facts.kind == LUMINOUS or facts.time:

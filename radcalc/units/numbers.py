@@ -221,18 +221,9 @@ def _are_thousands(groups: list[str]) -> bool:
 def rounding(text: str) -> float:
     """How far a number may be off as typed: half a unit of its last digit, relative to it.
 
-    A short number counts as three digits: 2m is meant as 2.00 m.  A fraction, a multiple of pi
-    and 0 are exact, but for the rounding of the arithmetic.
+    A short number counts as three digits: 2m is meant as 2.00 m.  Products, fractions,
+    multiples of pi and 0 are exact, but for the rounding of the arithmetic.
     """
-    number = text[: read_number(text)[1]]
-    digits = ""
-    for character in number.lstrip("+-"):
-        if character in DIGITS:
-            digits += character
-        elif character != ".":
-            break
-    digits = digits.lstrip("0")
-    if not digits or not {"/", "p", "π"}.isdisjoint(number):
-        return EXACT
-    digits = digits.ljust(FEWEST_DIGITS, "0")
-    return 0.5 / float(digits)
+    typed = typed_digits(text[: read_number(text)[1]])
+    digits = typed[0].lstrip("0") if typed else ""
+    return 0.5 / float(digits.ljust(FEWEST_DIGITS, "0")) if digits else EXACT

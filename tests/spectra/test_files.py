@@ -115,6 +115,32 @@ PHOTONS = [  # what the values are, and how they are said to be taken
 ]
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        '"wavelength","E, umol/m2/s/nm"\n400,1\n500,3\n700,2\n',
+        "nm,bench (2) [umol/m2/s/nm]\n400,1\n500,3\n700,2\n",
+        "nm,[2] photons (umol/(m2 s nm))\n400,1\n500,3\n700,2\n",
+        "# wavelength (nm), spectral distribution measured at the long optical bench "
+        "(umol/m2/s/nm)\n400,1\n500,3\n700,2\n",
+    ],
+)
+def test_a_unit_is_found_wherever_a_title_has_it(text, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(text, encoding="utf-8")
+    table = read_file(str(path))
+    assert table.absolute == "irradiance"
+    # h c N_A / lambda of CODATA 2018: 0.11962656 J m/mol, so 1 umol at 500 nm is 0.23925 J
+    assert table.values[1] == pytest.approx(3 * 0.11962656e9 / 500 * 1e-6, rel=1e-7)
+
+
+def test_titles_that_do_not_fit_the_columns_are_refused(tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("nm,E,umol/m2/s/nm\n400,1\n500,3\n", encoding="utf-8")
+    with pytest.raises(RadcalcError, match="3 titles over 2 columns"):
+        read_file(str(path))
+
+
 @pytest.mark.parametrize(("head", "absolute", "said"), PHOTONS)
 def test_photons_are_turned_into_watts(head, absolute, said, tmp_path):
     path = tmp_path / "lamp.csv"

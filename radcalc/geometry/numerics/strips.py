@@ -19,7 +19,7 @@ from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus,
 STRIPS = 120  # intervals of strips, which the thinnest splinters do not reach: the time has a bound
 # [1] at which to stop.  Where an edge passes the observer at 1e-9 of its length, the coordinates
 # have no digits left for the first.
-ACCURACIES = (1e-13, 1e-8)
+ACCURACY, COARSE_ACCURACY = 1e-13, 1e-8
 FAR = 15.0  # of the parameter of a strip: past it sech^3 has fallen by 1e-19
 
 
@@ -143,12 +143,10 @@ def _half(
         return _projected_strip(h, q, level, rise, height, y, from_end) * q
 
     step = _sinh_step(start / h, width / h)
-    for accuracy in ACCURACIES[:-1]:
-        try:
-            return adaptive(strip, 0.0, step, accuracy, STRIPS)
-        except ConditionError:
-            continue  # the digits of the coordinates do not tell where the edge is
-    return adaptive(strip, 0.0, step, ACCURACIES[-1], STRIPS)
+    try:
+        return adaptive(strip, 0.0, step, ACCURACY, STRIPS)
+    except ConditionError:  # the digits of the coordinates do not tell where the edge is
+        return adaptive(strip, 0.0, step, COARSE_ACCURACY, STRIPS)
 
 
 def _sinh_step(x: float, dx: float) -> float:
