@@ -54,6 +54,11 @@ CONVERSIONS = {
         "sr", "deg", {}, "no condition links them", "radcalc"),
     "no condition makes a number of an efficacy": (
         "lm/W", "1", {}, "no condition links them", "radcalc"),
+    "a wide band has not the same width in wavelength and frequency": (
+        "um", "THz", {"wavelength": "550nm"}, "is not small beside", "photon"),
+    "a time makes no other rate of what comes in a day": (
+        "mol/m2/day", "umol/m2/s", {"time": "12h"}, "--time has no use",
+        "mol/m2 in place of mol/m2/day"),
     "a distance alone makes no lux of lumens": (
         "lm", "lx", {"distance": "2m"}, "a solid angle is missing", "--isotropic"),
     "a time has no use between lumens and candelas": (

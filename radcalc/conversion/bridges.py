@@ -337,8 +337,10 @@ class Bridge:
             again = command("convert", number, quote(self.source.text), quote(self.target.text))
             return f"{again}, which is {said}"
         if given.name == TIME and not start.time:
-            whole = _over_time(self.target, end)
-            return f"{whole} in place of {quote(self.target.text)}, for all of that time"
+            slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
+            rate = self.source if slow else self.target
+            whole = _over_time(rate, end)
+            return f"{whole} in place of {quote(rate.text)}, for all of that time"
         return ""
 
     def _missing(self, unused: Sequence[str]) -> MissingCondition:
@@ -362,10 +364,14 @@ def _is_plural(phrase: str) -> bool:
     return " and " in phrase and " or " not in phrase
 
 
+SLOW = ("/min", "/h", "/hour", "/d", "/day")  # of an amount that comes in within that time
+
+
 def _over_time(unit: Unit, reading: Reading) -> str:
     """The unit of what a rate gives in a time: mol/m2 of mol/m2/day, lm.s of lm."""
-    for rate in ("/s", "/min", "/h", "/d", "/day"):
-        if reading.kind == PHOTON and unit.text.endswith(rate):
+    rates = ("/s", *SLOW) if reading.kind == PHOTON else SLOW
+    for rate in rates:
+        if unit.text.endswith(rate):
             return quote(unit.text.removesuffix(rate))
     return coherent_text(reading._replace(time=1)).replace(" ", ".")
 

@@ -6,7 +6,7 @@ from radcalc import maths
 from radcalc.answer import Step
 from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Impossible, option, quote
+from radcalc.errors import ConditionError, Impossible, command, option, quote
 from radcalc.given import Given, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
@@ -31,10 +31,14 @@ from radcalc.spectra.observers import (
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.units.dimensions import FREQUENCY, LENGTH, WAVENUMBER
+from radcalc.units.numbers import parse_number
 
 if TYPE_CHECKING:
     from radcalc.conversion.bridges import Bridge, Links
     from radcalc.spectra.spectrum import Spectrum
+
+
+NARROW = 0.1  # of a wavelength: the width of a band that is still small, to 0.3 % of its own
 
 
 class Light(NamedTuple):
@@ -298,7 +302,16 @@ def width(bridge: "Bridge", given: Given) -> Factor | None:
     said = f"a width that is small beside {given.text}, where its band is"
     if given.dimension == LENGTH:
         said += "; " + VACUUM.format(given.text)
-    return jacobian(light(given, None), start, end)._replace(assumption=said)
+    of = light(given, None)
+    made = jacobian(of, start, end)._replace(assumption=said)
+    size = parse_number(bridge.number) * float(bridge.source.factor)
+    if abs(size if start == PER_WAVELENGTH else size / made.value) > NARROW * of.vacuum:
+        raise ConditionError(
+            f"a width of {bridge.amount} is not small beside {option(given.name, given.text)}: "
+            "its ends are no longer at equal distances in both",
+            f"the difference of its two ends, each by {command('photon', 'WAVELENGTH')}",
+        )
+    return made
 
 
 def _per_axis(start: str, end: str) -> str:

@@ -14,7 +14,7 @@ from radcalc.answer import Answer, Value
 from radcalc.errors import RadcalcError
 from radcalc.given import Inputs
 from radcalc.laws.cones import CONE
-from radcalc.laws.law import AnyLaw, Law, law
+from radcalc.laws.law import AnyLaw, Law, Several, law
 from radcalc.laws.solver import Derivation
 from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT
 from radcalc.quantities.symbols import SYMBOLS
@@ -51,9 +51,9 @@ class Chain:
         try:
             for one, target in self.steps:
                 if target != name and not changed.isdisjoint(one.names):
-                    values[target] = one.solve(target, values.__getitem__)
+                    values[target] = _single(one.solve(target, values.__getitem__))
                     changed.add(target)
-            found = float(values[self.goal]) * self._scale
+            found = values[self.goal] * self._scale
         except FAILURES:
             return None
         return found if self.goal in changed and math.isfinite(found) else None
@@ -61,10 +61,17 @@ class Chain:
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """The result where a symbol follows in another way from the others."""
         try:
-            value = float(solve(self.values.__getitem__))
+            value = _single(solve(self.values.__getitem__))
         except FAILURES:
             return None
         return self.after(target, value)
+
+
+def _single(value: Any) -> float:
+    """A value that a law gives; of several nobody tells which was meant."""
+    if isinstance(value, Several):
+        raise ValueError("several values")
+    return float(value)
 
 
 def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:

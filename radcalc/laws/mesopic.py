@@ -15,6 +15,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.quantities.symbols import SYMBOLS
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
 A, B, SCOTOPIC_AT_555 = 0.7670, 0.3334, 683 / 1699
@@ -151,7 +152,7 @@ def _ratio(at: At) -> Any:
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
     ratio = (mesopic * (m + night) / luminance - m) / night if night else -1.0
-    if ratio <= 0:
+    if not 0 < ratio <= SYMBOLS["sp-ratio"].limits.high:
         raise ConditionError(
             "no S/P ratio leads from that luminance to that mesopic luminance",
             "luminances nearer to each other, below 5 cd/m2",

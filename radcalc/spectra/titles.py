@@ -32,9 +32,22 @@ NO_LIGHT = re.compile(
         "[a-z]*"
     )
     + "|"
-    + WORD.format("(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark)")
+    + WORD.format(
+        "(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark|albedo"
+        "|log(?:10)?|ln|lg|d(?:b|bm)|err(?:ors?)?|std|stdev|uncertainty|cumulative)"
+    )
+    + r"|% ?[tra]\b|\b[tra] ?%|v ?\(lambda\)"
 )
-PHOTONS = re.compile(WORD.format("(?:photons?|quanta|quantum|y?ppfd?|pfd|u?mol|u?einsteins?)"))
+# A number before or behind a unit, or within it, and 1/(...), which scale the values.
+SCALED = re.compile(
+    r"\d[\d.]*(?:e[-+]?\d+)? *[*x×]? *(?:[mkun]?w|[mu]?mol|j)/|(?<![a-z])[*x×] *\d|1/\(|/\d"
+)
+AXES = re.compile(
+    WORD.format(r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|frequency|wave ?numbers?)")
+)
+PHOTONS = re.compile(
+    WORD.format("(?:photon(?:s|en)?|quanta|quantum|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
+)
 LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
 KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
 # The radiant quantity by the powers of 1/area and 1/solid angle.
@@ -73,6 +86,9 @@ def wavelengths(
     Declared in the title, if there is one, or in a comment, or else plain from the numbers.
     """
     own = [plain(title) for title in titles]
+    for text in own:
+        if AXES.search(text) and not DECLARED.search(text):
+            raise ConditionError(f"'{quote(text)}' is no wavelength", "wavelengths in nm")
     for text in own + [plain(comment) for comment in comments]:
         found = DECLARED.search(text)
         word = found.group(1) if found else ""
@@ -101,6 +117,8 @@ def values(title: str) -> Meaning:
     text = plain(title).replace("_", " ")
     if NO_LIGHT.search(text):
         raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
+    if SCALED.search(text):
+        raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     brackets = ["".join(filter(None, found)) for found in IN_BRACKETS.findall(title)][::-1]
     words = title.split()
     for part in [*brackets, *(" ".join(words[start:]) for start in range(len(words)))]:

@@ -53,3 +53,9 @@ def test_what_no_picture_has_is_refused(words, message):
     done = run("screen", *words.split())
     assert done.returncode == 2
     assert message in done.stderr
+
+
+def test_a_flux_on_an_area_and_a_luminance_tell_the_gain():
+    words = "screen --flux 3000lm --area 2m2 --luminance 600cd/m2 -g gain"
+    done = run(*words.split())
+    assert float(done.stdout) == pytest.approx(600 * math.pi / 1500, rel=1e-11)

@@ -281,3 +281,25 @@ def test_what_is_wrong_with_a_large_file_is_said_with_its_line(line, message, tm
         read_file(str(path))
     assert "line 20001" in caught.value.message
     assert message in caught.value.message
+
+
+@pytest.mark.parametrize(
+    "titles",
+    [
+        "nm,1e-3 W/m2/nm", "nm,log10(W/m2/nm)", "nm,1/(W/m2/nm)", "nm,error (W/m2/nm)",
+        "nm,cumulative W/m2/nm", "nm,dBm", "nm,%T", "nm,albedo", "nm,V(lambda)", "nm,W/m2/5nm",
+        "nm,W/m2/nm x 1000", "eV,W/m2/eV", "THz,power", "wavenumber (cm-1),power",
+    ],
+)  # fmt: skip
+def test_scaled_values_and_other_axes_are_refused(titles, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{titles}\n400,1\n500,3\n700,2\n", encoding="utf-8")
+    with pytest.raises(RadcalcError):
+        read_file(str(path))
+
+
+@pytest.mark.parametrize("title", ["relative power (%)", "E [W/m2/nm]", "W*m-2*nm-1", "lamp 2"])
+def test_what_only_looks_like_a_scale_is_read(title, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"nm,{title}\n400,1\n500,3\n700,2\n", encoding="utf-8")
+    assert list(read_file(str(path)).values) == [1, 3, 2]
