@@ -10,12 +10,14 @@ from functools import cache
 from operator import mul
 from typing import NamedTuple
 
-from radcalc.spectra.data.colours import SAMPLES, X, Y, Z
+from radcalc.spectra.data.colours import SAMPLES, X, Z
+from radcalc.spectra.data.observers import PHOTOPIC
 from radcalc.spectra.daylight import HOTTEST, illuminant
 from radcalc.spectra.planck import C2
 from radcalc.spectra.spectrum import BlackBody, Spectrum
 
-AT = 360, len(Y)  # the first nanometre, and how many there are
+START, Y = PHOTOPIC  # the colour-matching function y is V(lambda)
+AT = START, len(Y)  # the first nanometre, and how many there are
 FARTHEST = 0.05  # |Duv| beyond which the CIE gives no correlated colour temperature
 SIMILAR = 5.4e-3  # how far apart in (u, v) CIE 13.3 has a light and its reference at most
 DAYLIGHT_FROM = 5000.0  # K: where daylight takes the black body's place as the reference

@@ -152,6 +152,8 @@ def compile_colours() -> str:
     parts = [HEAD.format("colour-science")]
     functions = load_colour().colorimetry.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
     for name, values in zip("XYZ", functions.values.T, strict=True):
+        if name == "Y":
+            continue  # V(lambda), of data/observers.py
         parts.append(
             "\n# CIE 1931 colour-matching function, 360 nm to 830 nm at 1 nm\n"
             f"{name} = (\n{lines(digits(values), 4)})\n"

@@ -14,13 +14,14 @@ from fuzz.command import main
 
 from radcalc.spectra import colorimetry
 from radcalc.spectra.compile import load_colour
-from radcalc.spectra.data.colours import X, Y, Z
+from radcalc.spectra.data.colours import X, Z
+from radcalc.spectra.data.observers import PHOTOPIC
 from radcalc.spectra.sources import spectrum
 from radcalc.spectra.spectrum import Table
 
 SHORT, LONG = 40, 4000
 GRID = np.arange(360.0, 831.0)
-FUNCTIONS = np.array([X, Y, Z])
+FUNCTIONS = np.array([X, PHOTOPIC[1], Z])
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
