@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
-BLOCK = 1 << 16  # bytes
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
 
@@ -62,17 +61,6 @@ def read(size: int) -> bytes:
     except OSError as error:
         problem = f"cannot read stdin: {error.strerror or error}"
         raise RadcalcError(problem, "a file or a pipe") from None
-
-
-def read_all(most: int) -> bytes:
-    """Read standard input to its end; raise RadcalcError where that is more than `most` bytes."""
-    parts, size = [], 0
-    while part := read(BLOCK):
-        parts.append(part)
-        size += len(part)
-        if size > most:
-            raise RadcalcError(f"stdin has more than {most} bytes", "less of it")
-    return b"".join(parts)
 
 
 def _stdout() -> "Any":

@@ -8,7 +8,7 @@ from functools import reduce
 
 from radcalc.answer import Answer
 from radcalc.calculators.light import Lit
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.worksheet import OFFSETS, Page, Worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import (
     ConditionError,
@@ -49,7 +49,7 @@ from radcalc.maths import any_true, hypot, is_array
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 CONE = ("half-angle", "apex-angle", "solid-angle")
 LOBE = ("exponent", "beam-angle", "field-angle")
-POSITION = ("distance", "height", "offset", "offset-y", "incidence")
+POSITION = ("distance", "height", *OFFSETS, "incidence")
 RECEIVER = ("within", "time", "receiver-area")
 SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
 PAGE = Page(
@@ -82,7 +82,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     nothing tells how far aside of the axis the receiver is, it is on it, unless the rest tells
     another place.
     """
-    offsets = {"offset", "offset-y"} & set(given)
+    offsets = set(OFFSETS) & set(given)
     if "height" not in given or offsets or "distance" in given:
         return _answer(given, bool(offsets or "height" in given), any_incidence)
     try:
@@ -112,7 +112,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
         )
     _solve(sheet, laws, any_incidence)
     if is_aside and not sheet.has("height"):
-        told = next(given[name] for name in ("offset", "offset-y") if name in given)
+        told = next(given[name] for name in OFFSETS if name in given)
         raise MissingInput(
             f"{option('height')} is missing beside {option(told.name)}",
             mention("{height=6m}, along the source's axis"),
@@ -219,9 +219,8 @@ def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
     """The laws of a receiver off the source's axis, of which the place may be looked for."""
     given = sheet.given
     _know_incidence(sheet)
-    laws = [*laws, AXIS]
     own: list[AnyLaw] = [AXIS]
-    lateral = [given[name] for name in ("offset", "offset-y") if name in given]
+    lateral = [given[name] for name in OFFSETS if name in given]
     if lateral:
         sheet.know("lateral", reduce(hypot, (one.value for one in lateral), 0.0), *lateral)
     else:

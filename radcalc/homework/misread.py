@@ -77,10 +77,8 @@ def _halves(p: Problem) -> Found:
 
 
 def _angles(p: Problem) -> Found:
-    """Angles that are left out, or counted from the wrong line."""
+    """Angles that are counted from the wrong line."""
     for one in _numbers(p):
-        if one.name in ("incidence", "tilt") and one.value:
-            yield usual("cosine-forgotten", p.misread(one.name, 0.0))
         if one.name in FROM_NORMAL:
             yield usual("angle-from-surface", p.misread(one.name, abs(math.pi / 2 - one.value)))
     if p.asks("polar", "elevation", "incidence"):

@@ -160,12 +160,3 @@ def test_an_input_that_is_closed_is_an_error(words, _):
     done = subprocess.run(command, capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == "radcalc: cannot read stdin: it is closed\ntry: a file or a pipe\n"
-
-
-def test_an_input_without_an_end_is_read_so_far_and_no_further(monkeypatch):
-    from radcalc import stdio
-    from radcalc.errors import RadcalcError
-
-    monkeypatch.setattr(stdio, "read", lambda size: b"\0" * size)
-    with pytest.raises(RadcalcError, match="more than 1000000 bytes"):
-        stdio.read_all(1_000_000)
