@@ -166,6 +166,25 @@ def piecewise(
     return result
 
 
+HALVINGS = 200  # at most; fewer than 70 find a limit that is not next to 0
+
+
+def limit(holds: Callable[[float], bool], outside: float, inside: float) -> float:
+    """The last number, from `inside` towards `outside`, at which a condition holds, by bisection.
+
+    It holds inside and not outside, and changes once between them.
+    """
+    for _ in range(HALVINGS):
+        middle = (outside + inside) / 2
+        if middle in (outside, inside):
+            break
+        if holds(middle):
+            inside = middle
+        else:
+            outside = middle
+    return inside
+
+
 CHUNK = 16_384  # elements whose intermediate values fit a processor's cache
 
 

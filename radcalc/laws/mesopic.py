@@ -7,7 +7,7 @@
 - `SCOTOPIC`: L' = S/P L, with the ratio S/P of scotopic to photopic of the light
 
 Luminances [cd/m2], of the field that the eye is adapted to; the rest [1].  `MESOPIC` is solved for
-L_mes by halving, since m follows from L_mes too; for L and S/P directly.
+L_mes by bisection, since m follows from L_mes too; for L and S/P directly.
 """
 
 import math
@@ -15,6 +15,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.maths import limit
 from radcalc.quantities.symbols import SYMBOLS
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
@@ -109,8 +110,8 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
 
     Notes
     -----
-    The excess of m over the adaptation that it leads to changes sign once between 0 and 1, so
-    it is halved in until the two agree to the last digit.
+    The excess of m over the adaptation that it leads to changes sign once between 0 and 1: where,
+    is found by bisection, to the last digit.
 
     References
     ----------
@@ -132,10 +133,8 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
         return mixture(luminance, scotopic, low), low
     if excess(high) <= 0:
         return mixture(luminance, scotopic, high), high
-    for _ in range(80):
-        middle = (low + high) / 2
-        low, high = (middle, high) if excess(middle) < 0 else (low, middle)
-    return mixture(luminance, scotopic, high), high
+    m = limit(lambda m: excess(m) >= 0, low, high)
+    return mixture(luminance, scotopic, m), m
 
 
 def _luminance(at: At) -> Any:

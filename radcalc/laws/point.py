@@ -70,6 +70,7 @@ from radcalc.maths import (
     expm1,
     hypot,
     is_array,
+    limit,
     log,
     piecewise,
     sin,
@@ -324,20 +325,7 @@ def _both_sides(
         "less irradiance, or more flux or intensity",
     )
     ends = [end for end in (low, high) if excess(end) < 0]
-    return tuple(_root(excess, end, top) for end in ends)
-
-
-def _root(function: Callable[[float], float], below: float, above: float) -> float:
-    """Where a function is 0, between where it is less and where it is not."""
-    for _ in range(200):
-        middle = (below + above) / 2
-        if middle in (below, above):
-            break
-        if function(middle) < 0:
-            below = middle
-        else:
-            above = middle
-    return above
+    return tuple(limit(lambda at: excess(at) >= 0, end, top) for end in ends)
 
 
 FLOOR = {

@@ -16,7 +16,7 @@ from radcalc.answer import Step
 from radcalc.derivation import coherent_unit_of, fill, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError
 from radcalc.laws.law import AnyLaw, Law, Relation, Several
-from radcalc.maths import any_true, is_array, is_lost, larger
+from radcalc.maths import any_true, is_array, is_lost, larger, limit
 from radcalc.units.numbers import EXACT
 
 
@@ -261,7 +261,6 @@ def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
 
 
 ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
-HALVINGS = 50  # until a limit is found to a float's digits
 
 
 def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
@@ -280,14 +279,8 @@ def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any
         move = {name: sign * off[name] for name, sign in zip(moving, signs, strict=True)}
         if _moved(law, target, at, move, least) is None:
             continue
-        low, high = 0.0, least
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            if _moved(law, target, at, move, middle) is None:
-                low = middle
-            else:
-                high = middle
-        best, least = _moved(law, target, at, move, high), high
+        least = _limit(law, target, at, move, 0.0, least)
+        best = _moved(law, target, at, move, least)
     return best
 
 
@@ -301,6 +294,18 @@ def _moved(
     except (ConditionError, *ARITHMETIC):
         return None
     return None if isinstance(value, complex) else value
+
+
+def _limit(
+    law: AnyLaw,
+    target: str,
+    at: dict[str, Any],
+    move: dict[str, Any],
+    outside: float,
+    inside: float,
+) -> float:
+    """The part by which other symbols can be moved, of so much, until the law has no target."""
+    return limit(lambda part: _moved(law, target, at, move, part) is not None, outside, inside)
 
 
 def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
@@ -324,13 +329,8 @@ def _cut(law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], val
     """
     found = _moved(law, target, at, move)
     if found is None and not is_array(value):
-        low, high = 0.0, 1.0
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            if (there := _moved(law, target, at, move, middle)) is None:
-                high = middle
-            else:
-                low, found = middle, there
+        most = _limit(law, target, at, move, 1.0, 0.0)
+        found = _moved(law, target, at, move, most)
     if isinstance(found, Several):
         return min(found, key=lambda one: abs(one - value))
     return value if found is None else found
