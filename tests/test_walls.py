@@ -32,6 +32,7 @@ KEEPERS = {
         "radcalc.spectra.compile",
         "radcalc.spectra.files",
         "radcalc.geometry",
+        "radcalc.distributions",
     ),
 }
 # Imports point downwards: a room may import those below it, and those behind it in its row.
@@ -43,7 +44,7 @@ LAYERS = [
     ["radcalc.conversion"],
     ["radcalc.laws"],
     ["radcalc.given", "radcalc.derivation", "radcalc.answer"],
-    ["radcalc.spectra", "radcalc.geometry"],
+    ["radcalc.distributions", "radcalc.spectra", "radcalc.geometry"],
     ["radcalc.quantities"],
     ["radcalc.units", "radcalc.maths"],
     ["radcalc.stdio", "radcalc.errors", "radcalc._version"],

@@ -1,0 +1,16 @@
+"""Functions of direction: how a source sends its light, as it is sold, measured or modelled.
+
+- `distribution`: the protocol that all of them follow, and what they share
+- `shapes`: isotropic, a uniform cone, a lobe
+- `formula`: an expression in theta and phi
+- `grid`: a table of angles and intensities
+- `photometry`: what a file says of a luminaire, with its table
+- `files`, `ies`, `eulumdat`, `tables`: files, by format
+- `beams`: beam angles and field angles in a plane through the axis
+- `pose`: where a source stands, where it is aimed and how it is rotated
+
+A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
+of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).
+Angles are in radians, intensities in coherent SI (cd, W/sr, mol/s/sr); floats or NumPy arrays.
+Needs NumPy.
+"""

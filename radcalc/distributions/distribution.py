@@ -1,0 +1,128 @@
+"""What every distribution can do, and what follows from that alone."""
+
+import math
+from typing import NamedTuple, Protocol
+
+import numpy
+
+from radcalc.geometry.numerics.cubature import Integral, over_directions
+from radcalc.maths import Number
+
+Interval = tuple[float, float]
+ALL_POLAR: Interval = (0.0, math.pi)  # [rad]
+ALL_AZIMUTHS: Interval = (0.0, 2 * math.pi)  # [rad]
+
+
+class Peak(NamedTuple):
+    """The greatest intensity, and one direction that has it.
+
+    Attributes
+    ----------
+    intensity : float [cd, W/sr, mol/s/sr or 1]
+        The intensity.
+    polar, azimuth : float [rad]
+        The direction.
+
+    Examples
+    --------
+    >>> Peak(100.0, 0.0, 0.0).intensity
+    100.0
+    """
+
+    intensity: float
+    polar: float
+    azimuth: float
+
+
+class Distribution(Protocol):
+    """Intensity as a function of direction.
+
+    Attributes
+    ----------
+    kind : str
+        The kind of light: "v" where intensities are in cd, "e" in W/sr, "p" in mol/s/sr; empty
+        where they are relative.
+    is_axial : bool
+        Whether the intensity is the same at every azimuth.
+    """
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def is_axial(self) -> bool: ...
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        """Intensity in directions.
+
+        Parameters
+        ----------
+        theta, phi : float or ndarray [rad]
+            Polar angle from the axis, from 0 to pi, and azimuth; broadcast together.
+
+        Returns
+        -------
+        float or ndarray [cd, W/sr, mol/s/sr or 1]
+            0 or more.
+        """
+        ...
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        """Integral of the intensity over all directions, or a part of them.
+
+        Parameters
+        ----------
+        polar, azimuth : tuple of 2 floats [rad], optional
+            Between which polar angles and azimuths; all of them by default.
+
+        Returns
+        -------
+        Integral
+            Flux [lm, W, mol/s, or sr] and an estimate of its error.
+        """
+        ...
+
+    def peak(self) -> Peak:
+        """The greatest intensity, and where it is."""
+        ...
+
+
+def integrated(
+    distribution: Distribution, polar: Interval, azimuth: Interval, accuracy: float
+) -> Integral:
+    """Flux between polar angles and azimuths, by cubature.
+
+    Parameters
+    ----------
+    distribution : Distribution
+        Of any form.
+    polar, azimuth : tuple of 2 floats [rad]
+        Between which to integrate.
+    accuracy : float [1]
+        Error that is good enough, relative to the flux.
+
+    Returns
+    -------
+    Integral
+        Flux and error; a part without light, at all points of a fine grid, has none.
+
+    Raises
+    ------
+    ConditionError
+        If the accuracy is not reached.
+
+    Examples
+    --------
+    >>> from radcalc.distributions.shapes import Lobe
+    >>> round(integrated(Lobe(1.0), (0.0, math.pi / 2), ALL_AZIMUTHS, 1e-9).value / math.pi, 9)
+    1.0
+    """
+    theta = numpy.linspace(*polar, DARK[0])[:, None]
+    phi = numpy.linspace(*azimuth, DARK[1])
+    if not numpy.any(distribution.intensity(theta, phi)):
+        return Integral(0.0, 0.0, 0)
+    return over_directions(
+        lambda at: distribution.intensity(at["theta"], at["phi"]), polar, azimuth, accuracy
+    )
+
+
+DARK = (361, 361)  # polar angles and azimuths of the grid that tells whether there is light

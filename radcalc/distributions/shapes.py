@@ -1,0 +1,98 @@
+"""Distributions that are known exactly: isotropic, a uniform cone, a lobe.
+
+Their intensities are relative to that on the axis.
+"""
+
+import math
+
+import numpy
+
+from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak
+from radcalc.geometry import cones, lobes
+from radcalc.geometry.numerics.cubature import ROUNDING, Integral
+from radcalc.geometry.solid import zone
+from radcalc.maths import Number
+
+
+class _Axial:
+    """The same at every azimuth, and greatest on the axis."""
+
+    kind = ""
+    is_axial = True
+
+    def peak(self) -> Peak:
+        return Peak(1.0, 0.0, 0.0)
+
+
+class Isotropic(_Axial):
+    """The same intensity in all directions.
+
+    Examples
+    --------
+    >>> round(Isotropic().flux().value / math.pi, 12)
+    4.0
+    """
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        return numpy.ones(numpy.broadcast_shapes(numpy.shape(theta), numpy.shape(phi)))
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        return _exactly(zone(*polar, azimuth[1] - azimuth[0]))
+
+
+class Cone(_Axial):
+    """The same intensity up to an angle from the axis, and none beyond.
+
+    Parameters
+    ----------
+    half_angle : float [rad]
+        From the axis to the edge, above 0 and up to pi.
+
+    Examples
+    --------
+    >>> round(Cone(math.pi / 3).flux().value / math.pi, 12)
+    1.0
+    """
+
+    def __init__(self, half_angle: float) -> None:
+        cones.cone(half_angle)  # refuses what is no half angle
+        self.half_angle = half_angle
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        return (theta <= self.half_angle) * (1.0 + 0.0 * phi)
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        low, high = polar[0], min(polar[1], self.half_angle)
+        return _exactly(zone(low, high, azimuth[1] - azimuth[0]) if low < high else 0.0)
+
+
+class Lobe(_Axial):
+    """Intensity that falls off as a power of the cosine, up to 90 degrees from the axis.
+
+    Parameters
+    ----------
+    exponent : float [1]
+        Exponent, 0 or more.
+
+    Examples
+    --------
+    >>> round(Lobe(3.0).flux().value / math.pi, 12)
+    0.5
+    """
+
+    def __init__(self, exponent: float) -> None:
+        lobes.solid_angle(exponent)  # refuses what is no exponent
+        self.exponent = exponent
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        ahead = numpy.asarray(theta) <= math.pi / 2
+        return numpy.maximum(numpy.cos(theta), 0.0) ** self.exponent * ahead + 0.0 * phi
+
+    def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
+        inner, outer = (lobes.part(self.exponent, angle) for angle in polar)
+        turn = (azimuth[1] - azimuth[0]) / (2 * math.pi)
+        return _exactly(lobes.solid_angle(self.exponent) * (outer - inner) * turn)
+
+
+def _exactly(value: float) -> Integral:
+    return Integral(value, ROUNDING * value, 0)

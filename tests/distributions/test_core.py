@@ -1,0 +1,137 @@
+"""Shapes, formulas, beams and poses, against closed forms and definitions."""
+
+import math
+
+import numpy
+import pytest
+
+from radcalc.distributions.beams import beam
+from radcalc.distributions.formula import Formula
+from radcalc.distributions.grid import Grid
+from radcalc.distributions.pose import Pose
+from radcalc.distributions.shapes import Cone, Isotropic, Lobe
+from radcalc.errors import ConditionError
+
+MEMBERS = {
+    "isotropic": Isotropic(),
+    "cone": Cone(0.9),
+    "wide cone": Cone(2.5),
+    "lobe": Lobe(4.0),
+    "formula": Formula("3 + cos(theta) + sin(phi)*sin(theta)"),
+    "axial formula": Formula("max(cos(theta), 0)^3"),
+    "grid": Grid([0.0, 1.0, 2.5], [0.0], [[3.0, 2.0, 0.5]]),
+    "type B": Grid([0.5, 1.5, 2.5], [-1.0, 0.0, 1.0], [[1, 2, 1], [2, 5, 2], [1, 3, 1]], "v", "B"),
+}
+
+
+def midpoints(member, polar, azimuth, count=1500):
+    """A plain sum over small cells."""
+    theta = polar[0] + (numpy.arange(count) + 0.5) / count * (polar[1] - polar[0])
+    phi = azimuth[0] + (numpy.arange(360) + 0.5) / 360 * (azimuth[1] - azimuth[0])
+    values = member.intensity(theta[:, None], phi) * numpy.sin(theta)[:, None]
+    return values.mean() * (polar[1] - polar[0]) * (azimuth[1] - azimuth[0])
+
+
+@pytest.mark.parametrize("name", MEMBERS)
+@pytest.mark.parametrize(
+    ("polar", "azimuth"),
+    [((0, math.pi), (0, 2 * math.pi)), ((0, math.pi / 2), (1, 2)), ((0.4, 1.3), (-2, 3))],
+)
+def test_the_flux_of_a_part_is_the_sum_of_its_intensities(name, polar, azimuth):
+    member = MEMBERS[name]
+    found = member.flux(polar, azimuth)
+    summed = midpoints(member, polar, azimuth)
+    assert found.value == pytest.approx(summed, rel=2e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", MEMBERS)
+def test_no_intensity_is_above_the_peak_and_one_is_at_it(name):
+    member = MEMBERS[name]
+    theta, phi = numpy.linspace(0, math.pi, 91)[:, None], numpy.linspace(0, 6.28, 91)
+    peak = member.peak()
+    assert member.intensity(theta, phi).max() <= peak.intensity * (1 + 1e-12)
+    assert member.intensity(peak.polar, peak.azimuth) == pytest.approx(peak.intensity)
+
+
+def test_the_peak_of_a_formula_is_found_to_its_digits():
+    peak = Formula("exp(-((theta - 0.7431)/0.05)^2) * (2 + cos(phi - 2.1))").peak()
+    assert peak == pytest.approx((3.0, 0.7431, 2.1), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("cos(theta)", "negative value at theta = 9"),
+        ("1/sin(theta)", "no finite value at theta = 0 deg"),
+        ("log(theta - 5)", "no finite value"),
+    ],
+)
+def test_a_formula_that_is_no_intensity_is_refused(text, said):
+    with pytest.raises(ConditionError, match=said):
+        Formula(text).peak()
+
+
+@pytest.mark.parametrize("exponent", [0.5, 1, 3, 20, 181, 5000])
+@pytest.mark.parametrize("share", [0.5, 0.1])
+def test_the_beam_of_a_lobe(exponent, share):
+    """2 arccos(share^(1/n)), by both definitions."""
+    found = beam(Lobe(exponent), 0.3, share)
+    angle = 2 * math.acos(share ** (1 / exponent))
+    assert found.outermost == pytest.approx(angle, abs=1e-9)
+    assert found.from_axis == pytest.approx(angle, abs=1e-9)
+    assert not found.is_ambiguous
+
+
+def test_a_batwing_is_ambiguous():
+    """100, 300 and 0 cd at 0, 60 and 90 degrees: 150 cd at 75 degrees, 50 cd at 85."""
+    wing = Grid(numpy.radians([0, 60, 90]), [0.0], [[100.0, 300.0, 0.0]])
+    found = beam(wing, 0.0, 0.5)
+    assert math.degrees(found.outermost) == pytest.approx(150)
+    assert math.degrees(found.from_axis) == pytest.approx(170)
+    assert found.is_ambiguous
+
+
+def test_a_light_without_an_edge_has_no_beam():
+    assert beam(Isotropic(), 0.0, 0.5) == (None, None, True)
+    up = Grid([2.0, 3.0, math.pi], [0.0], [[0.0, 1.0, 1.0]])
+    assert beam(up, 0.0, 0.5) == (None, None, True)
+
+
+def degrees(*angles):
+    return pytest.approx([math.radians(a) for a in angles], abs=1e-12)
+
+
+def test_a_source_hangs_and_shines_down():
+    assert Pose().angles((0.0, 0.0, -5.0)) == (0.0, 0.0, 5.0)
+    theta, phi, distance = Pose().angles((0.0, 3.0, -3.0))
+    assert [theta, phi] == degrees(45, 90)
+    assert distance == pytest.approx(math.sqrt(18))
+    theta, phi, _ = Pose(rotate=math.radians(90)).angles((0.0, 3.0, -3.0))
+    assert [theta, phi] == degrees(45, 0)
+
+
+def test_an_aim_turns_by_the_shortest_way():
+    """Aimed along +x, what was C0 is up; C90 stays where it was."""
+    pose = Pose(aim=(2.0, 0.0, 0.0))
+    assert pose.angles((7.0, 0.0, 0.0))[0] == pytest.approx(0)
+    theta, phi, _ = pose.angles((1.0, 0.0, 1.0))
+    assert [theta, phi] == degrees(45, 0)
+    theta, phi, _ = pose.angles((1.0, 1.0, 0.0))
+    assert [theta, phi] == degrees(45, 90)
+    up = Pose(aim=(0.0, 0.0, 1.0))
+    assert [*up.angles((1.0, 0.0, 1.0))[:2]] == degrees(45, 0)
+
+
+@pytest.mark.parametrize("aim", [(0, 0, -1), (1, 2, 3), (0, 0, 1), (1e-9, 0, 1), (-3, 0.1, -2)])
+@pytest.mark.parametrize("rotate", [0.0, 1.0, -2.0])
+def test_a_turn_keeps_lengths_and_comes_back(aim, rotate):
+    pose = Pose(aim, rotate)
+    axes = numpy.array(pose.axes)
+    assert axes @ axes.T == pytest.approx(numpy.eye(3), abs=1e-12)
+    own = (0.3, -0.5, 0.8)
+    theta, phi, length = pose.angles(pose.world(own))
+    assert length == pytest.approx(math.sqrt(0.98))
+    assert length * math.sin(theta) * math.cos(phi) == pytest.approx(0.3)
+    assert length * math.sin(theta) * math.sin(phi) == pytest.approx(-0.5)
+    ahead = numpy.array(aim) / numpy.linalg.norm(aim)
+    assert pose.world((0.0, 0.0, 1.0)) == pytest.approx(ahead, abs=1e-12)
