@@ -6,7 +6,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import ConditionError, MissingInput, mention, quote
-from radcalc.geometry.numerics.cubature import FIRST, POINTS, SEEN, of_constant, over_directions
+from radcalc.geometry.numerics.cubature import FIRST, GAP, POINTS, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
 from radcalc.given import Inputs
@@ -43,12 +43,12 @@ def integrate(text: str, given: Inputs) -> Answer:
         value("integral", found.value),
         value("error", found.error),
     ]
-    seen = [SEEN * side / (2 * n) for side, n in zip((width, turn), FIRST, strict=True)]
+    narrow = [GAP * side / (2 * n) for side, n in zip((width, turn), FIRST, strict=True)]
     said = [
         "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
         f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z the unit vector",
-        f"peaks narrower than {format_number(seen[0])} deg in theta or "
-        f"{format_number(seen[1])} deg in phi may be missed",
+        f"peaks narrower than {format_number(narrow[0])} deg in theta or "
+        f"{format_number(narrow[1])} deg in phi may be missed",
     ]
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
     step = INTEGRAL.told(

@@ -143,7 +143,7 @@ def _refuse_near(sheet: Worksheet) -> None:
     away = sheet.at("distance")
     sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
     longest = far_field.size(sheet.at("area"), *sides)
-    if far_field.is_near(away, longest, 1e-9):
+    if far_field.is_near(away, longest):
         raise ConditionError(
             f"a distance of {format_number(away)} m is less than five times "
             f"the size of the source ({format_number(longest)} m)",

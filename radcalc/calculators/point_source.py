@@ -22,9 +22,7 @@ from radcalc.geometry import cones
 from radcalc.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
-    ACROSS,
     ANY_LAWS,
-    ASIDE,
     AXIS,
     CONICAL,
     FALL,
@@ -40,7 +38,9 @@ from radcalc.laws.point import (
     OFF_AXIS,
     OFF_AXIS_OF_ENERGY,
     OFFSET,
-    RECEIVED,
+    RECEIVER_FLAT,
+    RECEIVER_ON_AXIS,
+    RECEIVER_TURNED,
     SPOT,
 )
 from radcalc.laws.solver import reached
@@ -204,7 +204,7 @@ def spread(given: Inputs) -> str:
 def _on_axis(sheet: Worksheet, shape: str) -> list[AnyLaw]:
     """The laws of a receiver somewhere on the source's axis, or about a source without one."""
     _know_incidence(sheet)
-    laws: list[AnyLaw] = [INVERSE_SQUARE, RECEIVED[shape]]
+    laws: list[AnyLaw] = [INVERSE_SQUARE, RECEIVER_ON_AXIS[shape]]
     if "height" in sheet.given:
         sheet.know("lateral", 0.0)
         if "incidence" not in sheet.given:
@@ -229,7 +229,7 @@ def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
     if is_flat:
         own.append(FLAT)
         sheet.assume(LYING)
-    own.append((ACROSS if is_flat else ASIDE)[shape])
+    own.append((RECEIVER_FLAT if is_flat else RECEIVER_TURNED)[shape])
     if shape == ISOTROPIC:
         own.append(INVERSE_SQUARE)
     else:

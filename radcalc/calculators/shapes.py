@@ -36,7 +36,7 @@ from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, s
 
 SIZES = ("area", "radius", "diameter", "width", "length")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
-SEEN = Formula(
+PROJECTED_SOLID_ANGLE = Formula(
     "projected solid angle",
     "{projected-solid-angle} = integral of cos(theta) over the solid angle of the source",
     HOWELL,
@@ -54,7 +54,9 @@ def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
     """Enter the exact projected solid angle of a shape, with its step."""
     sheet.know("projected-solid-angle", flat)
     aside = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
-    sheet.placed.append(SEEN.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr"))
+    sheet.placed.append(
+        PROJECTED_SOLID_ANGLE.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr")
+    )
 
 
 def _say_horizon(sheet: Worksheet, shape: str, lowest: Any, highest: Any) -> None:

@@ -82,15 +82,13 @@ def reach(area: Number, *sides: Number) -> Number:
     return REACH * size(area, *sides)
 
 
-def is_near(distance: Number, extent: Number, slack: float = 1e-12) -> bool:
-    """Whether a distance is under five times a size.
+def is_near(distance: Number, extent: Number) -> bool:
+    """Whether a distance is under five times a size, by more than a relative 1e-9.
 
     Parameters
     ----------
     distance, extent : float or ndarray [m]
         Distance and size of a patch.
-    slack : float, optional
-        By what part of it the distance may fall short; 1e-12 by default.
 
     Returns
     -------
@@ -103,7 +101,7 @@ def is_near(distance: Number, extent: Number, slack: float = 1e-12) -> bool:
     >>> far_field.is_near(4.9, 1.0), far_field.is_near(5.0, 1.0)
     (True, False)
     """
-    return any_true(distance < 5 * extent * (1 - slack))
+    return any_true(distance < 5 * extent * (1 - 1e-9))
 
 
 @bounded

@@ -108,7 +108,9 @@ def multiply(powers: Powers, right: float, values: dict[str, float], steps: Step
 # ---------------------------------------------------------------------------------------------
 # What stands between two kinds of light
 
-SEEN = law("efficacy of one wavelength", "{luminous-efficacy} = Km {luminous-efficiency}")
+LUMINOUS_EFFICACY = law(
+    "efficacy of one wavelength", "{luminous-efficacy} = Km {luminous-efficiency}"
+)
 RATIOS = (
     ("luminous-efficacy", LUMINOUS, RADIANT),
     ("photon-efficacy", PHOTON, RADIANT),
@@ -132,7 +134,7 @@ def between_kinds(
             eye = light.observer
             values["luminous-efficacy"] = float(luminous_efficacy(light.table, eye))
             values["luminous-efficiency"] = values["luminous-efficacy"] / eye.maximum
-            steps.append((SEEN._replace(constant=eye.maximum), "luminous-efficacy"))
+            steps.append((LUMINOUS_EFFICACY._replace(constant=eye.maximum), "luminous-efficacy"))
             powers.append(("luminous-efficacy", 1.0 if end == LUMINOUS else -1.0))
         if PHOTON in (start, end):
             values["wavelength"] = float(light.vacuum)

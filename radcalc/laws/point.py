@@ -43,9 +43,9 @@ And of a place on the floor under a source at the height h, x from the foot of i
 
 And of a round receiver of any size, beside that distance and beside the light's footprint:
 
-- flux on a receiver: Phi_r = I Omega_r, where `RECEIVED` has the solid angle Omega_r of each
-  distribution, weighted with its intensity relative to I: on the axis, off it across the axis
-  (`ACROSS`) and turned (`ASIDE`)
+- flux on a receiver: Phi_r = I Omega_r, with the solid angle Omega_r weighted with the intensity
+  relative to I: `RECEIVER_ON_AXIS`, and off it `RECEIVER_FLAT` (across the axis) and
+  `RECEIVER_TURNED`, for each distribution
 
 Lengths [m], angles [rad]; light in coherent SI of one kind.  Source: ISO 80000-7 (intensity,
 irradiance) for the first laws, the rest are integrals of the distributions.
@@ -315,15 +315,21 @@ def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
     return Several(lateral / tan(off) for off in found)
 
 
+ROUNDING = 1e-12  # [1] of the light at the brightest place
+
+
 def _both_sides(
     excess: Callable[[float], float], low: float, top: float, high: float, what: str
 ) -> tuple[float, ...]:
     """Where a function that rises to its top, and falls behind it, is 0."""
+    most = excess(top)
     cones.refuse(
-        excess(top) < 0,
+        most < -ROUNDING,
         f"more light than any {what} gives there",
         "less irradiance, or more flux or intensity",
     )
+    if most <= 0:
+        return (top,)
     ends = [end for end in (low, high) if excess(end) < 0]
     return tuple(limit(lambda at: excess(at) >= 0, end, top) for end in ends)
 
@@ -376,7 +382,7 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
     """What a round receiver gets of a distribution, by where its centre is and how it is turned."""
-    own, texts = _SEEN[shape]
+    own, texts = _INTEGRANDS[shape]
     places = [name for name, is_one in (("off-axis", aside), ("incidence", turned)) if is_one]
     names = {"off-axis": "{off-axis} off the axis", "incidence": "turned by {incidence}"}
     where = ", ".join(["a disc of {receiver-area} at {distance}", *map(names.__getitem__, places)])
@@ -399,11 +405,13 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
 
 
 # The symbols of a distribution that tell how it is spread, and what is integrated over a receiver.
-_SEEN: dict[str, tuple[tuple[str, ...], str]] = {
+_INTEGRANDS: dict[str, tuple[tuple[str, ...], str]] = {
     ISOTROPIC: ((), "cos(theta) / r^2"),
     CONICAL: (("half-angle",), "cos(theta) / r^2 within {half-angle}"),
     LOBED: (("exponent",), "cos(gamma)^{exponent} cos(theta) / r^2"),
 }
-RECEIVED = {shape: _received(shape) for shape in _SEEN}
-ACROSS = {shape: _received(shape, shape != ISOTROPIC, shape == ISOTROPIC) for shape in _SEEN}
-ASIDE = {shape: _received(shape, shape != ISOTROPIC) for shape in _SEEN}
+RECEIVER_ON_AXIS = {shape: _received(shape) for shape in _INTEGRANDS}
+RECEIVER_FLAT = {
+    shape: _received(shape, shape != ISOTROPIC, shape == ISOTROPIC) for shape in _INTEGRANDS
+}
+RECEIVER_TURNED = {shape: _received(shape, shape != ISOTROPIC) for shape in _INTEGRANDS}

@@ -8,7 +8,6 @@ Wavelengths are in nanometres throughout `spectra`.
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from math import inf
-from operator import mul
 
 Grid = Sequence[float]
 
@@ -81,9 +80,3 @@ def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
         if end >= cell + 1 and cell < count - 2:
             cell += 1
     return found
-
-
-def weighted(grid: Grid, values: Grid, start: float, weights: Grid) -> float:
-    """The integral of a table times a weighting tabulated at every nanometre from `start`."""
-    total: float = sum(map(mul, moments(grid, values, start, len(weights)), weights))
-    return total

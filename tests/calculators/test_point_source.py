@@ -9,6 +9,7 @@ from mpmath import mpf
 
 from radcalc import point_source
 from radcalc.calculators.point_source import point_source as work_out
+from radcalc.errors import ConditionError
 from radcalc.given import read
 
 PI = math.pi
@@ -84,6 +85,14 @@ def test_the_light_of_a_lobe_aside_of_its_axis(n, height, x, y):
     assert number(turned, "irradiance", "lx") == pytest.approx(expected, rel=1e-12)
     back = point_source(illuminance=found["irradiance"], exponent=n, **place)
     assert number(back, "intensity", "cd") == pytest.approx(900, rel=1e-12)
+
+
+def test_the_height_of_the_most_light_that_any_height_gives():
+    # I h^2 / (h^2 + x^2)^2 of a lobe of exponent 1 is largest at h = x: 9 cd / (4 (1.5 m)^2)
+    found = point_source(intensity="9cd", irradiance="1lx", exponent=1, offset="1.5m")
+    assert number(found, "height", "m") == pytest.approx(1.5, rel=1e-6)
+    with pytest.raises(ConditionError, match="more light than any height"):
+        point_source(intensity="9cd", irradiance="1.001lx", exponent=1, offset="1.5m")
 
 
 def test_the_height_of_an_irradiance_straight_below():

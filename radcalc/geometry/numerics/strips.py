@@ -110,16 +110,16 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
     return math.copysign(sum(halves), height)
 
 
-Seen = tuple[float, float, float, float]
+Horizon = tuple[float, float, float, float]
 
 
 def _half(
-    h: float, start: float, width: float, level: float, top: float, seen: Seen | None
+    h: float, start: float, width: float, level: float, top: float, horizon: Horizon | None
 ) -> float:
     """The right triangle from one end of the base to the foot of the apex.
 
     Along the base it starts at `start` from the observer's foot and is `width` wide; the base is
-    at `level` across, the apex `top` above it.  `seen` is how high the observer's foot and the
+    at `level` across, the apex `top` above it.  `horizon` is how high the observer's foot and the
     end of the base are above the receiver's plane, and how that grows along the base and across.
     """
     if width <= 0:
@@ -127,8 +127,8 @@ def _half(
     u0 = math.asinh(start / h)
     # Heights are counted from the foot, or from the end where all is near that one.
     from_end = False
-    if seen:
-        up, low, x, y = seen
+    if horizon:
+        up, low, x, y = horizon
         reach = abs(x) * (abs(start) + width) + abs(y) * (abs(level) + top)
         from_end = abs(low) + abs(x) * width + abs(y) * top < 1e-3 * (abs(up) + reach)
 
@@ -137,7 +137,7 @@ def _half(
         q = h * math.cosh(u)
         run = 2 * h * math.cosh(u0 + du / 2) * math.sinh(du / 2)
         rise = top * run / width
-        if seen is None:
+        if horizon is None:
             return _strip(h, q, level, rise) * q
         height = low + x * run if from_end else up + x * h * math.sinh(u)
         return _projected_strip(h, q, level, rise, height, y, from_end) * q
