@@ -20,6 +20,7 @@ from radcalc.errors import (
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     CHOICE,
+    DIRECTION,
     FLAG,
     INTERVAL,
     LINKS,
@@ -75,10 +76,16 @@ Inputs = dict[str, Given]
 
 
 def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
-    """The values of a list or a range; a range of wavelengths, or a file's name, is one value."""
+    """The values of a list or a range; a range of wavelengths, or a file's name, is one value.
+
+    Directions are a range of polar angles, with one azimuth: 0deg:90deg:15deg,90deg.
+    """
     form = SYMBOLS[name].form
     if form == SPECTRUM:
         return read_spectra(text)
+    if form == DIRECTION and ":" in str(text):
+        polar, comma, azimuth = text.partition(",")
+        return [f"{one}{comma}{azimuth}" for one in read_series(polar)]
     if form != QUANTITY:
         return [text]
     if arrays and name not in LINKS and (values := read_array(text)):
@@ -289,6 +296,53 @@ def read_point(text: str, what: str) -> Point:
     return x, y, z
 
 
+def read_direction(text: str, what: str) -> tuple[float, float]:
+    """Read POLAR or POLAR,AZIMUTH, angles with their units, or a vector X,Y,Z of bare numbers.
+
+    Gives the polar angle, from 0 to pi, and the azimuth, from 0 to below 2 pi [rad], as
+    `radcalc.geometry.directions` counts them; `what` is said where it is no direction.
+    """
+    from radcalc.geometry.directions import TURN, spherical
+
+    parts = text.split(",")
+    if len(parts) > 2:
+        polar, azimuth, _ = spherical(*read_point(text, what))
+        return polar, azimuth
+    polar, azimuth = (*(_read_angle(part, text, what) for part in parts), 0.0)[:2]
+    if not 0 <= polar <= math.pi * (1 + SLACK):
+        raise ConditionError(
+            f"{what} '{quote(text)}' has a polar angle that is not from 0 to 180 deg", AS_DIRECTION
+        )
+    azimuth %= TURN
+    return min(polar, math.pi), 0.0 if azimuth == TURN else azimuth  # of a hair below 0
+
+
+AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without: 1,0,0.5"
+
+
+def _read_angle(text: str, whole: str, what: str) -> float:
+    """One of the angles of a direction [rad]."""
+    try:
+        number, unit_text = split_quantity(text)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(whole)}': {error.message}", AS_DIRECTION) from None
+    unit = resolve(unit_text) if unit_text else None
+    if unit is None or unit.dimension != ANGLE:
+        found = describe(unit) if unit else "a bare number"
+        raise ConditionError(
+            f"{what} '{quote(whole)}' has {found} where an angle is meant", AS_DIRECTION
+        )
+    angle = number * unit.factor
+    if abs(angle) > EXTREME:
+        raise NumberError(f"{what} '{quote(whole)}' has too large an angle", AS_DIRECTION)
+    return angle
+
+
+def _read_direction(symbol: Symbol, value: Any) -> Given:
+    text = f"{value[0]!r} {value[1].text}" if isinstance(value, tuple) else str(value)
+    return Given(symbol, text, read_direction(text, option(symbol.name)))
+
+
 def _read_point(symbol: Symbol, value: Any) -> Given:
     return Given(symbol, str(value), read_point(str(value), option(symbol.name)))
 
@@ -299,6 +353,7 @@ _READERS = {
     SPECTRUM: _read_spectrum,
     WAVELENGTHS: _read_wavelengths,
     POINT: _read_point,
+    DIRECTION: _read_direction,
 }
 
 

@@ -44,7 +44,7 @@ from radcalc.errors import (
     options,
     quote,
 )
-from radcalc.given import read, read_interval, read_point
+from radcalc.given import read, read_direction, read_interval, read_point
 from radcalc.quantities import search, typical
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.numbers import parse_number
@@ -231,6 +231,7 @@ TAKES: dict[str, Callable[[str], Any]] = {
     "a list": read_series,
     "an interval": lambda text: read_interval("polar", text),
     "a point": lambda text: read_point(text, "the vertex"),
+    "a direction": lambda text: read_direction(text, "the direction"),
     "an expression": lambda text: integrate(text, {"sphere": read("sphere", True)}),
     "a result": lambda text: pick(LAMP, text),
     "a result's unit": lambda text: pick(LAMP, f"flux:{text}"),

@@ -63,7 +63,8 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no l
 
 # How the value of a symbol is written.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
-SPECTRUM, WAVELENGTHS, INTERVAL, POINT = "spectrum", "range of wavelengths", "interval", "point"
+SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
+POINT, DIRECTION = "point", "direction"
 
 
 NOWHERE: dict[str, tuple[str, str]] = {}

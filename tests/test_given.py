@@ -1,0 +1,81 @@
+"""Reading what somebody gave: the forms that are no quantities."""
+
+import math
+
+import pytest
+
+from radcalc.errors import RadcalcError
+from radcalc.given import Given, read_as, read_direction, values_of
+from radcalc.quantities.symbols import DIRECTION, SYMBOLS
+from radcalc.units.table import resolve
+
+TOWARD = SYMBOLS["normal"]._replace(name="toward", form=DIRECTION)
+
+# text, polar angle and azimuth [deg]; by hand: (1, 1, sqrt 2) is half way up, half way round
+DIRECTIONS = {
+    "60deg": (60, 0),
+    "60deg,90deg": (60, 90),
+    " 60 deg , 90 deg ": (60, 90),
+    "pi/3 rad,0.25turn": (60, 90),
+    "60°,-90°": (60, 270),
+    "60deg,-1e-300deg": (60, 0),
+    "60deg,750deg": (60, 30),
+    "180deg": (180, 0),
+    "3.14159265359rad": (180, 0),
+    "0,0,1": (0, 0),
+    "0,0,-2": (180, 0),
+    "1,1,1.4142135623730951": (45, 45),
+    "0,-1e-3,0": (90, 270),
+    "-1/2,0,0": (90, 180),
+}
+
+
+@pytest.mark.parametrize("text", DIRECTIONS)
+def test_a_direction_is_angles_or_a_vector(text):
+    found = read_direction(text, "the direction")
+    assert [math.degrees(angle) for angle in found] == pytest.approx(DIRECTIONS[text], abs=1e-12)
+    assert 0 <= found[0] <= math.pi
+    assert 0 <= found[1] < 2 * math.pi
+
+
+# text, part of the message
+NO_DIRECTIONS = {
+    "": "a number is missing",
+    "60": "a bare number where an angle is meant",
+    "1,0": "a bare number where an angle is meant",
+    "1,5deg": "a bare number where an angle is meant",
+    "60deg,2m": "length (m) where an angle is meant",
+    "1sr": "solid angle (sr) where an angle is meant",
+    "60deg,north": "'north' is not a number",
+    "60furlongs": "furlongs",
+    "-1deg": "a polar angle that is not from 0 to 180 deg",
+    "180.001deg": "a polar angle that is not from 0 to 180 deg",
+    "10deg,1e200rad": "too large an angle",
+    "1deg,2deg,3deg": "'1deg' is not a number",
+    "1,2,3,4": "4 coordinates, not three",
+    "0,0,0": "no direction",
+}
+
+
+@pytest.mark.parametrize("text", NO_DIRECTIONS)
+def test_what_is_no_direction_is_refused(text):
+    with pytest.raises(RadcalcError) as error:
+        read_direction(text, "the direction")
+    assert NO_DIRECTIONS[text] in error.value.message
+    assert error.value.hint
+
+
+def test_a_symbol_takes_a_direction():
+    assert read_as(TOWARD, "90deg,90deg").value == (math.pi / 2, math.pi / 2)
+    assert read_as(TOWARD, (90.0, resolve("deg"))) == Given(TOWARD, "90.0 deg", (math.pi / 2, 0.0))
+
+
+def test_directions_are_a_range_of_polar_angles(monkeypatch):
+    monkeypatch.setitem(SYMBOLS, "toward", TOWARD)
+    assert values_of("toward", "0deg:60deg:30deg") == ["0deg", "30deg", "60deg"]
+    assert values_of("toward", "0deg:60deg:30deg,90deg") == [
+        "0deg,90deg",
+        "30deg,90deg",
+        "60deg,90deg",
+    ]
+    assert values_of("toward", "60deg,90deg") == ["60deg,90deg"]
