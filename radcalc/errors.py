@@ -220,7 +220,7 @@ class Impossible(ConditionError):
     def __init__(self, symbol: str, text: str, limit: str, because: str = "") -> None:
         reason = f": {because}" if because else ""
         super().__init__(f"{option(symbol, quote(text))} is not possible{reason}", limit)
-        self.symbol, self.text, self.limit = symbol, text, limit
+        self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 
 
 class TooNarrow(ConditionError):

@@ -293,6 +293,12 @@ COMMANDS = {
         "point-source --illuminance 5W/m2 --distance 1m", "illuminance"),
     "watts and lux together want what links them": (
         "point-source --flux 5W --illuminance 20lx", "--wavelength, --spectrum or --efficacy"),
+    "no light has so many lumens a watt": (
+        "lambertian --luminance 800cd/m2 --radiance 1W/m2/sr", "not possible together", "683"),
+    "two kinds of a quantity link them, and a wavelength as well": (
+        "point-source --flux 5lm --radiant-flux 1W --wavelength 555nm", "linked twice"),
+    "one quantity is in two kinds, not in three": (
+        "point-source --flux 5lm --radiant-flux 1W --photon-flux 4umol/s", "the same quantity"),
     "a quantity goes by one of its names at a time": (
         "point-source --flux 5lm --luminous-flux 5lm", "the same quantity"),
     "a calorimeter takes watts, not lumens": ("calorimeter --flux 5lm --time 1s", "watts"),

@@ -4,24 +4,30 @@ A generic name (`flux`) serves every kind, and the unit decides; a name of one k
 (`luminous-flux`) takes that kind alone.
 """
 
+from contextlib import suppress
 from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import LINKS_HINT
+from radcalc.derivation import format_number, format_value, letter_of
 from radcalc.errors import (
     ConditionError,
     Exclusive,
+    Impossible,
     MissingInput,
     NumberError,
     TooNarrow,
     option,
     options,
+    quote,
 )
 from radcalc.given import Given, Inputs
+from radcalc.laws.law import Law, law
 from radcalc.maths import is_lost, larger
 from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
 from radcalc.quantities.symbols import (
+    EFFICACIES,
     LINKS,
     QUANTITY,
     REFINEMENTS,
@@ -29,7 +35,7 @@ from radcalc.quantities.symbols import (
     light_unit,
     specific_name,
 )
-from radcalc.units.table import Dimension
+from radcalc.units.table import Dimension, resolve
 
 
 def dimension(name: str, kind: str) -> Dimension:
@@ -37,9 +43,9 @@ def dimension(name: str, kind: str) -> Dimension:
     return SYMBOLS[name].dimensions[KINDS.index(kind)]
 
 
-def kind_of(name: str, given: Given) -> str:
+def kind_of(given: Given) -> str:
     """The kind in which a light quantity was given."""
-    return KINDS[SYMBOLS[name].dimensions.index(given.dimension)]
+    return KINDS[SYMBOLS[given.symbol.generic].dimensions.index(given.dimension)]
 
 
 if TYPE_CHECKING:
@@ -47,7 +53,11 @@ if TYPE_CHECKING:
 
 
 class Lit(NamedTuple):
-    """What was given of the light: quantities of one kind [SI], and what links the kinds."""
+    """What was given of the light: quantities of one kind [SI], and what links the kinds.
+
+    `twins` has the quantity, by its generic name, that was given in another kind as well: the two
+    link the kinds, and their ratio is among the `links`.
+    """
 
     kind: str
     values: Inputs
@@ -56,34 +66,48 @@ class Lit(NamedTuple):
     assumptions: tuple[str, ...]
     notes: tuple[str, ...]
     steps: tuple[Step, ...]
+    twins: Inputs
 
 
-DARK = Lit(RADIANT, {}, {}, {}, (), (), ())
+DARK = Lit(RADIANT, {}, {}, {}, (), (), (), {})
 
 
 def read_light(typed: Inputs, links: Inputs) -> Lit:
     """Sort the light quantities that were given, by generic names, and turn them into one kind.
 
-    The kind is that of the first; another needs a wavelength, a spectrum or an efficacy.
+    The kind is that of the first; another needs a wavelength, a spectrum or an efficacy, or one
+    quantity in both kinds.
     """
     given: Inputs = {}
+    twins: Inputs = {}
     for one in typed.values():
         generic = one.symbol.generic
-        if generic in given:
+        if generic not in given:
+            given[generic] = one
+        elif twins or kind_of(given[generic]) == kind_of(one):
             raise Exclusive((given[generic].name, one.name), "are the same quantity")
-        given[generic] = one
+        else:
+            twins[generic] = one
     linking = [name for name in links if name in LINKS]
+    steps: list[Step] = []
+    for name, twin in twins.items():
+        if linking:
+            both = (given[name].name, twin.name, linking[0])
+            raise Exclusive(both, "contradict each other: the kinds are linked twice", word=", ")
+        ratio = Ratio.of(given[name], twin)
+        links = {**links, "efficacy": ratio.link()}
+        steps.append(ratio.step())
+        _refuse_impossible(ratio, links)
     if len(linking) > 1:
         raise Exclusive(linking[:2], "contradict each other: both link the kinds")
     _refuse_idle_refinements(links)
     first = next(iter(given), "")
-    kind = kind_of(first, given[first]) if first else RADIANT
+    kind = kind_of(given[first]) if first else RADIANT
     assumptions: list[str] = []
     notes: list[str] = []
-    steps: list[Step] = []
     amounts = {}
     for name, one in given.items():
-        own = kind_of(name, one)
+        own = kind_of(one)
         amounts[name] = one.value
         if own != kind:
             factor = _factor(links, kind, own)
@@ -98,15 +122,69 @@ def read_light(typed: Inputs, links: Inputs) -> Lit:
             assumptions.append(factor.assumption)
             notes += factor.notes
             steps += factor.steps
-    return Lit(kind, given, amounts, links, tuple(assumptions), tuple(notes), tuple(steps))
+    return Lit(kind, given, amounts, links, tuple(assumptions), tuple(notes), tuple(steps), twins)
+
+
+class Ratio(NamedTuple):
+    """The ratio of one quantity in two kinds, which links them: its name, over and under."""
+
+    name: str
+    over: Given
+    under: Given
+
+    @classmethod
+    def of(cls, one: Given, twin: Given) -> "Ratio":
+        """The ratio of two values of one quantity."""
+        kinds = {kind_of(given): given for given in (one, twin)}
+        return next(
+            cls(name, kinds[over], kinds[under])
+            for name, over, under in EFFICACIES
+            if {over, under} == kinds.keys()
+        )
+
+    @property
+    def value(self) -> Any:
+        """The ratio [SI]."""
+        return self.over.value / self.under.value
+
+    def link(self) -> Given:
+        """The ratio as an efficacy."""
+        unit = resolve(SYMBOLS[self.name].unit)
+        number = self.value / float(unit.factor)
+        text = f"{format_number(number)} {unit.text} ({self.over.text} over {self.under.text})"
+        return Given(
+            SYMBOLS["efficacy"], text, self.value, unit.dimension, number, unit, is_exact=True
+        )
+
+    @property
+    def law(self) -> Law:
+        """The definition of the ratio."""
+        over, under = (specific_name(one.symbol.generic, kind_of(one)) for one in self[1:])
+        label = f"{SYMBOLS[self.name].label} of the light"
+        return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
+
+    def step(self) -> Step:
+        """How it follows."""
+        from radcalc.conversion.spectral import KIND_UNITS
+
+        generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
+        over, under = (
+            format_value(one.value, light_unit(generic, kind_of(one), coherent=True))
+            for one in self[1:]
+        )
+        letter = letter_of(self.name)
+        found = f"{format_number(self.value)} {KIND_UNITS[kinds]}"
+        return self.law.formula.told(f"({over}) = {letter} ({under}), so {letter} = {found}")
 
 
 def rounding(lit: Lit, name: str) -> Any:
     """How far a light quantity [SI] may be off as typed, by its own digits and by the link's."""
     one, amount = lit.values[name], abs(lit.amounts[name])
     off = one.rounding * amount
-    own = kind_of(name, one)
+    own = kind_of(one)
     if own != lit.kind:
+        for quantity, twin in lit.twins.items():
+            off += (lit.values[quantity].rounding + twin.rounding) * amount
         for key, link in lit.links.items():
             if link.symbol.form == QUANTITY and link.rounding:
                 parts = (1 + link.rounding, 1 - link.rounding)
@@ -114,6 +192,19 @@ def rounding(lit: Lit, name: str) -> Any:
                 factors = [found for links in moved if (found := _factor(links, lit.kind, own))]
                 off += reduce(larger, [abs(abs(one.value * f.value) - amount) for f in factors])
     return off
+
+
+def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
+    """Refuse one quantity in two kinds that no light has together."""
+    kinds = (kind_of(one) for one in ratio[1:])
+    try:
+        _factor(links, *kinds)
+    except Impossible as error:
+        told = " and ".join(option(one.name, quote(one.text)) for one in ratio[1:])
+        raise ConditionError(
+            f"{told} are not possible together: {error.because}",
+            f"less of the one or more of the other: {error.limit}",
+        ) from None
 
 
 def _refuse_idle_refinements(links: Inputs) -> None:
@@ -191,9 +282,8 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
 
 def _value(lit: Lit, name: str, kind: str, amount: Any, reach: dict[Dimension, Any]) -> Value:
     """One light quantity in one kind; as it was given, where it was given in that kind."""
-    given = lit.values.get(name)
-    if given and kind_of(name, given) != kind:
-        given = None
+    both = (lit.values.get(name), lit.twins.get(name))
+    given = next((one for one in both if one and kind_of(one) == kind), None)
     letter = SYMBOLS[name].letter
     specific = specific_name(name, kind)
     own_name = specific if specific != name else f"radiant-{name}"
@@ -210,10 +300,13 @@ def _value(lit: Lit, name: str, kind: str, amount: Any, reach: dict[Dimension, A
     )
 
 
-def efficacy(lit: Lit) -> Any:
-    """The luminous efficacy [lm/W] that links the kinds, or None."""
-    try:
-        factor = _factor(lit.links, LUMINOUS, RADIANT)
-    except TooNarrow:  # which the results say that want it
-        return None
-    return factor.value if factor else None
+def efficacies(lit: Lit) -> list[tuple[str, Any]]:
+    """The ratios of kinds to show [SI]: lm/W where it is linked, and that of a quantity in two."""
+    shown = {Ratio.of(lit.values[name], twin).name for name, twin in lit.twins.items()}
+    found = []
+    for name, over, under in EFFICACIES:
+        if name in shown or (over, under) == (LUMINOUS, RADIANT):
+            with suppress(TooNarrow):  # which the results say that want it
+                if factor := _factor(lit.links, over, under):
+                    found.append((name, factor.value))
+    return found

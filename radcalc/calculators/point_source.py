@@ -42,6 +42,7 @@ from radcalc.laws.point import (
     RECEIVER_ON_AXIS,
     RECEIVER_TURNED,
     SPOT,
+    WIDTHS,
 )
 from radcalc.laws.solver import reached
 from radcalc.maths import any_true, hypot, is_array
@@ -71,14 +72,17 @@ ASSUMED = {
     CONICAL: "the same intensity everywhere in the cone, none outside",
     LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
 }
+# What a distribution is about where no light is given.
+WIDTH = {CONICAL: "half-angle", LOBED: "exponent"}
 LYING = "the receiver lies flat, in a plane across the source's axis"
 
 
 def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     """Everything that follows for a point source from whatever is known of it.
 
-    `given` are light quantities by whichever name, the distribution, lengths, angles, times, and
-    what links the kinds.  With `any_incidence` that is looked for, and not taken to be 0.  Where
+    Without any light, the widths of a cone or a lobe follow from one of them.  `given` are light
+    quantities by whichever name, the distribution, lengths, angles, times, and what links the
+    kinds.  With `any_incidence` that is looked for, and not taken to be 0.  Where
     nothing tells how far aside of the axis the receiver is, it is on it, unless the rest tells
     another place.
     """
@@ -104,6 +108,8 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     sheet.defaults.add("incidence")
     _refuse_foreign(sheet.lit)
     laws = [*LAWS[shape], *ANY_LAWS]
+    if not sheet.lit.values:
+        return _width(sheet, shape, [*laws, INVERSE_SQUARE])
     laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
     sheet.assume(ASSUMED[shape])
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and "distribution" not in given:
@@ -119,6 +125,17 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
         )
     answers = [_judged(one, shape, laws) for one in sheet.each()]
     return answers[0]._replace(more=tuple(answers[1:]))
+
+
+def _width(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
+    """How wide the beam is, by any of its widths; `laws` tell what light would be of use for."""
+    if sheet.lit.links or not set(SHAPED[shape]) & set(sheet.given):
+        hint = mention("{flux}, {intensity} or {irradiance}")
+        raise MissingInput("a light quantity is missing", hint)
+    sheet.page = sheet.page._replace(goal=WIDTH[shape])
+    sheet.assume(ASSUMED[shape].partition(";")[0])
+    sheet.solve(WIDTHS[shape])
+    return sheet.answer(laws)
 
 
 def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
@@ -174,9 +191,6 @@ def _refuse_foreign(lit: Lit) -> None:
             raise ConditionError(
                 f"{option(one.name)}: a point source has none", command("lambertian")
             )
-    if not lit.values:
-        hint = mention("{flux}, {intensity} or {irradiance}")
-        raise MissingInput("a light quantity is missing", hint)
 
 
 def spread(given: Inputs) -> str:

@@ -89,7 +89,7 @@ class Worksheet:
         if with_light:
             self.lit = light.read_light(quantities, links)
         self.defaults: set[str] = set()  # what goes without saying where nothing gives it
-        self.used: set[str] = set()
+        self.used: set[str] = {*self.lit.twins}
         self.placed: list[Step] = []  # of what was worked out outside the laws
         self.assumptions, self.notes = list(self.lit.assumptions), list(self.lit.notes)
         self.known: dict[str, Known] = {}
@@ -202,9 +202,7 @@ class Worksheet:
                 results.append(known(self.given[name]))
             elif name in values:
                 results.append(value(name, self.at(name)))
-        efficacy = light.efficacy(self.lit)
-        if efficacy is not None:
-            results.append(value("luminous-efficacy", efficacy))
+        results += [value(name, ratio) for name, ratio in light.efficacies(self.lit)]
         results += self._absent(laws)
         before = [*self.lit.steps, *self.placed]
         steps = Derivation(self.solution, self.lit.kind, before, shown.steps)

@@ -44,6 +44,8 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --intensity 250cd --height 6m --illuminance 3lx   (the offset)
       radcalc point-source --flux 4.5klm --half-angle 12.5deg --distance 1m,2m,5m
       radcalc point-source --intensity 1000cd --beam-angle 30deg
+      radcalc point-source --beam-angle 30deg                (exponent, field angle)
+      radcalc point-source --luminous-flux 800lm --radiant-flux 3W  (the efficacy)
       radcalc point-source --intensity 100cd --exponent 3 --within 45deg -g flux-within:lm
       radcalc point-source --flux 500lm --intensity 900cd --distribution cone
       radcalc point-source --flux 5mW --distance 1m --wavelength 632.8nm

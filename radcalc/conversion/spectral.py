@@ -22,6 +22,7 @@ from radcalc.quantities.light import (
     Reading,
     is_per_length,
 )
+from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
     OBSERVERS,
     Observer,
@@ -189,7 +190,7 @@ def spectral_factor(
     return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
 
 
-SHOWN = ((LUMINOUS, RADIANT), (PHOTON, RADIANT), (LUMINOUS, PHOTON))
+SHOWN = [(over, under) for _, over, under in EFFICACIES]
 
 
 def linked(given: Inputs, over: str, under: str) -> Factor | None:

@@ -8,16 +8,18 @@ their own: a product of what stands between.
 import math
 from collections.abc import Callable
 from contextlib import suppress
+from itertools import combinations
 from typing import Any
 
 from radcalc.answer import Answer, Value
+from radcalc.calculators.light import Ratio
 from radcalc.errors import RadcalcError
 from radcalc.given import Inputs
 from radcalc.laws.cones import CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
 from radcalc.laws.solver import Derivation
-from radcalc.quantities.light import GRID, LUMINOUS, PHOTON, RADIANT
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.light import GRID, LUMINOUS, PHOTON
+from radcalc.quantities.symbols import EFFICACIES, SYMBOLS
 
 Steps = list[tuple[AnyLaw, str]]
 Powers = list[tuple[str, float]]
@@ -87,12 +89,26 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
     if goal not in values and goal in CONE.targets and "solid-angle" in values:
         values[goal] = float(CONE.solve(goal, values.__getitem__))  # of the equal cone
         steps.append((CONE, goal))
+    if goal not in values:
+        _add_ratio(goal, given, values, steps)
     facts = GRID.get(target.dimensions[0])
     if SYMBOLS[goal].generic and goal in values and facts and facts[0] != kind:
         powers = between_kinds(kind, facts[0], given, values, steps)
         multiply([(goal, 1.0), *powers], right, values, steps)
         goal = VALUE
     return Chain(values, steps, goal, right)
+
+
+def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:
+    """Add how the ratio of two kinds follows from one quantity that was given in both."""
+    lights = [one for one in given.values() if one.symbol.generic]
+    for one, other in combinations(lights, 2):
+        if one.symbol.generic == other.symbol.generic:
+            ratio = Ratio.of(one, other)
+            if ratio.name == goal:
+                over, _, under = ratio.law.names
+                values |= {over: ratio.over.value, under: ratio.under.value, goal: ratio.value}
+                steps.append((ratio.law, goal))
 
 
 def multiply(powers: Powers, right: float, values: dict[str, float], steps: Steps) -> None:
@@ -110,11 +126,6 @@ def multiply(powers: Powers, right: float, values: dict[str, float], steps: Step
 
 LUMINOUS_EFFICACY = law(
     "efficacy of one wavelength", "{luminous-efficacy} = Km {luminous-efficiency}"
-)
-RATIOS = (
-    ("luminous-efficacy", LUMINOUS, RADIANT),
-    ("photon-efficacy", PHOTON, RADIANT),
-    ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
 
 
@@ -142,7 +153,7 @@ def between_kinds(
             steps.append((photon.ENERGY, "photon-energy"))
             powers.append(("photon-energy", 1.0 if start == PHOTON else -1.0))
         return powers
-    for name, over, under in RATIOS:
+    for name, over, under in EFFICACIES:
         if {over, under} == {start, end} and (ratio := spectral.linked(given, over, under)):
             values[name] = float(ratio.value)
             powers.append((name, 1.0 if end == over else -1.0))

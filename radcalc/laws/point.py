@@ -19,10 +19,12 @@ Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees fr
 - flux of a lobe: Phi = I Omega
 - `LOBE`: Omega = 2 pi Omega0 / (n + 1)
 - `BEAM_ANGLE`: n = ln(1/2) / ln cos(FWHM/2)
-- field angle of a lobe: n = ln(1/10) / ln cos(FWTM/2)
+- `FIELD_ANGLE`: n = ln(1/10) / ln cos(FWTM/2)
 - part of a lobe: k = 1 - cos(beta)^(n + 1); in its beam: k_b = 1 - cos(FWHM/2)^(n + 1)
 - flux in the beam: Phi_b = Phi k_b
 - `FALL`: f = cos(gamma)^n
+
+`WIDTHS` has those laws of each that are about its angles alone.
 
 All (`ANY_LAWS`), for a source that is small beside its distance d (five times its size and more):
 
@@ -107,6 +109,20 @@ BEAM_ANGLE = relation(
         "beam-angle": lambda at: lobes.angle(at("exponent"), 0.5),
     },
 )
+FIELD_ANGLE = relation(
+    "field angle of a lobe",
+    "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
+    {
+        "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
+        "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
+    },
+)
+# How wide a distribution is, which is known without any light.
+WIDTHS: dict[str, list[AnyLaw]] = {
+    ISOTROPIC: [],
+    CONICAL: [CONE, APEX],
+    LOBED: [BEAM_ANGLE, FIELD_ANGLE],
+}
 LAWS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [
         law("isotropic source", "{flux} = 4 pi Omega0 {intensity}", "ISO 80000-7, intensity"),
@@ -118,8 +134,7 @@ LAWS: dict[str, list[AnyLaw]] = {
     ],
     CONICAL: [
         law("uniform cone", "{flux} = {intensity} {solid-angle}", "ISO 80000-7, intensity"),
-        CONE,
-        APEX,
+        *WIDTHS[CONICAL],
         relation(
             "part of a cone",
             "{part} = sin^2({within}/2) / sin^2({half-angle}/2), at most 1",
@@ -137,15 +152,7 @@ LAWS: dict[str, list[AnyLaw]] = {
     LOBED: [
         law("flux of a lobe", "{flux} = {intensity} {solid-angle}"),
         LOBE,
-        BEAM_ANGLE,
-        relation(
-            "field angle of a lobe",
-            "{exponent} = ln(1/10) / ln cos({field-angle}/2)",
-            {
-                "exponent": lambda at: lobes.exponent(at("field-angle"), 0.1),
-                "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
-            },
-        ),
+        *WIDTHS[LOBED],
         relation(
             "part of a lobe",
             "{part} = 1 - cos({within})^({exponent} + 1)",

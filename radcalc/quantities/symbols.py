@@ -480,6 +480,11 @@ for _name, _row in _LIGHT_ROWS.items():
             SPECIFIC[_own] = (_name, _kind)
             SYMBOLS[_own] = _of_light(_own, _name, _kind, _row)
 LINKS = ("wavelength", "spectrum", "efficacy")  # what links the kinds of light
+EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
+    ("luminous-efficacy", LUMINOUS, RADIANT),
+    ("photon-efficacy", PHOTON, RADIANT),
+    ("lux-per-ppfd", LUMINOUS, PHOTON),
+)
 REFINEMENTS = ("observer", "range", "photon-range")  # what only refines a link
 
 

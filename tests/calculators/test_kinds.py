@@ -85,3 +85,53 @@ def test_generic_and_specific_names_are_the_same(generic, own, value):
     wrong = {"lm": "5W", "W": "5lm"}.get(value[1:3].strip("/"), "5m")
     with pytest.raises(RadcalcError):
         point_source(**{own: wrong}, **more)
+
+
+@pytest.mark.parametrize("quantity", ["flux", "intensity", "irradiance", "exposure", "energy"])
+@pytest.mark.parametrize(("kinds", "ratio"), [("ve", 250.0), ("pe", 3e18), ("vp", 7e-17)])
+def test_a_quantity_in_two_kinds_links_all_the_others(quantity, kinds, ratio):
+    """The ratio of their numbers, whichever comes first."""
+    texts = {
+        k: f"{n}{LIGHT[quantity].format(*KINDS[k])}"
+        for k, n in zip(kinds, (4 * ratio, 4), strict=True)
+    }
+    for order in (kinds, kinds[::-1]):
+        given = {specific_name(quantity, kind): texts[kind] for kind in order}
+        given |= {"time": "10s", "distance": "3m"}
+        answer = point_module.point_source({name: read(name, text) for name, text in given.items()})
+        sizes = {v.also: v.amount for v in answer.values if not v.is_absent}
+        for name in ("flux", "intensity", "irradiance", "exposure", "energy"):
+            one, other = (sizes[specific_name(name, kind)] for kind in kinds)
+            assert one / other == pytest.approx(ratio, rel=1e-12), name
+
+
+def test_two_kinds_leave_as_much_room_as_their_digits():
+    """800 lm over 3 W are 267 lm/W to the digits typed, and 0.239 W/sr are 63.7 cd with it."""
+    typed = {"luminous_flux": "800lm", "radiant_flux": "3.00W"}
+    assert point_source(**typed, radiant_intensity="0.239W/sr")
+    assert point_source(radiant_intensity="0.239W/sr", **typed)
+    with pytest.raises(RadcalcError, match="contradicts"):
+        point_source(radiant_intensity="0.25W/sr", **typed)
+
+
+@pytest.mark.parametrize("n", [0.5, 1, 7.5, 200])
+def test_the_widths_of_a_lobe_and_of_a_cone_without_light(n):
+    half, tenth = (2 * math.degrees(math.acos(left ** (1 / n))) for left in (0.5, 0.1))
+    for name, text in (
+        ("exponent", n),
+        ("beam_angle", f"{half}deg"),
+        ("field_angle", f"{tenth}deg"),
+    ):
+        found = point_source(**{name: text})
+        assert number(found, "exponent", "1") == pytest.approx(n, rel=1e-9)
+        assert number(found, "beam_angle", "deg") == pytest.approx(half, rel=1e-9)
+        assert number(found, "field_angle", "deg") == pytest.approx(tenth, rel=1e-9)
+    omega = 2 * PI * (1 - math.cos(math.radians(half / 2)))
+    for name, text in (
+        ("half_angle", f"{half / 2}deg"),
+        ("apex_angle", f"{half}deg"),
+        ("solid_angle", f"{omega}sr"),
+    ):
+        found = point_source(**{name: text})
+        assert number(found, "half_angle", "deg") == pytest.approx(half / 2, rel=1e-9)
+        assert number(found, "solid_angle", "sr") == pytest.approx(omega, rel=1e-9)

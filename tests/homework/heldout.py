@@ -98,6 +98,13 @@ HELD_OUT = [
     Wrong("photon 650nm", "luminous-efficacy", "lm/W", V650, "683-forgotten"),
     Wrong("photon 415THz", "wavelength", "nm", 415e12 / C * 1e9,
           "wavelength-upside-down|frequency-upside-down"),
+    # --- the efficacy of a lamp, and the widths of a lobe
+    Wrong(f"{PS} --luminous-flux 730lm --radiant-flux 2.6W", "luminous-efficacy", "lm/W",
+          2.6 / 730, "luminous-efficacy-upside-down"),
+    Wrong(f"{PS} --beam-angle 34deg", "exponent", "", log(0.5) / log(c(34)),
+          "full-for-half"),
+    Wrong(f"{PS} --exponent 7", "beam-angle", "deg", degrees(acos(0.5 ** (1 / 7))),
+          "full-for-half"),
     # --- conversions between kinds
     Wrong("convert 41 W/m2 photon/s/m2 --wavelength 660nm", "", "photon/s/m2",
           41 * H * C / 660e-9, "photon-energy-upside-down"),
