@@ -5,6 +5,7 @@
 - `formula`: an expression in theta and phi
 - `grid`: a table of angles and intensities
 - `photometry`: what a file says of a luminaire, with its table
+- `sources`: what a user names, a file or an expression, as one of these
 - `files`, `ies`, `eulumdat`, `tables`: files, by format
 - `beams`: beam angles and field angles in a plane through the axis
 - `pose`: where a source stands, where it is aimed and how it is rotated

@@ -1,0 +1,90 @@
+"""How a user names a distribution: a file, or an expression with a unit or without."""
+
+import os
+import re
+from importlib import import_module
+from typing import Any
+
+from radcalc.distributions.formula import Formula
+from radcalc.distributions.photometry import Photometry
+from radcalc.errors import ConditionError, RadcalcError, nearest, quote
+from radcalc.geometry.numerics.expression import CONSTANTS, FUNCTIONS, NAMES
+from radcalc.quantities.light import KINDS, describe, light_dimension
+from radcalc.quantities.symbols import DISTRIBUTIONS
+from radcalc.units.table import Unit, resolve
+
+EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)^4 cd'"
+PATH = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(ies|ldt|csv|tsv|txt|dat)$", re.IGNORECASE)
+WORD = re.compile(r"[^\W\d][\w-]*")
+# Behind the end of an expression and a blank nothing of it can begin with a letter.
+UNIT = re.compile(r"^(.*?[\w.)])\s+([^\W\d].*)$", re.DOTALL)
+INTENSITIES = {light_dimension(kind, (0, 0, 1), ""): kind for kind in KINDS}
+
+
+def photometry(source: Any) -> Photometry:
+    """A distribution, as a user gives it.
+
+    Parameters
+    ----------
+    source : str, path, Distribution or Photometry
+        The path of a file; an expression in theta and phi, with a unit of intensity behind a
+        blank, or relative without one; or what is a distribution already.
+
+    Returns
+    -------
+    Photometry
+        What the file says, or the distribution alone.
+
+    Raises
+    ------
+    ConditionError, UnitError
+        If a text is neither a file nor an expression, if its unit is none of an intensity, or if
+        the file cannot be read.
+
+    Examples
+    --------
+    >>> spot = photometry("2*max(cos(theta), 0)^4 kcd").distribution
+    >>> spot.kind, float(spot.intensity(0.0, 0.0))
+    ('v', 2000.0)
+    """
+    if isinstance(source, Photometry):
+        return source
+    if hasattr(source, "intensity") and hasattr(source, "flux"):
+        return Photometry(source, type(source).__name__)
+    text = os.fspath(source).strip() if isinstance(source, (str, os.PathLike)) else ""
+    if not text:
+        raise ConditionError(f"'{quote(str(source))}' is no distribution", EXAMPLE)
+    if os.path.exists(text):
+        read: Photometry = import_module("radcalc.distributions.files").read_file(text)
+        return read
+    if PATH.search(text) or isinstance(source, os.PathLike):
+        raise ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+    if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
+        near = nearest(text.lower(), DISTRIBUTIONS)
+        problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
+        raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
+    return _expression(text)
+
+
+def _expression(text: str) -> Photometry:
+    """An expression, and the unit behind it."""
+    factor, kind, said = 1.0, "", text
+    if parts := UNIT.match(text):
+        unit = _unit(parts[2], text)
+        if unit.dimension not in INTENSITIES:
+            raise ConditionError(
+                f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not an intensity",
+                f"'{quote(parts[1])} cd', or W/sr, umol/s/sr, or without a unit",
+            )
+        factor, kind, text = unit.factor, INTENSITIES[unit.dimension], parts[1]
+    return Photometry(Formula(text, factor, kind), "expression", said)
+
+
+def _unit(text: str, whole: str) -> Unit:
+    """The unit behind an expression; where it was meant as a part of it, what is wrong there."""
+    try:
+        return resolve(text)
+    except RadcalcError:
+        if set(re.findall(r"\w+", text)) & {*NAMES, *CONSTANTS, *FUNCTIONS}:
+            Formula(whole)  # which refuses it
+        raise

@@ -1,0 +1,63 @@
+"""What a user names as a distribution."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from radcalc.distributions.shapes import Lobe
+from radcalc.distributions.sources import photometry
+from radcalc.errors import ConditionError, RadcalcError
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "on_axis"),
+    [
+        ("300*max(cos(theta), 0)^4 cd", "v", 300.0),
+        ("300 cd", "v", 300.0),
+        ("2*max(cos(theta), 0) kcd", "v", 2000.0),
+        ("max(cos(theta), 0)", "", 1.0),
+        ("100 * max(cos(theta), 0)", "", 100.0),
+        ("1/(4*pi) W/sr", "e", 1 / (4 * math.pi)),
+        ("z^2 mW / sr", "e", 1e-3),
+        ("1 umol s-1 sr-1", "p", 6.02214076e17),  # photons: the mole of SI
+        ("theta lm/sr", "v", 0.0),
+    ],
+)
+def test_an_expression_may_have_a_unit(text, kind, on_axis):
+    found = photometry(text).distribution
+    assert found.kind == kind
+    assert found.intensity(0.0, 0.0) == pytest.approx(on_axis, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("100 cos(theta)", "not an expression"),
+        ("cos(theta) lm", "'lm' behind the expression is luminous flux (lm), not an intensity"),
+        ("cos(theta) foo", "unknown unit 'foo'"),
+        ("lobee", "no distribution that radcalc knows"),
+        ("lamp.ies", "there is no file 'lamp.ies'"),
+        ("./lamp", "there is no file './lamp'"),
+        (Path("lamp"), "there is no file 'lamp'"),
+        ("", "no distribution"),
+        (5.0, "no distribution"),
+    ],
+)
+def test_what_is_neither_a_file_nor_an_expression_is_refused(text, said):
+    with pytest.raises(RadcalcError) as refused:
+        photometry(text)
+    assert said in refused.value.message
+    assert refused.value.hint
+
+
+def test_a_name_that_is_nearly_one_of_a_distribution_is_told():
+    with pytest.raises(ConditionError) as refused:
+        photometry("lobee")
+    assert refused.value.hint.startswith("lobe")
+
+
+def test_a_distribution_is_taken_as_it_is():
+    lobe = Lobe(3.0)
+    assert photometry(lobe).distribution is lobe
+    assert photometry(photometry(lobe)).distribution is lobe
