@@ -35,7 +35,14 @@ def integrate(text: str, given: Inputs) -> Answer:
         )
     expression = Expression(text)
     if expression.uses:
-        found = over_directions(expression, polar, azimuth, accuracy, expression.cost)
+        found = over_directions(
+            expression,
+            polar,
+            azimuth,
+            accuracy,
+            expression.cost,
+            expression.is_axial,
+        )
     else:
         found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
@@ -51,10 +58,11 @@ def integrate(text: str, given: Inputs) -> Answer:
         f"{format_number(narrow[1])} deg in phi may be missed",
     ]
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
+    points = f"{POINTS}" if expression.is_axial else f"{POINTS} x {POINTS}"
     step = INTEGRAL.told(
         f"f = {quote(text)}, theta from {format_number(t0)} to {format_number(t1)} deg, phi from "
         f"{format_number(p0)} to {format_number(p1)} deg; I = {format_number(found.value)} sr, "
-        f"from {found.cells} cells of {POINTS} x {POINTS} points of Gauss and Legendre"
+        f"from {found.cells} cells of {points} points of Gauss and Legendre"
     )
     return Answer(values, said, [], [step])
 

@@ -121,7 +121,11 @@ def integrated(
     if not numpy.any(distribution.intensity(theta, phi)):
         return Integral(0.0, 0.0, 0)
     return over_directions(
-        lambda at: distribution.intensity(at["theta"], at["phi"]), polar, azimuth, accuracy
+        lambda at: distribution.intensity(at["theta"], at["phi"]),
+        polar,
+        azimuth,
+        accuracy,
+        is_axial=distribution.is_axial,
     )
 
 

@@ -57,7 +57,7 @@ class Formula:
         self.kind = kind
         self.factor = factor
         self.expression = Expression(text)
-        self.is_axial = self.expression.uses <= {"theta", "z"}
+        self.is_axial = self.expression.is_axial
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         x, y, z = cartesian(theta, phi)

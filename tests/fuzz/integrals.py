@@ -100,7 +100,9 @@ def sweep(count, seed):
         accuracy = 10 ** dice.uniform(-6, -2)
         shown = number, text, polar, azimuth, accuracy, value
         try:
-            got = over_directions(Expression(text), polar, azimuth, accuracy)
+            expression = Expression(text)
+            is_axial = expression.is_axial and dice.random() < 0.8
+            got = over_directions(expression, polar, azimuth, accuracy, is_axial=is_axial)
         except ConditionError as error:
             # (what is 0 in all of the zone is refused as that)
             if abs(value) > rounding and "does not converge" not in error.message:

@@ -22,6 +22,7 @@ GAP = 0.2  # [1] of a side: no wider circle in a cell is free of points
 MOST = 100_000  # cells in all
 WORK = 1e10  # what the function may cost in all: points, times the cost of each
 BATCH = 2_000  # cells at a time, which is what bounds the memory
+MIDPOINT = numpy.array([0.0]), numpy.array([2.0])  # exact for what is the same at every azimuth
 ROUNDING = 1e-14  # [1] error of the sums, relative to the integral of the function's size
 SAFETY = 2.0  # [1] what a kink may leave, over the difference of two levels
 
@@ -74,11 +75,18 @@ def _rules() -> tuple[Rule, ...]:
 class _Grid:
     """Cells that are quartered: their level, and their place among the cells of that level."""
 
-    def __init__(self, function: Function, polar: Interval, azimuth: Interval) -> None:
+    def __init__(
+        self, function: Function, polar: Interval, azimuth: Interval, is_axial: bool
+    ) -> None:
         self.function, self.start = function, numpy.array([polar[0], azimuth[0]])
         self.rules = _rules()
-        self.width = numpy.array([polar[1] - polar[0], azimuth[1] - azimuth[0]]) / FIRST
-        rows, columns = numpy.indices(FIRST)
+        first = (FIRST[0], 1) if is_axial else FIRST
+        # into how many parts a side is cut, and the parts, by rows and columns
+        self.cuts = numpy.array([2, 1 if is_axial else 2])
+        self.parts = numpy.indices(self.cuts).reshape(2, -1).T
+        self.width = numpy.array([polar[1] - polar[0], azimuth[1] - azimuth[0]]) / first
+        self.columns = first[1]
+        rows, columns = numpy.indices(first)
         self.place = numpy.stack([numpy.zeros(rows.size, int), rows.ravel(), columns.ravel()], 1)
         self.value, self.size, self.error = self._integrate(self.place)
 
@@ -90,14 +98,14 @@ class _Grid:
         """
         split = self._graded(split)
         whole = self.place[split]
-        corners = numpy.array([[0, 0], [0, 1], [1, 0], [1, 1]])
-        rows = 2 * whole[:, None, 1:] + corners
+        count = len(self.parts)
+        rows = self.cuts * whole[:, None, 1:] + self.parts
         levels = numpy.broadcast_to(whole[:, None, :1] + 1, (*rows.shape[:2], 1))
         place = numpy.concatenate([levels, rows], 2).reshape(-1, 3)
         value, size, rough = self._integrate(place)
-        differ = SAFETY * abs(value.reshape(-1, 4).sum(1) - self.value[split]) / 4
+        differ = SAFETY * abs(value.reshape(-1, count).sum(1) - self.value[split]) / count
         # Any one of the estimates may be small by chance, where a kink is.
-        error = numpy.maximum(numpy.repeat(differ, 4), rough)
+        error = numpy.maximum(numpy.repeat(differ, count), rough)
         keep = numpy.ones(len(self.value), bool)
         keep[split] = False
         self.place = numpy.concatenate([self.place[keep], place])
@@ -111,10 +119,11 @@ class _Grid:
         chosen, todo = set(split.tolist()), list(split.tolist())
         while todo:
             level, row, column = self.place[todo.pop()].tolist()
-            columns = FIRST[1] << level
+            columns = self.columns * int(self.cuts[1]) ** level
             for i in (row - 1, row, row + 1):
                 for j in (column - 1, column, column + 1):
-                    coarser = cells.get((level - 1, i // 2, j % columns // 2))
+                    place = i // 2, j % columns // int(self.cuts[1])
+                    coarser = cells.get((level - 1, *place))
                     if coarser is not None and coarser not in chosen:
                         chosen.add(coarser)
                         todo.append(coarser)
@@ -133,10 +142,12 @@ class _Grid:
 
     def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
         """By the product rule in each cell: the integral, and that of the function's size."""
-        half = self.width / 2.0 ** (place[:, :1] + 1)
+        half = self.width / 2.0 / (1.0 * self.cuts) ** place[:, :1]
         middle = self.start + half * (2 * place[:, 1:] + 1)
+        across = (nodes, weights) if self.cuts[1] == 2 else MIDPOINT
+        product = numpy.outer(weights, across[1])
         theta = (middle[:, :1] + half[:, :1] * nodes)[:, :, None]
-        phi = (middle[:, 1:] + half[:, 1:] * nodes)[:, None, :]
+        phi = (middle[:, 1:] + half[:, 1:] * across[0])[:, None, :]
         sine = numpy.sin(theta)
         at = {
             "theta": theta,
@@ -146,8 +157,8 @@ class _Grid:
             "z": numpy.cos(theta),
         }
         with numpy.errstate(all="ignore"):
-            values = numpy.broadcast_to(self.function(at), (len(place), len(nodes), len(nodes)))
-            area = half[:, :1, None] * half[:, 1:, None] * weights[:, None] * weights * sine
+            values = numpy.broadcast_to(self.function(at), (len(place), *product.shape))
+            area = half[:, :1, None] * half[:, 1:, None] * product * sine
             value, size = (values * area).sum((1, 2)), (abs(values) * area).sum((1, 2))
         if not numpy.isfinite(size).all():
             cell, i, j = numpy.argwhere(~numpy.isfinite(values * area))[0]
@@ -165,6 +176,7 @@ def over_directions(
     azimuth: Interval,
     accuracy: float = 1e-9,
     cost: int = 1,
+    is_axial: bool = False,
 ) -> Integral:
     """Integrate a function of direction over intervals of polar angle and azimuth.
 
@@ -182,6 +194,9 @@ def over_directions(
         by default.
     cost : int, optional
         What the function costs at a point, in additions; 1 by default.  It bounds the cells.
+    is_axial : bool, optional
+        Whether the function is the same at every azimuth, so that cells are halved in the polar
+        angle alone; false by default.
 
     Returns
     -------
@@ -220,7 +235,7 @@ def over_directions(
     >>> round(found.value / math.pi, 9), found.error < 1e-8
     (1.0, True)
     """
-    grid = _Grid(function, polar, azimuth)
+    grid = _Grid(function, polar, azimuth, is_axial)
     most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
     split = numpy.arange(len(grid.value))
     while True:
@@ -238,7 +253,7 @@ def over_directions(
         order = numpy.argsort(grid.error)
         matters = numpy.cumsum(grid.error[order]) > accuracy * size / 2
         split = order[matters] if size else order
-        if cells + 3 * len(split) > most:
+        if cells + (len(grid.parts) - 1) * len(split) > most:
             raise _not_found(math.fsum(grid.value), error, size, cells)
 
 
@@ -246,7 +261,7 @@ def _not_found(value: float, error: float, size: float, cells: int) -> Condition
     """The refusal of an integral that does not converge, with the accuracy that was reached."""
     if not size:
         return ConditionError(
-            f"the expression is 0 at all {cells * POINTS**2} points looked at",
+            f"the expression is 0 at all points of {cells} cells",
             "a part of the sphere where it is not",
         )
     hint = "a function that is finite everywhere, and its parts one by one"

@@ -136,6 +136,11 @@ class Expression:
         """
         return self._function(at)
 
+    @property
+    def is_axial(self) -> bool:
+        """Whether the function is the same at every azimuth."""
+        return self.uses <= {"theta", "z"}
+
     def _read(self, node: ast.expr, depth: int) -> Function:
         """The function of one node; whatever is not listed here is refused."""
         if not depth:
