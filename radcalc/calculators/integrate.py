@@ -5,7 +5,7 @@ import math
 from radcalc.answer import Answer
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, MissingInput, mention, quote
+from radcalc.errors import ConditionError, MissingInput, listed, mention, quote
 from radcalc.geometry.numerics.cubature import FIRST, GAP, POINTS, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
@@ -57,6 +57,8 @@ def integrate(text: str, given: Inputs) -> Answer:
         f"peaks narrower than {format_number(narrow[0])} deg in theta or "
         f"{format_number(narrow[1])} deg in phi may be missed",
     ]
+    if expression.comparisons:
+        said.append(f"1 where it holds, 0 elsewhere: {listed(expression.comparisons)}")
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
     points = f"{POINTS}" if expression.is_axial else f"{POINTS} x {POINTS}"
     step = INTEGRAL.told(

@@ -27,9 +27,9 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
 
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
     vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
-    tanh exp log log10 sqrt abs min max; one that begins with a minus goes in brackets: '(-x)'.
-    The integral is over solid angle: sin(theta) is there already.  What does not converge is
-    refused.
+    tanh exp log log10 sqrt abs min max, and comparisons by < <= > >=, which are 1 where they hold
+    and 0 elsewhere; one that begins with a minus goes in brackets: '(-x)'.  The integral is over
+    solid angle: sin(theta) is there already.  What does not converge is refused.
     """
     if not words:
         raise UsageError("an expression is missing", "radcalc integrate 'cos(theta)' --hemisphere")

@@ -1,8 +1,8 @@
 """Functions of direction that a user types, such as ``100*cos(theta)**10``.
 
 The text is parsed by Python's own parser but never evaluated by it: the syntax tree is turned
-into NumPy calls, and only numbers, the names and functions below, + - * / ** and brackets are
-let through.  Angles are in radians; ``30*deg`` is 30 degrees.
+into NumPy calls, and only numbers, the names and functions below, + - * / **, comparisons and
+brackets are let through.  Angles are in radians; ``30*deg`` is 30 degrees.
 """
 
 import ast
@@ -46,12 +46,21 @@ OPERATORS: dict[type, Callable[..., Any]] = {
     ast.USub: numpy.negative,
     ast.UAdd: numpy.positive,
 }
+COMPARISONS: dict[type, Callable[..., Any]] = {
+    ast.Lt: numpy.less,
+    ast.LtE: numpy.less_equal,
+    ast.Gt: numpy.greater,
+    ast.GtE: numpy.greater_equal,
+}
 CHEAP = ("abs", "min", "max", "sqrt")  # as an addition; other functions and powers take longer
-COSTS = {"function": 10, "power": 30}  # [1] of an addition, at most
+COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] of an addition, at most
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
+SIGNS = {"^": "**", "\u2212": "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
+STEP = "a comparison by < <= > >=, as in (theta<30*deg)*100"
+EQUALS = re.compile(r"(?<![<>])=|==")
 LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within each other
-REFUSED = re.compile(r"[^\w\s.+*/(),^-]|_|\b0[xXoObB]|[^\x00-\x7f]")
+REFUSED = re.compile(r"[^\w\s.+*/(),<>=-]|_|\b0[xXoObB]|[^\x00-\x7f]")
 
 Function = Callable[[dict[str, Any]], Any]
 
@@ -65,6 +74,8 @@ class Expression:
         The expression, of at most 1000 characters, in the names theta and phi [rad], x, y, z
         (components of the unit vector), the constants pi, e and deg, and the functions in
         `FUNCTIONS`.  ``^`` is read as ``**``, and the Greek letters for theta, phi and pi as names.
+        A comparison by ``< <= > >=`` is 1 where it holds and 0 elsewhere; it binds less than
+        arithmetic, and one of several (``10*deg < theta < 30*deg``) holds where all do.
 
     Attributes
     ----------
@@ -72,6 +83,8 @@ class Expression:
         The text as given.
     uses : set of str
         Those of theta, phi, x, y, z that the expression depends on.
+    comparisons : list of str
+        Its comparisons, as the reader has them: where the expression may be discontinuous.
     cost : int
         About what a value costs, in additions.
 
@@ -108,6 +121,7 @@ class Expression:
     def __init__(self, text: str) -> None:
         self.text = text
         self.uses: set[str] = set()
+        self.comparisons: list[str] = []
         self.cost = 1
         self._source = _prepared(text)
         try:
@@ -167,11 +181,36 @@ class Expression:
                 return lambda at: binary(a(at), b(at))
             case ast.Call(func=ast.Name(id=name), args=args, keywords=[]):
                 return self._call(name, args, depth)
-        part = self._source[node.col_offset : node.end_col_offset]
+            case ast.Compare(ops=ops) if all(type(op) in COMPARISONS for op in ops):
+                return self._compare(node, depth)
+            case ast.BoolOp():
+                hint = "a product of comparisons for both, (theta<1)*(phi<2); max(a, b) for either"
+                raise ConditionError("'and' and 'or' cannot stand in an expression", hint)
         raise ConditionError(
-            f"'{quote(part)}' cannot stand in an expression",
-            "numbers, + - * / **, brackets, " + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
+            f"'{quote(self._part(node))}' cannot stand in an expression",
+            "numbers, + - * / **, < <= > >=, brackets, "
+            + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
         )
+
+    def _part(self, node: ast.expr) -> str:
+        return self._source[node.col_offset : node.end_col_offset]
+
+    def _compare(self, node: ast.Compare, depth: int) -> Function:
+        """1 where one or several comparisons hold, 0 elsewhere; no value where a side has none."""
+        self.comparisons.append(self._part(node))
+        self.cost += COSTS["comparison"] * len(node.ops)
+        tests = [COMPARISONS[type(op)] for op in node.ops]
+        sides = [self._read(side, depth - 1) for side in (node.left, *node.comparators)]
+
+        def holds(at: dict[str, Any]) -> Any:
+            values = [side(at) for side in sides]
+            found: Any = 1.0
+            for test, a, b in zip(tests, values, values[1:], strict=False):
+                nowhere = numpy.isnan(a) | numpy.isnan(b)
+                found = found * numpy.where(nowhere, math.nan, test(a, b))
+            return found
+
+        return holds
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
         """The call of one of `FUNCTIONS`, with the number of its arguments checked."""
@@ -192,14 +231,19 @@ def _prepared(text: str) -> str:
     """The text as Python's parser takes it, with the letters and signs that people use."""
     if len(text) > LONGEST:
         raise ConditionError(f"the expression has {len(text)} characters", f"at most {LONGEST}")
-    # ^ has no other meaning here; the minus may be the one that negative numbers are given
-    source = text.strip().replace("^", "**").replace("\u2212", "-")
-    for letter, name in GREEK.items():
+    source = text.strip()
+    for letter, name in (GREEK | SIGNS).items():
         source = source.replace(letter, name)
     if not source:
         raise ConditionError("the expression is empty", EXAMPLE)
     if found := REFUSED.search(source):
         raise ConditionError(f"'{quote(found[0])}' cannot stand in an expression", EXAMPLE)
+    if found := EQUALS.search(source):
+        raise ConditionError(
+            f"'{found[0]}' cannot stand in an expression: no part of the "
+            "sphere is where two numbers are equal",
+            STEP,
+        )
     return source
 
 

@@ -21,27 +21,50 @@ HERE = {name: np.array([0.3, 0.6]) for name in NAMES}
         ("2**3**2", 512), ("-2**2", -4), ("2^3", 8), ("1 − 3", -2), ("--1", 1), ("+1", 1),
         ("1e3", 1000), ("90*deg", PI / 2), ("e", math.e), ("log(e**2)", 2), ("log10(1e5)", 5),
         ("atan2(1, -1)", 0.75 * PI), ("min(1, 2) + max(1, 2)", 3), ("7/2", 3.5), ("(1+2)*3", 9),
+        ("2 < 3", 1), ("3<2", 0), ("2<2", 0), ("2<=2", 1), ("2>2", 0), ("2 >= 2", 1), ("1≤1", 1),
+        ("1⩾2", 0), ("(2<3)*100", 100), ("2<3*100", 1), ("-(1<2)", -1), ("(1<2)-(1<2)", 0),
+        ("(1<2)+(2<3)", 2), ("1<2<3", 1), ("1<3<2", 0), ("3>2>=2>1", 1), ("1<1/0", 1),
+        ("(1<2)<1", 0), ("abs(x-0.6) < 0.1", 0), ("theta<30*deg", 1),
+        ("(" * 99 + "x<1" + ")" * 99, 1),
         ("2**-1", 0.5), ("(-8)**2", 64), ("sin(pi/6)", 0.5), ("tanh(0)", 0), ("abs(-2.5)", 2.5),
     ],
 )  # fmt: skip
 def test_expressions_mean_what_they_do_on_paper(text, value):
-    assert float(Expression(text)(HERE)) == pytest.approx(value, rel=1e-14)
+    with np.errstate(divide="ignore"):
+        found = np.broadcast_to(Expression(text)(HERE), (2,))
+    assert found[0] == pytest.approx(value, rel=1e-14)
+
+
+def test_a_comparison_with_nothing_has_no_value():
+    with np.errstate(invalid="ignore"):
+        assert np.isnan(float(Expression("sqrt(-1) < 2")({})))
+
+
+@pytest.mark.parametrize(("text", "hint"), [
+    ("theta == 1", "(theta<30*deg)*100"), ("theta < 1 and phi < 2", "(theta<1)*(phi<2)"),
+])  # fmt: skip
+def test_what_is_no_comparison_says_which_is(text, hint):
+    with pytest.raises(RadcalcError) as caught:
+        Expression(text)
+    assert hint in caught.value.hint
 
 
 NASTY = [
     "", "   ", "a", "pi2", "X", "sin", "cos", "__import__('os')", "open('x')", "eval(x)", "x.real",
     "x.__class__", "().__class__", "'text'", '"x"', "b'x'", "f'{x}'", "1j", "True", "None", "...",
-    "x < y", "x == y", "x and y", "not x", "x if y else z", "lambda: 1", "lambda x: x", "[x]",
+    "x == y", "x != y", "x = y", "x =< y", "x => y", "x <> y", "x << y", "x <", "< x",
+    "x < y == z", "x is y", "x in y", "x < y and y < z", "x or y", "x and y",
+    "not x", "x if y else z", "lambda: 1", "lambda x: x", "[x]",
     "[x for x in y]", "(x, y)", "x,", "{x}", "{x: y}", "x[0]", "x := 1", "(x := 1)", "x = 1",
     "x; y",
     "x\ny", "import os", "yield x", "(yield)", "await x", "*x", "sin(*x)", "sin(x=1)", "sin(**x)",
     "sin()", "sin(x, y)", "atan2(x)", "max(x)", "sin(x)(y)", "x(y)", "2(x)", "2x", "x y", "x // 2",
     "x % 2", "x @ y", "x << 2", "x | y", "~x", "x ? y", "$x", "x\0", "\0", "\ud800", "(", ")", "(x",
     "x +", "1__0", "0x", "1e", "#", "\\", "x\\", "\x0c(", "x'", '"""', "print(x)",
-    "(" * 90 + "x<1" + ")" * 90, "(" * 300 + "x" + ")" * 300, "-" * 401 + "x", "-" * 999 + "x",
-    "x" + "+x" * 450, "(" * 199 + "x<1" + ")" * 199, "~" * 999 + "x", "not " * 240 + "x",
+    "(" * 300 + "x" + ")" * 300, "-" * 401 + "x", "-" * 999 + "x",
+    "x" + "+x" * 450, "~" * 999 + "x", "not " * 240 + "x",
     "x" + ".a" * 490, "x" + "()" * 490, "x" + "[0]" * 330, "[" * 90 + "]" * 90,
-    "lambda:" * 140 + "x", "x if x else " * 80 + "x", "x<" * 490 + "x", "x^" * 450 + "x",
+    "lambda:" * 140 + "x", "x if x else " * 80 + "x", "x<" * 500 + "x", "x^" * 450 + "x",
     "1+" * 500 + "1", "x" * 1000, "x" * 1001, "x" * 1000000, "1" * 999, "(" * 1000000,
     "é", "µ", "x²",
 ]  # fmt: skip
@@ -70,7 +93,8 @@ def test_no_text_breaks_the_reader(text):
 
 
 TOKENS = [*NAMES, *FUNCTIONS, "pi", "deg", "1", "2.5", "1e400", "0", "+", "-", "*", "/", "**", "^",
-          "(", ")", "(", ")", ",", ".", " ", "<", "[", "]", "'", "lambda", ":", "if", "else", "not",
+          "(", ")", "(", ")", ",", ".", " ", "<", ">=",
+          "[", "]", "'", "lambda", ":", "if", "else", "not",
           "~", "%", "=", "_", "\n", "10**10**10"]  # fmt: skip
 
 
