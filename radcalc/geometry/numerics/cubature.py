@@ -21,6 +21,7 @@ FIRST = (8, 16)  # cells in polar angle and azimuth, before all are quartered on
 GAP = 0.2  # [1] of a side: no wider circle in a cell is free of points
 MOST = 100_000  # cells in all
 WORK = 1e10  # what the function may cost in all: points, times the cost of each
+DEEPEST = 32  # levels of cells: what needs more has a pole, which floats would hide in the end
 BATCH = 2_000  # cells at a time, which is what bounds the memory
 MIDPOINT = numpy.array([0.0]), numpy.array([2.0])  # exact for what is the same at every azimuth
 ROUNDING = 1e-14  # [1] error of the sums, relative to the integral of the function's size
@@ -82,8 +83,8 @@ class _Grid:
         self.rules = _rules()
         first = (FIRST[0], 1) if is_axial else FIRST
         # into how many parts a side is cut, and the parts, by rows and columns
-        self.cuts = numpy.array([2, 1 if is_axial else 2])
-        self.parts = numpy.indices(self.cuts).reshape(2, -1).T
+        cuts = 2, 1 if is_axial else 2
+        self.cuts, self.parts = numpy.array(cuts), numpy.indices(cuts).reshape(2, -1).T
         self.width = numpy.array([polar[1] - polar[0], azimuth[1] - azimuth[0]]) / first
         self.columns = first[1]
         rows, columns = numpy.indices(first)
@@ -207,8 +208,8 @@ def over_directions(
     ------
     ConditionError
         If the function is not a finite number somewhere, the integral overflows, it is not within
-        the accuracy after 100 000 cells (fewer for a costly function), or the function is 0 at all
-        points looked at.
+        the accuracy after 100 000 cells (fewer for a costly function) or 32 halvings, or the
+        function is 0 at all points looked at.
 
     Notes
     -----
@@ -253,7 +254,8 @@ def over_directions(
         order = numpy.argsort(grid.error)
         matters = numpy.cumsum(grid.error[order]) > accuracy * size / 2
         split = order[matters] if size else order
-        if cells + (len(grid.parts) - 1) * len(split) > most:
+        deepest = int(grid.place[split, 0].max())
+        if cells + (len(grid.parts) - 1) * len(split) > most or deepest >= DEEPEST:
             raise _not_found(math.fsum(grid.value), error, size, cells)
 
 
