@@ -1,0 +1,517 @@
+"""Photometric files of IES LM-63: the editions of 1986, 1991, 1995, 2002 and 2019.
+
+A file has a label (lines of text; keywords in brackets since 1991), a line with TILT, and numbers:
+thirteen of the lamps and the table, the vertical angles V, the horizontal angles H, and for each H
+the intensities at all V.  Blanks, commas and ends of lines stand between them, and a record may go
+over several lines.
+
+By the definitions of LM-63-2002 (section 3) the types of goniometer are, in the coordinates of a
+distribution::
+
+    C   the pole is the axis:               theta = V            phi = H
+    A   the same pole, nadir at V = -90:    theta = V + 90 deg   phi = -H
+    B   the pole is across the axis, y:     x = sin V cos H,  y = -sin H,  z = cos V cos H
+
+Horizontal angles of types A and B are counted clockwise.
+"""
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy
+
+from radcalc.distributions.grid import Grid
+from radcalc.distributions.photometry import Photometry
+from radcalc.errors import ConditionError, quote
+
+NEAR = 0.01  # [deg] by which an angle is taken for another
+LARGEST = 1e18  # of any number, so that products of them can be held
+NOISE = 1e-3  # of the peak: negative values within it are a photometer's noise
+SEAM = 0.02  # of the peak: what the planes of 0 and 360 degrees may differ by
+# kind of light and SI value of the units that intensities are met in
+UNITS = {
+    "cd": ("v", 1.0),
+    "candela": ("v", 1.0),
+    "w/sr": ("e", 1.0),
+    "mw/sr": ("e", 1e-3),
+    "uw/sr": ("e", 1e-6),
+}
+UNITS_ARE = "_INTENSITYUNITS"  # the keyword
+SYSTEMS = {1: "C", 2: "B", 3: "A"}
+
+_EDITION = re.compile(r"\s*(?:IESNA|IES(?:NA)?\s*:?\s*LM-?63-)\s*(\d{4}|\d\d)\b", re.IGNORECASE)
+_KEYWORD = re.compile(r"\s*\[([^\]]*)\](.*)")
+_TILT = re.compile(r"\s*TILT\s*=(.*)", re.IGNORECASE)
+_RADIANT = re.compile(r"\b([mu\u00b5\u03bc]?W)\s*/\s*sr\b", re.IGNORECASE)
+
+
+def read(lines: Sequence[str], name: str) -> Photometry:
+    """Read a photometric file of IES LM-63.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        The lines of the file.
+    name : str
+        The file, as errors name it.
+
+    Returns
+    -------
+    Photometry
+        Its distribution and what it declares.  Intensities are those of the table times the
+        multiplier and the ballast factor, and in the editions of 1986 and 1991 the ballast-lamp
+        factor.  Factors of a tilted lamp are not applied.
+
+    Raises
+    ------
+    ConditionError
+        If the file is not of LM-63, ends early or can be read in more than one way.
+
+    References
+    ----------
+    .. [1] ANSI/IESNA LM-63-02, Standard File Format for the Electronic Transfer of Photometric
+       Data; what differs in the other editions as in the comments of Radiance's ies2rad.
+
+    Examples
+    --------
+    >>> text = "IESNA:LM-63-2002|TILT=NONE|1 -1 1 3 1 1 2 0 0 0|1 1 9|0 90 180|0|100 100 100"
+    >>> sphere = read(text.split("|"), "sphere.ies")
+    >>> sphere.format, round(sphere.distribution.flux().value, 3)
+    ('IES LM-63-2002, type C', 1256.637)
+    """
+    label = _Label(lines, name)
+    kind, unit, assumptions = _unit(label)
+    numbers = _Numbers(lines, label.end, name)
+    if label.tilt != "NONE":
+        assumptions.append(_tilt(label.tilt, numbers))
+    header = _header(numbers, label.edition, assumptions)
+    vertical = _angles(numbers, "vertical", header.vertical)
+    horizontal = _angles(numbers, "horizontal", header.horizontal)
+    table = _Table(numbers, vertical, horizontal)
+    system = SYSTEMS[header.system]
+    polar, azimuth, values = {"C": table.of_c, "B": table.of_b, "A": table.of_a}[system]()
+    grid = Grid(
+        numpy.radians(polar),
+        numpy.radians(azimuth),
+        values * (header.factor * unit),
+        kind,
+        "B" if system == "B" else "C",
+    )
+    declared = {"input-power": header.watts, "lamp-flux": header.lumens if kind == "v" else 0.0}
+    return Photometry(
+        grid,
+        f"IES LM-63-{label.edition}, type {system}",
+        quote(label.title),
+        {symbol: value for symbol, value in declared.items() if value > 0},
+        (*assumptions, *table.assumptions),
+        tuple(table.notes),
+    )
+
+
+class _Label:
+    """What stands before the numbers."""
+
+    def __init__(self, lines: Sequence[str], name: str) -> None:
+        self.name = name
+        self.lines: list[str] = []
+        self.keywords: dict[str, tuple[int, str]] = {}  # the line of each, and its text
+        keyword = ""
+        for number, line in enumerate(lines, 1):
+            if tilt := _TILT.match(line):
+                self.end, self.tilt = number, tilt[1].strip()
+                break
+            self.lines.append(line)
+            if found := _KEYWORD.match(line):
+                title, text = found[1].strip().upper(), found[2].strip()
+                if title == "MORE" and keyword:
+                    number, before = self.keywords[keyword]
+                    text = f"{before} {text}"
+                else:
+                    keyword = title
+                self.keywords[keyword] = number, text
+        else:
+            raise self.error(
+                max(len(lines), 1), "the file ends before a line with TILT=", "a file of IES LM-63"
+            )
+        if not self.tilt:
+            raise self.error(self.end, "nothing follows TILT=", "TILT=NONE or TILT=INCLUDE")
+        if self.tilt.upper() in ("NONE", "INCLUDE"):
+            self.tilt = self.tilt.upper()
+        first = next((line for line in self.lines if line.strip()), "")
+        edition = _EDITION.match(first)
+        year = int(edition[1]) if edition else 1986  # which has no such line
+        self.edition = year + (0 if year > 99 else 1900 if year > 50 else 2000)
+        for keyword in ("LUMINAIRE", "LUMCAT", "TEST"):
+            self.title = self.keywords.get(keyword, (0, ""))[1]
+            if self.title:
+                break
+        else:
+            self.title = "" if edition or self.keywords else first.strip()
+
+    def error(self, line: int, problem: str, hint: str) -> ConditionError:
+        return ConditionError(f"{self.name}, line {line}: {problem}", hint)
+
+
+def _unit(label: _Label) -> tuple[str, float, list[str]]:
+    """Kind of light and SI value of the intensities' unit, and what was assumed of it."""
+    wanted = f"[{UNITS_ARE}] with one of: cd, mW/sr, W/sr, uW/sr"
+    if UNITS_ARE in label.keywords:
+        line, text = label.keywords[UNITS_ARE]
+        spelled = {text}
+        where = f"[{UNITS_ARE}]"
+    else:
+        found = [
+            (number, match)
+            for number, text in enumerate(label.lines, 1)
+            for match in _RADIANT.findall(text)
+        ]
+        if not found:
+            for line, text in enumerate(label.lines, 1):
+                if "radiometric" in text.lower():
+                    raise label.error(line, "radiometric intensities without a unit", wanted)
+            return "v", 1.0, []
+        line = found[0][0]
+        spelled = {f"{match}/sr" for _, match in found}
+        where = f"line {line}"
+    plain = {re.sub("[\u00b5\u03bc]", "u", text.replace(" ", "").lower()) for text in spelled}
+    meant = UNITS.get(plain.pop()) if len(plain) == 1 else None
+    if not meant:
+        raise label.error(line, f"intensities in {quote(' and '.join(sorted(spelled)))}", wanted)
+    return *meant, [f"intensities in {quote(spelled.pop())}, by {where}"]
+
+
+class _Numbers:
+    """The numbers behind the label, in order, and the lines they stand in."""
+
+    def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
+        self.name = name
+        self.start = start
+        values: list[float] = []
+        self.ends: list[int] = []  # how many numbers there are up to the end of each line
+        self.place = 0
+        end = len(lines)
+        while end > start and lines[end - 1].strip(" \t\r\n\x1a").upper() in ("", "END"):
+            end -= 1
+        for number, line in enumerate(lines[start:end], start + 1):
+            values += self.numbers(line, number)
+            self.ends.append(len(values))
+        self.values = numpy.array(values)
+        are_sound = numpy.abs(self.values) < LARGEST
+        if not are_sound.all():
+            place = int(numpy.argmin(are_sound))
+            problem = f"{self.values[place]:g} is no number of a lamp"
+            raise self.error(place, problem, f"numbers below {LARGEST:g}")
+
+    def numbers(self, line: str, number: int) -> list[float]:
+        """Those of a line; float() reads more than numbers in ASCII."""
+        if line.isascii() and "_" not in line and "," not in line:
+            try:
+                return list(map(float, line.split()))
+            except ValueError:
+                pass
+        words = line.replace("\x1a", " ").split()  # the end of a file in DOS
+        if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
+            raise self.error_in(
+                number, "a decimal comma", "decimal points: commas separate numbers"
+            )
+        if re.search(r",\s*,", line):
+            raise self.error_in(number, "nothing between two commas", "a number")
+        words = " ".join(words).replace(",", " ").split()
+        for word in words:
+            if not _is_number(word):
+                raise self.error_in(number, f"'{quote(word)}' is not a number", "numbers alone")
+        return list(map(float, words))
+
+    def error_in(self, line: int, problem: str, hint: str) -> ConditionError:
+        return ConditionError(f"{self.name}, line {line}: {problem}", hint)
+
+    def error(self, place: int, problem: str, hint: str) -> ConditionError:
+        """The error of the number in a place."""
+        line = bisect_right(self.ends, min(place, len(self.values) - 1))
+        return self.error_in(self.start + line + (1 if len(self.values) else 0), problem, hint)
+
+    def take(self, count: int) -> Any:
+        """The next numbers, of which there are enough."""
+        self.place += count
+        return self.values[self.place - count : self.place]
+
+    def one(self) -> float:
+        return float(self.take(1)[0])
+
+    def left(self) -> int:
+        return len(self.values) - self.place
+
+    def whole(self, what: str, least: int) -> int:
+        """The next number, which counts."""
+        value = self.one()
+        if value != int(value) or value < least:
+            raise self.error(
+                self.place - 1, f"the {what} is {value:g}", f"a whole number, {least} or more"
+            )
+        return int(value)
+
+    def one_of(self, what: str, codes: dict[int, str]) -> int:
+        """The next number, which stands for something."""
+        value = self.one()
+        if value not in codes:
+            meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
+            raise self.error(self.place - 1, f"the {what} is {value:g}", f"one of: {meanings}")
+        return int(value)
+
+    def factor(self, what: str) -> float:
+        """The next number, which multiplies."""
+        value = self.one()
+        if value <= 0:
+            raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")
+        return value
+
+    def need(self, count: int, what: str) -> None:
+        if self.left() < count:
+            raise self.error(
+                len(self.values),
+                f"the file ends after {self.left()} of {what}",
+                f"{count} numbers, and what follows them",
+            )
+
+
+def _is_number(word: str) -> bool:
+    if not word.isascii() or "_" in word:
+        return False
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _tilt(tilt: str, numbers: _Numbers) -> str:
+    """Read past the factors of a tilted lamp, and say that they are not applied."""
+    if tilt != "INCLUDE":
+        return f"the lamp burns as it was measured: its factors in {quote(tilt)} are not applied"
+    numbers.need(2, "the lamp's position and the number of its tilt angles")
+    numbers.one_of(
+        "lamp's position", {1: "vertical", 2: "horizontal, turning", 3: "horizontal, fixed"}
+    )
+    count = numbers.whole("number of tilt angles", 1)
+    numbers.need(2 * count, f"the {count} tilt angles and their factors")
+    _angles(numbers, "tilt", count)
+    for _ in range(count):
+        numbers.factor("factor of a tilt angle")
+    return "the lamp burns as it was measured: its tilt factors are not applied"
+
+
+class _Header(NamedTuple):
+    """The thirteen numbers of the lamps and the table."""
+
+    lumens: float  # [lm] of all lamps; 0 or less if none are declared
+    factor: float  # of the intensities
+    vertical: int
+    horizontal: int
+    system: int
+    watts: float
+
+
+def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
+    """Read the thirteen numbers, and hold the counts against what follows."""
+    numbers.need(13, "the 13 numbers of the lamps and the table")
+    lumens = numbers.whole("number of lamps", 0) * numbers.one()
+    factor = numbers.factor("multiplier")
+    vertical = numbers.whole("number of vertical angles", 2)
+    horizontal = numbers.whole("number of horizontal angles", 1)
+    system = numbers.one_of("photometric type", {k: f"type {v}" for k, v in SYSTEMS.items()})
+    numbers.one_of("type of units", {1: "feet", 2: "metres"})
+    numbers.take(3)  # width, length, height
+    ballast = numbers.factor("ballast factor")
+    factor *= ballast
+    if ballast != 1:
+        assumptions.append(f"a ballast factor of {ballast:g}")
+    if edition < 1995:
+        last = numbers.factor("ballast-lamp factor")
+        factor *= last
+        if last != 1:
+            assumptions.append(f"a ballast-lamp factor of {last:g}, as in LM-63-{edition}")
+    else:
+        last = numbers.one()  # for future use; since 2019 how the file was made
+        if last != 1 and edition < 2019:
+            assumptions.append(f"no ballast-lamp factor: LM-63-{edition} has none ({last:g})")
+    watts = numbers.one()
+    _check_counts(numbers, vertical, horizontal)
+    return _Header(lumens, factor, vertical, horizontal, system, watts)
+
+
+def _check_counts(numbers: _Numbers, vertical: int, horizontal: int) -> None:
+    """Refuse numbers that are fewer or more than the table has by its counts of angles.
+
+    Records end with a line, so that the first that does not is wrong.
+    """
+    needed = vertical + horizontal + vertical * horizontal
+    if numbers.left() == needed:
+        return
+    problem = (
+        f"{numbers.left()} numbers follow, and {vertical} vertical and {horizontal} horizontal "
+        f"angles with their intensities are {needed}"
+    )
+    place, ends = numbers.place, set(numbers.ends)
+    for count, what in _records(vertical, horizontal):
+        if place + count > len(numbers.values):
+            raise numbers.error(
+                place + count, f"the file ends within {what}: {problem}", "all of them"
+            )
+        if place + count not in ends:
+            begun = f"{what} that begin here do not end with a line: {problem}"
+            raise numbers.error(place, begun, f"{count} numbers")
+        place += count
+    raise numbers.error(place, f"more than the table: {problem}", "one luminaire in a file")
+
+
+def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
+    """How many numbers each record has, and what they are."""
+    yield vertical, f"the {vertical} vertical angles"
+    yield horizontal, f"the {horizontal} horizontal angles"
+    for plane in range(1, horizontal + 1):
+        yield vertical, f"the {vertical} intensities of plane {plane}"
+
+
+def _angles(numbers: _Numbers, what: str, count: int) -> Any:
+    """The next angles [deg], which rise."""
+    start = numbers.place
+    angles = numbers.take(count)
+    for place, (before, after) in enumerate(pairwise(angles), start + 1):
+        if not before < after:
+            problem = f"the {what} angle {after:g} follows {before:g}"
+            raise numbers.error(place, problem, "angles that rise")
+    return angles
+
+
+class _Table:
+    """Intensities at horizontal and vertical angles [deg], and what is said of them."""
+
+    def __init__(self, numbers: _Numbers, vertical: Any, horizontal: Any) -> None:
+        self.numbers, self.start = numbers, numbers.place
+        self.vertical, self.horizontal = vertical, horizontal
+        shape = len(horizontal), len(vertical)
+        self.values = numpy.reshape(numbers.take(shape[0] * shape[1]), shape)
+        self.assumptions: list[str] = []
+        self.notes: list[str] = []
+        self.check_values()
+
+    def check_values(self) -> None:
+        """Refuse what is no intensity; noise about 0 is none."""
+        peak, low = self.values.max(), self.values.min()
+        if peak <= 0:
+            raise self.numbers.error(self.start, "no intensity is above 0", "a table with light")
+        if low < -NOISE * peak:
+            place = self.start + int(self.values.argmin())
+            raise self.numbers.error(place, f"an intensity of {low:g}", "0 or more")
+        if low < 0:
+            count = int((self.values < 0).sum())
+            self.notes.append(f"{count} negative intensities (down to {low:g}) count as 0")
+            self.values = self.values.clip(min=0)
+
+    def of_c(self) -> tuple[Any, Any, Any]:
+        """Polar angles, azimuths of the whole circle [deg] and values of a table of type C."""
+        self.check_range("vertical", self.vertical, 0, 180)
+        self.say_dark("vertical", self.vertical, 0, 180)
+        if not (_near(self.vertical[0], 0) or _near(self.vertical[0], 90)):
+            raise self.error("vertical", "0 or 90 for the first of type C")
+        planes, values = self.horizontal, self.values
+        first, last = planes[0], planes[-1]
+        missing = first + 360 - last
+        said = f"the planes of {first:g} to {last:g} degrees stand for "
+        if len(planes) == 1 and _near(first, 0):
+            self.assumptions.append("one plane stands for all")
+            return self.vertical, planes, values
+        if _near(first, 0) and _near(last, 90):
+            planes, values = _mirrored(*_mirrored(planes, values, 90), 180)
+            self.assumptions.append(said + "all four quadrants")
+        elif any(_near(first, side) and _near(last, side + 180) for side in (0, 90)):
+            planes, values = _mirrored(planes, values, last)
+            self.assumptions.append(said + "both sides")
+        elif _near(missing, 0):
+            gap = float(abs(values[0] - values[-1]).max() / values.max())
+            if gap > SEAM:
+                self.notes.append(
+                    f"the planes of {first:g} and {last:g} degrees, which are one, differ by up "
+                    f"to {gap:.0%} of the peak"
+                )
+        elif len(planes) > 2 and _near(first, 0) and 0 < missing <= numpy.diff(planes).max() + NEAR:
+            self.assumptions.append(f"the plane of {first:g} degrees follows that of {last:g}")
+        else:
+            raise self.error("horizontal", "0 alone, 0..90, 0..180, 90..270 or 0..360 for type C")
+        return self.vertical, *_closed(planes, values)
+
+    def of_b(self) -> tuple[Any, Any, Any]:
+        """The same of type B, whose polar angles and azimuths are about y."""
+        angles, values = self.both_sides((-180, 180), (-90, 90))
+        self.assumptions.append(
+            "the axis is at V = H = 0 of type B; V turns to C 0 and H to C 270 degrees"
+        )
+        return angles + 90, self.vertical, values.T
+
+    def of_a(self) -> tuple[Any, Any, Any]:
+        """The same of type A, by the axis as those of type C."""
+        angles, values = self.both_sides((-90, 90), (-180, 180))
+        self.assumptions.append(
+            "V = H = 0 of type A is at C 0, gamma 90 degrees; V turns up and H to C 270 degrees"
+        )
+        return self.vertical + 90, -angles[::-1], values[::-1]
+
+    def both_sides(self, vertical: tuple[int, int], horizontal: tuple[int, int]) -> tuple[Any, Any]:
+        """Horizontal angles and values of types A and B on both sides, within their ranges."""
+        self.check_range("vertical", self.vertical, *vertical)
+        self.check_range("horizontal", self.horizontal, *horizontal)
+        angles, values = self.horizontal, self.values
+        is_half = _near(angles[0], 0)
+        if len(angles) < 2 or not (is_half or _near(angles[0], -angles[-1])):
+            raise self.error("horizontal", "0..90 or -90..90 for types A and B")
+        if is_half:
+            self.assumptions.append(
+                f"the planes of 0 to {angles[-1]:g} degrees stand for both sides"
+            )
+            angles, values = _mirrored(-angles[::-1], values[::-1], 0)
+        self.say_dark("vertical", self.vertical, *vertical)
+        self.say_dark("horizontal", angles, *horizontal)
+        return angles, values
+
+    def check_range(self, what: str, angles: Any, low: float, high: float) -> None:
+        if angles[0] < low - NEAR or angles[-1] > high + NEAR:
+            raise self.error(what, f"{what} angles from {low} to {high} degrees")
+
+    def say_dark(self, what: str, angles: Any, low: float, high: float) -> None:
+        if angles[0] > low + NEAR or angles[-1] < high - NEAR:
+            self.assumptions.append(
+                f"no light outside the {what} angles {angles[0]:g} to {angles[-1]:g} degrees"
+            )
+
+    def error(self, what: str, hint: str) -> ConditionError:
+        angles, behind = self.vertical, len(self.horizontal)
+        if what == "horizontal":
+            angles, behind = self.horizontal, 0
+        span = f"{angles[0]:g} to {angles[-1]:g}" if len(angles) > 1 else f"{angles[0]:g}"
+        problem = f"{what} angles of {span} degrees"
+        return self.numbers.error(self.start - 1 - behind, problem, hint)
+
+
+def _near(angle: float, other: float) -> bool:
+    return abs(angle - other) <= NEAR
+
+
+def _mirrored(angles: Any, values: Any, about: float) -> tuple[Any, Any]:
+    """Angles up to that of a mirror, and their rows, with those behind the mirror."""
+    behind = 2 * about - angles[::-1]
+    new = behind > angles[-1]
+    return (
+        numpy.concatenate([angles, behind[new]]),
+        numpy.concatenate([values, values[::-1][new]]),
+    )
+
+
+def _closed(angles: Any, values: Any) -> tuple[Any, Any]:
+    """Angles and their rows, to the whole circle."""
+    end = angles[0] + 360
+    if _near(angles[-1], end):
+        return numpy.append(angles[:-1], end), values
+    return numpy.append(angles, end), numpy.concatenate([values, values[:1]])
