@@ -98,7 +98,8 @@ def integrated(
     polar, azimuth : tuple of 2 floats [rad]
         Between which to integrate.
     accuracy : float [1]
-        Error that is good enough, relative to the flux.
+        Error that is good enough, relative to the flux; a larger one, up to 1e-3, is put up with
+        where edges across the angles leave it.
 
     Returns
     -------
@@ -126,7 +127,9 @@ def integrated(
         azimuth,
         accuracy,
         is_axial=distribution.is_axial,
+        accepted=ACCEPTED,
     )
 
 
+ACCEPTED = 1e-3  # [1] of the flux
 DARK = (361, 361)  # polar angles and azimuths of the grid that tells whether there is light

@@ -18,7 +18,7 @@ from radcalc.geometry.numerics.cubature import Integral
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.maths import Number
 
-ACCURACY = 1e-6  # [1] of a flux
+ACCURACY, OF_AXIAL = 1e-6, 1e-9  # [1] of a flux; what is axial costs little
 NEGATIVE = 1e-12  # [1] of the greatest: below it is what rounding makes of 0
 FIRST = (181, 361)  # directions in which the peak is looked for at first
 CLOSER = (21, 21)  # and in each narrower part
@@ -83,7 +83,7 @@ class Formula:
         raise ConditionError(f"the intensity '{quote(self.text)}' has {what} at {angles}", hint)
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        return integrated(self, polar, azimuth, ACCURACY)
+        return integrated(self, polar, azimuth, OF_AXIAL if self.is_axial else ACCURACY)
 
     def peak(self) -> Peak:
         """The greatest intensity, looked for on a grid that gets ever finer about it."""

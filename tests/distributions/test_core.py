@@ -135,3 +135,14 @@ def test_a_turn_keeps_lengths_and_comes_back(aim, rotate):
     assert length * math.sin(theta) * math.sin(phi) == pytest.approx(-0.5)
     ahead = numpy.array(aim) / numpy.linalg.norm(aim)
     assert pose.world((0.0, 0.0, 1.0)) == pytest.approx(ahead, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "cosine"),
+    [("(x*0.8 + z*0.6 > 0.9)*100", 0.9), ("(x > 0.5)*100", 0.5), ("(z >= 0.3)*100", 0.3)],
+)
+def test_the_error_of_a_tilted_cone_covers_it(text, cosine):
+    """A cap has 2 pi (1 - cos) sr, wherever its axis is."""
+    found = Formula(text).flux()
+    true = 200 * math.pi * (1 - cosine)
+    assert abs(found.value - true) <= found.error < 1e-3 * true

@@ -178,6 +178,7 @@ def over_directions(
     accuracy: float = 1e-9,
     cost: int = 1,
     is_axial: bool = False,
+    accepted: float = 0.0,
 ) -> Integral:
     """Integrate a function of direction over intervals of polar angle and azimuth.
 
@@ -198,6 +199,8 @@ def over_directions(
     is_axial : bool, optional
         Whether the function is the same at every azimuth, so that cells are halved in the polar
         angle alone; false by default.
+    accepted : float, optional
+        Relative error that is put up with where the accuracy is not reached; none by default.
 
     Returns
     -------
@@ -208,8 +211,8 @@ def over_directions(
     ------
     ConditionError
         If the function is not a finite number somewhere, the integral overflows, it is not within
-        the accuracy after 100 000 cells (fewer for a costly function) or 32 halvings, or the
-        function is 0 at all points looked at.
+        the accuracy (or the accepted one) after 100 000 cells (fewer for a costly function) or 32
+        halvings, or the function is 0 at all points looked at.
 
     Notes
     -----
@@ -256,6 +259,8 @@ def over_directions(
         split = order[matters] if size else order
         deepest = int(grid.place[split, 0].max())
         if cells + (len(grid.parts) - 1) * len(split) > most or deepest >= DEEPEST:
+            if size and error <= accepted * size:
+                return Integral(math.fsum(grid.value), error, cells)
             raise _not_found(math.fsum(grid.value), error, size, cells)
 
 
