@@ -46,7 +46,7 @@ LAYERS = [
     ["radcalc.given", "radcalc.derivation", "radcalc.answer"],
     ["radcalc.distributions", "radcalc.spectra", "radcalc.geometry"],
     ["radcalc.quantities"],
-    ["radcalc.units", "radcalc.maths"],
+    ["radcalc.units", "radcalc.maths", "radcalc.columns"],
     ["radcalc.stdio", "radcalc.errors", "radcalc._version"],
 ]
 ROOMS = [room for row in LAYERS for room in row]

@@ -4,21 +4,18 @@ What can be read in one way only is read, and said; everything else is an error 
 A file is read a block at a time, and its numbers alone are kept.
 """
 
-import csv
 from array import array
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc import stdio
+from radcalc import columns, stdio
 from radcalc.errors import ConditionError, listed, nearest, option, quote
 from radcalc.spectra import titles
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import Table
 
-DELIMITERS = ("\t", ";", "|", ",")
-COMMENTS = ("#", "%", "//", ";;")
 NOISE = 0.05  # of the peak: negative values within it are a spectrometer's noise
 BLOCK = 1 << 20  # bytes read at a time
 LONGEST = 1 << 22  # bytes of a line
@@ -107,7 +104,7 @@ class _Reader:
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
-            if line.lstrip().startswith(COMMENTS):
+            if line.lstrip().startswith(columns.COMMENTS):
                 if len(self.comments) < MOST_COMMENTS:
                     self.comments.append(line.lstrip("#%/; \t"))
             else:
@@ -145,15 +142,15 @@ class _Reader:
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
         typical = rows[min(1, len(rows) - 1)][1]  # no header, unless it is alone
-        delimiter, comma = self.dialect(typical)
-        header = self.cells(rows[0][1], delimiter)
-        if _is_number(header[0], comma):
+        delimiter, comma = columns.dialect(typical)
+        header = columns.cells(rows[0][1], delimiter)
+        if columns.is_number(header[0], comma):
             header = []
         else:
             del rows[0]
         if not rows:
             raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
-        width = len(self.cells(rows[0][1], delimiter))
+        width = len(columns.cells(rows[0][1], delimiter))
         self.check_titles(header)
         place, title = self.value_column(header or self.commented(width), width, rows[0][0])
         return _Layout(delimiter, comma, header, width, place, title)
@@ -161,8 +158,8 @@ class _Reader:
     def commented(self, width: int) -> list[str]:
         """The titles of columns, where a comment has them."""
         for comment in reversed(self.comments):
-            cells = self.cells(comment, self.dialect(comment)[0])
-            if len(cells) == width and not _is_number(cells[0], False):
+            cells = columns.cells(comment, columns.dialect(comment)[0])
+            if len(cells) == width and not columns.is_number(cells[0], False):
                 return cells
         return []
 
@@ -179,7 +176,7 @@ class _Reader:
     def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
         """Take in rows one by one, and say which of them is wrong."""
         for number, line in rows:
-            cells = self.cells(line, layout.delimiter)
+            cells = columns.cells(line, layout.delimiter)
             if len(cells) != layout.width:
                 raise self.error(
                     number,
@@ -225,24 +222,6 @@ class _Reader:
         found.reading = meant.said
         return found
 
-    def dialect(self, line: str) -> tuple[str | None, bool]:
-        """The delimiter (None: blanks) and whether numbers have a decimal comma."""
-        for delimiter in DELIMITERS[:3]:
-            if delimiter in line:
-                return delimiter, "," in line
-        if "," in line:
-            if len(line.split()) > 1 and all(_is_number(cell, True) for cell in line.split()):
-                return None, True
-            return ",", False
-        return None, False
-
-    def cells(self, line: str, delimiter: str | None) -> list[str]:
-        if delimiter and '"' in line:
-            parts = next(csv.reader([line], delimiter=delimiter))
-        else:
-            parts = line.split(delimiter)
-        return [cell.strip().strip('"').strip() for cell in parts]
-
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
         """Which column has the values, and its title."""
         if width < 2:
@@ -274,14 +253,10 @@ class _Reader:
     def number(self, cell: str, comma: bool, line: int) -> float:
         if not cell:
             raise self.error(line, "a value is missing", "a number, or the line left out")
-        if not _is_number(cell, comma):
+        value = columns.finite(cell, comma)
+        if value is None:
             raise self.error(
                 line, f"'{quote(cell)}' is not a number", "a number, or # before a comment"
-            )
-        value = float(cell.replace(",", ".") if comma else cell)
-        if value - value != 0:
-            raise self.error(
-                line, f"'{quote(cell)}' is not a number", "a number, or the line left out"
             )
         return value
 
@@ -363,13 +338,3 @@ def _table_of_many(
 def _named(titles: Sequence[str]) -> str:
     """The columns of values by their titles, or else their numbers."""
     return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])
-
-
-def _is_number(cell: str, comma: bool) -> bool:
-    if not cell.isascii() or "_" in cell:  # float() would read 5_50 and other scripts' digits
-        return False
-    try:
-        float(cell.replace(",", ".") if comma else cell)
-    except ValueError:
-        return False
-    return True

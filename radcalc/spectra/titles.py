@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from radcalc.columns import units_in
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
 from radcalc.units.table import resolve
@@ -24,7 +25,6 @@ UNITS = {
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
 DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
-IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
 WORD = r"(?<![a-z]){}(?![a-z])"
 NO_LIGHT = re.compile(
     WORD.format(
@@ -119,9 +119,8 @@ def values(title: str) -> Meaning:
         raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
     if SCALED.search(text):
         raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
-    brackets = ["".join(filter(None, found)) for found in IN_BRACKETS.findall(title)][::-1]
-    words = title.split()
-    for part in [*brackets, *(" ".join(words[start:]) for start in range(len(words)))]:
+    brackets, endings = units_in(title)
+    for part in brackets + endings:
         facts, factor = _light(part, part in brackets)
         if facts is None:
             continue

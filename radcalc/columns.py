@@ -1,0 +1,55 @@
+"""Columns of numbers in text: what separates them, decimal commas, the units in their titles."""
+
+import csv
+import re
+
+DELIMITERS = ("\t", ";", "|", ",")
+COMMENTS = ("#", "%", "//", ";;")
+IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
+
+
+def dialect(line: str) -> tuple[str | None, bool]:
+    """The delimiter of a line (None: blanks) and whether its numbers have a decimal comma."""
+    for delimiter in DELIMITERS[:3]:
+        if delimiter in line:
+            return delimiter, "," in line
+    if "," in line:
+        if len(line.split()) > 1 and all(is_number(cell, True) for cell in line.split()):
+            return None, True
+        return ",", False
+    return None, False
+
+
+def cells(line: str, delimiter: str | None) -> list[str]:
+    """The cells of a line, without blanks and quotes around them."""
+    if delimiter and '"' in line:
+        parts = next(csv.reader([line], delimiter=delimiter))
+    else:
+        parts = line.split(delimiter)
+    return [cell.strip().strip('"').strip() for cell in parts]
+
+
+def is_number(cell: str, comma: bool) -> bool:
+    """Whether a cell is a number, NaN and infinity among them."""
+    if not cell.isascii() or "_" in cell:  # float() would read 5_50 and other scripts' digits
+        return False
+    try:
+        float(cell.replace(",", ".") if comma else cell)
+    except ValueError:
+        return False
+    return True
+
+
+def finite(cell: str, comma: bool) -> float | None:
+    """The number that a cell is; None for anything else, NaN and infinity among it."""
+    if not is_number(cell, comma):
+        return None
+    value = float(cell.replace(",", ".") if comma else cell)
+    return value if value - value == 0 else None
+
+
+def units_in(title: str) -> tuple[list[str], list[str]]:
+    """What may be the unit in a title: the texts in brackets, the last first; its last words."""
+    brackets = ["".join(filter(None, found)) for found in IN_BRACKETS.findall(title)][::-1]
+    words = title.split()
+    return brackets, [" ".join(words[start:]) for start in range(len(words))]
