@@ -2,9 +2,13 @@
 
 import csv
 import re
+from collections.abc import Sequence
 
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
+COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
+THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
+MARKS = "points or commas in all numbers, and no separators of thousands"
 IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
 
 
@@ -46,6 +50,41 @@ def finite(cell: str, comma: bool) -> float | None:
         return None
     value = float(cell.replace(",", ".") if comma else cell)
     return value if value - value == 0 else None
+
+
+class Decimals:
+    """Whether the numbers of a file have decimal points or commas; 1,000 might be a thousand."""
+
+    def __init__(self) -> None:
+        self.point = self.comma = 0  # the lines that first had one
+        self.doubtful: tuple[int, str] | tuple[()] = ()  # the first number that may be either: its line and text
+
+    def conflict(self, text: str, line: int) -> str:
+        """Take note of a number; say what is wrong where others have the other mark."""
+        if "." in text:
+            self.point = self.point or line
+        elif THOUSANDS.fullmatch(text):
+            self.doubtful = self.doubtful or (line, text)
+        elif COMMA.fullmatch(text):
+            self.comma = self.comma or line
+        comma = self.comma or (self.doubtful[0] if self.doubtful else 0)
+        if not (self.point and comma):
+            return ""
+        own, other = ("point", "comma") if line == self.point else ("comma", "point")
+        return f"a decimal {own}, but line {min(self.point, comma)} has a decimal {other}"
+
+    def doubt(self) -> tuple[int, str] | tuple[()]:
+        """The line and the text of a number that may be a thousand, unless others tell."""
+        return () if self.comma else self.doubtful
+
+
+def commented(comments: Sequence[str], width: int) -> list[str]:
+    """The titles of columns, where a comment above them has them."""
+    for comment in reversed(comments):
+        titles = cells(comment, dialect(comment)[0])
+        if len(titles) == width and not is_number(titles[0], False):
+            return titles
+    return []
 
 
 def units_in(title: str) -> tuple[list[str], list[str]]:

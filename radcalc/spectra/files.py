@@ -152,16 +152,9 @@ class _Reader:
             raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
         width = len(columns.cells(rows[0][1], delimiter))
         self.check_titles(header)
-        place, title = self.value_column(header or self.commented(width), width, rows[0][0])
+        header_or_comment = header or columns.commented(self.comments, width)
+        place, title = self.value_column(header_or_comment, width, rows[0][0])
         return _Layout(delimiter, comma, header, width, place, title)
-
-    def commented(self, width: int) -> list[str]:
-        """The titles of columns, where a comment has them."""
-        for comment in reversed(self.comments):
-            cells = columns.cells(comment, columns.dialect(comment)[0])
-            if len(cells) == width and not columns.is_number(cells[0], False):
-                return cells
-        return []
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Take in rows that are numbers and nothing else; say whether they are."""

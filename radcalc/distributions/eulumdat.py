@@ -1,0 +1,355 @@
+"""EULUMDAT files (.ldt): a number or a text a line, in a fixed order.
+
+The lines, counted from 1, of a file with n lamp sets::
+
+    1  company                          9  luminaire name        22  downward flux fraction [%]
+    2  Ityp, 1 to 3 (0)                10  luminaire number      23  light output ratio, LORL [%]
+    3  Isym, 0 to 4                    11  file name             24  conversion factor
+    4  Mc, number of C planes          12  date and user         25  tilt in the measurement [deg]
+    5  Dc, angle between them, or 0    13  to 21: sizes [mm]     26  n, number of lamp sets
+    6  Ng, number of gamma angles
+    7  Dg, angle between them, or 0    then n times: number of lamps, type, luminous flux [lm],
+    8  report number                   colour, colour rendering, power with ballast [W]
+
+and then 10 direct ratios, Mc angles C, Ng angles gamma, and the intensities [cd per 1000 lm of the
+first lamp set], plane by plane.  By Isym, these planes are::
+
+    0  all                   1  one, which stands for all       2  C0 to C180
+    3  C270 over C0 to C90   4  C0 to C90
+
+Lamp sets are alternatives.  A negative number of lamps means absolute photometry: the flux is the
+luminaire's own.  Numbers may have decimal commas.
+
+References
+----------
+.. [1] A. W. Stockmar, EULUMDAT - ein Leuchtendatenformat fuer den europaeischen
+   Beleuchtungsplaner, Licht '90 (1990) 641; as in the help of Photometric Toolbox,
+   docs.agi32.com, "EULUMDAT file format".
+.. [2] Handling of absolute photometry data in EULUMDAT files, DIAL and Lighting Analysts (2009).
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+import numpy
+
+from radcalc.columns import MARKS, Decimals, finite
+from radcalc.distributions.grid import Grid
+from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.planes import closed, end_of, mirrored
+from radcalc.errors import ConditionError, quote
+
+KILOLUMEN = 1000.0  # [lm]
+STEP = 0.1  # [deg] how far listed angles may be from the declared step: they are rounded
+SYMMETRIES = {
+    0: "",
+    1: "the one C plane stands for all (Isym 1)",
+    2: "the planes C0 to C180 stand for both sides of that plane (Isym 2)",
+    3: "the planes are those from C270 over C0 to C90, and stand for both sides (Isym 3)",
+    4: "the planes C0 to C90 stand for all four quadrants (Isym 4)",
+}
+HEAD = ("company", "Ityp, 0 to 3", "Isym, 0 to 4", "Mc", "Dc", "Ng", "Dg")
+
+
+def looks_like(lines: Sequence[str]) -> bool:
+    """Whether lines begin as an EULUMDAT file does: with numbers alone in lines 2 to 7.
+
+    Examples
+    --------
+    >>> looks_like(["Lamps", "1", "0", "24", "15", "19", "5", "", "", ""])
+    True
+    """
+    numbers = [finite(line.strip(), True) for line in lines[1 : len(HEAD)]]
+    return (
+        len(numbers) == len(HEAD) - 1
+        and None not in numbers
+        and numbers[0] in range(4)
+        and numbers[1] in range(5)
+    )
+
+
+def read(lines: Sequence[str], name: str) -> Photometry:
+    """Read an EULUMDAT file.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        The file's lines, without their ends.
+    name : str
+        What the file is called in messages.
+
+    Returns
+    -------
+    Photometry
+        Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
+        `output-ratio` (where the photometry is not absolute), `downward-fraction` and
+        `input-power`, as far as the file has them.
+
+    Raises
+    ------
+    ConditionError
+        If a line is not what stands there in such a file, with its number; if angles contradict
+        the declared steps, do not rise or are not those of the symmetry; if an intensity is
+        negative; if lines are missing or left over.
+
+    Notes
+    -----
+    ::
+
+        I = table * conversion factor * luminous flux of the first lamp set / 1000 lm
+
+    Examples
+    --------
+    A lamp of 1000 lm that sends 100 cd in every direction:
+
+    >>> head = ["", 1, 1, 1, 0, 3, 90, *[""] * 14, 50, 100, 1, 0, 1, 1, "", 1000, "", "", 12]
+    >>> found = read([str(x) for x in [*head, *[""] * 10, 0, 0, 90, 180, 100, 100, 100]], "lamp")
+    >>> round(found.distribution.flux().value / math.pi, 9), found.declared["input-power"]
+    (400.0, 12.0)
+    """
+    return _Reader(lines, name).photometry()
+
+
+class _Reader:
+    """One file, line by line."""
+
+    def __init__(self, lines: Sequence[str], name: str) -> None:
+        end = len(lines)
+        while end and not lines[end - 1].strip(" \t\x1a"):  # DOS marked the end of a text
+            end -= 1
+        self.lines, self.name = lines[:end], name
+        self.at = 0
+        self.decimals = Decimals()
+        self.assumptions: list[str] = []
+        self.notes: list[str] = []
+
+    def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
+        raise ConditionError(f"{self.name}, line {number}: {problem}", hint)
+
+    def text(self, what: str) -> str:
+        """The next line."""
+        if self.at >= len(self.lines):
+            self.refuse(len(self.lines), f"the file ends here, before its {what}", "the whole file")
+        self.at += 1
+        return self.lines[self.at - 1].strip()
+
+    def number(self, what: str, low: float = -math.inf, high: float = math.inf) -> float:
+        """The next line, which is a number."""
+        text = self.text(what)
+        value = finite(text, True)
+        if value is None or not low <= value <= high:
+            bounds = f" from {low:g} to {high:g}" if high < math.inf else f" of {low:g} or more"
+            within = bounds if low > -math.inf else ""
+            self.refuse(
+                self.at,
+                f"'{quote(text)}' instead of the {what}, a number{within}",
+                "the file as it was; a line may be missing or doubled above",
+            )
+        if problem := self.decimals.conflict(text, self.at):
+            self.refuse(self.at, problem, MARKS)
+        return value
+
+    def optional(self, what: str, low: float = -math.inf) -> float:
+        """The next line, which is a number or empty; 0 for an empty one."""
+        if self.at < len(self.lines) and not self.lines[self.at].strip():
+            self.at += 1
+            return 0.0
+        return self.number(what, low)
+
+    def whole(self, what: str, low: int, high: int = 10**6) -> int:
+        """The next line, which is a whole number."""
+        value = self.number(what, low, high)
+        if value != int(value):
+            self.refuse(self.at, f"{value:g} instead of the {what}, a whole number", "1, 2, 3 ...")
+        return int(value)
+
+    def photometry(self) -> Photometry:
+        self.text("company")
+        self.whole("type Ityp", 0, 3)
+        symmetry = self.whole("symmetry Isym", 0, 4)
+        planes, plane_step = self.whole("number Mc of C planes", 1), self.number("angle Dc", 0)
+        self.check_planes(symmetry, planes)
+        angles = self.whole("number Ng of gamma angles", 2)
+        angle_step = self.number("angle Dg", 0)
+        self.text("report number")
+        luminaire = self.text("luminaire name")
+        for what in ("luminaire number", "file name", "date"):
+            self.text(what)
+        for what in ("length", "width", "height") + ("size of the luminous area",) * 6:
+            self.optional(f"{what} [mm]")
+        declared = {
+            "downward-fraction": self.optional("downward flux fraction [%]") / 100,
+            "output-ratio": self.optional("light output ratio LORL [%]") / 100,
+        }
+        factor = self.number("conversion factor", 0)
+        if not factor:
+            self.refuse(self.at, "a conversion factor of 0", "1, or what the values count")
+        tilt = self.optional("tilt [deg]")
+        if tilt:
+            self.notes.append(
+                f"measured at a tilt of {tilt:g} deg; the directions are those of the table"
+            )
+        lumens = self.lamps(declared)
+        stored = {0: planes, 1: 1, 4: planes // 4 + 1}.get(symmetry, planes // 2 + 1)
+        if len(self.lines) - self.at == planes + angles + stored * angles:
+            self.notes.append("the file has no direct ratios, which are of no use here")
+        else:
+            for k in range(10):
+                self.optional(f"direct ratio {k + 1}")
+        start = self.at
+        azimuths = self.angles("C", planes, plane_step, 360)
+        polar = self.angles("gamma", angles, angle_step, 180)
+        values = self.intensities(stored, angles)
+        if self.at < len(self.lines):
+            self.refuse(
+                self.at + 1,
+                f"'{quote(self.lines[self.at].strip())}' behind the last intensity",
+                "a file that ends there; a line may be doubled, or Mc or Ng too small",
+            )
+        if doubt := self.decimals.doubt():
+            self.refuse(doubt[0], f"'{doubt[1]}' may be a thousand or a decimal", MARKS)
+        values *= factor * lumens / KILOLUMEN
+        if not values.any():
+            self.refuse(self.at, "every intensity is 0", "a file of a source that shines")
+        around, values = self.around(symmetry, azimuths, values, start)
+        return Photometry(
+            Grid(numpy.radians(polar), numpy.radians(around), values),
+            f"EULUMDAT, Isym {symmetry}",
+            quote(luminaire),
+            {symbol: value for symbol, value in declared.items() if value > 0},
+            (*self.assumptions, *end_of(polar)),
+            tuple(self.notes),
+        )
+
+    def check_planes(self, symmetry: int, planes: int) -> None:
+        """Refuse a number of planes that the symmetry cannot have, on the line of Mc."""
+        part = {2: 2, 3: 4, 4: 4}.get(symmetry, 1)
+        if planes % part:
+            self.refuse(
+                4,
+                f"Mc is {planes}, which the symmetry (Isym {symmetry}) cannot have",
+                f"a multiple of {part}",
+            )
+
+    def lamps(self, declared: dict[str, float]) -> float:
+        """The flux of the first lamp set [lm]; what it declares is added."""
+        sets = []
+        for k in range(self.whole("number of lamp sets", 1, 1000)):
+            count = self.whole(f"number of lamps of set {k + 1}", -(10**6))
+            self.text("type of lamps")
+            lumens = self.number(f"luminous flux of lamp set {k + 1} [lm]", 0)
+            line = self.at
+            self.text("colour of lamps")
+            self.text("colour rendering of lamps")
+            sets.append((count, lumens, self.optional(f"power of lamp set {k + 1} [W]", 0), line))
+        (count, lumens, power, line), *others = sets
+        if not lumens:
+            self.refuse(line, "the first lamp set has 0 lm", "intensities are per 1000 lm of it")
+        if others:
+            said = ", ".join(f"{other[1]:g} lm, {other[2]:g} W" for other in others[:3])
+            more = " ..." if len(others) > 3 else ""
+            self.notes.append(
+                f"{len(sets)} lamp sets, which are alternatives: the first is taken "
+                f"({lumens:g} lm, {power:g} W), not {said}{more}"
+            )
+        declared["input-power"] = power
+        if count < 0:
+            self.assumptions.append(
+                f"absolute photometry (a negative number of lamps): {lumens:g} lm are the "
+                "luminaire's own"
+            )
+            del declared["output-ratio"]
+        else:
+            declared["lamp-flux"] = lumens
+        return lumens
+
+    def angles(self, what: str, count: int, step: float, highest: int) -> Any:
+        """Angles that rise, by the declared step unless that is 0 [deg]."""
+        found: list[float] = []
+        for k in range(count):
+            angle = self.number(f"angle {what} {k + 1} of {count}", 0, highest)
+            if found and angle <= found[-1]:
+                self.refuse(
+                    self.at,
+                    f"the angle {what} {angle:g} deg does not rise, after {found[-1]:g} deg",
+                    f"{count} rising angles",
+                )
+            if found and step and abs(angle - found[-1] - step) > STEP:
+                self.refuse(
+                    self.at,
+                    f"the angle {what} {angle:g} deg, after {found[-1]:g} deg, contradicts the "
+                    f"declared step D{what[0].lower()} of {step:g} deg",
+                    "the step of the angles listed in line 5 or 7, or 0 for uneven angles",
+                )
+            found.append(angle)
+        return numpy.array(found)
+
+    def intensities(self, planes: int, angles: int) -> Any:
+        """The table [cd/klm], a row for each plane."""
+        count = planes * angles
+        block = self.lines[self.at : self.at + count]
+        values = self.plain(block)
+        if len(values) == count:
+            self.at += count
+        else:
+            what = "intensity {} of plane {} of " + str(planes)
+            values = [
+                self.number(what.format(k + 1, plane + 1), 0)
+                for plane in range(planes)
+                for k in range(angles)
+            ]
+        return numpy.array(values).reshape(planes, angles)
+
+    def plain(self, block: Sequence[str]) -> Sequence[float]:
+        """Many lines of plain numbers at once; none of others, which are then read one by one."""
+        text = "\n".join(block)
+        comma = self.decimals.comma or self.decimals.doubtful
+        if not text.isascii() or "_" in text or "," in text or comma:
+            return []
+        try:
+            values = list(map(float, block))
+        except ValueError:
+            return []
+        return values if min(values, default=-1.0) >= 0 and math.isfinite(sum(values)) else []
+
+    def around(self, symmetry: int, azimuths: Any, values: Any, start: int) -> tuple[Any, Any]:
+        """The planes of the whole circle [deg], and their values."""
+        if symmetry == 1 or len(azimuths) == 1:
+            self.assumptions.append(
+                SYMMETRIES[1] if symmetry == 1 else "one C plane is all there is"
+            )
+            return numpy.zeros(1), values
+        if symmetry == 0:
+            try:
+                return closed(azimuths, values)
+            except ConditionError as error:
+                self.refuse(start + len(azimuths), error.message, error.hint)
+        quarter, half = len(azimuths) // 4, len(azimuths) // 2
+        for k, angle in {
+            2: ((0, 0), (half, 180)),
+            3: ((0, 0), (quarter, 90), (3 * quarter, 270)),
+            4: ((0, 0), (quarter, 90)),
+        }[symmetry]:
+            if azimuths[k] != angle:
+                self.refuse(
+                    start + k + 1,
+                    f"the plane C{azimuths[k]:g} stands where C{angle} is that of the symmetry "
+                    f"(Isym {symmetry})",
+                    "as many planes on each of its sides",
+                )
+        kept = {2: azimuths[: half + 1], 4: azimuths[: quarter + 1]}.get(
+            symmetry, numpy.append(azimuths[3 * quarter :] - 360, azimuths[: quarter + 1])
+        )
+        around, values = mirrored(kept, values)
+        images = numpy.sort(around[:-1] % 360)
+        for k, (listed, image) in enumerate(zip(azimuths, images, strict=True)):
+            if abs(listed - image) > STEP:
+                self.refuse(
+                    start + k + 1,
+                    f"the plane C{listed:g} is listed where the symmetry (Isym {symmetry}) has "
+                    f"C{image:g}",
+                    "planes that are images of one another",
+                )
+        self.assumptions.append(SYMMETRIES[symmetry])
+        return around, values

@@ -1,0 +1,140 @@
+"""Files of distributions: opened safely, decoded, and told apart by what they contain.
+
+An IES file has a line that begins with TILT=, an EULUMDAT file numbers alone in its lines 2 to 7,
+a table rows of numbers.  Where the content is none of them, the extension chooses the reader that
+says what is wrong.
+"""
+
+import os
+import re
+import stat
+from collections.abc import Callable, Sequence
+from itertools import islice
+
+from radcalc import columns, stdio
+from radcalc.distributions import eulumdat, ies, tables
+from radcalc.distributions.photometry import Photometry
+from radcalc.errors import ConditionError, quote
+
+LARGEST = 1 << 26  # bytes of a file
+BLOCK = 1 << 20  # bytes that are read from a pipe at a time
+ROWS = 3  # that tell a table
+NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")  # \x1a ended a text in DOS
+UTF16 = (b"\xff\xfe", b"\xfe\xff")
+IES = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
+EXTENSIONS = {".ies": ies.read, ".ldt": eulumdat.read, ".csv": tables.read}
+KNOWN = "an IES (LM-63) or EULUMDAT file, or a table with a column of angles"
+
+Reader = Callable[[Sequence[str], str], Photometry]
+
+
+def read_file(path: str) -> Photometry:
+    """Read a photometric file, or a table of angles and intensities.
+
+    Parameters
+    ----------
+    path : str
+        A regular file of 64 MiB at most, or "-" for standard input.
+
+    Returns
+    -------
+    Photometry
+        Its distribution, what it declares, and what was assumed in reading it.
+
+    Raises
+    ------
+    ConditionError
+        If it cannot be read, is no text, or is none of the three formats; else what the reader of
+        its format refuses, with the line.
+    """
+    name = "stdin" if path == "-" else quote(path)
+    lines = _lines(_whole(stdio.read, name) if path == "-" else _from_file(path, name), name)
+    reader = _by_content(lines) or EXTENSIONS.get(os.path.splitext(path)[1].lower())
+    if not reader:
+        raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
+    return reader(lines, name)
+
+
+def _from_file(path: str, name: str) -> bytes:
+    """What a regular file holds; nothing else is waited for, or read without end."""
+    try:
+        with open(path, "rb", buffering=0, opener=_without_waiting) as file:
+            about = os.fstat(file.fileno())
+            if not stat.S_ISREG(about.st_mode):
+                raise ConditionError(
+                    f"cannot read {name}: a pipe or a device", "a file, or - for standard input"
+                )
+            if about.st_size > LARGEST:
+                raise _too_large(name)
+            return _whole(file.read, name)
+    except OSError as error:
+        raise ConditionError(f"cannot read {name}: {error.strerror}", KNOWN) from None
+    except ValueError:  # a null character
+        raise ConditionError(f"cannot read {name}: no name of a file", KNOWN) from None
+
+
+def _without_waiting(path: str, flags: int) -> int:
+    """Open a file; a pipe that nobody writes to would else be waited for."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
+
+
+def _whole(read: Callable[[int], bytes], name: str) -> bytes:
+    data = b""
+    while block := read(BLOCK):
+        data += block
+        if len(data) > LARGEST:
+            raise _too_large(name)
+    return data
+
+
+def _too_large(name: str) -> ConditionError:
+    return ConditionError(f"{name} has more than {LARGEST >> 20} MiB", KNOWN)
+
+
+def _lines(data: bytes, name: str) -> list[str]:
+    """The lines of a text in UTF-8, or else in Latin-1, whatever ends them."""
+    if data.startswith(UTF16):
+        raise ConditionError(f"{name} is text in UTF-16", "the same in UTF-8 (iconv converts it)")
+    if found := NO_TEXT.search(data):
+        raise ConditionError(
+            f"{name} is no text: it has a byte of {data[found.start()]} at {found.start()}", KNOWN
+        )
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    if not text.strip():
+        raise ConditionError(f"{name} is empty", KNOWN)
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+def _by_content(lines: Sequence[str]) -> Reader | None:
+    """The reader of what lines are, by themselves; None where that is none of the formats."""
+    if any(map(IES.match, lines)):
+        return ies.read
+    if eulumdat.looks_like(lines):
+        return eulumdat.read
+    return tables.read if _has_rows(lines) else None
+
+
+def _has_rows(lines: Sequence[str]) -> bool:
+    """Whether the first rows, but for a header, are two or more columns that begin with a number."""
+    texts = (line.strip() for line in lines)
+    rows = list(islice((text for text in texts if _is_data(text)), ROWS))
+    rows = rows[1:] or rows
+    split = [(columns.cells(row, columns.dialect(row)[0]), columns.dialect(row)[1]) for row in rows]
+    return bool(rows) and all(
+        len(cells) > 1 and columns.is_number(cells[0], comma) for cells, comma in split
+    )
+
+
+def _is_data(text: str) -> bool:
+    return bool(text) and not text.startswith(columns.COMMENTS)
+
+
+def _likeness(lines: Sequence[str]) -> str:
+    """What a text that is none of the formats looks like."""
+    first = next(line.strip() for line in lines if line.strip())
+    if first.startswith(("<", "{")):
+        return "XML or HTML" if first[0] == "<" else "JSON"
+    return f"no photometric file: it begins with '{quote(first)}'"

@@ -1,0 +1,200 @@
+"""What the titles over a table of angles and intensities say: units, and C planes."""
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from radcalc.columns import units_in
+from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.quantities.light import NONE, describe, read
+from radcalc.units.dimensions import ANGLE
+from radcalc.units.table import Unit, resolve
+
+INTENSITY = (0, 0, 1)  # the powers of time, 1/area and 1/solid angle
+SHORT = 6  # words of a comment that may be a title
+ANGLE_WORDS = re.compile(r"gamma|theta|polar|angle|vertical|winkel|γ|θ|ϑ")
+OTHER_ANGLES = re.compile(r"elevation|altitude|azimut|horizontal|phi|latitude|zenith")
+DEGREES = r"([-+]?\d+(?:[.,]\d+)?)\s*(?:°|deg)?"
+# A plane, and the one opposite: C0, C 22.5 deg, phi=45, 90, C0-C180, C0/180.
+PLANE = re.compile(
+    rf"(?:c|phi|φ|ϕ)?\s*=?\s*{DEGREES}(?:\s*[-–/]\s*c?\s*{DEGREES})?(?![\w.])", re.IGNORECASE
+)
+OTHER_WORDS = re.compile(
+    r"(?:il)?luminance|radiance"
+    r"|(?<![a-z])(?:flux|lux|lumens?|exposure|d[b]m?|log|lg|ln|log10|squared|errors?|uncertainty"
+    r"|stdev?|cumulative|exitance|wavelengths?|distance)(?![a-z])"
+)
+RELATIVE = re.compile(r"|%|-|1|rel\.?|relative|norm(?:ali[sz]ed|\.)?|arb.*|a\. ?u\.|au")
+SCALED = re.compile(r"\d\s*(?:[a-z]?cd|candela|[a-z]*w/)|[*x×]\s*\d|\d\s*[*x×]|1/\(|10\^|\de[-+]?\d")
+PER_FLUX = re.compile(r"cd\s*/\s*\(?\s*(?:k|1000\s*)?lm|cd\s+per\b")
+QUANTITY_OVER_UNIT = re.compile(r"\s*\w+\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
+# The unit in a comment: I (cd), unit: cd, intensities in cd, cd.
+STATED = re.compile(r"(?:^|\bin |[:=/]|(?=[(\[]))\s*(\S+)$")
+KNOWN = "an intensity in cd, mcd, W/sr, mW/sr or the like, or no unit for relative values"
+
+
+class Column(NamedTuple):
+    """What a column of intensities is.
+
+    Attributes
+    ----------
+    plane, opposite : float [deg] or None
+        Its C plane, and the one opposite where the title names a whole plane.
+    unit : Unit or None
+        Its unit; None where the title has none.
+
+    Examples
+    --------
+    >>> column("C90 (mcd)").plane
+    90.0
+    """
+
+    plane: float | None
+    opposite: float | None
+    unit: Unit | None
+
+
+def angles(title: str) -> Unit | None:
+    """The unit of the angles under a title; None where it has none.
+
+    Parameters
+    ----------
+    title : str
+        Of the first column; may be empty.
+
+    Returns
+    -------
+    Unit or None
+        A unit of angle.
+
+    Raises
+    ------
+    ConditionError
+        If the title is not one of polar angles.
+
+    Examples
+    --------
+    >>> angles("theta [rad]")
+    Unit('rad')
+    >>> angles("gamma")
+    """
+    plain = title.lower().replace("º", "°")
+    brackets, endings = units_in(title.replace("º", "°").replace("_", " "))
+    slash = QUANTITY_OVER_UNIT.fullmatch(title)
+    for part in [*brackets, *([slash[1]] if slash else []), *endings]:
+        unit = _resolved(part)
+        if unit and unit.dimension == ANGLE:
+            break
+        if part in brackets or (unit and unit.is_light):
+            raise ConditionError(
+                f"'{quote(title)}' in the first column is no angle", "polar angles in it"
+            )
+    else:
+        unit = None
+    if OTHER_ANGLES.search(plain) or not (unit or not plain or ANGLE_WORDS.search(plain)):
+        raise ConditionError(
+            f"'{quote(title)}' in the first column is no polar angle from the source's axis",
+            "a title such as gamma, theta or angle (deg)",
+        )
+    return unit
+
+
+def column(title: str) -> Column:
+    """What a column of intensities is, by its title.
+
+    Parameters
+    ----------
+    title : str
+        May be empty.
+
+    Returns
+    -------
+    Column
+        Its C plane and its unit, as far as the title has them.
+
+    Raises
+    ------
+    ConditionError
+        If it says anything that is not an intensity.
+
+    Examples
+    --------
+    >>> column("I (cd)")
+    Column(plane=None, opposite=None, unit=Unit('cd'))
+    """
+    found = PLANE.match(title)
+    rest = title[found.end() :].strip().lstrip("/ ") if found else title
+    if found and rest and rest[0] not in "([" and not _resolved(rest):  # 2 m from the lamp
+        found, rest = None, title
+    plane, opposite = (_number(found[1]), _number(found[2])) if found else (None, None)
+    plain = rest.lower().replace("µ", "u").replace("μ", "u")
+    if PER_FLUX.search(plain):
+        raise ConditionError(
+            f"'{quote(title)}' is relative to the flux of lamps that the table does not have",
+            "the values times that flux, in cd",
+        )
+    if SCALED.search(plain):
+        raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
+    unit = _intensity(rest)
+    if not unit and OTHER_WORDS.search(plain):
+        raise ConditionError(f"'{quote(title)}' is no intensity", KNOWN)
+    return Column(plane, opposite, unit)
+
+
+def _number(text: str | None) -> float | None:
+    return float(text.replace(",", ".")) if text else None
+
+
+def in_comments(comments: Sequence[str]) -> Unit | None:
+    """The unit of intensity that a short comment has, as in `# I (cd)`; None where there is none.
+
+    Raises
+    ------
+    ConditionError
+        If comments have different ones.
+
+    Examples
+    --------
+    >>> in_comments(["lamp 7, 3 m", "I (cd)"])
+    Unit('cd')
+    """
+    found: dict[tuple[object, float], Unit] = {}
+    for comment in comments:
+        stated = STATED.search(comment)
+        if len(comment.split()) > SHORT or SCALED.search(comment.lower()):
+            continue
+        try:
+            unit = _intensity(stated[1] if stated else "")
+        except ConditionError:  # a comment is free text
+            continue
+        if unit:
+            found[unit.dimension, unit.factor] = unit
+    if len(found) > 1:
+        said = " and ".join(quote(unit.text) for unit in found.values())
+        raise ConditionError(f"the comments have {said}", "the unit in the titles of the columns")
+    return next(iter(found.values()), None)
+
+
+def _intensity(title: str) -> Unit | None:
+    """The unit of intensity in a title; refuse another one."""
+    brackets, endings = units_in(title)
+    slash = QUANTITY_OVER_UNIT.fullmatch(title)
+    for part in [*brackets, *endings[:1], *([slash[1]] if slash else []), *endings[1:]]:
+        unit = _resolved(part)
+        facts = read(unit) if unit else None
+        if unit and facts and facts.geometry == INTENSITY and facts.axis == NONE:
+            return unit
+        if part in brackets and not RELATIVE.fullmatch(part.strip().lower()):
+            what = f"in {describe(unit)}" if unit else f"in '{quote(part)}', which is no unit here"
+            raise ConditionError(f"values {what}", KNOWN)
+        if unit and facts:
+            raise ConditionError(f"values in {describe(unit)}", KNOWN)
+    return None
+
+
+def _resolved(text: str) -> Unit | None:
+    """A text as a unit; None where it is none."""
+    try:
+        return resolve(text) if text else None
+    except RadcalcError:
+        return None

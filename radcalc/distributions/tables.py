@@ -1,0 +1,285 @@
+"""Tables of angles and intensities as text: what a laboratory hands out, or a spreadsheet saves.
+
+The first column has the polar angles from the source's axis; the others intensities::
+
+    gamma (deg),I (cd)         gamma,C0 (cd),C90 (cd)         angle (deg);C0-C180 (W/sr)
+    0,300                      0,300,300                      -90;0
+    15,290                     15,290,280                     0;12,5
+    ...                        ...                            90;0
+
+One column of angles from 0 up stands for every plane.  Columns of C planes (`C0`, `C 22.5`,
+`phi=45`, or the angle alone) that span 90 or 180 degrees stand for their mirror images too; others
+go all around.  With angles of both signs, from -90 to 90 degrees, a column is a cut through the
+axis: what is negative belongs to the half plane opposite.
+
+Columns are parted by commas, semicolons, tabs, bars or blanks; with any but commas, numbers may
+have decimal commas.  Lines that begin with #, %, // or ;; are comments; the titles may be in the
+last of them.  The unit of the intensities (cd, mcd, W/sr, mW/sr, umol/s/sr ...) stands in their
+titles, in brackets or behind, or in a comment such as `# I (cd)`; without one they are relative.
+Angles are in degrees unless the title of the first column says otherwise.
+"""
+
+import math
+import re
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+import numpy
+
+from radcalc import columns
+from radcalc.distributions import headings
+from radcalc.distributions.grid import Grid
+from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.planes import ROUNDED, SLACK, closed, end_of, mirrored
+from radcalc.errors import ConditionError, listed, quote
+from radcalc.quantities.light import read as facts_of
+
+FLAT = 180.0  # [deg]
+AS_RADIANS = 3.15  # up to which an angle of no declared unit may be in radians
+BRACKETED = re.compile(
+    r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
+)  # a title that blanks part from others
+
+
+def read(lines: Sequence[str], name: str) -> Photometry:
+    """Read a table of angles and intensities.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        The file's lines, without their ends.
+    name : str
+        What the file is called in messages.
+
+    Returns
+    -------
+    Photometry
+        Intensities in coherent SI, or relative ones (of kind "") where there is no unit.
+
+    Raises
+    ------
+    ConditionError
+        If the columns are not angles and intensities, if angles do not rise, if a value is
+        missing or negative, or if a unit or a plane cannot be told; with the line.
+
+    Examples
+    --------
+    >>> rows = ["0;300", "15;290", "30;260", "45;200", "60;110", "75;30", "90;0"]
+    >>> lamp = read(["gamma;I (cd)", *rows], "lamp.csv").distribution
+    >>> round(lamp.flux().value, 4), lamp.kind
+    (791.3485, 'v')
+    """
+    return _Reader(lines, name).photometry()
+
+
+class _Reader:
+    """One file."""
+
+    def __init__(self, lines: Sequence[str], name: str) -> None:
+        self.name = name
+        self.assumptions: list[str] = []
+        self.decimals = columns.Decimals()
+        self.comments: list[str] = []
+        self.rows: list[tuple[int, str]] = []
+        for number, line in enumerate(lines, 1):
+            text = line.strip()
+            if text.startswith(columns.COMMENTS):
+                self.comments.append(text.lstrip("#%/; \t"))
+            elif text.strip("\x1a"):
+                self.rows.append((number, line))
+
+    def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
+        where = f", line {number}" if number else ""
+        raise ConditionError(f"{self.name}{where}: {problem}", hint)
+
+    def photometry(self) -> Photometry:
+        titles, head = self.titles()
+        try:
+            angle_unit = headings.angles(titles[0])
+            found = [headings.column(title) for title in titles[1:]]
+            kind, factors = self.units(found)
+        except ConditionError as error:
+            self.refuse(head, error.message, error.hint)
+        angles, values = self.numbers(len(titles))
+        degrees = self.degrees(angles, math.degrees(angle_unit.factor) if angle_unit else 0.0)
+        planes = self.planes(titles[1:], found, head)
+        values = values * factors
+        if degrees[0] < 0:
+            polar, planes, rows = self.cuts(degrees, planes, values)
+        else:
+            polar, rows = degrees, values.T
+            if SLACK < polar[0] < FLAT / 2:
+                self.refuse(
+                    self.rows[0][0],
+                    f"the angles begin at {polar[0]:g} deg, with nothing on the axis",
+                    "a row for 0 deg",
+                )
+        try:
+            around, rows = self.around(planes, rows)
+        except ConditionError as error:
+            self.refuse(head, error.message, error.hint)
+        return Photometry(
+            Grid(numpy.radians(polar), numpy.radians(around), rows, kind),
+            "CSV table",
+            assumptions=(*self.assumptions, *end_of(polar)),
+        )
+
+    def titles(self) -> tuple[list[str], int]:
+        """The titles of the columns, empty where there are none, and their line; taken out."""
+        if not self.rows:
+            self.refuse(0, "there is no data", "rows of an angle and an intensity")
+        self.delimiter, comma = columns.dialect(self.rows[min(1, len(self.rows) - 1)][1])
+        self.comma = comma or (
+            self.delimiter != "," and any("," in line for _, line in self.rows[1:])
+        )
+        head, line = self.rows[0]
+        titles = columns.cells(line, self.delimiter)
+        if columns.is_number(titles[0], self.comma):
+            width = len(titles)
+            return columns.commented(self.comments, width) or [""] * width, head
+        del self.rows[0]
+        if not self.rows:
+            self.refuse(head, "there is no row of numbers", "rows of an angle and an intensity")
+        width = len(columns.cells(self.rows[0][1], self.delimiter))
+        if self.delimiter is None and len(titles) != width:
+            titles = BRACKETED.findall(line)
+        if len(titles) != width:
+            problem = f"{len(titles)} titles over {width} columns"
+            self.refuse(head, problem, "a title for each column, or no titles")
+        return titles, head
+
+    def numbers(self, width: int) -> tuple[Any, Any]:
+        """The angles, and a row of intensities for each."""
+        if width < 2:
+            self.refuse(self.rows[0][0], "one column only", "an angle and an intensity in each row")
+        if len(self.rows) < 2:
+            self.refuse(self.rows[0][0], "one row is no table", "two rows or more")
+        table = numpy.array([self.row(number, line, width) for number, line in self.rows])
+        if doubt := self.decimals.doubt():
+            self.refuse(doubt[0], f"'{doubt[1]}' may be a thousand or a decimal", columns.MARKS)
+        angles, values = table[:, 0], table[:, 1:]
+        for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
+            if angle <= before:
+                self.refuse(
+                    number, f"the angle {angle:g} does not rise, after {before:g}", "rising angles"
+                )
+        if not values.any():
+            self.refuse(0, "every intensity is 0", "a table of a source that shines")
+        return angles, values
+
+    def row(self, number: int, line: str, width: int) -> list[float]:
+        cells = columns.cells(line, self.delimiter)
+        if len(cells) != width:
+            problem = f"{len(cells)} columns instead of {width}"
+            self.refuse(number, problem, "a value in every column")
+        found = []
+        for k, cell in enumerate(cells):
+            value = columns.finite(cell, self.comma)
+            if value is None or (k and value < 0):
+                what = "an intensity, 0 or more" if k else "an angle"
+                self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")
+            if self.comma and (problem := self.decimals.conflict(cell, number)):
+                self.refuse(number, problem, columns.MARKS)
+            found.append(value)
+        return found
+
+    def degrees(self, angles: Any, factor: float) -> Any:
+        """The angles in degrees; a factor of 0 stands for a unit that is not declared."""
+        if not factor:
+            if abs(angles).max() <= AS_RADIANS:
+                self.refuse(
+                    self.rows[-1][0],
+                    f"angles up to {angles[-1]:g} in a unit that is not declared",
+                    "a title such as angle (deg) or angle (rad)",
+                )
+            self.assumptions.append("the angles are in degrees")
+        found = angles * (factor or 1.0)
+        if abs(found).max() > FLAT + ROUNDED:
+            line = self.rows[int(abs(found).argmax())][0]
+            self.refuse(
+                line,
+                f"a polar angle of {found[abs(found).argmax()]:g} deg",
+                "angles from 0 to 180 deg, or from -180 to 180 deg; a spectrum is no distribution",
+            )
+        return numpy.clip(found, -FLAT, FLAT)
+
+    def units(self, found: Sequence[headings.Column]) -> tuple[str, Any]:
+        """The kind of light, and what the values of each column are multiplied by."""
+        declared = [column.unit for column in found if column.unit]
+        common = None if declared else headings.in_comments(self.comments)
+        if common:
+            self.assumptions.append(f"intensities in {quote(common.text)}, as a comment says")
+        elif not declared:
+            self.assumptions.append("relative intensities: the titles have no unit, such as cd")
+        units = [common] * len(found) if common else declared
+        if len(units) not in (0, len(found)):
+            raise ConditionError("some columns have a unit and others none", "one for each")
+        facts = [facts_of(unit) for unit in units if unit]
+        kinds = {fact.kind for fact in facts if fact} or {""}
+        if len(kinds) > 1:
+            raise ConditionError("the columns have different kinds of light", "one kind")
+        return kinds.pop(), numpy.array([unit.factor for unit in units if unit] or 1.0)
+
+    def planes(self, titles: Sequence[str], found: Sequence[headings.Column], head: int) -> Any:
+        """The C planes of the columns [deg]."""
+        if len(found) == 1 and found[0].plane is None:
+            return numpy.zeros(1)
+        unknown = [
+            title for title, column in zip(titles, found, strict=True) if column.plane is None
+        ]
+        if unknown:
+            said = f" ({listed(unknown)})" if any(unknown) else ""
+            self.refuse(
+                head,
+                f"{len(unknown)} of {len(found)} columns{said} have no C plane in their titles",
+                "titles such as gamma,C0,C90; or one column of intensities",
+            )
+        planes = numpy.array([column.plane for column in found])
+        if (numpy.diff(planes) <= 0).any() or planes[0] < -FLAT or planes[-1] > 2 * FLAT:
+            said = listed([f"{plane:g}" for plane in planes])
+            self.refuse(head, f"the C planes are {said}", "rising angles, from 0 to 360 deg")
+        for column in found:
+            if column.opposite is not None and column.opposite - (column.plane or 0) != FLAT:
+                said = f"C{column.plane:g}-C{column.opposite:g}"
+                self.refuse(head, f"{said} is no plane through the axis", "such as C0-C180")
+        return planes
+
+    def cuts(self, degrees: Any, planes: Any, values: Any) -> tuple[Any, Any, Any]:
+        """Half planes of cuts through the axis: what is negative is opposite."""
+        if abs(degrees[0] + degrees[-1]) > ROUNDED:
+            self.refuse(
+                self.rows[-1][0],
+                f"angles from {degrees[0]:g} to {degrees[-1]:g} deg",
+                "as far on both sides of the axis, or from 0 up",
+            )
+        if planes[-1] - planes[0] >= FLAT:
+            self.refuse(
+                self.rows[0][0],
+                f"a negative angle, where the planes C{planes[0]:g} to C{planes[-1]:g} already "
+                "have both sides of the axis",
+                "angles from 0 up, or planes from C0 to below C180",
+            )
+        polar = numpy.unique(numpy.append(abs(degrees), 0.0))
+        sides = [
+            numpy.array([numpy.interp(sign * polar, degrees, column) for column in values.T])
+            for sign in (1, -1)
+        ]
+        both = numpy.concatenate([planes, planes + FLAT])
+        order = numpy.argsort(both)
+        self.assumptions.append(
+            "each column is a cut through the axis: negative angles are in the half plane opposite"
+        )
+        return polar, both[order], numpy.concatenate(sides)[order]
+
+    def around(self, planes: Any, rows: Any) -> tuple[Any, Any]:
+        """The planes of the whole circle [deg], and their values."""
+        if len(planes) == 1:
+            self.assumptions.append("the one column stands for every plane through the axis")
+            return numpy.zeros(1), rows
+        span = planes[-1] - planes[0]
+        if span in (FLAT / 2, FLAT) and planes[0] % (FLAT / 2) == 0:
+            self.assumptions.append(
+                f"the planes C{planes[0]:g} to C{planes[-1]:g} stand for their mirror images too"
+            )
+            return mirrored(planes, rows)
+        return closed(planes, rows)
