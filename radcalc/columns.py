@@ -2,7 +2,6 @@
 
 import csv
 import re
-from collections.abc import Sequence
 
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
@@ -57,7 +56,9 @@ class Decimals:
 
     def __init__(self) -> None:
         self.point = self.comma = 0  # the lines that first had one
-        self.doubtful: tuple[int, str] | tuple[()] = ()  # the first number that may be either: its line and text
+        self.doubtful: (
+            tuple[int, str] | tuple[()]
+        ) = ()  # the first number that may be either: its line and text
 
     def conflict(self, text: str, line: int) -> str:
         """Take note of a number; say what is wrong where others have the other mark."""
@@ -76,15 +77,6 @@ class Decimals:
     def doubt(self) -> tuple[int, str] | tuple[()]:
         """The line and the text of a number that may be a thousand, unless others tell."""
         return () if self.comma else self.doubtful
-
-
-def commented(comments: Sequence[str], width: int) -> list[str]:
-    """The titles of columns, where a comment above them has them."""
-    for comment in reversed(comments):
-        titles = cells(comment, dialect(comment)[0])
-        if len(titles) == width and not is_number(titles[0], False):
-            return titles
-    return []
 
 
 def units_in(title: str) -> tuple[list[str], list[str]]:

@@ -31,6 +31,11 @@ def quote(text: str) -> str:
     return printable(text if len(text) <= SHOWN else text[: SHOWN - 3] + "...")
 
 
+def quote_path(path: str) -> str:
+    """Make a path fit for a message: of a long one its end, where the file's name is."""
+    return quote(path if len(path) <= SHOWN else "..." + path[3 - SHOWN :])
+
+
 def listed(names: "Sequence[str]") -> str:
     """Name the first few of a user's own names, and how many more there are."""
     more = len(names) - LISTED

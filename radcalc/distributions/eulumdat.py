@@ -201,10 +201,12 @@ class _Reader:
         azimuths = self.angles("C", planes, plane_step, 360)
         polar = self.angles("gamma", angles, angle_step, 180)
         values = self.intensities(stored, angles)
-        if self.at < len(self.lines):
+        for number, line in enumerate(self.lines[self.at :], self.at + 1):
+            if not line.strip():
+                continue
             self.refuse(
-                self.at + 1,
-                f"'{quote(self.lines[self.at].strip())}' behind the last intensity",
+                number,
+                f"'{quote(line.strip())}' behind the last intensity",
                 "a file that ends there; a line may be doubled, or Mc or Ng too small",
             )
         if doubt := self.decimals.doubt():

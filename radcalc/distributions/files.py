@@ -14,7 +14,7 @@ from itertools import islice
 from radcalc import columns, stdio
 from radcalc.distributions import eulumdat, ies, tables
 from radcalc.distributions.photometry import Photometry
-from radcalc.errors import ConditionError, quote
+from radcalc.errors import ConditionError, quote, quote_path
 
 LARGEST = 1 << 26  # bytes of a file
 BLOCK = 1 << 20  # bytes that are read from a pipe at a time
@@ -47,7 +47,7 @@ def read_file(path: str) -> Photometry:
         If it cannot be read, is no text, or is none of the three formats; else what the reader of
         its format refuses, with the line.
     """
-    name = "stdin" if path == "-" else quote(path)
+    name = "stdin" if path == "-" else quote_path(path)
     lines = _lines(_whole(stdio.read, name) if path == "-" else _from_file(path, name), name)
     reader = _by_content(lines) or EXTENSIONS.get(os.path.splitext(path)[1].lower())
     if not reader:
@@ -118,7 +118,7 @@ def _by_content(lines: Sequence[str]) -> Reader | None:
 
 
 def _has_rows(lines: Sequence[str]) -> bool:
-    """Whether the first rows, but for a header, are two or more columns that begin with a number."""
+    """Whether the first rows, but for a header, are columns that begin with a number."""
     texts = (line.strip() for line in lines)
     rows = list(islice((text for text in texts if _is_data(text)), ROWS))
     rows = rows[1:] or rows

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from radcalc.columns import units_in
+from radcalc.columns import IN_BRACKETS, units_in
 from radcalc.errors import ConditionError, RadcalcError, quote
 from radcalc.quantities.light import NONE, describe, read
 from radcalc.units.dimensions import ANGLE
@@ -17,7 +17,8 @@ OTHER_ANGLES = re.compile(r"elevation|altitude|azimut|horizontal|phi|latitude|ze
 DEGREES = r"([-+]?\d+(?:[.,]\d+)?)\s*(?:°|deg)?"
 # A plane, and the one opposite: C0, C 22.5 deg, phi=45, 90, C0-C180, C0/180.
 PLANE = re.compile(
-    rf"(?:c|phi|φ|ϕ)?\s*=?\s*{DEGREES}(?:\s*[-–/]\s*c?\s*{DEGREES})?(?![\w.])", re.IGNORECASE
+    rf"(?P<letter>c|phi|φ|ϕ)?\s*=?\s*{DEGREES}(?:\s*[-–/]\s*c?\s*{DEGREES})?(?![\w.])",
+    re.IGNORECASE,
 )
 OTHER_WORDS = re.compile(
     r"(?:il)?luminance|radiance"
@@ -25,9 +26,11 @@ OTHER_WORDS = re.compile(
     r"|stdev?|cumulative|exitance|wavelengths?|distance)(?![a-z])"
 )
 RELATIVE = re.compile(r"|%|-|1|rel\.?|relative|norm(?:ali[sz]ed|\.)?|arb.*|a\. ?u\.|au")
-SCALED = re.compile(r"\d\s*(?:[a-z]?cd|candela|[a-z]*w/)|[*x×]\s*\d|\d\s*[*x×]|1/\(|10\^|\de[-+]?\d")
+SCALED = re.compile(
+    r"\d\s*(?:[a-z]?cd|candela|[a-z]*w/)|[*x×]\s*\d|\d\s*[*x×]|1/\(|10\^|\de[-+]?\d"
+)
 PER_FLUX = re.compile(r"cd\s*/\s*\(?\s*(?:k|1000\s*)?lm|cd\s+per\b")
-QUANTITY_OVER_UNIT = re.compile(r"\s*\w+\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
+QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
 # The unit in a comment: I (cd), unit: cd, intensities in cd, cd.
 STATED = re.compile(r"(?:^|\bin |[:=/]|(?=[(\[]))\s*(\S+)$")
 KNOWN = "an intensity in cd, mcd, W/sr, mW/sr or the like, or no unit for relative values"
@@ -124,9 +127,10 @@ def column(title: str) -> Column:
     """
     found = PLANE.match(title)
     rest = title[found.end() :].strip().lstrip("/ ") if found else title
-    if found and rest and rest[0] not in "([" and not _resolved(rest):  # 2 m from the lamp
+    is_bare = not rest or IN_BRACKETS.fullmatch(rest)
+    if found and not (is_bare or (found["letter"] and _resolved(rest))):  # 2 m from the lamp
         found, rest = None, title
-    plane, opposite = (_number(found[1]), _number(found[2])) if found else (None, None)
+    plane, opposite = (_number(found[2]), _number(found[3])) if found else (None, None)
     plain = rest.lower().replace("µ", "u").replace("μ", "u")
     if PER_FLUX.search(plain):
         raise ConditionError(
@@ -177,6 +181,7 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
 
 def _intensity(title: str) -> Unit | None:
     """The unit of intensity in a title; refuse another one."""
+    title = title.replace("_", " ")
     brackets, endings = units_in(title)
     slash = QUANTITY_OVER_UNIT.fullmatch(title)
     for part in [*brackets, *endings[:1], *([slash[1]] if slash else []), *endings[1:]]:

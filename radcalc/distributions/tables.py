@@ -136,17 +136,33 @@ class _Reader:
         titles = columns.cells(line, self.delimiter)
         if columns.is_number(titles[0], self.comma):
             width = len(titles)
-            return columns.commented(self.comments, width) or [""] * width, head
+            return self.commented(width), head
         del self.rows[0]
         if not self.rows:
             self.refuse(head, "there is no row of numbers", "rows of an angle and an intensity")
         width = len(columns.cells(self.rows[0][1], self.delimiter))
-        if self.delimiter is None and len(titles) != width:
-            titles = BRACKETED.findall(line)
+        if len(titles) != width:
+            titles = self.split(line)
         if len(titles) != width:
             problem = f"{len(titles)} titles over {width} columns"
             self.refuse(head, problem, "a title for each column, or no titles")
         return titles, head
+
+    def split(self, line: str) -> list[str]:
+        """Titles; where blanks part them, a bracket belongs to the word before it."""
+        return columns.cells(line, self.delimiter) if self.delimiter else BRACKETED.findall(line)
+
+    def commented(self, width: int) -> list[str]:
+        """The titles in the last comment that has them, one of angles first; else empty ones."""
+        for comment in reversed(self.comments):
+            titles = self.split(comment)
+            if len(titles) == width and not columns.is_number(titles[0], self.comma):
+                try:
+                    headings.angles(titles[0])
+                except ConditionError:  # a comment is free text
+                    continue
+                return titles
+        return [""] * width
 
     def numbers(self, width: int) -> tuple[Any, Any]:
         """The angles, and a row of intensities for each."""

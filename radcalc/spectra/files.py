@@ -11,7 +11,7 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import columns, stdio
-from radcalc.errors import ConditionError, listed, nearest, option, quote
+from radcalc.errors import ConditionError, listed, nearest, option, quote, quote_path
 from radcalc.spectra import titles
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import Table
@@ -31,7 +31,7 @@ def read_file(path: str, column: str = "") -> Table:
     """Read a spectrum from a file, or from standard input where the path is '-'."""
     if path == "-":
         return _Reader("stdin", stdio.read, column).table()
-    name = quote(path)
+    name = quote_path(path)
     try:
         with open(path, "rb", buffering=0) as file:
             return _Reader(name, file.read, column).table()
@@ -152,9 +152,16 @@ class _Reader:
             raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
         width = len(columns.cells(rows[0][1], delimiter))
         self.check_titles(header)
-        header_or_comment = header or columns.commented(self.comments, width)
-        place, title = self.value_column(header_or_comment, width, rows[0][0])
+        place, title = self.value_column(header or self.commented(width), width, rows[0][0])
         return _Layout(delimiter, comma, header, width, place, title)
+
+    def commented(self, width: int) -> list[str]:
+        """The titles of columns, where a comment has them."""
+        for comment in reversed(self.comments):
+            cells = columns.cells(comment, columns.dialect(comment)[0])
+            if len(cells) == width and not columns.is_number(cells[0], False):
+                return cells
+        return []
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Take in rows that are numbers and nothing else; say whether they are."""

@@ -1,0 +1,176 @@
+"""Which files are opened, how they are decoded, and what they are taken for."""
+
+import math
+import os
+import subprocess
+
+import pytest
+from conftest import python
+
+from radcalc.distributions.files import LARGEST, read_file
+from radcalc.errors import RadcalcError
+
+IES = """IESNA:LM-63-2002
+[LUMINAIRE] Ball
+TILT=NONE
+1 -1 1 3 1 1 2 0 0 0
+1 1 9
+0 90 180
+0
+100 100 100
+"""
+# fmt: off
+LDT = "\n".join([
+    "Lamps", "1", "1", "1", "0", "3", "90", "", "Kugelleuchte Größe 1", *[""] * 12, "50", "80", "1",
+    "0", "1", "1", "LED", "1000", "", "", "9", *[""] * 10, "0", "0", "90", "180", "100", "100",
+    "100", "",
+])
+# fmt: on
+CSV = "gamma (deg),I (cd)\n0,100\n90,100\n180,100\n"
+FORMATS = {"IES LM-63-2002, type C": IES, "EULUMDAT, Isym 1": LDT, "CSV table": CSV}
+SPHERE = 400 * math.pi  # [lm] of 100 cd everywhere
+
+
+@pytest.fixture
+def written(tmp_path):
+    def write(data, name="lamp.txt"):
+        path = tmp_path / name
+        path.write_bytes(data if isinstance(data, bytes) else data.encode())
+        return str(path)
+
+    return write
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize(
+    "name", ["lamp.ies", "lamp.ldt", "lamp.csv", "lamp.txt", "LAMP", "lamp.dat"]
+)
+def test_a_file_is_what_it_contains(form, name, written):
+    found = read_file(written(FORMATS[form], name))
+    assert found.format == form
+    assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1"])
+def test_ends_of_lines_and_encodings(form, end, encoding, written):
+    text = FORMATS[form].replace("Ball", "Größe 1").replace("\n", end)
+    found = read_file(written(text.encode(encoding)))
+    assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
+    assert found.name.endswith("Größe 1") or form == "CSV table"
+
+
+def test_what_ends_a_line_elsewhere_is_a_part_of_it_here(written):
+    """Windows-1252 has an ellipsis where Latin-1 ends a line; a form feed is a blank."""
+    for mark in (b"\x85", b"\x0b", b"\x0c", b"\xe2\x80\xa8"):
+        data = LDT.encode("latin-1").replace(b"Gr\xf6\xdfe", b"G" + mark + b"x")
+        assert read_file(written(data)).distribution.flux().value == pytest.approx(SPHERE)
+
+
+REFUSED = {
+    "nothing": (b"", "is empty"),
+    "blanks": (b"\n \n\xef\xbb\xbf"[:3], "is empty"),
+    "UTF-16": (IES.encode("utf-16"), "is text in UTF-16"),
+    "UTF-16 the other way": (b"\xfe\xff" + IES.encode("utf-16-be"), "is text in UTF-16"),
+    "UTF-16 without its mark": (IES.encode("utf-16-le"), "is no text: it has a byte of 0 at 1"),
+    "a picture": (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "is no text: it has a byte of 0"),
+    "an archive": (b"PK\x03\x04\x14\x00", "is no text: it has a byte of 3 at 2"),
+    "compressed": (b"\x1f\x8b\x08\x00", "is no text: it has a byte of 31 at 0"),
+    "XML": ("<?xml version='1.0'?>\n<a/>", "is XML or HTML"),
+    "JSON": ('{"a": 1}', "is JSON"),
+    "prose": ("Dear all,\n\nthe lamp is bright.\n", "begins with 'Dear all,'"),
+    "one column": ("1\n2\n3\n", "begins with '1'"),
+    "a spectrum": ("wavelength (nm),W/m2/nm\n400,1\n700,2\n", "line 1: 'wavelength (nm)'"),
+    "wavelengths": ("400 1\n500 2\n700 3\n", "line 3: a polar angle of 700 deg"),
+}
+
+
+@pytest.mark.parametrize(("data", "message"), REFUSED.values(), ids=REFUSED.keys())
+def test_anything_else_is_refused(data, message, written):
+    with pytest.raises(RadcalcError) as caught:
+        read_file(written(data))
+    assert message in caught.value.message
+    assert "lamp.txt" in caught.value.message
+    assert caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("lamp.ies", IES.replace("TILT=NONE", "NONE"), "TILT="),
+        ("lamp.ies", "a label\n1 2 3\n4\n", "TILT="),
+        (
+            "lamp.ldt",
+            LDT.replace("Lamps\n1\n1", "Lamps\n1\n9", 1),
+            "line 3: '9' instead",
+        ),
+        ("lamp.ldt", "\n".join(LDT.split("\n")[1:]), "line 4: '0' instead of the number Mc"),
+        ("lamp.csv", "gamma\n0\n9\n", "one column only"),
+        ("lamp.csv", "gamma,I\nx,1\n0,1\n", "line 2: 'x' in column 1 is not an angle"),
+    ],
+)
+def test_the_extension_chooses_who_says_what_is_wrong(name, text, message, written):
+    with pytest.raises(RadcalcError) as caught:
+        read_file(written(text, name))
+    assert message in caught.value.message
+
+
+def test_what_is_no_file_is_refused(tmp_path):
+    for path, message in (
+        (str(tmp_path), "Is a directory"),
+        (str(tmp_path / "none.ies"), "No such file"),
+        ("a\0b.ies", "no name of a file"),
+        ("/dev/zero", "a pipe or a device"),
+        ("/dev/null", "a pipe or a device"),
+    ):
+        with pytest.raises(RadcalcError, match=message):
+            read_file(path)
+
+
+def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path):
+    path = tmp_path / "lamp.ies"
+    os.mkfifo(path)
+    code = f"from radcalc.distributions.files import read_file; read_file({str(path)!r})"
+    done = python(code)
+    assert "a pipe or a device" in done.stderr
+
+
+def test_a_large_file_is_refused_unread(tmp_path):
+    path = tmp_path / "lamp.csv"
+    with open(path, "wb") as file:
+        file.truncate(1 << 30)
+    with pytest.raises(RadcalcError, match="more than 64 MiB") as caught:
+        read_file(str(path))
+    assert "lamp.csv" in caught.value.message
+    assert LARGEST == 64 << 20
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_standard_input_is_a_file_like_others(form):
+    code = "from radcalc.distributions.files import read_file; print(read_file('-').format)"
+    done = subprocess.run(
+        ["python", "-c", code], input=FORMATS[form], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == form
+
+
+def test_standard_input_without_end_is_refused():
+    code = "from radcalc.distributions.files import read_file; read_file('-')"
+    with open("/dev/zero", "rb") as zeros:
+        done = subprocess.run(["python", "-c", code], stdin=zeros, capture_output=True, text=True)
+    assert "stdin has more than 64 MiB" in done.stderr
+
+
+def test_no_damage_of_a_byte_is_more_than_an_error(written):
+    for text in FORMATS.values():
+        data = text.encode()
+        for k in range(len(data)):
+            for damaged in (data[:k], data[:k] + b"\xff" + data[k + 1 :], data[:k] + data[k + 1 :]):
+                try:
+                    read_file(written(damaged))
+                except RadcalcError as error:
+                    message = error.message
+                else:
+                    continue
+                assert "lamp.txt" in message
