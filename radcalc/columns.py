@@ -1,6 +1,5 @@
 """Columns of numbers in text: what separates them, decimal commas, the units in their titles."""
 
-import csv
 import re
 
 DELIMITERS = ("\t", ";", "|", ",")
@@ -26,6 +25,8 @@ def dialect(line: str) -> tuple[str | None, bool]:
 def cells(line: str, delimiter: str | None) -> list[str]:
     """The cells of a line, without blanks and quotes around them."""
     if delimiter and '"' in line:
+        import csv
+
         parts = next(csv.reader([line], delimiter=delimiter))
     else:
         parts = line.split(delimiter)

@@ -49,24 +49,6 @@ SYMMETRIES = {
     3: "the planes are those from C270 over C0 to C90, and stand for both sides (Isym 3)",
     4: "the planes C0 to C90 stand for all four quadrants (Isym 4)",
 }
-HEAD = ("company", "Ityp, 0 to 3", "Isym, 0 to 4", "Mc", "Dc", "Ng", "Dg")
-
-
-def looks_like(lines: Sequence[str]) -> bool:
-    """Whether lines begin as an EULUMDAT file does: with numbers alone in lines 2 to 7.
-
-    Examples
-    --------
-    >>> looks_like(["Lamps", "1", "0", "24", "15", "19", "5", "", "", ""])
-    True
-    """
-    numbers = [finite(line.strip(), True) for line in lines[1 : len(HEAD)]]
-    return (
-        len(numbers) == len(HEAD) - 1
-        and None not in numbers
-        and numbers[0] in range(4)
-        and numbers[1] in range(5)
-    )
 
 
 def read(lines: Sequence[str], name: str) -> Photometry:

@@ -1,31 +1,31 @@
 """Files of distributions: opened safely, decoded, and told apart by what they contain.
 
-An IES file has a line that begins with TILT=, an EULUMDAT file numbers alone in its lines 2 to 7,
-a table rows of numbers.  Where the content is none of them, the extension chooses the reader that
-says what is wrong.
+An IES file has a line that begins with TILT= or its edition, an EULUMDAT file numbers alone in its
+lines 2 to 7, a table rows of numbers.  Where the content is none of them, the extension chooses the
+reader that says what is wrong.
 """
 
 import os
 import re
 import stat
 from collections.abc import Callable, Sequence
+from importlib import import_module
 from itertools import islice
 
 from radcalc import columns, stdio
-from radcalc.distributions import eulumdat, ies, tables
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, quote, quote_path
 
 LARGEST = 1 << 26  # bytes of a file
 BLOCK = 1 << 20  # bytes that are read from a pipe at a time
 ROWS = 3  # that tell a table
-NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")  # \x1a ended a text in DOS
+# Bytes that no text has; \x1a ended one in DOS.
+NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
 IES = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
-EXTENSIONS = {".ies": ies.read, ".ldt": eulumdat.read, ".csv": tables.read}
+LABEL = 1000  # lines in which an IES file has one of those
+READERS = {".ies": "ies", ".ldt": "eulumdat", ".csv": "tables"}  # modules, by extension
 KNOWN = "an IES (LM-63) or EULUMDAT file, or a table with a column of angles"
-
-Reader = Callable[[Sequence[str], str], Photometry]
 
 
 def read_file(path: str) -> Photometry:
@@ -49,10 +49,12 @@ def read_file(path: str) -> Photometry:
     """
     name = "stdin" if path == "-" else quote_path(path)
     lines = _lines(_whole(stdio.read, name) if path == "-" else _from_file(path, name), name)
-    reader = _by_content(lines) or EXTENSIONS.get(os.path.splitext(path)[1].lower())
+    reader = _by_content(lines) or READERS.get(os.path.splitext(path)[1].lower())
     if not reader:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
-    return reader(lines, name)
+    # only the one that is needed is loaded
+    found: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
+    return found
 
 
 def _from_file(path: str, name: str) -> bytes:
@@ -95,10 +97,9 @@ def _lines(data: bytes, name: str) -> list[str]:
     """The lines of a text in UTF-8, or else in Latin-1, whatever ends them."""
     if data.startswith(UTF16):
         raise ConditionError(f"{name} is text in UTF-16", "the same in UTF-8 (iconv converts it)")
-    if found := NO_TEXT.search(data):
-        raise ConditionError(
-            f"{name} is no text: it has a byte of {data[found.start()]} at {found.start()}", KNOWN
-        )
+    if len(data.translate(None, NO_TEXT)) < len(data):
+        place = next(k for k, byte in enumerate(data) if byte in NO_TEXT)
+        raise ConditionError(f"{name} is no text: a byte of {data[place]} at {place}", KNOWN)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -108,13 +109,20 @@ def _lines(data: bytes, name: str) -> list[str]:
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
-def _by_content(lines: Sequence[str]) -> Reader | None:
-    """The reader of what lines are, by themselves; None where that is none of the formats."""
-    if any(map(IES.match, lines)):
-        return ies.read
-    if eulumdat.looks_like(lines):
-        return eulumdat.read
-    return tables.read if _has_rows(lines) else None
+def _by_content(lines: Sequence[str]) -> str:
+    """The reader of what lines are by themselves; none where that is none of the formats."""
+    if any(map(IES.match, lines[:LABEL])):
+        return "ies"
+    if _has_eulumdat_head(lines):
+        return "eulumdat"
+    return "tables" if _has_rows(lines) else ""
+
+
+def _has_eulumdat_head(lines: Sequence[str]) -> bool:
+    """Whether lines 2 to 7 are numbers, the first two a type and a symmetry."""
+    numbers = [columns.finite(line.strip(), True) for line in lines[1:7]]
+    is_head = len(numbers) == 6 and None not in numbers
+    return is_head and numbers[0] in range(4) and numbers[1] in range(5)
 
 
 def _has_rows(lines: Sequence[str]) -> bool:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from radcalc.columns import IN_BRACKETS, units_in
@@ -179,6 +180,7 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
     return next(iter(found.values()), None)
 
 
+@lru_cache(16)
 def _intensity(title: str) -> Unit | None:
     """The unit of intensity in a title; refuse another one."""
     title = title.replace("_", " ")

@@ -184,6 +184,14 @@ class _Reader:
         return angles, values
 
     def row(self, number: int, line: str, width: int) -> list[float]:
+        """The numbers of a row: at once where they are nothing else, or one by one."""
+        if not self.comma and line.isascii() and "_" not in line:
+            try:
+                plain = list(map(float, line.split(self.delimiter)))
+            except ValueError:
+                plain = []
+            if len(plain) == width and min(plain[1:]) >= 0 and math.isfinite(sum(plain)):
+                return plain
         cells = columns.cells(line, self.delimiter)
         if len(cells) != width:
             problem = f"{len(cells)} columns instead of {width}"

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from radcalc.distributions.eulumdat import looks_like, read
+from radcalc.distributions.eulumdat import read
 from radcalc.errors import RadcalcError
 
 ALL_AROUND = [15.0 * k for k in range(24)]
@@ -327,11 +327,3 @@ def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
         assert found.declared.get("lamp-flux", lumens) == lumens, what
     assert count > 1000
     assert 0 < accepted < count / 2
-
-
-def test_what_an_eulumdat_file_looks_like():
-    assert looks_like(ldt(even))
-    for number in range(2, 8):
-        assert not looks_like(changed(number, "text"))
-    assert not looks_like(["a", "1"])
-    assert not looks_like(["0,1"] * 20)
