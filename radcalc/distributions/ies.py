@@ -40,9 +40,12 @@ UNITS = {
     "uw/sr": ("e", 1e-6),
 }
 UNITS_ARE = "_INTENSITYUNITS"  # the keyword
+END_IN_DOS = "\x1a"  # of a file
+EDITIONS = {year % 100: year for year in (1986, 1991, 1995, 2002, 2019)}
 SYSTEMS = {1: "C", 2: "B", 3: "A"}
 
-_EDITION = re.compile(r"\s*(?:IESNA|IES(?:NA)?\s*:?\s*LM-?63-)\s*(\d{4}|\d\d)\b", re.IGNORECASE)
+_EDITION = re.compile(r"\s*IES(?:NA)?\s*:?\s*(?:LM-?63-)?(\d{4}|\d\d)\s*$", re.IGNORECASE)
+_TAG = re.compile(r"\s*IES(?:NA|\s*:)|LM-?63", re.IGNORECASE)
 _KEYWORD = re.compile(r"\s*\[([^\]]*)\](.*)")
 _TILT = re.compile(r"\s*TILT\s*=(.*)", re.IGNORECASE)
 _RADIANT = re.compile(r"\b([mu\u00b5\u03bc]?W)\s*/\s*sr\b", re.IGNORECASE)
@@ -100,10 +103,11 @@ def read(lines: Sequence[str], name: str) -> Photometry:
         kind,
         "B" if system == "B" else "C",
     )
+    edition = f"-{label.edition}" if label.edition else ""
     declared = {"input-power": header.watts, "lamp-flux": header.lumens if kind == "v" else 0.0}
     return Photometry(
         grid,
-        f"IES LM-63-{label.edition}, type {system}",
+        f"IES LM-63{edition}, type {system}",
         quote(label.title),
         {symbol: value for symbol, value in declared.items() if value > 0},
         (*assumptions, *table.assumptions),
@@ -142,14 +146,15 @@ class _Label:
             self.tilt = self.tilt.upper()
         first = next((line for line in self.lines if line.strip()), "")
         edition = _EDITION.match(first)
-        year = int(edition[1]) if edition else 1986  # which has no such line
-        self.edition = year + (0 if year > 99 else 1900 if year > 50 else 2000)
+        self.edition = EDITIONS.get(int(edition[1]) % 100, 0) if edition else 0
+        if not (self.edition or _TAG.search(first)):
+            self.edition = 1986  # has no such line
         for keyword in ("LUMINAIRE", "LUMCAT", "TEST"):
             self.title = self.keywords.get(keyword, (0, ""))[1]
             if self.title:
                 break
         else:
-            self.title = "" if edition or self.keywords else first.strip()
+            self.title = "" if self.keywords or _TAG.search(first) else first.strip()
 
     def error(self, line: int, problem: str, hint: str) -> ConditionError:
         return ConditionError(f"{self.name}, line {line}: {problem}", hint)
@@ -192,10 +197,12 @@ class _Numbers:
         values: list[float] = []
         self.ends: list[int] = []  # how many numbers there are up to the end of each line
         self.place = 0
-        end = len(lines)
-        while end > start and lines[end - 1].strip(" \t\r\n\x1a").upper() in ("", "END"):
-            end -= 1
-        for number, line in enumerate(lines[start:end], start + 1):
+        body = list(lines[start:])
+        while body and body[-1].strip(f" \t\r\n{END_IN_DOS}").upper() in ("", "END"):
+            body.pop()
+        if body:
+            body[-1] = body[-1].rstrip(f"\r\n{END_IN_DOS}")
+        for number, line in enumerate(body, start + 1):
             values += self.numbers(line, number)
             self.ends.append(len(values))
         self.values = numpy.array(values)
@@ -212,7 +219,7 @@ class _Numbers:
                 return list(map(float, line.split()))
             except ValueError:
                 pass
-        words = line.replace("\x1a", " ").split()  # the end of a file in DOS
+        words = line.split()
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
             raise self.error_in(
                 number, "a decimal comma", "decimal points: commas separate numbers"
@@ -328,18 +335,27 @@ def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
     factor *= ballast
     if ballast != 1:
         assumptions.append(f"a ballast factor of {ballast:g}")
-    if edition < 1995:
-        last = numbers.factor("ballast-lamp factor")
-        factor *= last
-        if last != 1:
-            assumptions.append(f"a ballast-lamp factor of {last:g}, as in LM-63-{edition}")
-    else:
-        last = numbers.one()  # for future use; since 2019 how the file was made
-        if last != 1 and edition < 2019:
-            assumptions.append(f"no ballast-lamp factor: LM-63-{edition} has none ({last:g})")
+    factor *= _ballast_lamp_factor(numbers, edition, assumptions)
     watts = numbers.one()
     _check_counts(numbers, vertical, horizontal)
     return _Header(lumens, factor, vertical, horizontal, system, watts)
+
+
+def _ballast_lamp_factor(numbers: _Numbers, edition: int, assumptions: list[str]) -> float:
+    """The factor of 1986 and 1991; later editions have no factor in its place."""
+    if edition in (1986, 1991):
+        value = numbers.factor("ballast-lamp factor")
+        if value != 1:
+            assumptions.append(f"a ballast-lamp factor of {value:g}, as in LM-63-{edition}")
+        return value
+    value = numbers.one()
+    if value != 1 and not edition:
+        problem = f"{value:g} is a factor in some editions, and the first line names none"
+        hint = "IESNA91 as the first line if it is one, IESNA:LM-63-2002 if not"
+        raise numbers.error(numbers.place - 1, problem, hint)
+    if value != 1 and edition < 2019:
+        assumptions.append(f"no ballast-lamp factor: LM-63-{edition} has none ({value:g})")
+    return 1.0
 
 
 def _check_counts(numbers: _Numbers, vertical: int, horizontal: int) -> None:

@@ -5,37 +5,10 @@ import re
 
 import numpy
 import pytest
+from distributions.lm63 import DEGREE, plain_flux, steps, written
 
 from radcalc.distributions import ies
 from radcalc.errors import ConditionError
-
-DEGREE = math.pi / 180
-TYPE = {"C": 1, "B": 2, "A": 3}
-
-
-def written(
-    intensity,
-    vertical,
-    horizontal,
-    system="C",
-    label=("IESNA:LM-63-2002", "[TEST] 1"),
-    tilt=("TILT=NONE",),
-    lamps="1 -1",
-    factors="1",
-    ballast="1 1",
-    watts="20",
-):
-    """The lines of a file; the intensity is a function of V and H in degrees, or a number."""
-    function = intensity if callable(intensity) else lambda v, h: intensity
-    counts = f"{len(vertical)} {len(horizontal)} {TYPE[system]}"
-    rows = [" ".join(f"{function(v, h):.17g}" for v in vertical) for h in horizontal]
-    angles = [" ".join(f"{angle:g}" for angle in angles) for angles in (vertical, horizontal)]
-    header = [f"{lamps} {factors} {counts} 2 0 0 0", f"{ballast} {watts}"]
-    return [*label, *tilt, *header, *angles, *rows]
-
-
-def steps(first, last, step):
-    return [first + k * step for k in range(round((last - first) / step) + 1)]
 
 
 def opened(*args, **options):
@@ -231,6 +204,13 @@ def test_editions_and_their_factors(label, year, factors):
     assert any("ballast-lamp factor" in text for text in found.assumptions) == (year < 2019)
 
 
+def test_an_edition_that_is_not_known():
+    found = opened(10, [0, 90, 180], [0], label=["IESNA:LM-63-2033"])
+    assert found.format == "IES LM-63, type C"
+    assert found.name == ""
+    assert flux(found) == pytest.approx(40 * math.pi, rel=1e-13)
+
+
 @pytest.mark.parametrize(
     ("label", "name"),
     [
@@ -368,6 +348,7 @@ FIVE = "2 900 1.5 7 4 1 2 0 0 0"  # line 5 of the good file
         (changed(line_9="1 2 1e999 4 5 6 7"), "line 9: inf is no number", "below"),
         (changed(line_9="1 2 1_0 4 5 6 7"), "line 9: '1_0' is not a number", "numbers"),
         (changed(line_9="1 2 ٣ 4 5 6 7"), "line 9: '٣' is not a number", "numbers"),
+        (changed(line_9="1 2 \x1a 4 5 6 7"), r"line 9: '\x1a' is not a number", "numbers"),
         (changed(line_9="1 2 x 4 5 6 7"), "line 9: 'x' is not a number", "numbers"),
         (changed(line_9="1 2 ,, 4 5 6 7"), "line 9: nothing between two commas", "a number"),
         (changed(line_9="10,5 2 3,5 4 5 6 7"), "line 9: a decimal comma", "decimal points"),
@@ -389,6 +370,9 @@ FIVE = "2 900 1.5 7 4 1 2 0 0 0"  # line 5 of the good file
         (changed(line_5="2 900 1.5 7 4 2 2 0 0 0", line_8="0 30 60 95"), "line 8:", "-90 to 90"),
         (changed(line_5="2 900 1.5 7 4 2 2 0 0 0", line_8="-9 30 60 90"), "line 8:", "-90..90"),
         (changed(line_5="2 900 1.5 7 4 3 2 0 0 0", line_7="0 15 30 45 60 75 95"), "line 7:", "-90"),
+        (changed(line_1="IESNA:LM--63-2002", line_6="1 9 20"),
+         "line 6: 9 is a factor in some editions", "IESNA91"),
+        (changed(line_1="IESNA91", line_6="1 0 20"), "line 6: the ballast-lamp factor is", "above"),
         (changed(line_4="TILT="), "line 4: nothing follows TILT=", "TILT=NONE"),
         (changed(line_4="TILTED"), "line 12: the file ends before a line with TILT=", "LM-63"),
         ([], "line 1: the file ends before a line with TILT=", "LM-63"),
@@ -413,45 +397,6 @@ def test_refusals(lines, message, hint):
     assert error.message.startswith("lamp.ies, line ")
     assert message in error.message
     assert hint in error.hint
-
-
-def plain_flux(lines):
-    """The flux of a file of any type that is in order, by sums over its segments.
-
-    Linear in the angle from the pole's plane, I cos H (or I sin V of type C) integrates to closed
-    forms; over the other angle the trapezoidal rule is exact.
-    """
-    text = "\n".join(lines)
-    place = re.search(r"TILT=NONE", text).end()
-    numbers = [float(word) for word in re.split(r"[\s,]+", text[place:].strip())]
-    nv, nh, system = (int(numbers[k]) for k in (3, 4, 5))
-    v, h = numbers[13 : 13 + nv], numbers[13 + nv : 13 + nv + nh]
-    table = [numbers[13 + nv + nh + k * nv :][:nv] for k in range(nh)]
-    values = [[max(value, 0.0) for value in row] for row in table]
-    if system == 2:
-        across, along, values = v, h, [list(column) for column in zip(*values, strict=True)]
-    else:
-        across, along = h, v
-    # angles from the equator of the pole, of which the solid angle has the cosine
-    x = [(a - 90 if system == 1 else a) * DEGREE for a in along]
-    rows = []
-    for row in values:
-        total = 0.0
-        for a, b, p, q in zip(x, x[1:], row, row[1:], strict=False):
-            slope = (q - p) / (b - a)
-            total += q * math.sin(b) - p * math.sin(a) + slope * (math.cos(b) - math.cos(a))
-        rows.append(total)
-    if system == 1 and nh == 1:
-        return numbers[2] * numbers[10] * rows[0] * 2 * math.pi
-    if system == 1 and across[0] == 0 and 180 < across[-1] < 360:
-        across, rows = [*across, 360], [*rows, rows[0]]
-    span = across[-1] - across[0]
-    times = 360 / span if system == 1 else 2 if h[0] == 0 else 1
-    sums = sum(
-        (b - a) * (p + q) / 2
-        for a, b, p, q in zip(across, across[1:], rows, rows[1:], strict=False)
-    )
-    return numbers[2] * numbers[10] * times * sums * DEGREE
 
 
 FAMILY = {
