@@ -30,7 +30,7 @@ All (`ANY_LAWS`), for a source that is small beside its distance d (five times i
 
 - `INVERSE_SQUARE`: E = I cos(theta) Omega0 / d^2; `OFF_AXIS`: E = I f cos(theta) Omega0 / d^2,
   where f is what is left of I at the angle gamma off the axis
-- cosine of the incidence: 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
+- `COSINE`: cosine of the incidence, 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
 - flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
 
 - the same of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
@@ -185,15 +185,16 @@ OFF_AXIS = law(
     "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
+COSINE = relation(
+    "cosine of the incidence",
+    "{cosine} = cos({incidence})",
+    {
+        "cosine": lambda at: cones.facing(at("incidence")),
+        "incidence": lambda at: _incidence_of(at("cosine")),
+    },
+)
 ANY_LAWS: list[AnyLaw] = [
-    relation(
-        "cosine of the incidence",
-        "{cosine} = cos({incidence})",
-        {
-            "cosine": lambda at: cones.facing(at("incidence")),
-            "incidence": lambda at: _incidence_of(at("cosine")),
-        },
-    ),
+    COSINE,
     relation(
         "straight line to the source",
         "{distance}^2 = {height}^2 + {lateral}^2",
