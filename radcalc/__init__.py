@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         explain,
         lambertian,
         point_source,
+        uberlight,
     )
 
 __all__ = [
@@ -32,6 +33,7 @@ __all__ = [
     "explain",
     "lambertian",
     "point_source",
+    "uberlight",
 ]
 
 

@@ -16,15 +16,24 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.given import Given, Inputs, read
+from radcalc.given import EXTREME, Given, Inputs, read, read_place
 from radcalc.quantities.symbols import FLAG, INNER, SYMBOLS
+from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
 Quantity: Any = light_registry().Quantity
 T = TypeVar("T")
-FUNCTIONS = ("convert", "explain", "point_source", "lambertian", "ev", "calorimeter")
+FUNCTIONS = (
+    "convert",
+    "explain",
+    "point_source",
+    "lambertian",
+    "uberlight",
+    "ev",
+    "calorimeter",
+)
 
 
 class Python:
@@ -234,6 +243,69 @@ def lambertian(
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
     inputs = _inputs({"corner": corner, "perpendicular": perpendicular, **given})
     return _results(lambda: work_out(shape, inputs))
+
+
+@in_python
+def uberlight(point: Any, *, omni: bool = False, **given: Any) -> dict[str, Any]:
+    """What a cinematographer's light sends to points, and how much each setting attenuates it.
+
+    Parameters
+    ----------
+    point : str, Quantity or array_like of shape (..., 3)
+        The points: a text such as ``"1m,0m,2m"``, lengths, or numbers of metres.  The light is at
+        0,0,0 and shines along +z.
+    omni : bool
+        It shines everywhere, and depths are distances from it.
+    **given : str, Quantity, float or sequence of floats
+        As the options of ``radcalc uberlight``, with underscores: ``intensity="1000 cd"``,
+        ``near="1 m:2 m"``, ``superellipse=(0.4, 0.3, 0.5, 0.4)``.  Arrays are broadcast together,
+        and with the points.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`; x, y and z, and the attenuations, are among them.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> light = uberlight([[0, 0, 1], [0, 0, 2]], intensity="100cd", falloff=1)
+    >>> print(light["irradiance"].round(6), light["attenuation"].round(6))
+    [100.0 50.0] lux [1.0 0.5] dimensionless
+    """
+    from radcalc.calculators.uberlight import uberlight as work_out
+
+    place = _place(point)
+    inputs = {**_inputs({"omni": omni, **given}), place.name: place}
+    return _results(lambda: work_out(inputs))
+
+
+def _place(point: Any) -> Given:
+    """Points, as a text, lengths or numbers of metres."""
+    if isinstance(point, str):
+        return read_place("point", point)
+    metres, unit = point, None
+    if _is_quantity(point):
+        unit = from_container(point._units)
+        if unit.dimension != LENGTH:
+            raise ConditionError("the point is a length", "metres")
+        metres = point.magnitude * unit.factor
+    import numpy
+
+    try:
+        array = numpy.asarray(metres, float)
+    except (TypeError, ValueError):
+        raise ConditionError("the point is not of numbers", "X,Y,Z") from None
+    if array.shape[-1:] != (3,):
+        raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
+    if not (abs(array) <= EXTREME).all():
+        raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
+    place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
+    return Given(SYMBOLS["point"], "the points", place, unit=unit)
 
 
 @in_python

@@ -24,6 +24,7 @@ from radcalc.quantities.symbols import (
     FLAG,
     INTERVAL,
     LINKS,
+    NUMBERS,
     POINT,
     QUANTITY,
     REFINEMENTS,
@@ -191,7 +192,7 @@ def hold(given: Given, limits: Limits) -> None:
     """
     value = given.value
     low, high = limits.low, limits.high
-    below = value <= low if limits.without_low else value < low * (1 + SLACK)
+    below = value <= low if limits.without_low else value < low - SLACK * abs(low)
     if maths.any_true(below):
         said = limits.said
         if low == 0 and limits.without_low:
@@ -260,21 +261,46 @@ def _is_length(text: str) -> bool:
 
 def read_interval(name: str, text: str) -> Given:
     """Read A:B, two angles [rad] of a symbol; an interval of azimuths may lead across +x."""
-    parts = text.split(":")
-    example = option(name, "30deg:60deg")
-    told = option(name, quote(text))
-    if len(parts) != 2:
-        raise ConditionError(f"{told} is not an interval", f"{example}, from A to B")
-    symbol = SYMBOLS[name]._replace(limits=Limits())
-    low, high = (read_as(symbol, part).value for part in parts)
-    if low == high:
-        raise ConditionError(f"{told} has no width", example)
-    if low > high:
-        hint = option(name, f"{parts[1]}:{parts[0]}")
+    symbol = SYMBOLS[name]._replace(limits=Limits(), example="30deg:60deg")
+    low, high = _ends(symbol, text)
+    if low.value == high.value:
+        raise ConditionError(
+            f"{option(name, quote(text))} has no width", option(name, symbol.example)
+        )
+    if low.value > high.value:
+        hint = option(name, f"{high.text}:{low.text}")
         if name == "azimuth":  # across +x
-            hint = option(name, f"{parts[0]}:{math.degrees(high) + 360:.12g}deg")
-        raise ConditionError(f"{told} ends before it starts", hint)
-    return Given(symbol._replace(form=INTERVAL), text, (low, high))
+            hint = option(name, f"{low.text}:{math.degrees(high.value) + 360:.12g}deg")
+        raise _backwards(symbol, text, hint)
+    return Given(symbol._replace(form=INTERVAL), text, (low.value, high.value))
+
+
+def _read_interval(symbol: Symbol, value: Any) -> Given:
+    """A:B, of which both may be the same."""
+    text = " ".join(str(value).split())
+    low, high = _ends(symbol, text)
+    if low.value > high.value:
+        raise _backwards(symbol, text, option(symbol.name, f"{high.text}:{low.text}"))
+    return Given(symbol, text, (low.value, high.value))
+
+
+def _ends(symbol: Symbol, text: str) -> tuple[Given, Given]:
+    parts = text.split(":")
+    example = option(symbol.name, symbol.example)
+    if len(parts) != 2:
+        told = option(symbol.name, quote(text))
+        raise ConditionError(f"{told} is not an interval", f"{example}, from A to B")
+    end = symbol._replace(form=QUANTITY, example=symbol.example.partition(":")[0])
+    try:
+        low, high = (read_as(end, part) for part in parts)
+    except MissingUnit:
+        whole = (part if split_quantity(part)[1] else _with_unit(end, part) for part in parts)
+        raise MissingUnit(symbol.name, quote(text), ":".join(whole)) from None
+    return low, high
+
+
+def _backwards(symbol: Symbol, text: str, hint: str) -> ConditionError:
+    return ConditionError(f"{option(symbol.name, quote(text))} ends before it starts", hint)
 
 
 Point = tuple[float, float, float]
@@ -282,17 +308,8 @@ Point = tuple[float, float, float]
 
 def read_point(text: str, what: str) -> Point:
     """Read X,Y,Z, three bare numbers in any one unit; `what` is said where it is none."""
-    parts = text.split(",")
     hint = "X,Y,Z, in one unit that is not written: 1,0,0.5"
-    if len(parts) != 3:
-        count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
-        raise ConditionError(f"{what} '{quote(text)}' has {count}, not three", hint)
-    try:
-        x, y, z = (parse_number(part) for part in parts)
-    except NumberError as error:
-        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
-    if max(abs(x), abs(y), abs(z)) > EXTREME:
-        raise NumberError(f"{what} '{quote(text)}' is too far away", "coordinates up to 1e100")
+    x, y, z = _read_bare(text, what, 3, "coordinate", hint)
     return x, y, z
 
 
@@ -343,8 +360,72 @@ def _read_direction(symbol: Symbol, value: Any) -> Given:
     return Given(symbol, text, read_direction(text, option(symbol.name)))
 
 
+COUNTED = {2: "two", 3: "three", 4: "four"}
+
+
+def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[float, ...]:
+    """So many bare numbers, between commas."""
+    parts = text.split(",")
+    if len(parts) != count:
+        told = f"{len(parts)} {noun}{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} '{quote(text)}' has {told}, not {COUNTED[count]}", hint)
+    try:
+        numbers = tuple(parse_number(part) for part in parts)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
+    if max(map(abs, numbers)) > EXTREME:
+        raise NumberError(f"{what} '{quote(text)}' is too far away", f"{noun}s up to 1e100")
+    return numbers
+
+
+def _joined(value: Any) -> str:
+    """Numbers of Python's as they would be typed."""
+    return value if isinstance(value, str) else ",".join(str(float(one)) for one in value)
+
+
 def _read_point(symbol: Symbol, value: Any) -> Given:
-    return Given(symbol, str(value), read_point(str(value), option(symbol.name)))
+    text = _joined(value)
+    return Given(symbol, text, read_point(text, option(symbol.name)))
+
+
+def _read_numbers(symbol: Symbol, value: Any) -> Given:
+    text, count = _joined(value), len(symbol.example.split(","))
+    hint = option(symbol.name, symbol.example)
+    return Given(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
+
+
+def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
+    """Read coordinates that are all lengths [m], or all bare; give the first one's unit too."""
+    read = [split_quantity(part) for part in parts]
+    units = [resolve(unit or "1") for _, unit in read]
+    if len({unit.dimension for unit in units}) > 1:
+        raise ConditionError("the coordinates mix quantities", "one unit for X, Y and Z")
+    if read[0][1] and units[0].dimension != LENGTH:
+        raise ConditionError(
+            f"a coordinate is a length or a bare number, not {describe(units[0])}",
+            f"without {quote(read[0][1])}",
+        )
+    sizes = tuple(number * unit.factor for (number, _), unit in zip(read, units, strict=True))
+    if max(map(abs, sizes)) > EXTREME:
+        raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
+    return sizes, read[0][1]
+
+
+def read_place(name: str, text: str) -> Given:
+    """Read X,Y,Z, the place [m] of a symbol: three lengths, or bare numbers of metres."""
+    parts = text.split(",")
+    what, hint = f"the {name} '{quote(text)}'", "X,Y,Z, as 1,0,2 in metres, or 1m,0m,2m"
+    if len(parts) != 3:
+        count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} has {count}, not three", hint)
+    try:
+        place, unit = read_coordinates(parts)
+    except ConditionError as error:
+        raise ConditionError(f"{what}: {error.message}", hint) from None
+    except RadcalcError as error:
+        error.message = f"{what}: {error.message}"
+        raise
+    return Given(SYMBOLS[name], text, place, unit=resolve(unit) if unit else None)
 
 
 _READERS = {
@@ -354,6 +435,8 @@ _READERS = {
     WAVELENGTHS: _read_wavelengths,
     POINT: _read_point,
     DIRECTION: _read_direction,
+    INTERVAL: _read_interval,
+    NUMBERS: _read_numbers,
 }
 
 

@@ -31,7 +31,7 @@ LIGHT = {
     "flux": "{0}", "intensity": "{0}/sr", "irradiance": "{0}/m2", "exitance": "{0}/m2",
     "radiance": "{0}/m2/sr", "exposure": "{1}/m2", "energy": "{1}", "received-flux": "{0}",
     "incident-irradiance": "{0}/m2", "flux-within": "{0}", "beam-flux": "{0}",
-    "far-field-irradiance": "{0}/m2",
+    "far-field-irradiance": "{0}/m2", "intensity-toward": "{0}/sr",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",

@@ -252,7 +252,8 @@ class Worksheet:
         """Results that do not follow, which tell what they lack when they are asked for."""
         rows = []
         for name in dict.fromkeys((*self.page.light, *self.page.others, *self.page.takes)):
-            if name in self.solution.values or name in self.given or not SYMBOLS[name].dimensions:
+            follows = name in self.solution.values or name in self.given
+            if follows or SYMBOLS[name].form != QUANTITY:
                 continue
 
             def lacking(name: str = name) -> list[str]:

@@ -33,6 +33,7 @@ COMMANDS = {
     "etendue": "Etendues, and the flux of a radiance.",
     "point-source": "Sources that are small beside their distance.",
     "lambertian": "Diffuse sources and reflectors.",
+    "uberlight": "The cinematographer's light of computer graphics.",
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat it leaves.",
     "screen": "The picture on a projection screen.",
@@ -58,6 +59,7 @@ MEANT = {
     "units": "unit",
     "screen": "projector cinema",
     "solid-angle": "steradian steradians omega",
+    "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
 }
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
@@ -249,6 +251,8 @@ def _join_unit(error: MissingUnit, words: list[str]) -> None:
 
     flag = f"--{error.symbol}"
     behind = words[words.index(flag) + 2 :][:1] if flag in words else []
+    if ":" in error.text:  # an interval, each end of which has its unit
+        return
     symbol = SYMBOLS.get(error.symbol)
     try:
         if behind and symbol and resolve(behind[0]).dimension in symbol.dimensions:

@@ -5,12 +5,8 @@ from radcalc.calculators.direction import of_angles, of_vector
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
-from radcalc.errors import ConditionError, UsageError, quote
-from radcalc.given import EXTREME
-from radcalc.quantities.light import describe
-from radcalc.units.dimensions import LENGTH
-from radcalc.units.numbers import split_quantity
-from radcalc.units.table import resolve
+from radcalc.errors import ConditionError, UsageError
+from radcalc.given import read_coordinates
 
 
 @define("direction", {"Angles": ("polar", "elevation", "azimuth")}, words="[X Y Z]")
@@ -42,16 +38,5 @@ def _of_words(coordinates: list[str]) -> Answer:
         raise UsageError(
             f"a vector has three coordinates, not {len(coordinates)}", "radcalc direction 1 1 1"
         )
-    parts = [split_quantity(word) for word in coordinates]
-    units = [resolve(unit or "1") for _, unit in parts]
-    if len({unit.dimension for unit in units}) > 1:
-        raise ConditionError("the coordinates mix quantities", "one unit for X, Y and Z")
-    if parts[0][1] and units[0].dimension != LENGTH:
-        raise ConditionError(
-            f"a coordinate is a length or a bare number, not {describe(units[0])}",
-            f"without {quote(parts[0][1])}",
-        )
-    x, y, z = (number * unit.factor for (number, _), unit in zip(parts, units, strict=True))
-    if max(abs(x), abs(y), abs(z)) > EXTREME:
-        raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
-    return of_vector(x, y, z, parts[0][1])
+    (x, y, z), unit = read_coordinates(coordinates)
+    return of_vector(x, y, z, unit)

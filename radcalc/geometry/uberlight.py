@@ -25,6 +25,7 @@ from radcalc.geometry.cones import refuse
 from radcalc.maths import Number, atan2, exp, expm1, hypot, larger, log, piecewise, smaller
 
 MOST = 690.0  # of a logarithm, whose exponential a float holds
+OUTSIDE = 1e150  # of every cross-section
 
 
 def smoothstep(low: Number, high: Number, x: Number) -> Number:
@@ -108,6 +109,50 @@ def depth_clip(
     return clip
 
 
+def cross_section(
+    x: Number, y: Number, z: Number, shear: tuple[Number, Number] = (0.0, 0.0)
+) -> tuple[Number, Number]:
+    """Point of the plane z = 1 through which the light reaches a point, from the beam's centre.
+
+    Parameters
+    ----------
+    x, y, z : float or ndarray
+        The point.
+    shear : tuple of 2 floats or ndarrays, optional
+        Where the centre of the beam is in that plane; 0, 0 by default.
+
+    Returns
+    -------
+    tuple of 2 floats or ndarrays [1]
+        Distances along x and y; 1e150, which is outside every cross-section, where the point is
+        behind the light or as good as beside it.
+
+    Notes
+    -----
+    ::
+
+        |x / z - X|,  |y / z - Y|
+
+    Examples
+    --------
+    >>> from radcalc.geometry.uberlight import cross_section
+    >>> cross_section(3.0, 1.0, 2.0, shear=(0.5, 0.0)), cross_section(0.0, 0.0, -1.0)
+    ((1.0, 0.5), (1e+150, 1e+150))
+    """
+    u, v = (
+        piecewise(
+            z > 0,
+            lambda z, aside, s: smaller(abs(aside / z - s), OUTSIDE + 0 * z),
+            lambda z, aside, s: OUTSIDE + 0 * (z + aside + s),
+            z,
+            aside,
+            centre,
+        )
+        for aside, centre in zip((x, y), shear, strict=True)
+    )
+    return u, v
+
+
 def superellipse_scale(
     x: Number, y: Number, width: Number, height: Number, roundness: Number
 ) -> Number:
@@ -120,7 +165,7 @@ def superellipse_scale(
     width, height : float or ndarray
         Half axes along x and y, above 0, in the unit of the point.
     roundness : float or ndarray [1]
-        From 0, a rectangle, to 1, an ellipse.
+        Above 0, up to 1, an ellipse; towards 0 it becomes a rectangle.
 
     Returns
     -------
@@ -131,32 +176,27 @@ def superellipse_scale(
     -----
     ::
 
-        ((|x| / a)^(2/R) + (|y| / b)^(2/R))^(R/2),  and max(|x| / a, |y| / b) for R = 0
+        ((|x| / a)^(2/R) + (|y| / b)^(2/R))^(R/2)
+
+    Computed with the larger term taken out, so that no power overflows.
 
     Examples
     --------
     >>> from radcalc.geometry.uberlight import superellipse_scale
-    >>> superellipse_scale(3.0, 4.0, 1.0, 1.0, 1.0), superellipse_scale(3.0, 4.0, 1.0, 1.0, 0.0)
+    >>> superellipse_scale(3.0, 4.0, 1.0, 1.0, 1.0), superellipse_scale(3.0, 4.0, 1.0, 1.0, 1e-6)
     (5.0, 4.0)
     """
     across, along = abs(x) / width, abs(y) / height
     most, least = larger(across, along), smaller(across, along)
     ratio = piecewise(most > 0, lambda m, n: n / m, lambda m, n: 0.0 * m, most, least)
-    return piecewise(
-        roundness > 0,
-        lambda m, r, R: m * (1 + r ** (2 / R)) ** (R / 2),
-        lambda m, r, R: m + 0.0 * r,
-        most,
-        ratio,
-        roundness,
-    )
+    return most * (1 + ratio ** (2 / roundness)) ** (roundness / 2)
 
 
 def superellipse_clip(
     x: Number,
     y: Number,
-    inner: tuple[Number, Number],
-    outer: tuple[Number, Number],
+    inner: tuple[float, float],
+    outer: tuple[float, float],
     roundness: Number = 1.0,
 ) -> Number:
     """Attenuation by the cross-section of a spot: full inside, none outside, soft between.
@@ -164,10 +204,10 @@ def superellipse_clip(
     Parameters
     ----------
     x, y : float or ndarray [1]
-        Where the ray crosses the plane z = 1, from the axis of the (sheared) beam.
-    inner : tuple of 2 floats or ndarrays [1]
+        The point of the plane z = 1, as of `cross_section`.
+    inner : tuple of 2 floats [1]
         Half width and half height in that plane within which the light is full, above 0.
-    outer : tuple of 2 floats or ndarrays [1]
+    outer : tuple of 2 floats [1]
         Those outside which there is none; at least as large.
     roundness : float or ndarray [1], optional
         From 0, a rectangle, to 1, an ellipse, the default.
@@ -185,8 +225,13 @@ def superellipse_clip(
         q = a b / ((b |x|)^(2/R) + (a |y|)^(2/R))^(R/2),  r the same of A and B
 
     q and r are 1 over the factors by which the superellipses must grow (`superellipse_scale`).
-    For R = 0 the formula's limit is used, which is continuous; the shader multiplies the clips of
-    x and of y there, which makes the soft corners of a rectangle darker.
+    For R = 0 a rectangle's is the product of both axes', as in the shader:
+
+    ::
+
+        (1 - smoothstep(a, A, |x|)) (1 - smoothstep(b, B, |y|))
+
+    which is not quite what the other tends to with R, where the edges are soft.
 
     Examples
     --------
@@ -194,15 +239,29 @@ def superellipse_clip(
     >>> superellipse_clip(1.2, 0.0, inner=(1.0, 1.0), outer=(1.5, 1.5))
     0.648
     """
-    scale = superellipse_scale(x, y, *inner, roundness)
-    outside = superellipse_scale(x, y, *outer, roundness)
-    return piecewise(
-        scale > 0,
-        lambda f, F: 1 - smoothstep(1 / f, 1 / F, 1.0 + 0 * f),
-        lambda f, F: 1.0 + 0 * f,
-        scale,
-        outside,
-    )
+    (a, b), (outer_a, outer_b) = inner, outer
+
+    def rounded(x: Number, y: Number, roundness: Number) -> Number:
+        return piecewise(
+            (x == 0) & (y == 0),
+            lambda x, y, R: 1.0 + 0 * x,
+            lambda x, y, R: (
+                1
+                - smoothstep(
+                    1 / superellipse_scale(x, y, a, b, R),
+                    1 / superellipse_scale(x, y, outer_a, outer_b, R),
+                    1.0 + 0 * x,
+                )
+            ),
+            x,
+            y,
+            roundness,
+        )
+
+    def rectangle(x: Number, y: Number, roundness: Number) -> Number:
+        return (1 - smoothstep(a, outer_a, abs(x))) * (1 - smoothstep(b, outer_b, abs(y)))
+
+    return piecewise(roundness > 0, rounded, rectangle, x, y, roundness)
 
 
 def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
@@ -287,8 +346,7 @@ def falloff(
         M exp(s (d / L)^beta), s = ln(1/M), beta = -N / s       within L
 
     Both have the value 1 and the slope -N / L at L.  The limit for M = 1 is 1 all over within L;
-    for a rising M the second tends to the first.  It is computed as exp(-m expm1(x / m)), with
-    m = ln M and x = N ln(d / L), which keeps its digits for every M.
+    for a rising M the second tends to the first.
 
     Examples
     --------
@@ -301,15 +359,33 @@ def falloff(
     refuse(distance <= 0, "a distance from the light is more than 0", "more than 0")
     refuse(exponent < 0, "a negative fall-off is not possible", "0 or more")
     refuse(reference <= 0, "a fall-off distance is more than 0", "more than 0")
-    power = exponent * log(distance / reference)  # of 1/e, by which the light falls off
-    if maximum is not None:
-        refuse(maximum < 1, "a maximum is at least the 1 at the fall-off distance", "1 or more")
-        power = piecewise(
-            (power < 0) & (maximum > 1),
-            lambda x, m: m * expm1(x / m),
-            lambda x, m: larger(x, 0.0 * m),
-            power,
-            log(maximum),
-        )
-    refuse(abs(power) > MOST, "that fall-off is beyond what a number holds", "a smaller exponent")
-    return exp(-power)
+    if maximum is None:
+        return _power(distance, exponent, reference)
+    refuse(maximum < 1, "a maximum is at least the 1 at the fall-off distance", "1 or more")
+    return piecewise(
+        distance < reference,
+        _held,
+        lambda d, n, far, m: _power(d, n, far) + 0 * m,
+        distance,
+        exponent,
+        reference,
+        maximum,
+    )
+
+
+def _power(distance: Number, exponent: Number, reference: Number) -> Number:
+    ratio = reference / distance
+    beyond = abs(exponent * log(ratio)) > MOST
+    refuse(beyond, "that fall-off is beyond what a number holds", "a smaller exponent")
+    return ratio**exponent
+
+
+def _held(distance: Number, exponent: Number, reference: Number, maximum: Number) -> Number:
+    """Within the fall-off distance: exp(-m expm1(x / m)), with m = ln M and x = N ln(d / L)."""
+    return piecewise(
+        maximum > 1,
+        lambda x, m: exp(-m * expm1(x / m)),
+        lambda x, m: 1.0 + 0 * (x + m),
+        exponent * log(distance / reference),
+        log(maximum),
+    )

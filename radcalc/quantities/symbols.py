@@ -65,6 +65,7 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no l
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
 POINT, DIRECTION = "point", "direction"
+NUMBERS = "numbers"  # as many as the example has
 
 
 NOWHERE: dict[str, tuple[str, str]] = {}
@@ -176,6 +177,10 @@ def _text(
         choices=choices,
         narrower=_narrower(example, narrower),
     )
+
+
+def _interval(dimension: Dimension, name: str, example: str, help_: str) -> Symbol:
+    return _symbol(dimension, name, "", example, help_, FROM_ZERO)._replace(form=INTERVAL)
 
 
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
@@ -305,7 +310,8 @@ _ROWS = (
         "How the light is spread (isotropic, unless an option of a cone or a lobe is given).",
         DISTRIBUTIONS),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
-    _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto."),
+    _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
+        uberlight="Normal of the receiver (it faces the light)."),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
     _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
         convert="Constant over that time.", ev=("1/100s", "Exposure time."),
@@ -331,6 +337,32 @@ _ROWS = (
     _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
         Limits(0.0, 1.0, PART.said, without_low=True), takes="a number from 0 to 1"),
     _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),
+    # The cinematographer's light.
+    _text(POINT, "point", "a point", "X,Y,Z", ""),
+    _text(FLAG, "omni", "", "", "It shines everywhere, and depths are distances from it."),
+    _interval(LENGTH, "near", "1m:2m", "Dark up to A, full from B on, smooth between."),
+    _interval(LENGTH, "far", "5m:8m", "Full up to C, dark from D on, smooth between."),
+    _symbol(NUMBER, "falloff", "N", "2",
+        "How it falls off with the distance d: as (L/d)^N (2, the inverse square).", FROM_ZERO,
+        label="fall-off exponent"),
+    _length("falloff-distance", "L", "1m", "The distance L at which that is 1 (1 m).",
+        label="fall-off distance"),
+    _symbol(NUMBER, "maximum", "M", "4",
+        "What it is held to next to the light, over that at {falloff-distance} (no maximum).",
+        Limits(1.0, said="1 or more"), label="maximum of the fall-off"),
+    _symbol(NUMBER, "beam-exponent", "n", "1",
+        "Times (z/d)^n: how it falls off aside of the axis (0).", FROM_ZERO),
+    _text(NUMBERS, "superellipse", "four numbers", "0.4,0.3,0.5,0.4",
+        "a,b,A,B: half width and height, over z, within which it is full, and beyond which dark."),
+    _symbol(NUMBER, "roundness", "R", "1",
+        "Of {superellipse}: 0 a rectangle, 1 an ellipse (1).", PART),
+    _text(NUMBERS, "shear", "two numbers", "0.1,0",
+        "X,Y: how far aside its centre is, over z (0,0)."),
+    _symbol(NUMBER, "attenuation", "a"),
+    _symbol(NUMBER, "depth-attenuation", "a_z", label="attenuation by depth"),
+    _symbol(NUMBER, "superellipse-attenuation", "a_s", label="attenuation by the superellipse"),
+    _symbol(NUMBER, "beam-attenuation", "a_b", label="attenuation by the beam"),
+    _symbol(NUMBER, "falloff-attenuation", "a_d", label="attenuation by the fall-off"),
     # Photons, spectra and what the eye makes of them.
     _symbol(FREQUENCY, "frequency", "ν", unit="THz"),
     _symbol(WAVENUMBER, "wavenumber", "σ", unit="cm-1"),
@@ -385,6 +417,7 @@ INNER = frozenset(symbol.name for symbol in _INNER)
 _LIGHT = (
     ("flux", (0, 0, 0), "Φ", "All the flux", "{}"),
     ("intensity", (0, 0, 1), "I", "The intensity on the source's axis", "{}"),
+    ("intensity-toward", (0, 0, 1), "I_γ", "", "{}-toward"),
     ("irradiance", (0, 1, 0), "E", "The irradiance on the receiver", "{}"),
     ("exitance", (0, 1, 0), "M", "The exitance of the source", "{}"),
     ("radiance", (0, 1, 1), "L", "The uniform radiance of the source", "{}"),

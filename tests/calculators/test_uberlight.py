@@ -1,0 +1,218 @@
+"""The cinematographer's light at points: what arrives, what is said, what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+from conftest import run
+from helpers import Q, number
+
+import radcalc
+from radcalc.errors import RadcalcError
+
+
+def asked(words: str) -> list[float]:
+    done = run("uberlight", *words.split(), "-q", "--precision", "15")
+    assert done.returncode == 0, done.stderr
+    return [float(part) for part in done.stdout.split()]
+
+
+@pytest.mark.parametrize("far", ["1m", "3m", "40cm"])
+def test_by_itself_it_is_a_point_source(far):
+    """E = I / d^2, whatever the fall-off distance; as ISO 80000-7 has it."""
+    words = f"1,2,2 --intensity 900cd --falloff-distance {far}"
+    assert asked(f"{words} -g irradiance:lx -g intensity-toward:cd -g distance:m") == pytest.approx(
+        [100, 900, 3]
+    )
+
+
+def test_the_receiver_is_turned_by_its_normal_or_by_the_incidence():
+    # at (3, 0, 4) light comes along (3, 0, 4)/5: on a floor with the normal -z the cosine is 4/5
+    words = "3,0,4 --intensity 1000cd -g irradiance:lx"
+    assert asked(words) == pytest.approx([40])
+    assert asked(f"{words} --normal 0,0,-2") == pytest.approx([32])
+    assert asked(f"{words} --incidence 60deg") == pytest.approx([20])
+    assert asked(f"{words} --normal 0,0,1") == [0]
+    assert asked("3,0,4 --intensity 1cd --normal 0,0,1 -g incidence:deg") == pytest.approx(
+        [math.degrees(math.acos(-0.8))]
+    )
+
+
+def test_the_attenuation_is_the_product_of_its_parts():
+    # by hand, at (1, 0, 2): depth (2 - 1)/(3 - 1) = 1/2, a step of 1/2; x/z = 1/2 between 0.4 and
+    # 0.8 on the axis, t = 1/4, 1 - (3/16 - 2/64); cos^2 = 4/5; (2/sqrt 5)^1
+    words = (
+        "1,0,2 --near 1m:3m --superellipse 0.4,0.4,0.8,0.8 --beam-exponent 2 --falloff 1 "
+        "--falloff-distance 2m"
+    )
+    parts = [0.5, 1 - (3 / 16 - 2 / 64), 0.8, 2 / math.sqrt(5)]
+    names = [f"{name}-attenuation" for name in ("depth", "superellipse", "beam", "falloff")]
+    gets = " ".join(f"-g {name}" for name in (*names, "attenuation"))
+    assert asked(f"{words} {gets}") == pytest.approx([*parts, math.prod(parts)], rel=1e-12)
+    # E = I a / L^2
+    found = asked(f"{words} --intensity 100cd -g irradiance:lx")
+    assert found == pytest.approx([100 * math.prod(parts) / 4], rel=1e-12)
+
+
+def test_the_intensity_follows_from_the_irradiance():
+    assert asked("0,0,2 --illuminance 500lx --falloff 0 -g intensity:cd") == pytest.approx([500])
+    assert asked("0,0,2 --illuminance 500lx -g intensity:cd") == pytest.approx([2000])
+
+
+def test_an_omni_shines_backwards_and_is_clipped_by_the_distance():
+    assert asked("0,0,-2 --omni --intensity 4cd -g irradiance:lx") == pytest.approx([1])
+    assert asked("0,3,-4 --omni --near 4m:6m -g depth-attenuation") == pytest.approx([0.5])
+    assert asked("0,0,-2 --intensity 4cd -g irradiance:lx") == [0]
+
+
+def test_several_points_and_lists_make_a_row_each():
+    words = "uberlight 0,0,1 0,0,2 --intensity 8cd --falloff 0,1,2 --format csv"
+    done = run(*words.split())
+    head, *lines = [line.split(",") for line in done.stdout.splitlines()]
+    columns = [head.index(name) for name in ("z:m", "falloff:1", "irradiance:lx")]
+    rows = [tuple(float(line[k]) for k in columns) for line in lines]
+    assert rows == [(1, 0, 8), (1, 1, 8), (1, 2, 8), (2, 0, 8), (2, 1, 4), (2, 2, 2)]
+
+
+def test_lengths_may_have_units():
+    assert asked("0ft,0ft,2ft --intensity 1cd -g irradiance:fc") == pytest.approx([0.25])
+    assert "metres" in run("uberlight", "0,0,1").stderr
+    assert "metres" not in run("uberlight", "0m,0m,1m").stderr
+
+
+def test_every_kind_of_light():
+    # 683.002 lm/W at 555 nm (CIE 018:2019)
+    found = asked("0,0,1 --intensity 683.002cd --wavelength 555nm -g irradiance:W/m2")
+    assert found == pytest.approx([1], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("words", "noted"),
+    [
+        ("0,0,4", None),
+        ("0,0,4 --maximum 3", None),
+        ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: here it is 4 times that, and "
+         "light is created"),
+        ("0,0,4 --falloff 3", "0.25 times that, and light is lost"),
+        ("0,0,0.5 --maximum 3", "--maximum 3 is no inverse square"),
+        ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are no inverse square"),
+        ("0,0,4 --near 1m:2m", "--near is no physics"),
+        ("0,0,4 --far 1m:2m", "--far is no physics"),
+        ("0,0,4 --far 1m:2m", "no light: the point is outside --far"),
+        ("0,0,4 --beam-exponent 2", "--beam-exponent only shapes the directions"),
+        ("0,0,4 --superellipse 1,1,1,1", "--superellipse only shapes the directions"),
+        ("4,0,4 --superellipse 0.1,0.1,0.2,0.2", "no light: the point is outside --superellipse"),
+        ("0,0,-4", "a spot has no light where z is 0 or less"),
+        ("1.5,1.5,1 --superellipse 1,1,2,2 --roundness 0", "just above 0"),
+        ("0,0,1 --intensity 1cd --normal 0,0,1", "does not reach the receiver"),
+    ],
+)  # fmt: skip
+def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
+    notes = [line for line in run("uberlight", *words.split()).stderr.splitlines()
+             if line.startswith("note")]  # fmt: skip
+    if noted is None:
+        assert not notes
+    else:
+        assert any(noted in note for note in notes), notes
+
+
+def test_the_steps_have_each_attenuation_with_its_numbers():
+    words = (
+        "0.5,0,2 --intensity 100cd --near 1m:3m --far 4m:5m --superellipse 0.2,0.2,0.4,0.4 "
+        "--beam-exponent 2 --falloff 1 --maximum 2 --falloff-distance 3m --steps"
+    )
+    told = run("uberlight", *words.split()).stderr
+    for text in (
+        "smoothstep(a, b, x) = t^2 (3 - 2 t)",
+        "smoothstep(1 m, 3 m, 2 m) (1 - smoothstep(4 m, 5 m, 2 m)) = 0.5",
+        "x = 0.25, y = 0, q = 0.8, r = 1.6; 1 - smoothstep(0.8, 1.6, 1) = 0.84375",
+        "(z / 2.06155 m)^2 = 0.941176",
+        "exp(s (2.06155 m / 3 m)^beta)",
+        "Barzel",
+        "a = a_z a_s a_b a_d",
+        "E = I a cos(theta) Omega0 / L^2",
+    ):
+        assert text in told
+
+
+@pytest.mark.parametrize(
+    ("words", "message", "hint"),
+    [
+        ("", "a point is missing", "radcalc uberlight 0,0,4"),
+        ("0,0,0", "the point is at the light", "aside"),
+        ("0,0", "has 2 coordinates, not three", "1,0,2"),
+        ("0,0,1m", "mix quantities", "1m,0m,2m"),
+        ("0,0,1cd,", "has 4 coordinates", "1,0,2"),
+        ("1cd,0cd,1cd", "a coordinate is a length", "1m,0m,2m"),
+        ("0,0,1 --near 2m:1m", "--near 2m:1m ends before it starts", "--near 1m:2m"),
+        ("0,0,1 --near 2m", "is not an interval", "--near 1m:2m"),
+        ("0,0,1 --near 1:2", "--near 1:2 has no unit", "--near 1m:2m"),
+        ("0,0,1 --near -1m:2m", "is not possible", "0 or more"),
+        ("0,0,1 --falloff -1", "--falloff -1 is not possible", "0 or more"),
+        ("0,0,1 --maximum 0.5", "--maximum 0.5 is not possible", "1 or more"),
+        ("0,0,1 --falloff-distance 0m", "is not possible", "more than 0"),
+        ("0,0,1 --superellipse 1,1,1,1 --roundness -1", "--roundness -1 is not possible", "0 to 1"),
+        ("0,0,1 --superellipse 1,1,1,1 --roundness 2", "--roundness 2 is not possible", "0 to 1"),
+        ("0,0,1 --superellipse 2,1,1,3", "larger inside than outside", "--superellipse 1,1,2,3"),
+        ("0,0,1 --superellipse 0,1,1,3", "has no inside", "a and b above 0"),
+        ("0,0,1 --superellipse 1,1", "has 2 numbers, not four", "--superellipse 0.4,0.3"),
+        ("0,0,1 --roundness 1", "no use without --superellipse", "--superellipse 0.4,0.3"),
+        ("0,0,1 --shear 1,1", "no use without --superellipse", "--superellipse 0.4,0.3"),
+        ("0,0,1 --omni --superellipse 1,1,1,1", "no use with a light", "without --omni"),
+        ("0,0,1 --omni --beam-exponent 1", "no use with a light", "without --omni"),
+        ("0,0,1 --normal 0,0,1", "nothing follows from --normal", "--intensity"),
+        ("0,0,1 --intensity 1cd --normal 0,0,0", "has no direction", "--normal 0,0,-1"),
+        ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "one of them"),
+        ("0,0,1 --intensity 1cd --illuminance 2lx", "contradicts the rest, which gives 1 lx", ""),
+        ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
+        ("0,0,9 --falloff 999", "beyond what a number holds", "a smaller exponent"),
+        ("0,0,1 -g irradiance", "no irradiance follows", "--intensity"),
+    ],
+)
+def test_what_no_light_has_is_refused_with_what_to_do(words, message, hint):
+    done = run("uberlight", *words.split())
+    assert done.returncode == 2
+    told, tried = done.stderr.splitlines()
+    assert message in told
+    assert hint in tried
+
+
+def test_a_wrong_answer_is_judged():
+    words = "uberlight 0,0,2 --intensity 1000cd --incidence 60deg --check 250lx"
+    done = run(*words.split())
+    assert done.returncode == 1
+    assert "cosine" in done.stdout
+
+
+def test_arrays_of_points_from_python():
+    grid = np.stack(np.meshgrid([-1.0, 0.0, 2.0], [0.0, 1.0], [2.0], indexing="ij"), -1)
+    light = radcalc.uberlight(grid, intensity="9cd", normal=(0, 0, -1))
+    assert light["irradiance"].shape == (3, 2, 1)
+    # E = I z / d^3 on a plane across the axis
+    expected = 9 * grid[..., 2] / np.linalg.norm(grid, axis=-1) ** 3
+    assert light["irradiance"].to("lx").magnitude == pytest.approx(expected, rel=1e-12)
+    feet = radcalc.uberlight(Q([0.0, 0.0, 2.0], "ft"), intensity="1cd")
+    assert number(feet, "distance", "ft") == pytest.approx(2)
+    text = radcalc.uberlight("0m,0m,50cm", omni=True, falloff=2, maximum=4, near="1cm:2cm")
+    # s = -ln 4, beta = 2/ln 4: 4 exp(-ln 4 2^(-2/ln 4))
+    expected = 4 * math.exp(-math.log(4) * 0.5 ** (2 / math.log(4)))
+    assert number(text, "attenuation", "1") == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("point", "more", "message"),
+    [
+        ([1, 2], {}, "three coordinates"),
+        ("a,b,c", {}, "not a number"),
+        ([["x", 0, 1]], {}, "not of numbers"),
+        ([0, 0, math.nan], {}, "beyond"),
+        (Q([0, 0, 1], "s"), {}, "is a length"),
+        ([[0, 0, 0], [0, 0, 1]], {}, "at the light"),
+        ([0, 0, 1], {"superellipse": (1, 2, 3)}, "not four"),
+        ([0, 0, 1], {"near": "2m:1m"}, 'near="2 m:1m" ends before'),
+        ([[0, 0, 1], [0, 0, 2]], {"falloff": np.array([1.0, 2.0, 3.0])}, "do not fit together"),
+    ],
+)
+def test_what_python_gets_wrong_is_told(point, more, message):
+    with pytest.raises(RadcalcError, match=message):
+        radcalc.uberlight(point, **more)
