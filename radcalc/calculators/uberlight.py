@@ -135,7 +135,9 @@ def _refuse_useless(given: Inputs, is_omni: bool) -> None:
     """Refuse settings that others leave without use, and those that cannot be."""
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
-        raise Unused(useless, "with a light that shines everywhere", mention("the same without {omni}"))
+        raise Unused(
+            useless, "with a light that shines everywhere", mention("the same without {omni}")
+        )
     if "superellipse" not in given:
         useless = [name for name in ("roundness", "shear") if name in given]
         if useless:
