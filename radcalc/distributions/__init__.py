@@ -7,6 +7,7 @@
 - `photometry`: what a file says of a luminaire, with its table
 - `sources`: what a user names, a file or an expression, as one of these
 - `files`, `ies`, `eulumdat`, `tables`: files, by format
+- `planes`, `headings`: what tables of half planes share; what the titles over a table say
 - `beams`: beam angles and field angles in a plane through the axis
 - `pose`: where a source stands, where it is aimed and how it is rotated
 

@@ -37,10 +37,13 @@ import numpy
 from radcalc.columns import MARKS, Decimals, finite
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import closed, end_of, mirrored
+from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 
 KILOLUMEN = 1000.0  # [lm]
+ODD = 0.02  # [1] from which on two fluxes are said to differ
+MOST = 10_000  # angles, planes, lamps
+LARGEST = 1e12  # of a flux [lm] or a factor
 STEP = 0.1  # [deg] how far listed angles may be from the declared step: they are rounded
 SYMMETRIES = {
     0: "",
@@ -98,7 +101,7 @@ class _Reader:
 
     def __init__(self, lines: Sequence[str], name: str) -> None:
         end = len(lines)
-        while end and not lines[end - 1].strip(" \t\x1a"):  # DOS marked the end of a text
+        while end and not lines[end - 1].strip():
             end -= 1
         self.lines, self.name = lines[:end], name
         self.at = 0
@@ -112,7 +115,7 @@ class _Reader:
     def text(self, what: str) -> str:
         """The next line."""
         if self.at >= len(self.lines):
-            self.refuse(len(self.lines), f"the file ends here, before its {what}", "the whole file")
+            self.refuse(max(self.at, 1), f"the file ends here, before its {what}", "the whole file")
         self.at += 1
         return self.lines[self.at - 1].strip()
 
@@ -139,7 +142,7 @@ class _Reader:
             return 0.0
         return self.number(what, low)
 
-    def whole(self, what: str, low: int, high: int = 10**6) -> int:
+    def whole(self, what: str, low: int, high: int = MOST) -> int:
         """The next line, which is a whole number."""
         value = self.number(what, low, high)
         if value != int(value):
@@ -164,9 +167,9 @@ class _Reader:
             "downward-fraction": self.optional("downward flux fraction [%]") / 100,
             "output-ratio": self.optional("light output ratio LORL [%]") / 100,
         }
-        factor = self.number("conversion factor", 0)
+        factor = self.number("conversion factor", 0, LARGEST)
         if not factor:
-            self.refuse(self.at, "a conversion factor of 0", "1, or what the values count")
+            self.refuse(self.at, "a conversion factor of 0", "1, or that of the measurement")
         tilt = self.optional("tilt [deg]")
         if tilt:
             self.notes.append(
@@ -194,11 +197,16 @@ class _Reader:
         if doubt := self.decimals.doubt():
             self.refuse(doubt[0], f"'{doubt[1]}' may be a thousand or a decimal", MARKS)
         values *= factor * lumens / KILOLUMEN
-        if not values.any():
-            self.refuse(self.at, "every intensity is 0", "a file of a source that shines")
         around, values = self.around(symmetry, azimuths, values, start)
+        grid = Grid(numpy.radians(polar), numpy.radians(around), values)
+        found = grid.flux().value
+        if "lamp-flux" not in declared and abs(found - lumens) > ODD * lumens:
+            self.notes.append(
+                f"the file declares {lumens:g} lm of the luminaire, and its intensities have "
+                f"{found:.4g} lm"
+            )
         return Photometry(
-            Grid(numpy.radians(polar), numpy.radians(around), values),
+            grid,
             f"EULUMDAT, Isym {symmetry}",
             quote(luminaire),
             {symbol: value for symbol, value in declared.items() if value > 0},
@@ -219,10 +227,10 @@ class _Reader:
     def lamps(self, declared: dict[str, float]) -> float:
         """The flux of the first lamp set [lm]; what it declares is added."""
         sets = []
-        for k in range(self.whole("number of lamp sets", 1, 1000)):
-            count = self.whole(f"number of lamps of set {k + 1}", -(10**6))
+        for k in range(self.whole("number of lamp sets", 1)):
+            count = self.whole(f"number of lamps of set {k + 1}", -MOST)
             self.text("type of lamps")
-            lumens = self.number(f"luminous flux of lamp set {k + 1} [lm]", 0)
+            lumens = self.number(f"luminous flux of lamp set {k + 1} [lm]", 0, LARGEST)
             line = self.at
             self.text("colour of lamps")
             self.text("colour rendering of lamps")
@@ -271,19 +279,23 @@ class _Reader:
 
     def intensities(self, planes: int, angles: int) -> Any:
         """The table [cd/klm], a row for each plane."""
-        count = planes * angles
-        block = self.lines[self.at : self.at + count]
-        values = self.plain(block)
+        start, count = self.at, planes * angles
+        values = self.plain(self.lines[start : start + count])
         if len(values) == count:
             self.at += count
         else:
             what = "intensity {} of plane {} of " + str(planes)
             values = [
-                self.number(what.format(k + 1, plane + 1), 0)
+                self.number(what.format(k + 1, plane + 1))
                 for plane in range(planes)
                 for k in range(angles)
             ]
-        return numpy.array(values).reshape(planes, angles)
+        table, notes = without_noise(
+            numpy.array(values),
+            lambda place, problem, hint: self.refuse(start + place + 1, problem, hint),
+        )
+        self.notes += notes
+        return table.reshape(planes, angles)
 
     def plain(self, block: Sequence[str]) -> Sequence[float]:
         """Many lines of plain numbers at once; none of others, which are then read one by one."""
@@ -295,7 +307,7 @@ class _Reader:
             values = list(map(float, block))
         except ValueError:
             return []
-        return values if min(values, default=-1.0) >= 0 and math.isfinite(sum(values)) else []
+        return values if math.isfinite(sum(values)) else []
 
     def around(self, symmetry: int, azimuths: Any, values: Any, start: int) -> tuple[Any, Any]:
         """The planes of the whole circle [deg], and their values."""

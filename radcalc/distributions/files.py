@@ -19,8 +19,8 @@ from radcalc.errors import ConditionError, quote, quote_path
 LARGEST = 1 << 26  # bytes of a file
 BLOCK = 1 << 20  # bytes that are read from a pipe at a time
 ROWS = 3  # that tell a table
-# Bytes that no text has; \x1a ended one in DOS.
-NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))
+END_IN_DOS = "\x1a"  # of a text
+NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))  # bytes
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
 IES = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
 LABEL = 1000  # lines in which an IES file has one of those
@@ -104,6 +104,7 @@ def _lines(data: bytes, name: str) -> list[str]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
+    text = text.rstrip(f" \t\r\n{END_IN_DOS}")
     if not text.strip():
         raise ConditionError(f"{name} is empty", KNOWN)
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
@@ -111,10 +112,10 @@ def _lines(data: bytes, name: str) -> list[str]:
 
 def _by_content(lines: Sequence[str]) -> str:
     """The reader of what lines are by themselves; none where that is none of the formats."""
-    if any(map(IES.match, lines[:LABEL])):
-        return "ies"
     if _has_eulumdat_head(lines):
         return "eulumdat"
+    if any(map(IES.match, lines[:LABEL])):
+        return "ies"
     return "tables" if _has_rows(lines) else ""
 
 

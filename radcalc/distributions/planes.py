@@ -1,17 +1,20 @@
-"""Half planes about an axis: what a symmetric table leaves out, and where a table ends.
+"""Tables of half planes about an axis: what symmetry leaves out, where they end, their noise.
 
 Angles are in degrees, as files have them.
 """
 
 import math
-from typing import Any
+from collections.abc import Callable
+from typing import Any, NoReturn
 
 import numpy
 
 from radcalc.errors import ConditionError
 
 TURN = 360.0  # [deg]
-SLACK = 1e-6  # [deg]
+SLACK = 0.01  # [deg] by which an angle is taken for another
+GREATEST = 1e100  # intensity in any unit, which sums can hold
+NOISE = 1e-3  # of the greatest: negative values within it are a photometer's noise
 ROUNDED = 0.5  # [deg] by which angles may be rounded where planes are evenly apart
 
 
@@ -50,10 +53,10 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
         raise ConditionError(
             f"symmetric planes span {span:g} deg", "90 or 180 deg, from one symmetry to the next"
         )
-    while span < TURN - 1:
+    planes[-1] = planes[0] + round(span)
+    while planes[-1] - planes[0] < TURN - 1:
         planes = numpy.concatenate([planes, 2 * planes[-1] - planes[-2::-1]])
         values = numpy.concatenate([values, values[-2::-1]])
-        span *= 2
     return planes, values
 
 
@@ -86,6 +89,7 @@ def closed(planes: Any, values: Any) -> tuple[Any, Any]:
     planes, values = numpy.array(planes, float), numpy.array(values, float)
     gap = planes[0] + TURN - planes[-1]
     if abs(gap) <= SLACK:
+        planes[-1] = planes[0] + TURN
         return planes, values
     widest = float(numpy.diff(planes).max(initial=0.0))
     if not 0 < gap <= widest + ROUNDED:
@@ -117,3 +121,40 @@ def end_of(polar: Any) -> tuple[str, ...]:
     if polar[0] <= SLACK and polar[-1] >= TURN / 2 - SLACK:
         return ()
     return (f"no light beyond the angles of the table, {polar[0]:g} to {polar[-1]:g} deg",)
+
+
+def without_noise(
+    values: Any, refuse: Callable[[int, str, str], NoReturn]
+) -> tuple[Any, tuple[str, ...]]:
+    """Intensities of which none is negative.
+
+    Parameters
+    ----------
+    values : ndarray
+        Intensities as measured, finite.
+    refuse : callable
+        Raises the error of a bad one, from its place in the flat array, the problem and a hint:
+        one that is further below 0 than noise, or beyond what sums can hold; the last one where
+        none is above 0.
+
+    Returns
+    -------
+    tuple of ndarray and tuple of str
+        The same with 0 for what is negative by a photometer's noise, and a note of it.
+
+    Examples
+    --------
+    >>> without_noise(numpy.array([100.0, -0.01]), print)
+    (array([100.,   0.]), ('1 negative intensities (down to -0.01) count as 0',))
+    """
+    peak, low = float(values.max()), float(values.min())
+    if max(peak, -low) > GREATEST:
+        refuse(int(abs(values).argmax()), "an intensity of more than 1e100", "those of a source")
+    if peak <= 0:
+        refuse(values.size - 1, "no intensity is above 0", "a table of a source that shines")
+    if low < -NOISE * peak:
+        refuse(int(values.argmin()), f"an intensity of {low:g}", "0 or more")
+    if low >= 0:
+        return values, ()
+    count = int((values < 0).sum())
+    return values.clip(min=0), (f"{count} negative intensities (down to {low:g}) count as 0",)

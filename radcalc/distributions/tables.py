@@ -30,7 +30,7 @@ from radcalc import columns
 from radcalc.distributions import headings
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import ROUNDED, SLACK, closed, end_of, mirrored
+from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
 from radcalc.quantities.light import read as facts_of
 
@@ -85,7 +85,7 @@ class _Reader:
             text = line.strip()
             if text.startswith(columns.COMMENTS):
                 self.comments.append(text.lstrip("#%/; \t"))
-            elif text.strip("\x1a"):
+            elif text:
                 self.rows.append((number, line))
 
     def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
@@ -122,6 +122,7 @@ class _Reader:
             Grid(numpy.radians(polar), numpy.radians(around), rows, kind),
             "CSV table",
             assumptions=(*self.assumptions, *end_of(polar)),
+            notes=self.notes,
         )
 
     def titles(self) -> tuple[list[str], int]:
@@ -179,8 +180,12 @@ class _Reader:
                 self.refuse(
                     number, f"the angle {angle:g} does not rise, after {before:g}", "rising angles"
                 )
-        if not values.any():
-            self.refuse(0, "every intensity is 0", "a table of a source that shines")
+        values, self.notes = without_noise(
+            values,
+            lambda place, problem, hint: self.refuse(
+                self.rows[place // (width - 1)][0], problem, hint
+            ),
+        )
         return angles, values
 
     def row(self, number: int, line: str, width: int) -> list[float]:
@@ -190,7 +195,7 @@ class _Reader:
                 plain = list(map(float, line.split(self.delimiter)))
             except ValueError:
                 plain = []
-            if len(plain) == width and min(plain[1:]) >= 0 and math.isfinite(sum(plain)):
+            if len(plain) == width and math.isfinite(sum(plain)):
                 return plain
         cells = columns.cells(line, self.delimiter)
         if len(cells) != width:
@@ -199,8 +204,8 @@ class _Reader:
         found = []
         for k, cell in enumerate(cells):
             value = columns.finite(cell, self.comma)
-            if value is None or (k and value < 0):
-                what = "an intensity, 0 or more" if k else "an angle"
+            if value is None:
+                what = "an intensity" if k else "an angle"
                 self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")
             if self.comma and (problem := self.decimals.conflict(cell, number)):
                 self.refuse(number, problem, columns.MARKS)
@@ -218,7 +223,7 @@ class _Reader:
                 )
             self.assumptions.append("the angles are in degrees")
         found = angles * (factor or 1.0)
-        if abs(found).max() > FLAT + ROUNDED:
+        if abs(found).max() > FLAT + SLACK:
             line = self.rows[int(abs(found).argmax())][0]
             self.refuse(
                 line,
@@ -270,7 +275,7 @@ class _Reader:
 
     def cuts(self, degrees: Any, planes: Any, values: Any) -> tuple[Any, Any, Any]:
         """Half planes of cuts through the axis: what is negative is opposite."""
-        if abs(degrees[0] + degrees[-1]) > ROUNDED:
+        if abs(degrees[0] + degrees[-1]) > SLACK:
             self.refuse(
                 self.rows[-1][0],
                 f"angles from {degrees[0]:g} to {degrees[-1]:g} deg",

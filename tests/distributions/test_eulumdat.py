@@ -151,6 +151,9 @@ def test_a_negative_number_of_lamps_is_absolute_photometry():
     assert found.distribution.intensity(0.0, 0.0) == pytest.approx(100)
     assert found.declared == {"downward-fraction": 0.5, "input-power": 9}
     assert any("absolute photometry" in text for text in found.assumptions)
+    assert not found.notes
+    said = read(ldt(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt").notes
+    assert said == ("the file declares 1300 lm of the luminaire, and its intensities have 1257 lm",)
 
 
 def test_what_real_files_have_is_read():
@@ -159,7 +162,6 @@ def test_what_real_files_have_is_read():
     dr = 26 + 6
     for lines in (
         [*plain, "", " ", ""],
-        [*plain, "\x1a"],
         [f"  {line} \t" for line in plain],
         [line if k not in range(12, 21) else "" for k, line in enumerate(plain)],  # no sizes
         [*plain[:dr], *[""] * 10, *plain[dr + 10 :]],
@@ -171,6 +173,12 @@ def test_what_real_files_have_is_read():
     assert "no direct ratios" in read([*plain[:dr], *plain[dr + 10 :]], "x").notes[0]
     assert flux(ldt(even, 1)).value == expected  # 24 planes are listed, one is there
     assert "tilt of 15 deg" in read(ldt(even, 1, [0.0], tilt=15), "x").notes[0]
+
+
+def test_a_photometer_s_noise_counts_as_nothing():
+    found = read(changed(200, "-0.05"), "lamp.ldt")
+    assert found.notes == ("1 negative intensities (down to -0.05) count as 0",)
+    assert found.distribution.values.min() == 0
 
 
 def test_the_name_is_printable():
@@ -201,12 +209,12 @@ REFUSED = {
     "a plane beyond the circle": (changed(66, "361"), "line 66: '361' instead of the angle C 24"),
     "NaN": (changed(200, "nan"), "line 200: 'nan' instead of the intensity"),
     "infinity": (changed(200, "inf"), "line 200: 'inf' instead of the intensity"),
-    "a negative intensity": (changed(200, "-3"), "line 200: '-3' instead of the intensity"),
+    "a negative intensity": (changed(200, "-3"), "line 200: an intensity of -3"),
     "a word": (changed(200, "much"), "line 200: 'much' instead of the intensity"),
     "other digits": (changed(200, "١٠"), "line 200: "),
     "a gap": (changed(200, ""), "line 200: '' instead of the intensity"),
     "data behind": ([*ldt(even), "", "7"], "line 993: '7' behind the last intensity"),
-    "darkness": (ldt(lambda c, g: 0.0), "every intensity is 0"),
+    "darkness": (ldt(lambda c, g: 0.0), "no intensity is above 0"),
     "half of the planes": (
         ldt(even, 0, ALL_AROUND[:12]), "line 54: the planes end at 165 deg, which leaves 195 deg"
     ),
@@ -222,7 +230,9 @@ REFUSED = {
         "line 29: '1,000' may be a thousand or a decimal",
     ),
     "too short": (ldt(even)[:-11], "line 980: the file ends here, before its intensity 27"),
-    "nothing": ([""], "line 0: the file ends here, before its company"),
+    "a flux of no lamp": (changed(29, "1e200"), "line 29: '1e200' instead of the luminous flux"),
+    "light of no lamp": (changed(200, "1e200"), "line 200: an intensity of more than 1e100"),
+    "nothing": ([""], "line 1: the file ends here, before its company"),
 }  # fmt: skip
 
 

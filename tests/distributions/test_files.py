@@ -68,6 +68,13 @@ def test_what_ends_a_line_elsewhere_is_a_part_of_it_here(written):
         assert read_file(written(data)).distribution.flux().value == pytest.approx(SPHERE)
 
 
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("end", ["", "\x1a", "\n\x1a", "\x1a\r\n\r\n", "\n \n\t\n"])
+def test_what_stands_behind_a_text_is_nothing(form, end, written):
+    found = read_file(written(FORMATS[form].rstrip("\n") + end))
+    assert found.distribution.flux().value == pytest.approx(SPHERE, rel=1e-12)
+
+
 REFUSED = {
     "nothing": (b"", "is empty"),
     "blanks": (b"\n \n\xef\xbb\xbf"[:3], "is empty"),

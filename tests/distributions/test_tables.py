@@ -31,7 +31,7 @@ WRITTEN = {
     "decimal commas and blanks": ["gamma I_cd", *(row.replace(",", ",0 ") + ",0" for row in ROWS)],
     "a comma and a blank": ["gamma, I (cd)", *(row.replace(",", ", ") for row in ROWS)],
     "quotes": ['"gamma","I (cd)"', *('"' + row.replace(",", '","') + '"' for row in ROWS)],
-    "comments": ["# a lamp", "gamma,I (cd)", "", *ROWS[:3], "# half way", *ROWS[3:], "\x1a"],
+    "comments": ["# a lamp", "gamma,I (cd)", "", *ROWS[:3], "# half way", *ROWS[3:], " "],
     "titles in a comment": ["# 2020, at 25 C", "# gamma,I (cd)", *ROWS],
     "the unit in a comment": ["# gamma, C0", "# I (cd)", *ROWS],
     "no titles": ["# cd", *ROWS],
@@ -154,6 +154,12 @@ def test_what_is_negative_belongs_to_the_half_plane_opposite():
     assert lamp.flux().value == pytest.approx(flux("angle,I (cd)", *halves), rel=1e-12)
 
 
+def test_a_photometer_s_noise_counts_as_nothing():
+    found = table("gamma,I (cd)", "0,300", "60,20", "90,-0.1")
+    assert found.notes == ("1 negative intensities (down to -0.1) count as 0",)
+    assert found.distribution.flux().value == flux("gamma,I (cd)", "0,300", "60,20", "90,0")
+
+
 def test_cuts_in_several_planes():
     lines = ["angle,C0,C45,C90,C135", "-60,1,2,3,4", "0,9,9,9,9", "60,5,6,7,8"]
     lamp = table(*lines).distribution
@@ -186,14 +192,15 @@ REFUSED = {
     "undeclared radians": (["theta,I (cd)", "0,1", "1.5708,0"], "angles up to 1.5708 in a unit"),
     "a word": (["gamma,I (cd)", "0,1", "5,x"], "line 3: 'x' in column 2 is not an intensity"),
     "NaN": (["gamma,I (cd)", "0,1", "5,nan"], "line 3: 'nan' in column 2 is not an intensity"),
-    "a negative value": (["gamma,I (cd)", "0,1", "5,-2"], "line 3: '-2' in column 2"),
+    "a negative value": (["gamma,I (cd)", "0,1", "5,-2"], "line 3: an intensity of -2"),
     "a gap": (["gamma,I (cd)", "0,1", "5,"], "line 3: '' in column 2"),
     "a short row": (["gamma,C0,C90", "0,1,1", "5,1"], "line 3: 2 columns instead of 3"),
     "a long row": (["gamma,I (cd)", "0,1", "5,1,2"], "line 3: 3 columns instead of 2"),
     "titles over others": (["gamma,I (cd)", "0,1,2", "5,1,2"], "2 titles over 3 columns"),
     "equal angles": (["gamma,I (cd)", "0,1", "5,1", "5,1"], "line 4: the angle 5 does not rise"),
     "falling angles": (["gamma,I (cd)", "90,1", "0,1"], "line 3: the angle 0 does not rise"),
-    "darkness": (["gamma,I (cd)", "0,0", "9,0"], "every intensity is 0"),
+    "light of no lamp": (["gamma,I (kcd)", "0,1", "9,1e99", "19,1e101"], "line 4: an intensity of"),
+    "darkness": (["gamma,I (cd)", "0,0", "9,0"], "no intensity is above 0"),
     "a hole on the axis": (["gamma,I (cd)", "5,1", "90,0"], "line 2: the angles begin at 5 deg"),
     "one side further": (["gamma,I (cd)", "-60,1", "0,1", "90,1"], "line 4: angles from -60 to 90"),
     "beyond behind": (["gamma,I (cd)", "0,1", "190,0"], "line 3: a polar angle of 190 deg"),
