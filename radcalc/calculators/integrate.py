@@ -42,6 +42,7 @@ def integrate(text: str, given: Inputs) -> Answer:
             accuracy,
             expression.cost,
             expression.is_axial,
+            steps=expression.steps(polar, azimuth),
         )
     else:
         found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))

@@ -23,6 +23,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc integrate 'cos(theta)' --hemisphere
       radcalc integrate '100*cos(theta)**10' --polar 0deg:45deg
       radcalc integrate 'max(x, 0)' --sphere --accuracy 1e-6
+      radcalc integrate '(theta<30*deg)*100' --sphere
       radcalc integrate 'exp(-(theta/(10*deg))**2)' --half-angle 60deg -g integral:deg2
 
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 
 import numpy
 
-from radcalc.geometry.numerics.cubature import Integral, over_directions
+from radcalc.geometry.numerics.cubature import Integral, Steps, over_directions
 from radcalc.maths import Number
 
 Interval = tuple[float, float]
@@ -87,7 +87,11 @@ class Distribution(Protocol):
 
 
 def integrated(
-    distribution: Distribution, polar: Interval, azimuth: Interval, accuracy: float
+    distribution: Distribution,
+    polar: Interval,
+    azimuth: Interval,
+    accuracy: float,
+    steps: Steps = ((), ()),
 ) -> Integral:
     """Flux between polar angles and azimuths, by cubature.
 
@@ -100,6 +104,8 @@ def integrated(
     accuracy : float [1]
         Error that is good enough, relative to the flux; a larger one, up to 1e-3, is put up with
         where edges across the angles leave it.
+    steps : tuple of 2 sequences of float [rad], optional
+        Polar angles and azimuths between those at which it is known to have a step.
 
     Returns
     -------
@@ -119,7 +125,7 @@ def integrated(
     """
     theta = numpy.linspace(*polar, DARK[0])[:, None]
     phi = numpy.linspace(*azimuth, DARK[1])
-    if not numpy.any(distribution.intensity(theta, phi)):
+    if not any(steps) and not numpy.any(distribution.intensity(theta, phi)):
         return Integral(0.0, 0.0, 0)
     return over_directions(
         lambda at: distribution.intensity(at["theta"], at["phi"]),
@@ -128,6 +134,7 @@ def integrated(
         accuracy,
         is_axial=distribution.is_axial,
         accepted=ACCEPTED,
+        steps=steps,
     )
 
 

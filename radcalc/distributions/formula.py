@@ -83,7 +83,9 @@ class Formula:
         raise ConditionError(f"the intensity '{quote(self.text)}' has {what} at {angles}", hint)
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        return integrated(self, polar, azimuth, OF_AXIAL if self.is_axial else ACCURACY)
+        accuracy = OF_AXIAL if self.is_axial else ACCURACY
+        steps = self.expression.steps(polar, azimuth)
+        return integrated(self, polar, azimuth, accuracy, steps)
 
     def peak(self) -> Peak:
         """The greatest intensity, looked for on a grid that gets ever finer about it."""

@@ -146,3 +146,11 @@ def test_the_error_of_a_tilted_cone_covers_it(text, cosine):
     found = Formula(text).flux()
     true = 200 * math.pi * (1 - cosine)
     assert abs(found.value - true) <= found.error < 1e-3 * true
+
+
+def test_a_ring_between_the_points_of_any_grid_has_its_flux():
+    # 2 pi (cos a - cos b) of what is 1 between the polar angles a and b
+    ring = Formula("(20.24*deg < theta < 20.26*deg)")
+    expected = 2 * math.pi * (math.cos(math.radians(20.24)) - math.cos(math.radians(20.26)))
+    assert ring.flux().value == pytest.approx(expected, rel=1e-9)
+    assert ring.flux((math.pi / 2, math.pi)).value == 0

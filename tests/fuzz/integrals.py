@@ -3,7 +3,8 @@
 Over the whole sphere a function f of the cosine u to any axis has 2 pi times the integral of f(u)
 from -1 to 1 (Archimedes: zones of one height have one area); an even one has half of it over any
 hemisphere.  Over zones f is of z, and may be times a function of the azimuth.  The antiderivatives
-below are those of any table.  The error that is told must cover the truth.
+below are those of any table.  Comparisons of theta or phi end the intervals before.  The error that
+is told must cover the truth.
 """
 
 import math
@@ -37,8 +38,8 @@ def shape(rng):
         [
             (f"max(U-({c}),0)", above(c, 1)),
             (f"abs(U-({c}))", both(c, 1)),
-            # a step; the tiny bit is for U that is c exactly
-            (f"(1+(U-({c}))/(abs(U-({c}))+1e-300))/2", above(c, 0)),
+            (f"(U>({c}))", above(c, 0)),
+            (f"({c}<U<={c + w})", lambda u: min(max(u - c, 0.0), w)),
             (f"sqrt(abs(U-({c})))", both(c, 0.5)),
             (f"max(U-({c}),0)**{p}", above(c, p)),
             (f"exp(-((U-({c}))/{w})**2)", lambda u: w * root_pi / 2 * math.erf((u - c) / w)),
@@ -75,11 +76,18 @@ def case(rng):
         start = rng.choice([0.0, rng.uniform(0, 3)])
         polar = start, rng.uniform(start + 0.01, PI)
         low, high = math.cos(polar[1]), math.cos(polar[0])
+        if rng.random() < 0.3:
+            end = rng.uniform(*polar)
+            times, low = f"(theta<{end})", math.cos(end)
     if where == "wedge":
         azimuth = 0.0, rng.uniform(0.5, TURN)
         part, f = shape(rng)
-        times = part.replace("U", "((phi-1)/6)")
-        turn, turn_off = (6 * x for x in between(f, -1 / 6, (azimuth[1] - 1) / 6))
+        last = azimuth[1]
+        times += f"*{part}".replace("U", "((phi-1)/6)")
+        if rng.random() < 0.3:
+            last = rng.uniform(*azimuth)
+            times += f"*({last}>=phi)"
+        turn, turn_off = (6 * x for x in between(f, -1 / 6, (last - 1) / 6))
     terms, value, off = [], 0.0, 0.0
     for _ in range(rng.choice([1, 1, 2, 3])):
         part, f = shape(rng)
@@ -102,7 +110,8 @@ def sweep(count, seed):
         try:
             expression = Expression(text)
             is_axial = expression.is_axial and dice.random() < 0.8
-            got = over_directions(expression, polar, azimuth, accuracy, is_axial=is_axial)
+            steps = expression.steps(polar, azimuth) if dice.random() < 0.8 else ((), ())
+            got = over_directions(expression, polar, azimuth, accuracy, 1, is_axial, steps=steps)
         except ConditionError as error:
             # (what is 0 in all of the zone is refused as that)
             if abs(value) > rounding and "does not converge" not in error.message:

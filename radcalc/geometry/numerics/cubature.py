@@ -6,7 +6,7 @@ sr.  Needs NumPy.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy
@@ -55,6 +55,7 @@ class Integral(NamedTuple):
 Function = Callable[[dict[str, Any]], Any]
 Interval = tuple[float, float]
 Rule = tuple[Any, Any]
+Steps = tuple[Sequence[float], Sequence[float]]
 
 
 def _rules() -> tuple[Rule, ...]:
@@ -77,19 +78,24 @@ class _Grid:
     """Cells that are quartered: their level, and their place among the cells of that level."""
 
     def __init__(
-        self, function: Function, polar: Interval, azimuth: Interval, is_axial: bool
+        self, function: Function, polar: Interval, azimuth: Interval, is_axial: bool, steps: Steps
     ) -> None:
-        self.function, self.start = function, numpy.array([polar[0], azimuth[0]])
+        self.function = function
         self.rules = _rules()
         first = (FIRST[0], 1) if is_axial else FIRST
         # into how many parts a side is cut, and the parts, by rows and columns
         cuts = 2, 1 if is_axial else 2
         self.cuts, self.parts = numpy.array(cuts), numpy.indices(cuts).reshape(2, -1).T
-        self.width = numpy.array([polar[1] - polar[0], azimuth[1] - azimuth[0]]) / first
-        self.columns = first[1]
-        rows, columns = numpy.indices(first)
+        self.edges = [_edges(*of) for of in zip((polar, azimuth), first, steps, strict=True)]
+        self.columns = len(self.edges[1]) - 1
+        rows, columns = numpy.indices([len(edges) - 1 for edges in self.edges])
         self.place = numpy.stack([numpy.zeros(rows.size, int), rows.ravel(), columns.ravel()], 1)
         self.value, self.size, self.error = self._integrate(self.place)
+        # a step is where it is to the last digit of its angle
+        start, end = self._sides(self.place[:, 1:])
+        off = numpy.spacing(end) / (end - start) * [len(angles) > 0 for angles in steps]
+        with numpy.errstate(all="ignore"):
+            self.rounding = float((self.size * off.sum(1)).sum())
 
     def quarter(self, split: Any) -> None:
         """Quarter some cells, and neighbours more than twice as large as the quarters.
@@ -141,10 +147,19 @@ class _Grid:
         value, size, differ = (numpy.concatenate(part) for part in zip(*parts, strict=True))
         return value, size, differ
 
+    def _sides(self, first: Any) -> tuple[Any, Any]:
+        """The lower and the upper polar angle and azimuth of first cells."""
+        sides = [edges[i] for edges, i in zip(self.edges, first.T, strict=True)]
+        ends = [edges[i + 1] for edges, i in zip(self.edges, first.T, strict=True)]
+        return numpy.stack(sides, 1), numpy.stack(ends, 1)
+
     def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
         """By the product rule in each cell: the integral, and that of the function's size."""
-        half = self.width / 2.0 / (1.0 * self.cuts) ** place[:, :1]
-        middle = self.start + half * (2 * place[:, 1:] + 1)
+        count = self.cuts ** place[:, :1]
+        first, part = numpy.divmod(place[:, 1:], count)
+        start, end = self._sides(first)
+        half = (end - start) / 2 / count
+        middle = start + half * (2 * part + 1)
         across = (nodes, weights) if self.cuts[1] == 2 else MIDPOINT
         product = numpy.outer(weights, across[1])
         theta = (middle[:, :1] + half[:, :1] * nodes)[:, :, None]
@@ -171,6 +186,13 @@ class _Grid:
         return value, size
 
 
+def _edges(interval: Interval, count: int, steps: Sequence[float]) -> Any:
+    """The sides of the first cells: equally wide, but for those at a step."""
+    low, high = interval
+    inner = [step for step in steps if low < step < high]
+    return numpy.union1d(numpy.linspace(low, high, count + 1), inner)
+
+
 def over_directions(
     function: Function,
     polar: Interval,
@@ -179,6 +201,7 @@ def over_directions(
     cost: int = 1,
     is_axial: bool = False,
     accepted: float = 0.0,
+    steps: Steps = ((), ()),
 ) -> Integral:
     """Integrate a function of direction over intervals of polar angle and azimuth.
 
@@ -201,6 +224,9 @@ def over_directions(
         angle alone; false by default.
     accepted : float, optional
         Relative error that is put up with where the accuracy is not reached; none by default.
+    steps : tuple of 2 sequences of float [rad], optional
+        Polar angles and azimuths at which the function has a step or a kink, as far as they are
+        known: cells begin there.
 
     Returns
     -------
@@ -239,7 +265,7 @@ def over_directions(
     >>> round(found.value / math.pi, 9), found.error < 1e-8
     (1.0, True)
     """
-    grid = _Grid(function, polar, azimuth, is_axial)
+    grid = _Grid(function, polar, azimuth, is_axial, steps)
     most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
     split = numpy.arange(len(grid.value))
     while True:
@@ -249,7 +275,7 @@ def over_directions(
             size = float(grid.size.sum())
         if not math.isfinite(size):
             raise ConditionError("the integral is larger than a number can be", "smaller values")
-        error = float(grid.error.sum()) + ROUNDING * size
+        error = float(grid.error.sum()) + ROUNDING * size + grid.rounding
         if size and error <= accuracy * size:
             return Integral(math.fsum(grid.value), error, cells)
         # Those that matter (without them the rest is within the accuracy); all of them, where

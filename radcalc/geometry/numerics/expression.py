@@ -15,6 +15,7 @@ from typing import Any
 import numpy
 
 from radcalc.errors import ConditionError, RadcalcError, manual, nearest, quote
+from radcalc.maths import limit
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
 CONSTANTS = {"pi": math.pi, "e": math.e, "deg": math.pi / 180}  # deg [rad]: 30*deg is 30 degrees
@@ -63,6 +64,8 @@ LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within eac
 REFUSED = re.compile(r"[^\w\s.+*/(),<>=-]|_|\b0[xXoObB]|[^\x00-\x7f]")
 
 Function = Callable[[dict[str, Any]], Any]
+Interval = tuple[float, float]
+SAMPLES, MOST_STEPS = 10_001, 50  # where comparisons are looked at, and changes of one
 
 
 class Expression:
@@ -84,7 +87,7 @@ class Expression:
     uses : set of str
         Those of theta, phi, x, y, z that the expression depends on.
     comparisons : list of str
-        Its comparisons, as the reader has them: where the expression may be discontinuous.
+        Its comparisons, as they are read.
     cost : int
         About what a value costs, in additions.
 
@@ -122,6 +125,7 @@ class Expression:
         self.text = text
         self.uses: set[str] = set()
         self.comparisons: list[str] = []
+        self._steps: list[tuple[set[str], Function]] = []  # what a comparison uses, and itself
         self.cost = 1
         self._source = _prepared(text)
         try:
@@ -200,7 +204,9 @@ class Expression:
         self.comparisons.append(self._part(node))
         self.cost += COSTS["comparison"] * len(node.ops)
         tests = [COMPARISONS[type(op)] for op in node.ops]
+        outside, self.uses = self.uses, set()
         sides = [self._read(side, depth - 1) for side in (node.left, *node.comparators)]
+        inside, self.uses = self.uses, outside | self.uses
 
         def holds(at: dict[str, Any]) -> Any:
             values = [side(at) for side in sides]
@@ -210,7 +216,38 @@ class Expression:
                 found = found * numpy.where(nowhere, math.nan, test(a, b))
             return found
 
+        self._steps.append((inside, holds))
         return holds
+
+    def steps(self, polar: Interval, azimuth: Interval) -> tuple[list[float], list[float]]:
+        """Where comparisons of one angle alone change: at which polar angles and azimuths.
+
+        Parameters
+        ----------
+        polar, azimuth : tuple of 2 floats [rad]
+            Between which angles to look.
+
+        Returns
+        -------
+        tuple of 2 lists of float [rad]
+            The angles, as `over_directions` takes them; of a comparison that changes more often
+            than 50 times, or twice within a 10 000th of the interval, not all.
+
+        Examples
+        --------
+        >>> import math
+        >>> from radcalc.geometry.numerics.expression import Expression
+        >>> step = Expression("(z > 0.5)*(phi < 1)*(x < y)")
+        >>> [[round(x, 12) for x in of] for of in step.steps((0, math.pi), (0, 2 * math.pi))]
+        [[1.047197551197], [1.0]]
+        """
+        found: tuple[list[float], list[float]] = ([], [])
+        for uses, holds in self._steps:
+            if uses and uses <= {"theta", "z"}:
+                found[0].extend(_changes(_along_theta(holds), polar))
+            elif uses == {"phi"}:
+                found[1].extend(_changes(_along_phi(holds), azimuth))
+        return found
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
         """The call of one of `FUNCTIONS`, with the number of its arguments checked."""
@@ -225,6 +262,29 @@ class Expression:
         self.cost += 1 if name in CHEAP else COSTS["function"]
         inner = [self._read(arg, depth - 1) for arg in args]
         return lambda at: function(*(one(at) for one in inner))
+
+
+def _along_theta(function: Function) -> Callable[[Any], Any]:
+    return lambda theta: function({"theta": theta, "z": numpy.cos(theta)})
+
+
+def _along_phi(function: Function) -> Callable[[Any], Any]:
+    return lambda phi: function({"phi": phi})
+
+
+def _changes(function: Callable[[Any], Any], interval: Interval) -> list[float]:
+    """Where a function that is 1 or 0 changes, to the last digit."""
+    at = numpy.linspace(*interval, SAMPLES)
+    with numpy.errstate(all="ignore"):
+        values = numpy.broadcast_to(function(at), at.shape)
+        after = numpy.flatnonzero(values[1:] != values[:-1])
+        if len(after) > MOST_STEPS:
+            return []
+        return [_last(function, values[i], at[i], at[i + 1]) for i in after]
+
+
+def _last(function: Callable[[Any], Any], value: float, low: float, high: float) -> float:
+    return limit(lambda x: bool(function(x) == value), float(high), float(low))
 
 
 def _prepared(text: str) -> str:

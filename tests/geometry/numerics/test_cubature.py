@@ -106,6 +106,35 @@ def test_spherical_harmonics_are_orthogonal(text):
     assert abs(got.value) <= got.error <= 1e-7
 
 
+# text, polar angles, its integral: of what is 1 between two polar angles, 2 pi (cos a - cos b)
+STEPS = [
+    ("(theta<30*deg)*100", ALL, 200 * PI * (1 - math.sqrt(0.75))),
+    ("z > 0.5", ALL, PI),
+    ("10*deg <= theta < 0.1 + 10*deg", ALL, 2 * PI * (math.cos(PI / 18) - math.cos(PI / 18 + 0.1))),
+    ("(theta > 1)*(phi < 1)*z", UPPER, math.cos(1) ** 2 / 2),
+    ("(phi < 1)*phi", ALL, 1.0),
+    ("(1 < phi < 2)*(abs(theta - PI/2) < 0.001)*sin(phi)", ALL,
+     2 * math.sin(0.001) * (math.cos(1) - math.cos(2))),
+    ("x*x*(sin(8*phi) > 0)", ALL, 2 * PI / 3),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "polar", "value"), STEPS)
+def test_a_step_at_one_angle_costs_no_accuracy(text, polar, value):
+    step = Expression(text.replace("PI", "pi"))
+    got = over_directions(
+        step, polar, ROUND, 1e-12, step.cost, step.is_axial, steps=step.steps(polar, ROUND)
+    )
+    assert abs(got.value - value) <= got.error <= 1e-12 * abs(value)
+
+
+@pytest.mark.parametrize("axis", ["0.6*x + 0.8*z", "0.6*y - 0.8*x", "0.28*x + 0.96*y"])
+@pytest.mark.parametrize("cosine", [-0.3, 0.5, 0.98])
+def test_the_error_covers_a_cap_about_any_axis(axis, cosine):
+    got = integrate(f"{axis} > {cosine}", accuracy=0.01)
+    assert abs(got.value - 2 * PI * (1 - cosine)) <= got.error
+
+
 def test_a_needle_is_right_or_refused():
     # 2 pi times the integral of t exp(-1e9 t^2), less t^3/6 of the sine: pi/1e9 (1 - 1/6e9)
     value = PI / 1e9 * (1 - 1 / 6e9)
