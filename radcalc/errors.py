@@ -232,6 +232,44 @@ class TooNarrow(ConditionError):
     """A range that leaves out so much of one kind of light that its ratio to another is none."""
 
 
+INVERSE_SQUARE = "the inverse square law"
+
+
+class TooNear(ConditionError):
+    """A patch from less than five times its size, where the far field does not hold.
+
+    `told` says the distance, `size` the patch's [m]; `law` is what does not hold.
+    """
+
+    def __init__(
+        self, told: str, what: str, size: str, hint: str, law: str = INVERSE_SQUARE
+    ) -> None:
+        super().__init__(
+            f"{told} is less than five times the size of the {what} ({size} m): {law} does not "
+            "hold",
+            hint,
+        )
+
+
+class HorizonCuts(ConditionError):
+    """A turn, by its symbol, at which the plane of one patch may cut the other.
+
+    `least` is the steepest one at which it does not; a hint says what is better.
+    """
+
+    def __init__(
+        self, symbol: str, text: str, least: str, hint: str = "", law: str = INVERSE_SQUARE
+    ) -> None:
+        turned, cut = "receiver", "source"
+        if symbol == "tilt":
+            turned, cut = cut, turned
+        super().__init__(
+            f"{option(symbol, quote(text))}: the {turned}'s horizon may cut the {cut}, and {law} "
+            "does not hold",
+            hint or f"{option(symbol, least)}, or as far past 90 deg, where nothing is left",
+        )
+
+
 class Exclusive(ConditionError):
     """Inputs of which only one can be given."""
 

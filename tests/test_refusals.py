@@ -105,7 +105,7 @@ CONVERSIONS = {
         "nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
     "a patch that may dip below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "86deg"}, "horizon",
-        "--radius R in place"),
+        "--radius 0.56419m in place"),
     "no lumens at 300 nm tell the watts": (
         "lm", "W", {"wavelength": "300nm"}, "nothing is seen at 300nm", "360nm to 830nm"),
     "no lumens at 10 um tell the watts": (
@@ -161,10 +161,10 @@ CONVERSIONS = {
         "radlux", "cd", {"distance": "2m"}, "missing; --distance has no use", "--area"),
     "a patch of which half is below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "90deg"}, "horizon",
-        "--radius R in place"),
+        "--radius 0.56419m in place"),
     "a patch of which most is below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "-94deg"}, "horizon",
-        "--radius R in place"),
+        "--radius 0.56419m in place"),
     "a wavelength has no use between hertz and kaysers": (
         "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength has no use", "without"),
     "no light gives 149 lumens for a micromole a second": (
@@ -288,6 +288,12 @@ COMMANDS = {
     "no receiver is inside a sphere": (
         "lambertian sphere --luminance 1cd/m2 --radius 1m --distance 50cm", "radius"),
     # of another calculator, kind or shape
+    "a height says how a patch is turned": (
+        "lambertian --luminance 1cd/m2 --area 1cm2 --height 1m --tilt 9deg", "--tilt", "--height"),
+    "an offset is aside of a height": (
+        "lambertian --luminance 1cd/m2 --area 1cm2 --offset 1m", "--offset", "--height 1.5m"),
+    "a slant is no height": (
+        "lambertian --luminance 1cd/m2 --area 1cm2 --distance 1m --offset 1m", "--height"),
     "watts are no luminous flux": ("point-source --luminous-flux 5W", "luminous flux"),
     "watts per square metre are no illuminance": (
         "point-source --illuminance 5W/m2 --distance 1m", "illuminance"),

@@ -6,7 +6,14 @@ from radcalc.answer import Answer
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option
+from radcalc.errors import (
+    ConditionError,
+    HorizonCuts,
+    MissingInput,
+    NumberError,
+    TooNear,
+    mention,
+)
 from radcalc.geometry import cones, far_field
 from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of, require
 from radcalc.laws import etendue as laws_of
@@ -22,6 +29,7 @@ SOURCES = ("area", "radius", "diameter", "width", "length")
 ROUND = ("radius", "diameter")
 WITH_CONE = (*SOURCES, *CONES, "etendue")
 WITH_RECEIVER = (*SOURCES, *RECEIVERS, "distance", "tilt", "incidence", "etendue")
+FAR_FIELD = "A1 A2 / d^2"
 RESULTS = ("projected-solid-angle", "configuration-factor", "far-field-etendue")
 PAGE = Page(
     "",
@@ -171,30 +179,23 @@ def _refuse_near(sheet: Worksheet) -> None:
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
         if {"tilt", "incidence"} & set(sheet.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
-        raise ConditionError(
-            f"{sheet.told('distance')} is less than five times the size of the "
-            f"patches ({format_number(longest)} m): A1 A2 / d^2 does not hold",
-            mention(hint),
-        )
+        size = format_number(longest)
+        raise TooNear(sheet.told("distance"), "patches", size, mention(hint), FAR_FIELD)
     tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
-    _refuse_cut(sheet, "incidence", "source", far_field.REACH * source)
-    _refuse_cut(sheet, "tilt", "receiver", far_field.REACH * receiver)
+    _refuse_cut(sheet, "incidence", far_field.REACH * source)
+    _refuse_cut(sheet, "tilt", far_field.REACH * receiver)
     off = far_field.error(source, away, tilt, incidence, bool(sides))
     off += far_field.error(receiver, away, incidence, tilt)
     good = far_field.percent(off)
     sheet.assume(f"patches small beside their distance: A1 A2 cos cos / d^2 is {good}")
 
 
-def _refuse_cut(sheet: Worksheet, name: str, what: str, reach: Any) -> None:
+def _refuse_cut(sheet: Worksheet, name: str, reach: Any) -> None:
     """Refuse an angle at which the plane of one patch may cut the other."""
     away, angle = sheet.at("distance"), angle_of(sheet.given, name)
     if any_true(far_field.is_cut(reach, away, angle)):
-        raise ConditionError(
-            f"{option(name, sheet.given[name].text)}: its plane may cut the {what}, and "
-            "A1 A2 / d^2 does not hold",
-            f"{option(name, far_field.steepest(reach, away))}, or as far past 90 deg, where "
-            "nothing is left",
-        )
+        least = far_field.steepest(reach, away)
+        raise HorizonCuts(name, sheet.given[name].text, least, law=FAR_FIELD)
 
 
 def _note_far_field(sheet: Worksheet) -> None:
@@ -203,5 +204,5 @@ def _note_far_field(sheet: Worksheet) -> None:
         ratio = sheet.at("far-field-etendue") / sheet.at("etendue")
         away = format_number(sheet.at("distance"))
         sheet.notes.append(
-            f"at {away} m the far field A1 A2 / d^2 is {format_number(ratio)} times the exact one"
+            f"at {away} m the far field {FAR_FIELD} is {format_number(ratio)} times the exact one"
         )

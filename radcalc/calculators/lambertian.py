@@ -11,11 +11,21 @@ from radcalc.calculators.light import Lit
 from radcalc.calculators.shapes import POSITION, SHAPES, SIZES, cut_by_horizon
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, command, mention, option
+from radcalc.errors import (
+    ConditionError,
+    HorizonCuts,
+    MissingInput,
+    RadcalcError,
+    TooNear,
+    command,
+    mention,
+    option,
+    quote,
+)
 from radcalc.geometry import far_field
-from radcalc.given import Inputs, angle_of
+from radcalc.given import Given, Inputs, angle_of, offset_of, read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
-from radcalc.maths import any_true, is_array
+from radcalc.maths import acos, any_true, is_array
 
 QUANTITIES = (
     "radiance",
@@ -53,6 +63,15 @@ def lambertian(shape: str, given: Inputs) -> Answer:
     `given` are light quantities by whichever name, sizes, the receiver's place, and what links
     the kinds.
     """
+    try:
+        return _answer(shape, given)
+    except (TooNear, HorizonCuts) as error:
+        error.hint = _exact_call(given) or error.hint
+        raise
+
+
+def _answer(shape: str, given: Inputs) -> Answer:
+    """What follows; a small patch that is near is refused."""
     takes = (*SHAPES[shape].takes, "reflectance", "time")
     sheet = Worksheet(PAGE._replace(title=f"a {shape}", takes=takes), given)
     _refuse_dark(given, sheet.lit)
@@ -121,16 +140,42 @@ def _judge(sheet: Worksheet) -> None:
         sheet.notes.append(said)
 
 
-def _exact_shape(sheet: Worksheet) -> str:
-    """What to do about a source that is too large for the far field."""
-    if {"tilt", "incidence"} & set(sheet.given):
-        return "more distance, or less area"
-    if "area" in sheet.given:
-        radius = f"{format_number((sheet.at('area') / math.pi) ** 0.5)}m"
-        circle = command("lambertian", "disc") + mention(f" with {{radius={radius}}}")
-        return f"{circle} in place of {option('area')}, for a circle, which is exact"
-    shape = "rectangle" if sheet.has("width") else "disc"
-    return f"{command('lambertian', shape)}, which is exact"
+def _exact_call(given: Inputs) -> str:
+    """The call that is exact where that of a small patch is not; empty where there is none."""
+    if any(is_array(one.value) for one in given.values()):
+        return ""
+    inputs = {name: one for name, one in given.items() if name not in ("area", "tilt", "offset-y")}
+    sides = {"width", "length"} & set(given)
+    shape = "rectangle" if sides else "disc"
+    if sides:
+        inputs |= {"offset-y": given["offset-y"]} if "offset-y" in given else {}
+        if "area" in given and len(sides) == 1:
+            (other,) = {"width", "length"} - sides
+            inputs[other] = _length(other, given["area"].value / given[next(iter(sides))].value)
+    else:
+        if "area" in given:
+            inputs["radius"] = _length("radius", (given["area"].value / math.pi) ** 0.5)
+        if "offset-y" in given:
+            aside = math.hypot(offset_of(given), given["offset-y"].value)
+            inputs["offset"] = _length("offset", aside)
+    if "tilt" in given:
+        if sides or "incidence" in given or "distance" not in given:
+            return ""  # which does not say about which axis
+        away, tilt = inputs.pop("distance").value, given["tilt"].value
+        inputs["height"] = _length("height", away * math.cos(tilt))
+        inputs["offset"] = _length("offset", away * math.sin(tilt))
+        inputs["incidence"] = read("incidence", "0deg")
+    try:
+        lambertian(shape, inputs)
+    except RadcalcError:
+        return ""
+    texts = {name: quote(one.text) for name, one in inputs.items()}
+    circle = ", for a circle" if "area" in given and not sides else ""
+    return f"{command('lambertian', shape, **texts)}{circle}, which is exact"
+
+
+def _length(name: str, size: float) -> Given:
+    return read(name, f"{format_number(size)}m")
 
 
 def _refuse_near(sheet: Worksheet) -> None:
@@ -144,16 +189,17 @@ def _refuse_near(sheet: Worksheet) -> None:
     sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
     longest = far_field.size(sheet.at("area"), *sides)
     if far_field.is_near(away, longest):
-        raise ConditionError(
-            f"a distance of {format_number(away)} m is less than five times "
-            f"the size of the source ({format_number(longest)} m)",
-            _exact_shape(sheet),
-        )
+        size = format_number(longest)
+        raise TooNear(sheet.told("distance"), "source", size, "more distance, or less area")
     if CUT_DISC in (law for law, _ in sheet.solution.used):
         return
     tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
     reach = sheet.at("radius") if sheet.has("radius") else far_field.REACH * longest
     if any_true(far_field.is_cut(reach, away, incidence)):
         raise cut_by_horizon(sheet.given, reach, away)
+    if "height" in sheet.given:
+        tilt = acos(sheet.at("cosine-of-source"))
+        if "incidence" not in sheet.given:  # the planes are parallel: neither cuts the other
+            incidence = tilt
     good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
     sheet.assume(f"a source small beside its distance: the inverse square law is {good}")

@@ -11,7 +11,14 @@ from radcalc.calculators.worksheet import (
     refuse_slant_for_height,
 )
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import ConditionError, Exclusive, MissingInput, command, mention, option
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    HorizonCuts,
+    MissingInput,
+    mention,
+    option,
+)
 from radcalc.geometry import cones, far_field, projected, solid
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.law import HOWELL, AnyLaw
@@ -85,6 +92,8 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
         laws.append(RECTANGLE)
     if _is_sized(sheet):
         laws += [*round_sizes(sheet.given), CIRCLE]
+    if {"height", *OFFSETS} & set(given):
+        return [*laws, *_patch_above(sheet)]
     placed = [name for name in ("incidence", "tilt") if name in given]
     if "distance" not in given and "irradiance" not in sheet.lit.values:
         if placed:
@@ -102,8 +111,30 @@ def _patch(sheet: Worksheet) -> list[AnyLaw]:
         sheet.know("incidence", incidence, given["incidence"])
         sheet.assume("a disc that faces the receiver, of which the horizon leaves a part")
         return [*laws, CUT_DISC]
-    of_intensity = _without_size(sheet, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)
-    return [*laws, SMALL_SOURCE, *of_intensity]
+    return [*laws, *_small(sheet)]
+
+
+def _patch_above(sheet: Worksheet) -> list[AnyLaw]:
+    """A small flat source by the height of the receiver, on its axis or aside of it."""
+    given = sheet.given
+    height = _height(sheet)
+    if "height" not in given:
+        raise _without_height(next(name for name in OFFSETS if name in given))
+    if "tilt" in given:
+        raise Exclusive(("tilt", "height"), "contradict each other: both say how it is turned")
+    _centre(sheet, height, offset_of(given), offset_of(given, "offset-y"))
+    return _small(sheet)
+
+
+def _small(sheet: Worksheet) -> list[AnyLaw]:
+    """The laws of a source that is small beside its distance."""
+    return [SMALL_SOURCE, *_without_size(sheet, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)]
+
+
+def _without_height(name: str) -> MissingInput:
+    """The refusal of what tells where a receiver is that has no height."""
+    message = f"{option(name)} has no use without a height"
+    return MissingInput(message, mention("{height=1.5m} with it"))
 
 
 def _without_size(sheet: Worksheet, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
@@ -128,20 +159,10 @@ def _reach(given: Inputs) -> Any:
     return far_field.reach(math.prod(sides), *sides) if len(sides) == 2 else None
 
 
-def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> ConditionError:
+def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
     """The refusal of a patch of which the receiver's horizon may cut off a part."""
-    hint = option("incidence", far_field.steepest(reach, distance))
-    hint += ", or as far past 90 deg, where nothing is left"
-    if "tilt" not in given and "area" in given:
-        radius = format_number((given["area"].value / math.pi) ** 0.5)
-        hint = mention(f"{{radius={radius}m}} in place of {{area}}, for a disc, which is exact")
-    elif "tilt" not in given and {"width", "length"} <= set(given):
-        hint = f"{command('lambertian', 'rectangle')}, which is exact"
-    return ConditionError(
-        f"{option('incidence', given['incidence'].text)}: the receiver's horizon may cut the "
-        "source, and the inverse square law does not hold",
-        hint,
-    )
+    least = far_field.steepest(reach, distance)
+    return HorizonCuts("incidence", given["incidence"].text, least)
 
 
 def _say_facing(sheet: Worksheet) -> None:
@@ -250,8 +271,7 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     if height is None:
         for name in ("corner", "perpendicular", *OFFSETS, "incidence"):
             if name in given:
-                message = f"{option(name)} has no use without a height"
-                raise MissingInput(message, mention("{height=1.5m} with it"))
+                raise _without_height(name)
         return laws
     for name in ("width", "length"):
         one_of(given, f"the {name} of the rectangle", name)
@@ -328,7 +348,7 @@ def _hemisphere(sheet: Worksheet) -> list[AnyLaw]:
 
 
 SHAPES = {
-    "patch": Shape((*SIZES, "distance", "incidence", "tilt"), _patch),
+    "patch": Shape((*SIZES, *POSITION, "tilt"), _patch),
     "disc": Shape(("radius", "diameter", "distance", "height", "offset", "incidence"), _disc),
     "sphere": Shape(("radius", "diameter", "distance", "incidence"), _sphere),
     "rectangle": Shape(("width", "length", *POSITION, "corner", "perpendicular"), _rectangle),

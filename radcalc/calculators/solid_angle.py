@@ -17,10 +17,10 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
-    ConditionError,
     Exclusive,
     MissingInput,
     NumberError,
+    TooNear,
     UsageError,
     command,
     mention,
@@ -356,11 +356,9 @@ def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
         place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if tilt else {}
         sizes = {"radius": size / 2, **(place or {"distance": away})}
         disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
-        raise ConditionError(
-            f"{sheet.told('distance')} is less than five times the size of the "
-            f"source ({format_number(size)} m): A cos(theta) / d^2 does not hold",
-            f"{command('solid-angle', 'disc', **disc)}, if it is a circle, which is exact",
-        )
+        exact = f"{command('solid-angle', 'disc', **disc)}, if it is a circle, which is exact"
+        law = "A cos(theta) / d^2"
+        raise TooNear(sheet.told("distance"), "source", format_number(size), exact, law)
 
 
 def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:

@@ -34,6 +34,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     Examples:
       radcalc lambertian --radiance 2.0e7W/m2/sr
       radcalc lambertian --luminance 100cd/m2 --area 0.1m2
+      radcalc lambertian --luminance 3000cd/m2 --area 100cm2 --height 2m --offset 1m
       radcalc lambertian --incident-illuminance 500lx --reflectance 0.8
       radcalc lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm --offset 10cm
       radcalc lambertian disc --radius 25cm --distance 75cm --illuminance 70lx -g exitance:lm/m2
@@ -44,7 +45,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
 
     \b
     SHAPE is one of:
-      patch (default)  --area or other sizes; with --distance small beside it, --tilt, --incidence
+      patch (default)  --area or other sizes, small beside --distance (--tilt, --incidence)
+                       or --height and --offset
       disc             --radius or --diameter, --height and --offset (on the axis --distance)
       sphere           --radius or --diameter, --distance to its centre
       rectangle        --width, --length, --height, --offset, --offset-y or --corner

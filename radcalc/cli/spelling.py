@@ -14,8 +14,12 @@ class Shell:
     @staticmethod
     def command(*words: str) -> str:
         """`radcalc solid-angle cone --half-angle 30deg`; a word with = is an option."""
-        words = tuple(f"'{word}'" if " " in word else word for word in words)
-        typed = [Shell.option(*word.split("=", 1)) if "=" in word else word for word in words]
+        typed = []
+        for word in words:
+            name, equals, value = word.partition("=")
+            text = value if equals else word
+            text = f"'{text}'" if " " in text else text
+            typed.append(Shell.option(name, text) if equals else text)
         return " ".join(["radcalc", *typed])
 
     @staticmethod

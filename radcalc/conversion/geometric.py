@@ -11,7 +11,7 @@ from radcalc import maths
 from radcalc.answer import Step
 from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, command, option, quote
+from radcalc.errors import ConditionError, HorizonCuts, TooNear, command, option, quote
 from radcalc.geometry import cones, far_field, lobes
 from radcalc.given import Given, half_angle_of, radius_of, require
 
@@ -172,22 +172,16 @@ def far_area(source: Given, distance: Given, incidence: Given | None) -> Factor:
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
     angle = abs(incidence.value) if incidence else 0.0
+    radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
     hint = (
-        f"{option('radius', 'R')} in place of {option('area')}, for the exact disc (or "
+        f"{option('radius', radius)} in place of {option('area')}, for the exact disc (or "
         f"{command('lambertian')})"
     )
     if far_field.is_near(distance.value, size):
-        raise ConditionError(
-            f"{option('distance', quote(distance.text))} is less than five times the size of the "
-            f"source ({format_number(size)} m): the inverse square law does not hold",
-            hint,
-        )
+        told = option("distance", quote(distance.text))
+        raise TooNear(told, "source", format_number(size), hint)
     if incidence and maths.any_true(far_field.is_cut(reach, distance.value, angle)):
-        raise ConditionError(
-            f"{option('incidence', quote(incidence.text))}: the receiver's horizon may cut the "
-            "source, and the inverse square law does not hold",
-            hint,
-        )
+        raise HorizonCuts("incidence", incidence.text, "", hint)
     good = far_field.percent(far_field.error(size, distance.value))
     said = f"{factor.assumption}, which faces the receiver (A / d^2 is {good})"
     return factor._replace(assumption=said)

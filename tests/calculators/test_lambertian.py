@@ -7,11 +7,16 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from following import call
 from helpers import Q, number
 from mpmath import mpf
 
 import radcalc
 from radcalc import lambertian
+from radcalc.calculators.lambertian import lambertian as work_out
+from radcalc.cli.spelling import Shell
+from radcalc.errors import TooNear
+from radcalc.given import read
 
 PI = math.pi
 
@@ -261,3 +266,47 @@ def test_a_receiver_that_is_turned_past_the_disc_sees_it_over_its_back(incidence
     )  # fmt: skip
     assert expected > 0
     assert number(found, "irradiance", "lx") == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("incidence", [None, 0, 25, -50])
+@pytest.mark.parametrize(("h", "x", "y"), [(2, 0, 0), (2, 1, 0), (1, 3, -4), (0.5, 0, 5)])
+def test_a_small_patch_above_a_receiver_is_its_disc(h, x, y, incidence):
+    """The integral over a disc of that area, within what the answer says."""
+    radius, lateral = 0.02, math.hypot(x, y)
+    off = math.atan2(lateral, h)
+    tilt = 0.0 if incidence is None else off - math.radians(incidence)
+    expected = 1e4 * disc_integral(radius, h, lateral, (-math.sin(tilt), 0.0, math.cos(tilt)))
+    place = {"height": f"{h}m", "offset": f"{x}m", "offset-y": f"{y}m"}
+    if incidence is not None:
+        place["incidence"] = f"{incidence}deg"
+    texts = {"luminance": "1e4cd/m2", "area": f"{PI * radius**2!r}m2", **place}
+    answer = work_out("patch", {name: read(name, text) for name, text in texts.items()})
+    (said,) = (text for text in answer.assumptions if "inverse square" in text)
+    within = float(said.split()[-2]) / 100
+    (found,) = (value.amount for value in answer.values if value.name == "irradiance")
+    assert within < 0.01
+    assert found == pytest.approx(expected, rel=within)
+
+
+@pytest.mark.parametrize(
+    ("texts", "expected"),
+    [
+        ({"area": "1m2", "height": "1m", "offset": "30cm", "offset-y": "40cm"},
+         lambda: disc_integral(1 / math.sqrt(PI), 1, 0.5, (0, 0, 1))),
+        ({"area": "1m2", "distance": "2m", "tilt": "30deg"},
+         lambda: disc_integral(1 / math.sqrt(PI), math.sqrt(3), 1, (-0.5, 0, math.sqrt(3) / 2))),
+        ({"diameter": "1m", "distance": "2m", "incidence": "40deg"},
+         lambda: disc_integral(0.5, 2, 0, (math.sin(math.radians(40)), 0,
+                                           math.cos(math.radians(40))))),
+        ({"width": "1m", "area": "2m2", "height": "1.5m", "offset-y": "1m"},
+         lambda: rectangle_integral(1, 2, 1.5, 0, 1, (0, 0, 1))),
+    ],
+)  # fmt: skip
+def test_what_is_too_near_is_refused_with_the_call_that_is_exact(texts, expected):
+    given = {name: read(name, text) for name, text in {"luminance": "1e4cd/m2", **texts}.items()}
+    with pytest.raises(TooNear) as caught:
+        work_out("patch", given)
+    words = caught.value.spelled(Shell)[1].partition(",")[0].split()
+    assert words[:2] == ["radcalc", "lambertian"]
+    outcome = call([*words[1:], "-g", "irradiance:lx", "-q"])
+    assert float(outcome.output) == pytest.approx(1e4 * expected(), rel=1e-5)

@@ -138,6 +138,11 @@ def sweep(count: int, seed: int) -> str:
             assert close, (case, found, expected)
         elif answer:
             held.hold(case, answer, value_of(answer, "irradiance"), expected)
+        above = {**given, "height": f"{distance * math.cos(tilt)!r}m"}
+        above["offset"] = f"{distance * math.sin(tilt)!r}m"
+        parallel = exact(source, (spot, -source[1], [1.0]), distance)
+        answer = held.ask(lambertian, "patch", radiance="1W/m2/sr", **above)
+        held.hold(case, answer, value_of(answer, "irradiance"), parallel)
         if dice.random() < 0.1:
             other = math.exp(dice.uniform(-3, 0)) / 2
             at, normal, area = patch((other,), 0.0, incidence, azimuth)
