@@ -25,6 +25,7 @@ from radcalc.errors import (
     ConditionError,
     Contradiction,
     Exclusive,
+    HorizonCuts,
     Idle,
     Impossible,
     LineError,
@@ -35,6 +36,7 @@ from radcalc.errors import (
     OutputError,
     RadcalcError,
     TooNarrow,
+    TooNear,
     UnitError,
     Unused,
     UsageError,
@@ -100,6 +102,22 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("too near", "radcalc lambertian disc --radius 1m"),
         ("too near", "radcalc lambertian disc radius=1m"),
         ("too near", 'radcalc.lambertian("disc", radius="1 m")')),
+    "a patch that is near is told its distance and its size": (
+        lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
+        ("--distance 2m is less than five times the size of the source (1.1 m): the inverse square "
+         "law does not hold", "radcalc lambertian disc"),
+        ("distance 2m is less than five times the size of the source (1.1 m): the inverse square "
+         "law does not hold", "radcalc lambertian disc"),
+        ('distance="2 m" is less than five times the size of the source (1.1 m): the inverse '
+         "square law does not hold", 'radcalc.lambertian("disc")')),
+    "a turn at which one patch cuts the other leads to a lesser one": (
+        lambda: HorizonCuts("tilt", "89deg", "84.2deg", law="A1 A2 / d^2"),
+        ("--tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
+         "--tilt 84.2deg, or as far past 90 deg, where nothing is left"),
+        ("tilt 89deg: the source's horizon may cut the receiver, and A1 A2 / d^2 does not hold",
+         "tilt 84.2deg, or as far past 90 deg, where nothing is left"),
+        ('tilt="89 deg": the source\'s horizon may cut the receiver, and A1 A2 / d^2 does not '
+         "hold", 'tilt="84.2 deg", or as far past 90 deg, where nothing is left')),
     "a call leads to the manual": (
         lambda: UsageError("too little", manual("point-source")),
         ("too little", "radcalc point-source --help"), ("too little", "the help of point-source"),
