@@ -23,8 +23,10 @@ from typing import Any, NamedTuple
 
 import numpy
 
+from radcalc.columns import is_number
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.planes import closed, end_of, mirrored
 from radcalc.errors import ConditionError, quote
 
 NEAR = 0.01  # [deg] by which an angle is taken for another
@@ -228,7 +230,7 @@ class _Numbers:
             raise self.error_in(number, "nothing between two commas", "a number")
         words = " ".join(words).replace(",", " ").split()
         for word in words:
-            if not _is_number(word):
+            if not is_number(word, False):
                 raise self.error_in(number, f"'{quote(word)}' is not a number", "numbers alone")
         return list(map(float, words))
 
@@ -282,16 +284,6 @@ class _Numbers:
                 f"the file ends after {self.left()} of {what}",
                 f"{count} numbers, and what follows them",
             )
-
-
-def _is_number(word: str) -> bool:
-    if not word.isascii() or "_" in word:
-        return False
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
 
 
 def _tilt(tilt: str, numbers: _Numbers) -> str:
@@ -392,9 +384,11 @@ def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
 
 
 def _angles(numbers: _Numbers, what: str, count: int) -> Any:
-    """The next angles [deg], which rise."""
+    """The next angles [deg], which rise; those near right angles are right ones."""
     start = numbers.place
     angles = numbers.take(count)
+    right = 90 * numpy.round(angles / 90)
+    angles = numpy.where(abs(angles - right) <= NEAR, right, angles)
     for place, (before, after) in enumerate(pairwise(angles), start + 1):
         if not before < after:
             problem = f"the {what} angle {after:g} follows {before:g}"
@@ -429,41 +423,39 @@ class _Table:
 
     def of_c(self) -> tuple[Any, Any, Any]:
         """Polar angles, azimuths of the whole circle [deg] and values of a table of type C."""
-        self.check_range("vertical", self.vertical, 0, 180)
-        self.say_dark("vertical", self.vertical, 0, 180)
-        if not (_near(self.vertical[0], 0) or _near(self.vertical[0], 90)):
+        self.check_range("vertical", 0, 180)
+        if self.vertical[0] not in (0, 90):
             raise self.error("vertical", "0 or 90 for the first of type C")
+        self.assumptions += end_of(self.vertical)
         planes, values = self.horizontal, self.values
         first, last = planes[0], planes[-1]
-        missing = first + 360 - last
-        said = f"the planes of {first:g} to {last:g} degrees stand for "
-        if len(planes) == 1 and _near(first, 0):
+        said = f"the planes {first:g} to {last:g} deg stand for "
+        if len(planes) == 1 and first == 0:
             self.assumptions.append("one plane stands for all")
             return self.vertical, planes, values
-        if _near(first, 0) and _near(last, 90):
-            planes, values = _mirrored(*_mirrored(planes, values, 90), 180)
-            self.assumptions.append(said + "all four quadrants")
-        elif any(_near(first, side) and _near(last, side + 180) for side in (0, 90)):
-            planes, values = _mirrored(planes, values, last)
-            self.assumptions.append(said + "both sides")
-        elif _near(missing, 0):
+        if (first, last) in ((0, 90), (0, 180), (90, 270)):
+            self.assumptions.append(said + ("all four quadrants" if last == 90 else "both sides"))
+            return self.vertical, *mirrored(planes, values)
+        if last == first + 360:
             gap = float(abs(values[0] - values[-1]).max() / values.max())
             if gap > SEAM:
                 self.notes.append(
-                    f"the planes of {first:g} and {last:g} degrees, which are one, differ by up "
-                    f"to {gap:.0%} of the peak"
+                    f"the planes {first:g} and {last:g} deg, which are one, differ by up to "
+                    f"{gap:.0%} of the peak"
                 )
-        elif len(planes) > 2 and _near(first, 0) and 0 < missing <= numpy.diff(planes).max() + NEAR:
-            self.assumptions.append(f"the plane of {first:g} degrees follows that of {last:g}")
         else:
-            raise self.error("horizontal", "0 alone, 0..90, 0..180, 90..270 or 0..360 for type C")
-        return self.vertical, *_closed(planes, values)
+            self.assumptions.append(f"behind the plane {last:g} deg the first one follows")
+        try:
+            return self.vertical, *closed(planes, values)
+        except ConditionError:
+            hint = "0 alone, 0..90, 0..180, 90..270 or 0..360 for type C"
+            raise self.error("horizontal", hint) from None
 
     def of_b(self) -> tuple[Any, Any, Any]:
         """The same of type B, whose polar angles and azimuths are about y."""
         angles, values = self.both_sides((-180, 180), (-90, 90))
         self.assumptions.append(
-            "the axis is at V = H = 0 of type B; V turns to C 0 and H to C 270 degrees"
+            "the axis is at V = H = 0 of type B; V turns to C 0 and H to C 270 deg"
         )
         return angles + 90, self.vertical, values.T
 
@@ -471,63 +463,37 @@ class _Table:
         """The same of type A, by the axis as those of type C."""
         angles, values = self.both_sides((-90, 90), (-180, 180))
         self.assumptions.append(
-            "V = H = 0 of type A is at C 0, gamma 90 degrees; V turns up and H to C 270 degrees"
+            "V = H = 0 of type A is at C 0, gamma 90 deg; V turns up and H to C 270 deg"
         )
         return self.vertical + 90, -angles[::-1], values[::-1]
 
     def both_sides(self, vertical: tuple[int, int], horizontal: tuple[int, int]) -> tuple[Any, Any]:
         """Horizontal angles and values of types A and B on both sides, within their ranges."""
-        self.check_range("vertical", self.vertical, *vertical)
-        self.check_range("horizontal", self.horizontal, *horizontal)
+        self.check_range("vertical", *vertical)
+        self.check_range("horizontal", *horizontal)
         angles, values = self.horizontal, self.values
-        is_half = _near(angles[0], 0)
-        if len(angles) < 2 or not (is_half or _near(angles[0], -angles[-1])):
+        if len(angles) < 2 or angles[0] not in (0, -angles[-1]):
             raise self.error("horizontal", "0..90 or -90..90 for types A and B")
-        if is_half:
+        if angles[0] == 0:
+            self.assumptions.append(f"the planes 0 to {angles[-1]:g} deg stand for both sides")
+            angles = numpy.concatenate([-angles[:0:-1], angles])
+            values = numpy.concatenate([values[:0:-1], values])
+        ends = [(found[0], found[-1]) for found in (self.vertical, angles)]
+        if ends != [vertical, horizontal]:
+            (a, b), (c, d) = ends
             self.assumptions.append(
-                f"the planes of 0 to {angles[-1]:g} degrees stand for both sides"
+                f"no light beyond V of {a:g} to {b:g} and H of {c:g} to {d:g} deg, as in the table"
             )
-            angles, values = _mirrored(-angles[::-1], values[::-1], 0)
-        self.say_dark("vertical", self.vertical, *vertical)
-        self.say_dark("horizontal", angles, *horizontal)
         return angles, values
 
-    def check_range(self, what: str, angles: Any, low: float, high: float) -> None:
-        if angles[0] < low - NEAR or angles[-1] > high + NEAR:
-            raise self.error(what, f"{what} angles from {low} to {high} degrees")
-
-    def say_dark(self, what: str, angles: Any, low: float, high: float) -> None:
-        if angles[0] > low + NEAR or angles[-1] < high - NEAR:
-            self.assumptions.append(
-                f"no light outside the {what} angles {angles[0]:g} to {angles[-1]:g} degrees"
-            )
+    def check_range(self, what: str, low: float, high: float) -> None:
+        angles = getattr(self, what)
+        if angles[0] < low or angles[-1] > high:
+            raise self.error(what, f"{what} angles from {low} to {high} deg")
 
     def error(self, what: str, hint: str) -> ConditionError:
-        angles, behind = self.vertical, len(self.horizontal)
-        if what == "horizontal":
-            angles, behind = self.horizontal, 0
+        """The error of the angles, which stand before the table, the vertical ones first."""
+        angles = getattr(self, what)
+        behind = len(self.horizontal) if what == "vertical" else 0
         span = f"{angles[0]:g} to {angles[-1]:g}" if len(angles) > 1 else f"{angles[0]:g}"
-        problem = f"{what} angles of {span} degrees"
-        return self.numbers.error(self.start - 1 - behind, problem, hint)
-
-
-def _near(angle: float, other: float) -> bool:
-    return abs(angle - other) <= NEAR
-
-
-def _mirrored(angles: Any, values: Any, about: float) -> tuple[Any, Any]:
-    """Angles up to that of a mirror, and their rows, with those behind the mirror."""
-    behind = 2 * about - angles[::-1]
-    new = behind > angles[-1]
-    return (
-        numpy.concatenate([angles, behind[new]]),
-        numpy.concatenate([values, values[::-1][new]]),
-    )
-
-
-def _closed(angles: Any, values: Any) -> tuple[Any, Any]:
-    """Angles and their rows, to the whole circle."""
-    end = angles[0] + 360
-    if _near(angles[-1], end):
-        return numpy.append(angles[:-1], end), values
-    return numpy.append(angles, end), numpy.concatenate([values, values[:1]])
+        return self.numbers.error(self.start - 1 - behind, f"{what} angles of {span} deg", hint)

@@ -60,8 +60,8 @@ def plain_flux(lines):
         rows.append(total)
     if system == 1 and nh == 1:
         return numbers[2] * numbers[10] * rows[0] * 2 * math.pi
-    if system == 1 and across[0] == 0 and 180 < across[-1] < 360:
-        across, rows = [*across, 360], [*rows, rows[0]]
+    if system == 1 and (across[0], across[-1]) not in ((0, 90), (0, 180), (90, 270)):
+        across, rows = [*across, across[0] + 360], [*rows, rows[0]]
     span = across[-1] - across[0]
     times = 360 / span if system == 1 else 2 if h[0] == 0 else 1
     sums = sum(
