@@ -78,12 +78,14 @@ FRONT = Formula("depth clip", "{depth-attenuation} = 1 where z > 0, else 0", BAR
 SUPERELLIPSE = Formula(
     "superellipse",
     "{superellipse-attenuation} = 1 - smoothstep(q, r, 1), "
-    "q = a b / ((b |x|)^(2/{roundness}) + (a |y|)^(2/{roundness}))^({roundness}/2), r so of A, B",
+    "q = a b / ((b u)^(2/{roundness}) + (a v)^(2/{roundness}))^({roundness}/2), r so of A and B, "
+    "u = |x/z - X|, v = |y/z - Y|",
     BARZEL,
 )
 RECTANGLE = Formula(
     "rectangle",
-    "{superellipse-attenuation} = (1 - smoothstep(a, A, |x|)) (1 - smoothstep(b, B, |y|))",
+    "{superellipse-attenuation} = (1 - smoothstep(a, A, u)) (1 - smoothstep(b, B, v)), "
+    "u = |x/z - X|, v = |y/z - Y|",
     BARZEL,
 )
 BEAM = Formula("beam", "{beam-attenuation} = (z / {distance})^{beam-exponent}", BARZEL)
@@ -256,21 +258,22 @@ def _by_superellipse(sheet: Worksheet) -> None:
     roundness = _number(sheet, "roundness")
     clip = _clip(sheet, roundness)
     sheet.know("superellipse-attenuation", clip)
-    x, y = _section(sheet)
-    told = f"x = {format_number(x)}, y = {format_number(y)}"
+    u, v = _section(sheet)
     a, b, outer_a, outer_b = map(format_number, sheet.given["superellipse"].value)
+    told = f"u = {format_number(u)}, v = {format_number(v)}; "
     formula = SUPERELLIPSE
     if not any_true(roundness > 0):
         formula = RECTANGLE
-        told += f"; (1 - smoothstep({a}, {outer_a}, x)) (1 - smoothstep({b}, {outer_b}, y))"
-    elif not any_true((x + y == 0) | (roundness == 0)):
+        told += f"(1 - smoothstep({a}, {outer_a}, u)) (1 - smoothstep({b}, {outer_b}, v))"
+    elif any_true((u + v == 0) | (roundness == 0)):  # q and r have no end
+        told += "a_s"
+    else:
         q, r = (
-            format_number(1 / attenuations.superellipse_scale(x, y, *sizes, roundness))
+            format_number(1 / attenuations.superellipse_scale(u, v, *sizes, roundness))
             for sizes in _sizes(sheet)
         )
-        told += f", q = {q}, r = {r}; 1 - smoothstep({q}, {r}, 1)"
-    else:
-        told += "; a_s"
+        told += f"a = {a}, b = {b}: q = {q}; A = {outer_a}, B = {outer_b}: r = {r}; "
+        told += f"1 - smoothstep({q}, {r}, 1)"
     sheet.placed.append(formula.told(f"{told} = {format_number(clip)}"))
 
 
@@ -329,11 +332,11 @@ def _judge(sheet: Worksheet) -> None:
     given = sheet.given
     if "near" in given:
         sheet.notes.append(
-            mention("{near} is no physics: dark before it and lit behind, light is created")
+            mention("{near} is no physics: dark up to A and lit from B on, light is created")
         )
     if "far" in given:
         sheet.notes.append(
-            mention("{far} is no physics: it ends where nothing stops it, and light is lost")
+            mention("{far} is no physics: nothing stops the light between C and D, and it is lost")
         )
     _judge_falloff(sheet)
     shaping = ["superellipse"] if "superellipse" in given else []
@@ -360,13 +363,16 @@ def _judge_falloff(sheet: Worksheet) -> None:
         breaking.append(option("maximum", quote(sheet.given["maximum"].text)))
     if not breaking:
         return
-    told = f"{' and '.join(breaking)} {'are' if len(breaking) > 1 else 'is'} no inverse square"
+    several = len(breaking) > 1
+    told = f"{' and '.join(breaking)} {'are' if several else 'is'} no inverse square"
     ratio = sheet.known["falloff-attenuation"].value * (distance / reference) ** 2
     if is_array(ratio):
         told += ": light is created or lost"
     elif abs(ratio - 1) > 1e-9:
-        change = "created" if ratio > 1 else "lost"
-        told += f": here it is {format_number(ratio)} times that, and light is {change}"
+        told += (
+            f": {'they give' if several else 'it gives'} {format_number(ratio)} times the light "
+            f"of one here, so light is {'created' if ratio > 1 else 'lost'}"
+        )
     sheet.notes.append(told)
 
 

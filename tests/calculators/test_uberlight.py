@@ -91,9 +91,9 @@ def test_every_kind_of_light():
     [
         ("0,0,4", None),
         ("0,0,4 --maximum 3", None),
-        ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: here it is 4 times that, and "
-         "light is created"),
-        ("0,0,4 --falloff 3", "0.25 times that, and light is lost"),
+        ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: it gives 4 times the light of one "
+         "here, so light is created"),
+        ("0,0,4 --falloff 3", "0.25 times the light of one here, so light is lost"),
         ("0,0,0.5 --maximum 3", "--maximum 3 is no inverse square"),
         ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are no inverse square"),
         ("0,0,4 --near 1m:2m", "--near is no physics"),
@@ -125,7 +125,7 @@ def test_the_steps_have_each_attenuation_with_its_numbers():
     for text in (
         "smoothstep(a, b, x) = t^2 (3 - 2 t)",
         "smoothstep(1 m, 3 m, 2 m) (1 - smoothstep(4 m, 5 m, 2 m)) = 0.5",
-        "x = 0.25, y = 0, q = 0.8, r = 1.6; 1 - smoothstep(0.8, 1.6, 1) = 0.84375",
+        "q = 0.8; A = 0.4, B = 0.4: r = 1.6; 1 - smoothstep(0.8, 1.6, 1) = 0.84375",
         "(z / 2.06155 m)^2 = 0.941176",
         "exp(s (2.06155 m / 3 m)^beta)",
         "Barzel",
