@@ -43,7 +43,8 @@ UNITS = {
 }
 UNITS_ARE = "_INTENSITYUNITS"  # the keyword
 END_IN_DOS = "\x1a"  # of a file
-EDITIONS = {year % 100: year for year in (1986, 1991, 1995, 2002, 2019)}
+YEARS = (1986, 1991, 1995, 2002, 2019)
+EDITIONS = {text: year for year in YEARS for text in (str(year), str(year)[2:])}
 SYSTEMS = {1: "C", 2: "B", 3: "A"}
 
 _EDITION = re.compile(r"\s*IES(?:NA)?\s*:?\s*(?:LM-?63-)?(\d{4}|\d\d)\s*$", re.IGNORECASE)
@@ -148,7 +149,7 @@ class _Label:
             self.tilt = self.tilt.upper()
         first = next((line for line in self.lines if line.strip()), "")
         edition = _EDITION.match(first)
-        self.edition = EDITIONS.get(int(edition[1]) % 100, 0) if edition else 0
+        self.edition = EDITIONS.get(edition[1], 0) if edition else 0
         if not (self.edition or _TAG.search(first)):
             self.edition = 1986  # has no such line
         for keyword in ("LUMINAIRE", "LUMCAT", "TEST"):
@@ -159,7 +160,11 @@ class _Label:
             self.title = "" if self.keywords or _TAG.search(first) else first.strip()
 
     def error(self, line: int, problem: str, hint: str) -> ConditionError:
-        return ConditionError(f"{self.name}, line {line}: {problem}", hint)
+        return _error(self.name, line, problem, hint)
+
+
+def _error(name: str, line: int, problem: str, hint: str) -> ConditionError:
+    return ConditionError(f"{name}, line {line}: {problem}", hint)
 
 
 def _unit(label: _Label) -> tuple[str, float, list[str]]:
@@ -211,8 +216,8 @@ class _Numbers:
         are_sound = numpy.abs(self.values) < LARGEST
         if not are_sound.all():
             place = int(numpy.argmin(are_sound))
-            problem = f"{self.values[place]:g} is no number of a lamp"
-            raise self.error(place, problem, f"numbers below {LARGEST:g}")
+            problem = f"{self.values[place]:g} is no number below {LARGEST:g}"
+            raise self.error(place, problem, "a finite number")
 
     def numbers(self, line: str, number: int) -> list[float]:
         """Those of a line; float() reads more than numbers in ASCII."""
@@ -223,24 +228,26 @@ class _Numbers:
                 pass
         words = line.split()
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
-            raise self.error_in(
-                number, "a decimal comma", "decimal points: commas separate numbers"
+            raise _error(
+                self.name, number, "a decimal comma", "decimal points: commas separate numbers"
             )
         if re.search(r",\s*,", line):
-            raise self.error_in(number, "nothing between two commas", "a number")
+            raise _error(self.name, number, "nothing between two commas", "a number")
         words = " ".join(words).replace(",", " ").split()
         for word in words:
             if not is_number(word, False):
-                raise self.error_in(number, f"'{quote(word)}' is not a number", "numbers alone")
+                raise _error(
+                    self.name,
+                    number,
+                    f"'{quote(word)}' is not a number",
+                    "numbers alone behind TILT",
+                )
         return list(map(float, words))
-
-    def error_in(self, line: int, problem: str, hint: str) -> ConditionError:
-        return ConditionError(f"{self.name}, line {line}: {problem}", hint)
 
     def error(self, place: int, problem: str, hint: str) -> ConditionError:
         """The error of the number in a place."""
         line = bisect_right(self.ends, min(place, len(self.values) - 1))
-        return self.error_in(self.start + line + (1 if len(self.values) else 0), problem, hint)
+        return _error(self.name, self.start + line + (1 if len(self.values) else 0), problem, hint)
 
     def take(self, count: int) -> Any:
         """The next numbers, of which there are enough."""
