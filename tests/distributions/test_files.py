@@ -61,6 +61,48 @@ def test_ends_of_lines_and_encodings(form, end, encoding, written):
     assert found.name.endswith("Größe 1") or form == "CSV table"
 
 
+@pytest.mark.parametrize(
+    ("symmetry", "stored", "listed", "wave"),
+    [
+        (0, range(0, 360, 30), range(0, 361, 30), lambda c: 2 + math.cos(c) + math.sin(2 * c)),
+        (2, range(0, 181, 30), range(0, 181, 30), lambda c: 2 + math.cos(c)),
+        (3, range(-90, 91, 30), range(90, 271, 30), lambda c: 2 + math.sin(c)),
+        (4, range(0, 91, 30), range(0, 91, 30), lambda c: 2 + math.cos(2 * c)),
+    ],
+)
+def test_one_lamp_is_the_same_in_every_format(symmetry, stored, listed, wave, written):
+    gammas = range(0, 181, 20)
+
+    def rows(planes):
+        """Intensities of whole planes, which are the same on the axis."""
+        return [
+            [100 + 10 * wave(math.radians(c)) * math.sin(math.radians(g)) for g in gammas]
+            for c in planes
+        ]
+
+    def said(numbers, between=" "):
+        return between.join(map(repr, numbers))
+
+    ies = [*IES.split("\n")[:3], f"1 -1 1 {len(gammas)} {len(listed)} 1 2 0 0 0", "1 1 9"]
+    ies += [said(gammas), said(listed), *map(said, rows(listed))]
+    head = LDT.split("\n")[:42]
+    head[2:7] = map(str, (symmetry, 12, 30, len(gammas), 20))
+    table = [said(row, "\n") for row in rows(stored)]
+    ldt = [*head, said(range(0, 360, 30), "\n"), said(gammas, "\n"), *table]
+    columns = zip(gammas, *rows(listed), strict=True)
+    csv = ["gamma," + ",".join(f"C{c} (cd)" for c in listed), *(said(row, ",") for row in columns)]
+    found = [read_file(written("\n".join(lines))).distribution for lines in (ies, ldt, csv)]
+    for c in range(0, 360, 15):
+        for g in (0, 10, 75, 90, 170):
+            values = [lamp.intensity(math.radians(g), math.radians(c)) for lamp in found]
+            assert values == pytest.approx([values[0]] * 3, rel=1e-12)
+    on_a_node = 100 + 10 * wave(math.radians(60)) * math.sin(math.radians(40))
+    assert values[0] > 0
+    assert found[1].intensity(math.radians(40), math.radians(60)) == pytest.approx(on_a_node)
+    fluxes = [lamp.flux().value for lamp in found]
+    assert fluxes == pytest.approx([fluxes[0]] * 3, rel=1e-12)
+
+
 def test_what_ends_a_line_elsewhere_is_a_part_of_it_here(written):
     """Windows-1252 has an ellipsis where Latin-1 ends a line; a form feed is a blank."""
     for mark in (b"\x85", b"\x0b", b"\x0c", b"\xe2\x80\xa8"):
