@@ -361,6 +361,8 @@ COMMANDS = {
     "an area that is no number is refused": ("etendue --area nanm2 --half-angle 10deg", "nan"),
     "an expression that is 0 everywhere is refused": ("integrate x-x --sphere", "is 0"),
     "an expression that has no value is refused": ("integrate 1/(x-x) --sphere", "no value"),
+    "what is not per solid angle is not integrated over it": (
+        "integrate z --sphere --unit lx", "illuminance (lx) is nothing per solid angle"),
     "an attribute cannot stand in an expression": ("integrate x.real --sphere", "cannot stand"),
     "a long chain of attributes cannot stand in an expression": (
         "integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),

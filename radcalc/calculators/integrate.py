@@ -1,6 +1,8 @@
 """The integral of an expression over a part of the sphere."""
 
 import math
+import re
+from typing import NamedTuple
 
 from radcalc.answer import Answer
 from radcalc.calculators.results import value
@@ -10,20 +12,68 @@ from radcalc.geometry.numerics.cubature import FIRST, GAP, POINTS, of_constant, 
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
 from radcalc.given import Inputs
+from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.units import composed
+from radcalc.units.dimensions import SOLID_ANGLE, times
+from radcalc.units.table import NUMBER, Dimension, resolve
 
 TURN = 2 * math.pi
 FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
 USUAL = 1e-9
 DIRECTIONS = ("sphere", "hemisphere", "half-angle", "polar")
+SINE = "sin(theta) of the solid angle is included: that in the expression comes on top of it"
 INTEGRAL = Formula(
     "integral over directions", "I = integral of f(theta, phi) sin(theta) dtheta dphi"
 )
 
 
-def integrate(text: str, given: Inputs) -> Answer:
+WITH_SINE = re.compile(r"\bsin\((theta|[θϑ])\)")
+
+
+class Integrand(NamedTuple):
+    """What an expression is in, and what its integral over solid angle then is.
+
+    `factor` makes coherent SI of the expression; `dimension` and `unit` are those of the integral.
+    """
+
+    factor: float = 1.0
+    dimension: Dimension = SOLID_ANGLE
+    unit: str = "sr"
+    said: str = ""
+
+
+BARE = Integrand()
+
+
+def integrand(text: str) -> Integrand:
+    """Read the unit of an expression: an intensity, a radiance or 1/sr."""
+    unit = resolve(text)
+    reading = read_light(unit)
+    if unit.dimension == times(NUMBER, SOLID_ANGLE, -1):
+        return Integrand(unit.factor, NUMBER, "1")
+    if reading is None or reading.retinal or not reading.solid_angle:
+        raise ConditionError(
+            f"{describe(unit)} is nothing per solid angle, to be integrated over it",
+            "an intensity or a radiance: cd, W/sr, cd/m2, W/m2/sr; or 1/sr",
+        )
+    whole = resolve(f"({text}).sr")
+    is_customary = reading.kind == PHOTON or reading.axis != NONE
+    shown = composed(whole)[0] if is_customary else coherent_unit(whole)
+    said = f"the expression is in {quote(text)}"
+    if reading.area:
+        said += (
+            ": with the factor cos(theta) its integral is the irradiance of a plane whose normal "
+            "is +z, without one that on the cross section of a small sphere (spherical irradiance)"
+        )
+    return Integrand(unit.factor, whole.dimension, shown, said)
+
+
+def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     """Integrate an expression in theta, phi, x, y, z over a part of the sphere.
 
-    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy.
+    `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy; `of` is what the
+    expression is in.
     """
     polar = _polar(given)
     azimuth = given["azimuth"].value if "azimuth" in given else (0.0, TURN)
@@ -48,8 +98,8 @@ def integrate(text: str, given: Inputs) -> Answer:
         found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
     values = [
-        value("integral", found.value),
-        value("error", found.error),
+        value(name, size * of.factor, of.unit)._replace(dimensions=(of.dimension,))
+        for name, size in (("integral", found.value), ("error", found.error))
     ]
     narrow = [GAP * side / (2 * n) for side, n in zip((width, turn), FIRST, strict=True)]
     said = [
@@ -58,16 +108,20 @@ def integrate(text: str, given: Inputs) -> Answer:
         f"peaks narrower than {format_number(narrow[0])} deg in theta or "
         f"{format_number(narrow[1])} deg in phi may be missed",
     ]
+    if of.said:
+        said.append(of.said)
     if expression.comparisons:
         said.append(f"1 where it holds, 0 elsewhere: {listed(expression.comparisons)}")
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
     points = f"{POINTS}" if expression.is_axial else f"{POINTS} x {POINTS}"
+    integral = format_number(found.value * of.factor)
     step = INTEGRAL.told(
         f"f = {quote(text)}, theta from {format_number(t0)} to {format_number(t1)} deg, phi from "
-        f"{format_number(p0)} to {format_number(p1)} deg; I = {format_number(found.value)} sr, "
+        f"{format_number(p0)} to {format_number(p1)} deg; I = {integral} {of.unit}, "
         f"from {found.cells} cells of {points} points of Gauss and Legendre"
     )
-    return Answer(values, said, [], [step])
+    notes = [SINE] if WITH_SINE.search(text) else []
+    return Answer(values, said, notes, [step])
 
 
 def _polar(given: Inputs) -> tuple[float, float]:

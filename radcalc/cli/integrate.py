@@ -1,21 +1,29 @@
 """`radcalc integrate EXPRESSION`."""
 
-from radcalc.calculators.integrate import integrate
+import click
+
+from radcalc.calculators.integrate import BARE, integrand, integrate
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
+
+UNIT = click.Option(
+    ["--unit"], metavar="cd", help="The unit of the expression: an intensity, a radiance, 1/sr."
+)
 
 
 @define(
     "integrate",
     {
         "Directions": ("sphere", "hemisphere", "half-angle", "polar", "azimuth"),
-        "Results": ("accuracy",),
+        "Results": (UNIT, "accuracy"),
     },
     words="EXPRESSION",
 )
-def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
+def command(
+    words: tuple[str, ...], unit: str | None, typed: dict[str, str], asked: Asked, shown: Output
+) -> int:
     """Integrate a function of direction over a part of the sphere.
 
     \b
@@ -23,7 +31,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc integrate 'cos(theta)' --hemisphere
       radcalc integrate '100*cos(theta)**10' --polar 0deg:45deg
       radcalc integrate 'max(x, 0)' --sphere --accuracy 1e-6
-      radcalc integrate '(theta<30*deg)*100' --sphere
+      radcalc integrate '(theta<30*deg)*100' --sphere --unit cd
       radcalc integrate 'exp(-(theta/(10*deg))**2)' --half-angle 60deg -g integral:deg2
 
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
@@ -31,9 +39,13 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     tanh exp log log10 sqrt abs min max, and comparisons by < <= > >=, which are 1 where they hold
     and 0 elsewhere; one that begins with a minus goes in brackets: '(-x)'.  The integral is over
     solid angle: sin(theta) is there already.  What does not converge is refused.
+
+    With --unit the integral of an intensity is a flux.  That of a radiance is the irradiance of a
+    plane whose normal is +z only if the expression has its cosine, cos(theta).
     """
     if not words:
         raise UsageError("an expression is missing", "radcalc integrate 'cos(theta)' --hemisphere")
     each = cases(typed, intervals=("polar", "azimuth"))
     text = " ".join(words)
-    return run(each, lambda given: integrate(text, given), asked, shown, "integrate")
+    of = integrand(unit) if unit else BARE
+    return run(each, lambda given: integrate(text, given, of), asked, shown, "integrate")

@@ -31,6 +31,13 @@ PI = math.pi
         ("etendue --area 1mm2 --half-angle 30deg --radiance 1e6cd/m2 -g flux:lm", [PI / 4]),
         ("integrate cos(theta) --hemisphere -g integral", [PI]),
         ("integrate x**2 --sphere -g integral", [4 * PI / 3]),
+        # pi L of a uniform sky on the ground; 4 pi I of a bulb; a mole has 6.02214076e23 photons
+        ("integrate 3*cos(theta) --hemisphere --unit kcd/m2 -g integral", [3000 * PI]),
+        ("integrate 3*cos(theta) --hemisphere --unit kcd/m2 -g integral:klx", [3 * PI]),
+        ("integrate 2 --sphere --unit mW/sr -g integral:W", [8e-3 * PI]),
+        ("integrate 2 --sphere --unit umol/s/sr -g integral:photon/s", [8e-6 * PI * 6.02214076e23]),
+        ("integrate cos(theta)/pi --hemisphere --unit 1/sr -g integral", [1]),
+        ("integrate 1/(4*pi) --sphere --unit W/sr/nm -g integral:W/um", [1000]),
         ("integrate 1 --half-angle 60deg -g integral:deg2", [PI * (180 / PI) ** 2]),
     ],
 )  # fmt: skip
