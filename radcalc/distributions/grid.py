@@ -23,7 +23,7 @@ MANY = 9  # azimuths of which half still tell the shape
 ACCURACY = 1e-4  # [1] of the flux through a part that cuts across a table's cells
 # Which of the source's coordinates x, y, z are those of the table: its azimuth is counted from the
 # first towards the second, and its polar angle from the third.
-AXES = {"C": (0, 1, 2), "B": (2, 0, 1), "A": (2, 1, 0)}
+AXES = {"C": (0, 1, 2), "B": (2, 0, 1)}
 
 
 class Grid:
@@ -41,10 +41,9 @@ class Grid:
         Intensities, 0 or more.
     kind : str, optional
         The kind of light, as of `Distribution`; "v" by default.
-    system : {"C", "B", "A"}, optional
-        Where the pole is, by the types of goniometer: on the source's axis (z); across it on its
-        y axis, with azimuths from its axis towards x; or on its x axis, with azimuths from its
-        axis towards y.
+    system : {"C", "B"}, optional
+        Where the pole is, by the types of goniometer: on the source's axis (z), or across it on its
+        y axis, with azimuths from its axis towards x.
 
     Raises
     ------
@@ -141,7 +140,7 @@ class Grid:
         """Integral of the intensity over all directions, or a part of them: exact.
 
         As of `Distribution`.  A part in the source's coordinates, which are not those of a table
-        of type A or B, is integrated numerically.
+        of type B, is integrated numerically.
         """
         is_whole = (*polar, *azimuth) == (*ALL_POLAR, *ALL_AZIMUTHS)
         if self.system != "C" and not is_whole:

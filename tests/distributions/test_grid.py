@@ -44,7 +44,7 @@ def test_a_laboratory_table():
     assert lamp.zonal_flux() == pytest.approx(797.6, abs=0.05)
 
 
-@pytest.mark.parametrize("system", "ABC")
+@pytest.mark.parametrize("system", "BC")
 @pytest.mark.parametrize("planes", [3, 5, 9, 13])
 def test_a_sphere_and_its_parts(system, planes):
     lamp = sphere(system, planes)
@@ -108,7 +108,7 @@ def test_the_shape_of_the_poles():
     assert lamp.flux((0.0, math.pi / 2)).value == pytest.approx(lamp.flux().value, rel=1e-3)
 
 
-@pytest.mark.parametrize("system", "ABC")
+@pytest.mark.parametrize("system", "BC")
 def test_the_peak_is_where_the_intensity_is(system):
     values = numpy.ones((5, 7))
     values[1, 2] = 9.0
