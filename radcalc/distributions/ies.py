@@ -19,19 +19,18 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 import numpy
 
 from radcalc.columns import is_number
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import closed, end_of, mirrored
+from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 
 NEAR = 0.01  # [deg] by which an angle is taken for another
 LARGEST = 1e18  # of any number, so that products of them can be held
-NOISE = 1e-3  # of the peak: negative values within it are a photometer's noise
 SEAM = 0.02  # of the peak: what the planes of 0 and 360 degrees may differ by
 # kind of light and SI value of the units that intensities are met in
 UNITS = {
@@ -413,20 +412,11 @@ class _Table:
         self.values = numpy.reshape(numbers.take(shape[0] * shape[1]), shape)
         self.assumptions: list[str] = []
         self.notes: list[str] = []
-        self.check_values()
+        self.values, notes = without_noise(self.values, self.refuse)
+        self.notes += notes
 
-    def check_values(self) -> None:
-        """Refuse what is no intensity; noise about 0 is none."""
-        peak, low = self.values.max(), self.values.min()
-        if peak <= 0:
-            raise self.numbers.error(self.start, "no intensity is above 0", "a table with light")
-        if low < -NOISE * peak:
-            place = self.start + int(self.values.argmin())
-            raise self.numbers.error(place, f"an intensity of {low:g}", "0 or more")
-        if low < 0:
-            count = int((self.values < 0).sum())
-            self.notes.append(f"{count} negative intensities (down to {low:g}) count as 0")
-            self.values = self.values.clip(min=0)
+    def refuse(self, place: int, problem: str, hint: str) -> NoReturn:
+        raise self.numbers.error(self.start + place, problem, hint)
 
     def of_c(self) -> tuple[Any, Any, Any]:
         """Polar angles, azimuths of the whole circle [deg] and values of a table of type C."""

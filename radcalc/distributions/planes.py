@@ -151,7 +151,7 @@ def without_noise(
     if max(peak, -low) > GREATEST:
         refuse(int(abs(values).argmax()), "an intensity of more than 1e100", "those of a source")
     if peak <= 0:
-        refuse(values.size - 1, "no intensity is above 0", "a table of a source that shines")
+        refuse(values.size - 1, "no intensity is above 0", "a table with light")
     if low < -NOISE * peak:
         refuse(int(values.argmin()), f"an intensity of {low:g}", "0 or more")
     if low >= 0:
