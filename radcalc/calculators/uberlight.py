@@ -9,7 +9,7 @@ from typing import Any
 
 from radcalc.answer import Answer, Step
 from radcalc.calculators.results import value
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.worksheet import FARTHEST, Page, Worksheet
 from radcalc.derivation import Formula, format_number, format_value
 from radcalc.errors import (
     ConditionError,
@@ -121,6 +121,14 @@ def uberlight(given: Inputs) -> Answer:
         raise ConditionError("the point is at the light", "a point aside of it")
     sheet.know("distance", distance)
     _assume(sheet, is_omni)
+    ratio = distance / sheet.known["falloff-distance"].value
+    if any_true((ratio > FARTHEST) | (ratio < 1 / FARTHEST)):
+        raise ConditionError(
+            mention(
+                "the point's distance beside {falloff-distance} is beyond what radcalc reckons with"
+            ),
+            "less extreme values",
+        )
     _turn_receiver(sheet)
     sheet.place(_attenuate)
     sheet.solve(LAWS)

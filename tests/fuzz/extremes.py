@@ -44,6 +44,7 @@ CALLS = (
     "photon {}Hz",
     "screen --flux {}lm --width {}m --height {}m",
     "uberlight 1m,2m,{}m --intensity {}cd --falloff 1 --falloff-distance {}m",
+    "uberlight 1m,2m,{}m --illuminance {}lx --falloff {} --falloff-distance {}m --maximum 3",
     "convert {} W/m2 W/cm2",
     "convert {} lm lx --isotropic --distance {}m",
     "convert {} umol/s W --wavelength {}nm",
