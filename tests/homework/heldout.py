@@ -47,6 +47,11 @@ HELD_OUT = [
           3100 / (0.93**2 * 16 * 9 / (16**2 + 9**2)), "length-unit"),
     Wrong("screen --luminance 47cd/m2 --width 11m --aspect 2.39 --gain 1.3", "flux", "lm",
           47 * pi * 11**2 / 2.39 * 1.3, "gain-upside-down"),
+    # --- the cinematographer's light: the cosine, the fall-off
+    Wrong("uberlight 0,0,2.3 --intensity 730cd --incidence 50deg", "illuminance", "lx",
+          730 / 2.3**2, "cosine-forgotten"),
+    Wrong("uberlight 1.1,0,2.3 --intensity 730cd --normal 0,0,-1", "illuminance", "lx",
+          730 / (1.1**2 + 2.3**2), "cosine-forgotten"),
     # --- etendues
     Wrong(ETENDUE, "etendue", "mm2.sr", 2.7 * s(29) ** 2, "pi-forgotten"),
     Wrong(ETENDUE, "etendue", "mm2.sr", 2.7 * pi * s(29), "sine-not-squared"),
