@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         explain,
         lambertian,
         point_source,
+        scene,
         uberlight,
     )
 
@@ -33,6 +34,7 @@ __all__ = [
     "explain",
     "lambertian",
     "point_source",
+    "scene",
     "uberlight",
 ]
 

@@ -29,6 +29,7 @@ FUNCTIONS = (
     "convert",
     "explain",
     "point_source",
+    "scene",
     "lambertian",
     "uberlight",
     "ev",
@@ -204,6 +205,88 @@ def point_source(
 
     inputs = _inputs({"distribution": distribution, **given})
     return _results(lambda: work_out(inputs, any_incidence))
+
+
+@in_python
+def scene(
+    sources: Any,
+    points: Any,
+    normal: Any = (0.0, 0.0, 1.0),
+    *,
+    shares: bool = False,
+    **links: Any,
+) -> dict[str, Any]:
+    """What many sources give together at points, and how even that is.
+
+    Parameters
+    ----------
+    sources : str, path, or list of dicts
+        A CSV file with a row for each source, or a dict for each, with the columns of
+        ``radcalc scene`` as keys and texts, quantities or numbers as values.
+    points : array_like or Quantity of shape (n, 3)
+        The points, in metres unless they have a unit.
+    normal : sequence of 3 floats, optional
+        Where the receivers face; up by default.
+    shares : bool, optional
+        Whether to give the irradiance by each source too.
+    **links : str, Quantity or float
+        What links the kinds of light: ``wavelength``, ``spectrum``, ``efficacy`` ...
+
+    Returns
+    -------
+    dict of str to Quantity
+        `irradiance`, and `share_NAME` of each source where it is asked for, of shape (n,);
+        `mean_irradiance`, `minimum_irradiance`, `maximum_irradiance`, `uniformity` (minimum over
+        mean) and `minimum_to_maximum`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        A row that is no source, with its column; a point at a source; kinds of light that
+        nothing links.
+
+    Examples
+    --------
+    >>> lamps = [{"x": x, "y": 0, "z": 2, "intensity": "100 cd"} for x in (0, 0)]
+    >>> print(scene(lamps, [[0, 0, 0], [0, 0, 1]])["irradiance"])
+    [50.0 200.0] lux
+    """
+    import os
+
+    import numpy
+
+    from radcalc.calculators import scene as page
+    from radcalc.calculators.worksheet import refuse_foreign
+    from radcalc.distributions.scene import blocks
+    from radcalc.geometry.numerics.vectors import vector
+    from radcalc.quantities.symbols import LINKS, REFINEMENTS
+
+    inputs = _inputs(links)
+    refuse_foreign(inputs, (*LINKS, *REFINEMENTS), "a scene")
+    if isinstance(sources, os.PathLike):
+        sources = os.fspath(sources)
+    elif not isinstance(sources, str):
+        sources = [_without_quantities(source) for source in sources]
+    if _is_quantity(points):
+        points = points.to("m").magnitude
+    survey = page.Survey(page.scene(sources, inputs), vector(normal), shares)
+    parts = [_quantities(answer) for answer in survey.at_points(blocks(points))]
+    found = {
+        name: Quantity(numpy.concatenate([part[name].magnitude for part in parts]), one.units)
+        for name, one in parts[0].items()
+        if name not in ("x", "y", "z")
+    }
+    return {**found, **_quantities(survey.remarks(with_values=True))}
+
+
+def _without_quantities(source: Any) -> Any:
+    """A row of a scene, whose quantities are numbers with units."""
+    if not isinstance(source, dict):
+        return source
+    return {
+        key: (value.magnitude, from_container(value._units)) if _is_quantity(value) else value
+        for key, value in source.items()
+    }
 
 
 @in_python

@@ -32,6 +32,8 @@ LIGHT = {
     "radiance": "{0}/m2/sr", "exposure": "{1}/m2", "energy": "{1}", "received-flux": "{0}",
     "incident-irradiance": "{0}/m2", "flux-within": "{0}", "beam-flux": "{0}",
     "far-field-irradiance": "{0}/m2", "intensity-toward": "{0}/sr",
+    "mean-irradiance": "{0}/m2",
+    "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",

@@ -110,7 +110,7 @@ def read_light(typed: Inputs, links: Inputs) -> Lit:
         own = kind_of(one)
         amounts[name] = one.value
         if own != kind:
-            factor = _factor(links, kind, own)
+            factor = linking_factor(links, kind, own)
             if factor is None:
                 first_name = option(given[first].name)
                 raise MissingInput(
@@ -189,7 +189,9 @@ def rounding(lit: Lit, name: str) -> Any:
             if link.symbol.form == QUANTITY and link.rounding:
                 parts = (1 + link.rounding, 1 - link.rounding)
                 moved = ({**lit.links, key: link._replace(value=link.value * p)} for p in parts)
-                factors = [found for links in moved if (found := _factor(links, lit.kind, own))]
+                factors = [
+                    found for links in moved if (found := linking_factor(links, lit.kind, own))
+                ]
                 off += reduce(larger, [abs(abs(one.value * f.value) - amount) for f in factors])
     return off
 
@@ -198,7 +200,7 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
     """Refuse one quantity in two kinds that no light has together."""
     kinds = (kind_of(one) for one in ratio[1:])
     try:
-        _factor(links, *kinds)
+        linking_factor(links, *kinds)
     except Impossible as error:
         told = " and ".join(option(one.name, quote(one.text)) for one in ratio[1:])
         raise ConditionError(
@@ -217,7 +219,7 @@ def _refuse_idle_refinements(links: Inputs) -> None:
             )
 
 
-def _factor(links: Inputs, over: str, under: str) -> "Factor | None":
+def linking_factor(links: Inputs, over: str, under: str) -> "Factor | None":
     """The ratio of two kinds, as the conditions have it; None where they do not link them."""
     if not links:
         return None
@@ -249,7 +251,7 @@ def show_light(lit: Lit, found: dict[str, Any]) -> Shown:
     refused: dict[str, TooNarrow] = {}
     for kind in KINDS:
         try:
-            factor = _factor(lit.links, kind, lit.kind) if kind != lit.kind else None
+            factor = linking_factor(lit.links, kind, lit.kind) if kind != lit.kind else None
         except TooNarrow as error:
             refused[kind] = error
         else:
@@ -307,6 +309,6 @@ def efficacies(lit: Lit) -> list[tuple[str, Any]]:
     for name, over, under in EFFICACIES:
         if name in shown or (over, under) == (LUMINOUS, RADIANT):
             with suppress(TooNarrow):  # which the results say that want it
-                if factor := _factor(lit.links, over, under):
+                if factor := linking_factor(lit.links, over, under):
                     found.append((name, factor.value))
     return found

@@ -82,6 +82,16 @@ def _refuse_absent(value: Value) -> None:
         raise MissingInput(f"no {value.label} follows from what is given", hint)
 
 
+def element(value: Value, k: int) -> Value:
+    """One element of a value that is an array."""
+
+    def of(x: Any) -> Any:
+        return float(x[k]) if is_column(x) else x
+
+    reach = {dimension: of(amount) for dimension, amount in value.reach.items()}
+    return value._replace(si=of(value.si), reach=reach, given=of(value.given))
+
+
 def held(name: str, number: Any, of: Any = None) -> Any:
     """A result as floats, unless it has left what a number can hold.
 

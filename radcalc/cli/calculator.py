@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from radcalc import stdio
-from radcalc.answer import Answer, Result, Value
-from radcalc.calculators.results import pick, rows
+from radcalc.answer import Answer, Result
+from radcalc.calculators.results import element, pick, rows
 from radcalc.cli import check
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, quote
 from radcalc.given import Inputs, read, read_interval, values_of
-from radcalc.maths import is_array, is_column
+from radcalc.maths import is_array
 from radcalc.render.formats import PLAIN, TABLE
 from radcalc.render.plain import DIGITS, number
 from radcalc.units.ranges import MOST, one_by_one
@@ -122,23 +122,23 @@ def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) ->
                 f"--get prints bare numbers, and contradicts --format {output.format}",
                 "one of them",
             )
-        lines: list[str] = []
+        texts: list[str] = []
         remarks: dict[tuple[Any, ...], Result] = {}
         for _, answer in answers:
             columns = [pick(answer.values, name) for name in asked.wanted]
             is_part = any(is_array(value.given) for value in answer.values)
-            if not (is_part and lines) or any(map(is_array, columns)):
-                lines.append(_lines(columns, output.style.precision))
-            steps = () if is_part and lines[1:] else answer.steps
-            said = _result("", answer._replace(values=(), steps=steps))
+            if not (is_part and texts) or any(map(is_array, columns)):
+                texts.append(lines(columns, output.style.precision))
+            steps = () if is_part and texts[1:] else answer.steps
+            said = result("", answer._replace(values=(), steps=steps))
             remarks[said if said.steps else said[1:3]] = said
-        for text in lines:
+        for text in texts:
             stdio.write(text)
         output.remark(list(remarks.values()))
         return
     if output.style.bare:
         raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
-    output.show([_result(case, answer) for case, answer in _spread(answers)])
+    output.show([result(case, answer) for case, answer in _spread(answers)])
 
 
 def _every(case: str, answer: Answer) -> list[tuple[str, Answer]]:
@@ -149,13 +149,18 @@ def _every(case: str, answer: Answer) -> list[tuple[str, Answer]]:
     return [(f"{of_case}answer {k}", one) for k, one in enumerate((answer, *answer.more), start=1)]
 
 
-def _lines(columns: Sequence[Any], precision: int | None) -> str:
+def lines(columns: Sequence[Any], precision: int | None) -> str:
     """Numbers in tab-separated columns; of arrays a line for each element."""
     arrays = [column for column in columns if is_array(column)]
     if not arrays:
         return "\t".join(number(column, precision) for column in columns) + "\n"
-    count = len(arrays[0])
-    form = "\t".join([f"%.{precision or DIGITS}g"] * len(columns)) + "\n"
+    return formatted(columns, f"%.{precision or DIGITS}g", "\t")
+
+
+def formatted(columns: Sequence[Any], one: str, delimiter: str) -> str:
+    """A line for each element of arrays; `one` is the format of a number."""
+    count = max(len(column) for column in columns if is_array(column))
+    form = delimiter.join([one] * len(columns)) + "\n"
     lists = [c.tolist() if is_array(c) else [c] * count for c in columns]
     flat = lists[0] if len(lists) == 1 else [x for line in zip(*lists, strict=True) for x in line]
     width = len(columns) * LINES
@@ -176,23 +181,14 @@ def _spread(answers: Iterable[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
         given = next(value for value in long if value.given is not None)
         for k in range(count):
             name = f"{given.given[k]:.15g}{given.units[0]}"
-            values = [_element(value, k) for value in shown]
+            values = [element(value, k) for value in shown]
             steps = answer.steps if k == 0 else ()
             found.append((name, answer._replace(values=values, steps=steps)))
     return found
 
 
-def _element(value: Value, k: int) -> Value:
-    """One element of a value that is an array."""
-
-    def of(x: Any) -> Any:
-        return float(x[k]) if is_column(x) else x
-
-    reach = {dimension: of(amount) for dimension, amount in value.reach.items()}
-    return value._replace(si=of(value.si), reach=reach, given=of(value.given))
-
-
-def _result(case: str, answer: Answer) -> Result:
+def result(case: str, answer: Answer) -> Result:
+    """An answer as rows, with its case."""
     return Result(
         tuple(rows(answer.values, case)),
         tuple(answer.assumptions),

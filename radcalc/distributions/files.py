@@ -47,8 +47,7 @@ def read_file(path: str) -> Photometry:
         If it cannot be read, is no text, or is none of the three formats; else what the reader of
         its format refuses, with the line.
     """
-    name = "stdin" if path == "-" else quote_path(path)
-    lines = _lines(_whole(stdio.read, name) if path == "-" else _from_file(path, name), name)
+    name, lines = read_lines(path, KNOWN)
     reader = _by_content(lines) or READERS.get(os.path.splitext(path)[1].lower())
     if not reader:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
@@ -57,7 +56,34 @@ def read_file(path: str) -> Photometry:
     return found
 
 
-def _from_file(path: str, name: str) -> bytes:
+def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
+    """Read a text, of which nothing is known.
+
+    Parameters
+    ----------
+    path : str
+        A regular file of 64 MiB at most, or "-" for standard input.
+    expected : str
+        What it should be, for the hint of a message.
+
+    Returns
+    -------
+    name : str
+        What messages call it.
+    lines : list of str
+        Its lines, without their ends; at least one is not blank.
+
+    Raises
+    ------
+    ConditionError
+        If it cannot be read, or is no text.
+    """
+    name = "stdin" if path == "-" else quote_path(path)
+    data = _whole(stdio.read, name) if path == "-" else _from_file(path, name, expected)
+    return name, _lines(data, name, expected)
+
+
+def _from_file(path: str, name: str, expected: str) -> bytes:
     """What a regular file holds; nothing else is waited for, or read without end."""
     try:
         with open(path, "rb", buffering=0, opener=_without_waiting) as file:
@@ -70,9 +96,9 @@ def _from_file(path: str, name: str) -> bytes:
                 raise _too_large(name)
             return _whole(file.read, name)
     except OSError as error:
-        raise ConditionError(f"cannot read {name}: {error.strerror}", KNOWN) from None
+        raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
     except ValueError:  # a null character
-        raise ConditionError(f"cannot read {name}: no name of a file", KNOWN) from None
+        raise ConditionError(f"cannot read {name}: no name of a file", expected) from None
 
 
 def _without_waiting(path: str, flags: int) -> int:
@@ -90,23 +116,23 @@ def _whole(read: Callable[[int], bytes], name: str) -> bytes:
 
 
 def _too_large(name: str) -> ConditionError:
-    return ConditionError(f"{name} has more than {LARGEST >> 20} MiB", KNOWN)
+    return ConditionError(f"{name} has more than {LARGEST >> 20} MiB", "a smaller file")
 
 
-def _lines(data: bytes, name: str) -> list[str]:
+def _lines(data: bytes, name: str, expected: str) -> list[str]:
     """The lines of a text in UTF-8, or else in Latin-1, whatever ends them."""
     if data.startswith(UTF16):
         raise ConditionError(f"{name} is text in UTF-16", "the same in UTF-8 (iconv converts it)")
     if len(data.translate(None, NO_TEXT)) < len(data):
         place = next(k for k, byte in enumerate(data) if byte in NO_TEXT)
-        raise ConditionError(f"{name} is no text: a byte of {data[place]} at {place}", KNOWN)
+        raise ConditionError(f"{name} is no text: a byte of {data[place]} at {place}", expected)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
     text = text.rstrip(f" \t\r\n{END_IN_DOS}")
     if not text.strip():
-        raise ConditionError(f"{name} is empty", KNOWN)
+        raise ConditionError(f"{name} is empty", expected)
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 

@@ -19,6 +19,8 @@ class Photometry(NamedTuple):
     declared : dict of str to float
         What it declares, by the names of symbols [SI]: `lamp-flux` of all lamps (not where the
         photometry is absolute), `output-ratio`, `input-power`, `downward-fraction`.
+    size : float [m]
+        The longest side or the diameter of what shines, where it says that; else 0.
     assumptions, notes : tuple of str
         What was assumed in reading it, and what is odd.
 
@@ -35,3 +37,4 @@ class Photometry(NamedTuple):
     declared: dict[str, float] = {}  # noqa: RUF012  nobody writes into it
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    size: float = 0.0

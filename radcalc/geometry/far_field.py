@@ -3,7 +3,8 @@
 - `error`: a bound of its relative error
 - `is_cut`: whether a receiver's plane may cut the patch, so that it does not hold at all;
   `steepest` is the incidence up to which it does not
-- `is_near`: whether the distance is less than five times the size, which is the least
+- `is_near`: whether the distance is less than five times the size, which is the least; `nearer`
+  says of which elements
 - `size`, `reach`: how large a patch counts
 
 A patch is a disc or a rectangle.  Lengths are in any one unit, angles in radians;
@@ -101,7 +102,29 @@ def is_near(distance: Number, extent: Number) -> bool:
     >>> far_field.is_near(4.9, 1.0), far_field.is_near(5.0, 1.0)
     (True, False)
     """
-    return any_true(distance < 5 * extent * (1 - 1e-9))
+    return any_true(nearer(distance, extent))
+
+
+def nearer(distance: Number, extent: Number) -> Any:
+    """Which distances are under five times a size, by more than a relative 1e-9.
+
+    Parameters
+    ----------
+    distance, extent : float or ndarray [m]
+        Distance and size of a patch.
+
+    Returns
+    -------
+    bool or ndarray of bool
+        Element by element.
+
+    Examples
+    --------
+    >>> from radcalc.geometry import far_field
+    >>> far_field.nearer(4.9, 1.0), far_field.nearer(5.0, 1.0)
+    (True, False)
+    """
+    return distance < 5 * extent * (1 - 1e-9)
 
 
 @bounded

@@ -19,6 +19,7 @@ in forms that lose their digits for small shapes; the forms here keep them.
 """
 
 import math
+from functools import reduce
 from typing import Any
 
 from radcalc.errors import option
@@ -553,8 +554,8 @@ def polygon(vertices: Any, normal: Any) -> Number:
 def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     """A polygon above the horizon of a normal that is scaled to length 1 first.
 
-    Arrays of polygons that are all wholly above it are done at once; others one by one, as each
-    keeps another number of vertices.
+    Of arrays those that are wholly above it are done at once; others one by one, as each keeps
+    another number of vertices.
     """
     from radcalc.geometry.polygons import above, projected
 
@@ -570,8 +571,12 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
         kept, kept_sides = above(flat[0], flat[2:], flat[1])
         return abs(projected(kept, kept_sides, flat[1])) if kept_sides else 0.0
 
-    if any(map(is_array, coordinates)):
-        heights = [dot(unit, first) + dot(unit, side) for side in sides]
-        if all(bool((h >= 0).all() if is_array(h) else h >= 0) for h in heights):
-            return abs(projected(first, sides, unit))
-    return each(one, *coordinates)
+    def whole(*xs: Any) -> Number:
+        flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
+        return abs(projected(flat[0], flat[2:], flat[1]))
+
+    if not any(map(is_array, coordinates)):
+        return one(*coordinates)
+    heights = [dot(unit, first) + dot(unit, side) for side in sides]
+    lowest = reduce(smaller, heights)
+    return piecewise(lowest >= 0, whole, lambda *xs: each(one, *xs), *coordinates)

@@ -311,7 +311,10 @@ _ROWS = (
         DISTRIBUTIONS),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
     _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
+        scene="Where the receivers face (0,0,1: up).",
         uberlight="Normal of the receiver (it faces the light)."),
+    _symbol(NUMBER, "uniformity", "U_o", label="uniformity, minimum over mean"),
+    _symbol(NUMBER, "minimum-to-maximum", "U_d", label="minimum over maximum"),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
     _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
         convert="Constant over that time.", ev=("1/100s", "Exposure time."),
@@ -429,6 +432,9 @@ _LIGHT = (
     ("flux-within", (0, 0, 0), "Φ_w", "", "{}-within"),
     ("beam-flux", (0, 0, 0), "Φ_b", "", ""),
     ("far-field-irradiance", (0, 1, 0), "E_ff", "", "far-field-{}"),
+    ("mean-irradiance", (0, 1, 0), "E_mean", "", "mean-{}"),
+    ("minimum-irradiance", (0, 1, 0), "E_min", "", "minimum-{}"),
+    ("maximum-irradiance", (0, 1, 0), "E_max", "", "maximum-{}"),
 )  # fmt: skip
 # geometry -> the unit to show of each kind, and the coherent one of a derivation
 LIGHT_UNITS = {

@@ -1,0 +1,490 @@
+"""The rows of a scene: what is typed of each source, and the source that it makes.
+
+A row has a value for some of the columns; it is a line of a file, or a dict of Python's.
+"""
+
+import math
+import os
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from radcalc import columns
+from radcalc.calculators import light
+from radcalc.calculators.results import LINKS_HINT
+from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.files import read_lines
+from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.pose import DOWN, Pose
+from radcalc.distributions.scene import Emitter, Panel, Source
+from radcalc.distributions.shapes import Cone, Isotropic, Lobe
+from radcalc.distributions.sources import PATH, photometry
+from radcalc.errors import ConditionError, Plain, RadcalcError, nearest, quote
+from radcalc.geometry import cones, far_field, lobes
+from radcalc.geometry.numerics.vectors import Vector, minus
+from radcalc.given import Given, Inputs, half_angle_of, read_as
+from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
+from radcalc.quantities.light import KIND_NAMES, describe
+from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
+from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.table import NUMBER, Unit, resolve
+
+LAMBERTIAN = "lambertian"
+SHAPES = (ISOTROPIC, CONICAL, LOBED, LAMBERTIAN)
+PLACE, AIM, DIRECTION = (
+    tuple(f"{word}{axis}" for axis in "xyz") for word in ("", "aim-", "direction-")
+)
+CONE = ("half-angle", "apex-angle", "solid-angle")
+LOBE = ("exponent", "beam-angle", "field-angle")
+SIZE = ("area", "width", "length")
+STRENGTH = ("flux", "intensity")  # of any source
+SURFACE = ("radiance", "exitance")  # of a Lambertian one
+TAKES = {CONICAL: CONE, LOBED: LOBE, LAMBERTIAN: (*SIZE, *SURFACE), ISOTROPIC: ()}
+
+
+def _coordinate(name: str) -> Symbol:
+    return Symbol(name, name, (LENGTH,), "2m", limits=ANY, label=name, unit="m", takes="a length")
+
+
+COLUMNS: dict[str, Symbol] = {
+    **{name: _coordinate(name) for name in (*PLACE, *AIM, *DIRECTION)},
+    "rotate": Symbol("rotate", "ψ", (ANGLE,), "90deg", limits=ANY, takes="an angle"),
+    **{
+        name: SYMBOLS[name]
+        for generic in (*CONE, *LOBE, *SIZE, *STRENGTH, *SURFACE)
+        for name in (generic, *names_of_kinds(generic))
+    },
+}
+TEXTS = ("name", "distribution")
+KNOWN = (*TEXTS, *COLUMNS)
+# A comma in a number that parts no thousands: 0,75 or 12,5 or 0,125.
+DECIMAL_COMMA = re.compile(r"(?<![\d,.])(?:0,\d|\d+,(?!\d{3}(?!\d))\d)")
+
+
+class Row(NamedTuple):
+    """A source as it is typed.
+
+    `where` is what a message calls the row; `cells` are the values by the names of the columns,
+    without those that are blank, and `titles` what the columns are called there.
+    """
+
+    where: str
+    cells: dict[str, Any]
+    titles: dict[str, str]
+
+    def error(self, column: str, problem: str, hint: str) -> ConditionError:
+        """What is wrong in a column of the row."""
+        place = f"{self.where}, {_title(self.titles, column)}"
+        return ConditionError(f"{place}: {problem}", hint)
+
+
+class Placed(NamedTuple):
+    """A source of a scene: what it is called in results, its row, and how it shines."""
+
+    name: str
+    row: Row
+    source: Source
+    kind: str
+
+
+def _title(titles: Mapping[str, str], column: str) -> str:
+    return f"column '{quote(titles.get(column, typed(column)))}'"
+
+
+def typed(column: str) -> str:
+    """The name of a column, as one types it.
+
+    Examples
+    --------
+    >>> typed("aim-x")
+    'aim_x'
+    """
+    return column.replace("-", "_")
+
+
+def rows_of_file(path: str) -> list[Row]:
+    """The rows of a file, with a header and a line for each source."""
+    name, whole = read_lines(path, "a CSV file with a row for each source")
+    lines = [
+        (number, line)
+        for number, line in enumerate(whole, 1)
+        if line.strip(" \t;,|") and not line.lstrip().startswith(columns.COMMENTS)
+    ]
+    if len(lines) < 2:
+        problem = "there is a header and no source" if lines else "there is no source"
+        raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
+    number, header = lines[0]
+    delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
+    if delimiter is None:
+        raise ConditionError(
+            f"{name}, line {number}: there is one column only", "a header such as x,y,z,flux"
+        )
+    titles, units = _header(columns.cells(header, delimiter), f"{name}, line {number}")
+    rows = []
+    for number, line in lines[1:]:
+        cells = columns.cells(line, delimiter)
+        where = f"{name}, line {number}"
+        if len(cells) != len(titles):
+            problem = f"{len(cells)} cells under {len(titles)} titles"
+            hint = "a cell under each title; one with a comma stands in quotation marks"
+            raise ConditionError(f"{where}: {problem}", hint)
+        filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
+        rows.append(Row(where, filled, titles))
+    _read_numbers(rows, units, delimiter != ",")
+    return rows
+
+
+def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], may_have_commas: bool) -> None:
+    """Give decimal commas points, and numbers the units of their columns."""
+    places = [(row.cells, column) for row in rows for column in row.cells if column in COLUMNS]
+    if may_have_commas and any(DECIMAL_COMMA.search(row[column]) for row, column in places):
+        for row, column in places:
+            row[column] = row[column].replace(",", ".")
+    for row, column in places:
+        number = columns.finite(row[column], False)
+        if number is not None and column in units:
+            row[column] = (number, units[column], f"{row[column]} {units[column].text}")
+
+
+def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
+    """The title of each column by its name, and the units that titles have."""
+    names: dict[str, str] = {}
+    units: dict[str, Unit] = {}
+    for number, title in enumerate(titles, 1):
+        if not title:
+            raise ConditionError(f"{where}: column {number} has no title", "a title, or no column")
+        name, unit_text = _column(title, where)
+        if name in names:
+            raise ConditionError(
+                f"{where}: column '{quote(title)}' stands there twice", "each column once"
+            )
+        names[name] = title
+        if unit_text:
+            units[name] = _unit(name, title, unit_text, where)
+    return names, units
+
+
+def _column(title: str, where: str) -> tuple[str, str]:
+    """The name of a column and the text of its unit: x (m), x [cm], x_m, or x."""
+    brackets, _ = columns.units_in(title)
+    head, unit = (re.split(r"[(\[]", title)[0], brackets[0]) if brackets else (title, "")
+    if _name(head) not in KNOWN and not brackets:
+        head, _, unit = title.replace(" ", "_").rpartition("_")
+    if _name(head) in KNOWN:
+        return _name(head), unit.strip()
+    near = [typed(one) for one in nearest(_name(title), KNOWN, 3)]
+    hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
+    raise ConditionError(f"{where}: there is no column '{quote(title)}'", hint)
+
+
+def _name(title: str) -> str:
+    return "-".join(title.lower().replace("_", " ").replace("-", " ").split())
+
+
+def _unit(name: str, title: str, text: str, where: str) -> Unit:
+    """The unit in a title, which must be one of the column."""
+    if name in TEXTS:
+        raise ConditionError(f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone")
+    symbol = COLUMNS[name]
+    example = f"{typed(name)} ({symbol.example.lstrip('0123456789.')})"
+    try:
+        unit = resolve(text)
+    except RadcalcError as error:
+        raise ConditionError(
+            f"{where}, column '{quote(title)}': {error.message}", error.hint or example
+        ) from None
+    if unit.dimension not in symbol.dimensions or unit.dimension == NUMBER:
+        raise ConditionError(
+            f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}",
+            example,
+        )
+    return unit
+
+
+def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
+    """The rows of a list of dicts, whose keys are the columns; None is as if it were not there."""
+    rows = []
+    for number, source in enumerate(sources, 1):
+        if not isinstance(source, Mapping):
+            raise ConditionError(
+                f"source {number} is a {type(source).__name__}", "a dict for each source"
+            )
+        cells = {}
+        for key, value in source.items():
+            name = str(key).replace("_", "-").lower()
+            if name not in KNOWN:
+                near = [typed(one) for one in nearest(name, KNOWN, 3)]
+                problem = f"source {number}: there is no column '{quote(str(key))}'"
+                raise ConditionError(problem, ", ".join(near or map(typed, KNOWN[:8])))
+            if value is not None and value != "":
+                cells[name] = value
+        rows.append(Row(f"source {number}", cells, {}))
+    if not rows:
+        raise ConditionError("there is no source", "a dict for each")
+    return rows
+
+
+class Reader:
+    """Turns rows into sources, in one kind of light.
+
+    `assumptions` and `notes` are what is to be said of them.
+    """
+
+    def __init__(self, links: Inputs, folder: str = "") -> None:
+        self.links, self.folder = links, folder
+        self.kind = ""
+        self.assumptions: dict[str, None] = {}
+        self.notes: dict[str, None] = {}
+        self.files: dict[str, Photometry] = {}
+        self.fluxes: dict[int, float] = {}
+
+    def sources(self, rows: Sequence[Row]) -> list[Placed]:
+        """A source for each row, with a name of its own."""
+        found: list[Placed] = []
+        names: dict[str, Row] = {}
+        for number, row in enumerate(rows, 1):
+            name = str(row.cells.get("name", number))
+            name = "-".join(name.replace(":", " ").split())
+            if name in names:
+                raise row.error(
+                    "name",
+                    f"'{quote(name)}' is the source of {names[name].where} already",
+                    "a name for each source, or none",
+                )
+            names[name] = row
+            found.append(self.source(name, row))
+        return found
+
+    def source(self, name: str, row: Row) -> Placed:
+        """The source that a row describes."""
+        given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
+        place = self.point(row, given, PLACE)
+        shape, found = self.shape(row, given)
+        pose = self.pose(row, given, place, shape != ISOTROPIC)
+        strengths = [one for one in given.values() if one.symbol.generic in (*STRENGTH, *SURFACE)]
+        if len(strengths) > 1:
+            both = " and ".join(typed(one.name) for one in strengths[:2])
+            raise ConditionError(f"{row.where}: {both} contradict each other", "one of them")
+        strength = strengths[0] if strengths else None
+        said = f"'{quote(name)}' ({row.where})"
+        if shape == LAMBERTIAN:
+            return Placed(name, row, self.patch(said, row, given, strength, place, pose), self.kind)
+        factor = self.factor(row, found.distribution, strength)
+        source = Emitter(said, place, pose, found.distribution, factor, found.size)
+        return Placed(name, row, source, self.kind)
+
+    def read(self, row: Row, column: str) -> Given:
+        """The value in a cell."""
+        symbol, value = COLUMNS[column], row.cells[column]
+        is_place = symbol.dimensions == (LENGTH,) and column in (*PLACE, *AIM, *DIRECTION)
+        if is_place and _is_bare(value):
+            self.assumptions["coordinates without a unit are in metres"] = None
+            value = f"{value} m" if isinstance(value, str) else (value, resolve("m"))
+        try:
+            return read_as(symbol, value)
+        except RadcalcError as error:
+            message, hint = error.spelled(Plain)
+            hint = hint.removeprefix(f"{column} ")
+            if "has no unit" in message and row.titles:
+                unit = symbol.example.lstrip("0123456789.")
+                hint += f", or a unit in the header: {typed(column)} ({unit})"
+            raise row.error(column, message.replace(column, typed(column), 1), hint) from None
+
+    def point(self, row: Row, given: Inputs, names: Sequence[str]) -> Vector:
+        """Three coordinates, of which none may be missing."""
+        for name in names:
+            if name not in given:
+                problem = "is blank" if name in row.titles else "is missing"
+                hint = ", ".join(map(typed, names))
+                raise ConditionError(f"{row.where}: {typed(name)} {problem}", f"all of {hint}")
+        x, y, z = (float(given[name].value) for name in names)
+        return x, y, z
+
+    def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
+        """Where the source is aimed: at a point, in a direction, or straight down."""
+        aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
+        if len(aims) > 1:
+            raise ConditionError(
+                f"{row.where}: aim_x and direction_x contradict each other",
+                "a point to aim at, or a direction",
+            )
+        rotate = given["rotate"].value if "rotate" in given else 0.0
+        if not aims:
+            if is_aimed:
+                self.assumptions["a source without an aim points straight down"] = None
+            return Pose(DOWN, rotate)
+        toward = self.point(row, given, aims[0])
+        direction = minus(toward, place) if aims[0] == AIM else toward
+        if not any(direction):
+            problem = "it is aimed at its own place" if aims[0] == AIM else "0,0,0 is no direction"
+            raise row.error(aims[0][0], problem, "another point")
+        return Pose(direction, rotate)
+
+    def shape(self, row: Row, given: Inputs) -> tuple[str, Photometry]:
+        """How the light is spread: the name of a shape, or nothing, and the distribution."""
+        text = row.cells.get("distribution")
+        names = set(given) | {one.symbol.generic for one in given.values()}
+        told = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
+        if text is None:
+            if len(told) > 1:
+                raise ConditionError(
+                    f"{row.where}: it has columns of {' and of '.join(told)}", "one of them"
+                )
+            shape = told[0] if told else ISOTROPIC
+            if not told:
+                self.assumptions["a source without a distribution is isotropic"] = None
+        elif isinstance(text, str) and text.lower() in SHAPES:
+            shape = text.lower()
+        else:
+            shape = ""
+        self.refuse_idle(row, given, shape)
+        if not shape:
+            return "", self.photometry(row, text)
+        if shape == CONICAL:
+            return shape, Photometry(Cone(self.half_angle(row, given)), "")
+        if shape == LOBED:
+            return shape, Photometry(Lobe(self.exponent(row, given)), "")
+        return shape, Photometry(Isotropic(), "")
+
+    def photometry(self, row: Row, text: Any) -> Photometry:
+        """A distribution that is no shape: a file beside the scene's, or an expression."""
+        if not isinstance(text, str):
+            return self._photometry(row, text)
+        beside = os.path.join(self.folder, text)
+        if PATH.search(text) or os.path.exists(beside):
+            text = beside
+        if text not in self.files:
+            self.files[text] = found = self._photometry(row, text)
+            head = f"{quote(os.path.basename(text))}: "
+            self.assumptions.update({head + said: None for said in found.assumptions})
+            self.notes.update({head + said: None for said in found.notes})
+        return self.files[text]
+
+    def _photometry(self, row: Row, source: Any) -> Photometry:
+        try:
+            return photometry(source)
+        except RadcalcError as error:
+            raise row.error("distribution", *error.spelled(Plain)) from None
+
+    def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Given:
+        """The one column of several that a shape takes."""
+        found = [name for name in names if name in given]
+        if len(found) > 1:
+            both = " and ".join(map(typed, found[:2]))
+            raise ConditionError(f"{row.where}: {both} contradict each other", "one of them")
+        if not found:
+            raise ConditionError(
+                f"{row.where}: a {shape} has no width", " or ".join(map(typed, names))
+            )
+        return given[found[0]]
+
+    def half_angle(self, row: Row, given: Inputs) -> float:
+        """The half angle of a cone [rad]."""
+        one = self.one_of(row, given, CONE, CONICAL)
+        if one.name == "solid-angle":
+            return float(cones.cone_of(one.value))
+        return float(half_angle_of(one))
+
+    def exponent(self, row: Row, given: Inputs) -> float:
+        """The exponent of a lobe."""
+        one = self.one_of(row, given, LOBE, LOBED)
+        if one.name == "exponent":
+            return float(one.value)
+        share = 0.5 if one.name == "beam-angle" else 0.1
+        return float(lobes.exponent(one.value, share))
+
+    def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
+        """Refuse columns that are of another distribution."""
+        useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))
+        idle = [n for n, one in given.items() if {n, one.symbol.generic}.isdisjoint(useful)]
+        if idle:
+            what = shape or "a file or an expression"
+            raise row.error(idle[0], f"has no use with {what}", "a blank cell there")
+
+    def factor(self, row: Row, distribution: Distribution, strength: Given | None) -> float:
+        """What the intensities of a distribution are multiplied by, in the scene's kind."""
+        if strength is None:
+            if not distribution.kind:
+                raise ConditionError(
+                    f"{row.where}: the source has no strength",
+                    "flux or intensity, with its unit: 800lm",
+                )
+            return self.in_kind(row, "intensity", distribution.kind)
+        if strength.symbol.generic == "intensity":
+            own = float(distribution.intensity(0.0, 0.0))
+            what = "intensity on its axis"
+        else:
+            if id(distribution) not in self.fluxes:
+                self.fluxes[id(distribution)] = distribution.flux().value
+            own, what = self.fluxes[id(distribution)], "flux"
+        if not own > 0:
+            raise row.error(strength.name, f"the distribution has no {what}", "another quantity")
+        return self.amount(row, strength) / own
+
+    def amount(self, row: Row, one: Given) -> float:
+        """A light quantity in the scene's kind."""
+        kind = light.kind_of(one)
+        return float(one.value) * self.in_kind(row, one.name, kind)
+
+    def in_kind(self, row: Row, column: str, kind: str) -> float:
+        """What a quantity of a kind is multiplied by to be in the scene's, that of its first."""
+        if not self.kind:
+            self.kind = kind
+        if kind == self.kind:
+            return 1.0
+        factor = light.linking_factor(self.links, self.kind, kind)
+        if factor is None:
+            raise row.error(
+                column,
+                f"it is {KIND_NAMES[kind]}, other sources are {KIND_NAMES[self.kind]}: "
+                "what links them is missing",
+                LINKS_HINT,
+            )
+        self.assumptions[factor.assumption] = None
+        self.notes.update(dict.fromkeys(factor.notes))
+        return float(factor.value)
+
+    def patch(
+        self,
+        said: str,
+        row: Row,
+        given: Inputs,
+        strength: Given | None,
+        place: Vector,
+        pose: Pose,
+    ) -> Source:
+        """A Lambertian patch: a rectangle, which is exact, or an area that is small."""
+        sides = [given[name].value for name in ("width", "length") if name in given]
+        if len(sides) == 1 or ("area" in given) == bool(sides):
+            raise ConditionError(
+                f"{row.where}: the size of the patch is missing or told twice",
+                "width and length, or area",
+            )
+        if strength is None:
+            raise ConditionError(
+                f"{row.where}: the patch has no strength",
+                "luminance, exitance, flux or intensity, with its unit",
+            )
+        area = float(given["area"].value if "area" in given else sides[0] * sides[1])
+        radiance = self.amount(row, strength)
+        radiance /= {
+            "radiance": 1.0,
+            "exitance": math.pi,
+            "flux": math.pi * area,
+            "intensity": area,
+        }[strength.symbol.generic]
+        if sides:
+            return Panel(said, place, pose, float(sides[0]), float(sides[1]), radiance)
+        self.assumptions["a patch given by its area alone counts as small beside its distance"] = (
+            None
+        )
+        return Emitter(
+            said, place, pose, Lobe(1.0), radiance * area, far_field.size(area), is_patch=True
+        )
+
+
+def _is_bare(value: Any) -> bool:
+    """Whether a coordinate has no unit."""
+    if isinstance(value, str):
+        return value[-1:].isdigit() or value[-1:] == "."
+    return not isinstance(value, tuple)

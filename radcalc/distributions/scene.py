@@ -1,0 +1,474 @@
+"""Sources in their places, and the irradiance that they give together.
+
+Places are in metres, in the coordinates of the world (`radcalc.distributions.pose`).
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy
+
+from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.pose import Pose
+from radcalc.errors import ConditionError, option, quote
+from radcalc.geometry import far_field, projected
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, times
+
+NEAREST = 1e-6  # [m] nothing is nearer to a source than that
+BLOCK = 1 << 16  # points that are worked out at a time
+RECTANGLE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # its corners, in halves of its sides
+
+
+class Emitter:
+    """A source that is small beside its distance, in its place.
+
+    Parameters
+    ----------
+    name : str
+        What it is called in messages.
+    place : tuple of 3 floats [m]
+        Where it is.
+    pose : Pose
+        Where it is aimed, and how it is rotated.
+    distribution : Distribution
+        Its intensities.
+    factor : float, optional
+        What these are multiplied by to be in coherent SI; 1 by default.
+    size : float, optional [m]
+        How large it is, where that is known; 0 by default.
+    is_patch : bool, optional
+        Whether it is a surface, which is refused where a point is nearer than five times its size.
+
+    Examples
+    --------
+    100 cd in all directions, 2 m above the origin:
+
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> lamp = Emitter("lamp", (0.0, 0.0, 2.0), Pose(), Isotropic(), 100.0)
+    >>> points = tuple(numpy.zeros((3, 1)))
+    >>> lamp.irradiance(points, (0.0, 0.0, 1.0)).tolist()
+    [25.0]
+    """
+
+    def __init__(
+        self,
+        name: str,
+        place: Vector,
+        pose: Pose,
+        distribution: Distribution,
+        factor: float = 1.0,
+        size: float = 0.0,
+        is_patch: bool = False,
+    ) -> None:
+        self.name, self.place, self.pose = name, place, pose
+        self.distribution, self.factor = distribution, factor
+        self.size, self.is_patch = size, is_patch
+
+    def irradiance(self, points: Vector, normal: Vector) -> Any:
+        """Irradiance at points; negative where the light comes from behind the receiver.
+
+        Parameters
+        ----------
+        points : tuple of 3 ndarrays of shape (n,) [m]
+            Coordinates of the points.
+        normal : tuple of 3 floats [1]
+            The receivers' normal, of length 1.
+
+        Returns
+        -------
+        ndarray of shape (n,) [lx, W/m^2 or mol/s/m^2]
+
+        Raises
+        ------
+        ConditionError
+            If a point is at the source, or too near to a patch.
+
+        Notes
+        -----
+        ::
+
+            E = I(theta, phi) cos(epsilon) / d^2
+        """
+        intensity, cosine, distance = self.terms(points, normal)
+        return intensity * cosine / (distance * distance)
+
+    def terms(self, points: Vector, normal: Vector) -> tuple[Any, Any, Any]:
+        """Intensity towards points, cosine of the incidence there, and distance; as above."""
+        to = minus(points, self.place)
+        distance = length(to)
+        self._refuse(distance <= NEAREST, points, "is where {} is", "another point")
+        if self.is_patch:
+            self._refuse(
+                far_field.nearer(distance, self.size),
+                points,
+                f"is nearer than five times its size ({self.size:.3g} m) to {{}}",
+                "its width and length in place of its area, which holds at any distance",
+            )
+        if self.distribution.is_axial:
+            axis = self.pose.axes[2]
+            theta = numpy.arctan2(length(cross(axis, to)), dot(axis, to))
+            intensity = self.distribution.intensity(theta, 0.0)
+        else:
+            theta, phi, _ = self.pose.angles(to)
+            intensity = self.distribution.intensity(theta, phi)
+        return self.factor * intensity, -dot(normal, to) / distance, distance
+
+    def near(self, points: Vector) -> Any:
+        """Which points are nearer than five times the size."""
+        return far_field.nearer(length(minus(points, self.place)), self.size)
+
+    def _refuse(self, bad: Any, points: Vector, problem: str, hint: str) -> None:
+        _refuse(bad, points, problem.format(self.name), hint)
+
+
+class Panel:
+    """A rectangle of uniform luminance that shines on one side, in its place: exact anywhere.
+
+    Parameters
+    ----------
+    name : str
+        What it is called in messages.
+    place : tuple of 3 floats [m]
+        Where its centre is.
+    pose : Pose
+        Where its normal points, and how it is rotated about that.
+    width, length_ : float [m]
+        Sides along C0 and along C90.
+    radiance : float [cd/m^2, W/sr/m^2 or mol/s/sr/m^2]
+        The same in all directions, and all over it.
+
+    Examples
+    --------
+    A wide ceiling of 100 cd/m2 gives pi times that below it:
+
+    >>> panel = Panel("ceiling", (0.0, 0.0, 1.0), Pose(), 1e6, 1e6, 100.0)
+    >>> points = tuple(numpy.zeros((3, 1)))
+    >>> round(float(panel.irradiance(points, (0.0, 0.0, 1.0))[0] / math.pi), 3)
+    100.0
+    """
+
+    size = 0.0
+
+    def __init__(
+        self, name: str, place: Vector, pose: Pose, width: float, length_: float, radiance: float
+    ) -> None:
+        self.name, self.place, self.pose, self.radiance = name, place, pose, radiance
+        self.half = (width / 2, length_ / 2)
+
+    def irradiance(self, points: Vector, normal: Vector) -> Any:
+        """Irradiance at points, of as much of the panel as is above their horizon.
+
+        As of `Emitter`; it is negative where all of the panel is below it.
+
+        Notes
+        -----
+        ::
+
+            E = L Omega_p
+
+        with the projected solid angle of a polygon, by Lambert's contour formula.
+        """
+        return self.radiance * self.projected_solid_angle(points, normal)
+
+    def projected_solid_angle(self, points: Vector, normal: Vector) -> Any:
+        """The projected solid angle [sr] at points, with the sign of `irradiance`."""
+        to = minus(points, self.place)
+        across, along, ahead = (dot(axis, to) for axis in self.pose.axes)
+        inside = (abs(across) <= self.half[0]) & (abs(along) <= self.half[1])
+        on_it = inside & (abs(ahead) <= NEAREST)
+        _refuse(on_it, points, f"is on {self.name}", "another point")
+        corners = [self.pose.world((a * self.half[0], b * self.half[1], 0.0)) for a, b in RECTANGLE]
+        highest = numpy.max([dot(normal, corner) for corner in corners], axis=0)
+        seen = (ahead > 0) & (highest > dot(normal, to))
+        found = numpy.where((ahead > 0) & ~seen, -1.0, 0.0)
+        if numpy.any(seen):
+            lit: Any = tuple(x[seen] for x in to)
+            found[seen] = projected.polygon([minus(corner, lit) for corner in corners], normal)
+        return found
+
+    def near(self, points: Vector) -> Any:
+        """Which points are too near: none."""
+        return numpy.zeros(len(points[0]), bool)
+
+
+Source = Emitter | Panel
+
+
+def _refuse(bad: Any, points: Vector, problem: str, hint: str) -> None:
+    if numpy.any(bad):
+        k = int(numpy.argmax(bad))
+        raise ConditionError(f"the point {named(*(float(x[k]) for x in points))} {problem}", hint)
+
+
+def named(x: float, y: float, z: float) -> str:
+    """A point in a message.
+
+    Parameters
+    ----------
+    x, y, z : float [m]
+        Its coordinates.
+
+    Returns
+    -------
+    str
+        As it is typed.
+
+    Examples
+    --------
+    >>> named(1.0, 0.25, -0.0)
+    '1,0.25,0'
+    """
+    return quote(",".join(f"{c + 0.0:.12g}" for c in (x, y, z)))
+
+
+def unit(normal: Vector) -> Vector:
+    """A normal of length 1.
+
+    Parameters
+    ----------
+    normal : tuple of 3 floats
+        Of any length but 0.
+
+    Returns
+    -------
+    tuple of 3 floats [1]
+
+    Raises
+    ------
+    ConditionError
+        If its length is 0.
+
+    Examples
+    --------
+    >>> unit((0.0, 0.0, 5.0))
+    (0.0, 0.0, 1.0)
+    """
+    largest = max(map(abs, normal))
+    if largest == 0 or not math.isfinite(sum(normal)):
+        raise ConditionError(
+            "a normal of length 0, or of no finite one, has no direction", option("normal", "0,0,1")
+        )
+    scaled = times(normal, 1 / largest)
+    return times(scaled, 1 / length(scaled))
+
+
+class Field(NamedTuple):
+    """What points get of all sources.
+
+    Attributes
+    ----------
+    points : tuple of 3 ndarrays of shape (n,) [m]
+        The points.
+    total : ndarray of shape (n,) [lx, W/m^2 or mol/s/m^2]
+        Irradiance of all sources.
+    parts : list of ndarrays of shape (n,)
+        That of each; empty where it was not asked for.
+    behind : int
+        At how many points light comes from behind the receiver, and does not count.
+    near : tuple of int
+        At how many points each source is nearer than five times its size.
+
+    Examples
+    --------
+    >>> Field((), numpy.zeros(0), [], 0, ()).behind
+    0
+    """
+
+    points: Vector
+    total: Any
+    parts: list[Any]
+    behind: int
+    near: tuple[int, ...]
+
+
+def field(
+    sources: Sequence[Source], points: Vector, normal: Vector, with_parts: bool = False
+) -> Field:
+    """The irradiance at points: the sum over all sources.
+
+    Parameters
+    ----------
+    sources : sequence of Emitter or Panel
+        The sources, of one kind of light.
+    points : tuple of 3 ndarrays of shape (n,) [m]
+        Coordinates of the points.
+    normal : tuple of 3 floats [1]
+        The receivers' normal, of length 1.
+    with_parts : bool, optional
+        Whether to keep what each source gives.
+
+    Returns
+    -------
+    Field
+        With n irradiances.
+
+    Raises
+    ------
+    ConditionError
+        As of `Emitter.irradiance`.
+
+    Examples
+    --------
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> lamps = [Emitter(k, (k, 0.0, 2.0), Pose(), Isotropic(), 100.0) for k in (0.0, 0.0)]
+    >>> field(lamps, tuple(numpy.zeros((3, 1))), (0.0, 0.0, 1.0)).total.tolist()
+    [50.0]
+    """
+    total = numpy.zeros(len(points[0]))
+    behind = numpy.zeros(len(points[0]), bool)
+    parts, near = [], []
+    for source in sources:
+        part = source.irradiance(points, normal)
+        behind |= part < 0
+        part = numpy.maximum(part, 0.0)
+        total += part
+        if with_parts:
+            parts.append(part)
+        near.append(int(numpy.sum(source.near(points) & (part > 0))) if source.size else 0)
+    return Field(points, total, parts, int(behind.sum()), tuple(near))
+
+
+class Statistics:
+    """Mean, extremes and their places over many points, a field at a time.
+
+    Attributes
+    ----------
+    count, behind : int
+        How many points there are, and at how many light comes from behind.
+    near : list of int
+        At how many points each source is nearer than five times its size.
+    least, most : float
+        The extremes of the irradiance.
+    least_at, most_at : tuple of 3 floats [m]
+        The first points that have them.
+
+    Examples
+    --------
+    >>> told = Statistics()
+    >>> points = tuple(numpy.zeros((3, 2)))
+    >>> told.add(Field(points, numpy.array([1.0, 3.0]), [], 0, (0,)))
+    >>> told.count, told.mean, told.least, told.most
+    (2, 2.0, 1.0, 3.0)
+    """
+
+    def __init__(self) -> None:
+        self.count = self.behind = 0
+        self.sums: list[float] = []
+        self.near: list[int] = []
+        self.least, self.most = math.inf, -math.inf
+        self.least_at = self.most_at = (0.0, 0.0, 0.0)
+
+    def add(self, found: Field) -> None:
+        """Take in what more points get.
+
+        Parameters
+        ----------
+        found : Field
+            Of at least one point.
+        """
+        self.count += len(found.total)
+        self.behind += found.behind
+        self.near = [
+            a + b for a, b in zip(self.near or [0] * len(found.near), found.near, strict=True)
+        ]
+        self.sums.append(float(found.total.sum()))
+        low, high = int(found.total.argmin()), int(found.total.argmax())
+        if found.total[low] < self.least:
+            self.least, self.least_at = float(found.total[low]), _point(found, low)
+        if found.total[high] > self.most:
+            self.most, self.most_at = float(found.total[high]), _point(found, high)
+
+    @property
+    def mean(self) -> float:
+        """The mean over all points."""
+        return math.fsum(self.sums) / self.count
+
+
+def _point(found: Field, k: int) -> tuple[float, float, float]:
+    x, y, z = (float(c[k]) for c in found.points)
+    return x, y, z
+
+
+class Axis(NamedTuple):
+    """Coordinates of a grid along an axis: evenly apart, both ends among them.
+
+    Attributes
+    ----------
+    start, end : float [m]
+        The ends.
+    size : int
+        How many coordinates there are.
+
+    Examples
+    --------
+    >>> Axis(0.0, 1.0, 3).size
+    3
+    """
+
+    start: float
+    end: float
+    size: int
+
+
+def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
+    """The points of a grid, a block at a time; z runs fastest, then y.
+
+    Parameters
+    ----------
+    x, y, z : Axis
+        Its coordinates.
+
+    Yields
+    ------
+    tuple of 3 ndarrays of shape (n,) [m]
+        Up to `BLOCK` points.
+
+    Examples
+    --------
+    >>> [x.tolist() for x in next(grid(Axis(0, 1, 2), Axis(0, 2, 2), Axis(5, 5, 1)))]
+    [[0.0, 0.0, 1.0, 1.0], [0.0, 2.0, 0.0, 2.0], [5.0, 5.0, 5.0, 5.0]]
+    """
+    coordinates = [numpy.linspace(axis.start, axis.end, axis.size) for axis in (x, y, z)]
+    count = x.size * y.size * z.size
+    for start in range(0, count, BLOCK):
+        index = numpy.arange(start, min(start + BLOCK, count))
+        places = numpy.unravel_index(index, (x.size, y.size, z.size))
+        a, b, c = (own[place] for own, place in zip(coordinates, places, strict=True))
+        yield a, b, c
+
+
+def blocks(points: Any) -> Iterator[Vector]:
+    """Points that somebody has, a block at a time.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3) [m]
+        The points.
+
+    Yields
+    ------
+    tuple of 3 ndarrays of shape (k,) [m]
+        Up to `BLOCK` points.
+
+    Raises
+    ------
+    ConditionError
+        If they are no points.
+
+    Examples
+    --------
+    >>> [x.tolist() for x in next(blocks([[1, 2, 3]]))]
+    [[1.0], [2.0], [3.0]]
+    """
+    every = numpy.asarray(points, float)
+    if every.ndim != 2 or every.shape[1] != 3 or not len(every):
+        shape = " x ".join(map(str, every.shape))
+        raise ConditionError(
+            f"points of the shape {shape or 'of a number'}", "n points of 3 coordinates"
+        )
+    if not numpy.isfinite(every).all():
+        raise ConditionError("a point has a coordinate that is not finite", "finite numbers")
+    for start in range(0, len(every), BLOCK):
+        x, y, z = every[start : start + BLOCK].T
+        yield x, y, z
