@@ -211,7 +211,8 @@ def _turn_receiver(sheet: Worksheet) -> None:
         if not any(normal):
             told = option("normal", quote(given["normal"].text))
             raise ConditionError(f"{told} has no direction", option("normal", "0,0,-1"))
-        normal = times(normal, 1 / max(map(abs, normal)))  # their squares must not overflow
+        size = max(map(abs, normal))
+        normal = (normal[0] / size, normal[1] / size, normal[2] / size)  # its square is in range
         to_light = times(given["point"].value, -1 / sheet.known["distance"].value)
         across = length(cross(normal, to_light))
         sheet.know("incidence", atan2(across, dot(normal, to_light)))
@@ -239,23 +240,25 @@ def _number(sheet: Worksheet, name: str) -> Any:
 def _by_depth(sheet: Worksheet) -> None:
     given = sheet.given
     near, far = (given[name].value if name in given else None for name in ("near", "far"))
-    z = sheet.known["distance"].value if "omni" in given else given["point"].value[2]
-    clip = attenuations.depth_clip(z, near, far)
+    letter, depth = "z", given["point"].value[2]
+    if "omni" in given:
+        letter, depth = "d", sheet.known["distance"].value
+    clip = attenuations.depth_clip(depth, near, far)
     sheet.know("depth-attenuation", clip)
-    depth = format_value(z, "m")
+    size = format_value(depth, "m")
     terms, factors = [], []
     for limits, letters, form in (
         (near, "A, B", "smoothstep({}, {})"),
         (far, "C, D", "(1 - smoothstep({}, {}))"),
     ):
         if limits:
-            terms.append(form.format(letters, "z"))
-            factors.append(form.format(", ".join(format_value(one, "m") for one in limits), depth))
+            terms.append(form.format(letters, letter))
+            factors.append(form.format(", ".join(format_value(one, "m") for one in limits), size))
     if terms:
         formula = Formula("depth clip", f"{{depth-attenuation}} = {' '.join(terms)}", BARZEL)
         sheet.placed.append(formula.told(f"a_z = {' '.join(factors)} = {format_number(clip)}"))
     elif "omni" not in given:
-        sheet.placed.append(FRONT.told(f"z = {depth}; a_z = {format_number(clip)}"))
+        sheet.placed.append(FRONT.told(f"z = {size}; a_z = {format_number(clip)}"))
 
 
 def _by_superellipse(sheet: Worksheet) -> None:
@@ -353,8 +356,8 @@ def _judge(sheet: Worksheet) -> None:
     if shaping:
         sheet.notes.append(
             f"{options(shaping, ' and ')} only shape{'s' if len(shaping) == 1 else ''} the "
-            "directions: along each the inverse square is kept, and the flux is less than 4 pi "
-            "times the intensity"
+            "directions: the fall-off along each is kept, and the flux is less than 4 pi times the "
+            "intensity"
         )
     _judge_corner(sheet)
     _judge_dark(sheet)
