@@ -16,7 +16,8 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.given import EXTREME, Given, Inputs, read, read_place
+from radcalc.given import Given, Inputs, read, read_place
+from radcalc.maths import LARGEST
 from radcalc.quantities.symbols import FLAG, INNER, SYMBOLS
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
@@ -385,7 +386,7 @@ def _place(point: Any) -> Given:
         raise ConditionError("the point is not of numbers", "X,Y,Z") from None
     if array.shape[-1:] != (3,):
         raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
-    if not (abs(array) <= EXTREME).all():
+    if not (abs(array) <= LARGEST).all():
         raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
     return Given(SYMBOLS["point"], "the points", place, unit=unit)

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from typing import Any
 
+MINUS = "\u2212"  # people paste it, and the command line has it for the - of a number
 SHOWN = 60  # letters of a text
 LISTED = 10  # names
 # The marks of a mention: private characters, which `quote` never lets through.
@@ -27,7 +28,7 @@ def printable(text: str) -> str:
 
 def quote(text: str) -> str:
     """Make a user's text fit for a message: one line, printable, of bounded length."""
-    text = text.replace("\u2212", "-")
+    text = text.replace(MINUS, "-")
     return printable(text if len(text) <= SHOWN else text[: SHOWN - 3] + "...")
 
 

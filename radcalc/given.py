@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from radcalc import maths
 from radcalc.derivation import format_number
 from radcalc.errors import (
+    MINUS,
     ConditionError,
     Exclusive,
     Impossible,
@@ -17,6 +18,7 @@ from radcalc.errors import (
     option,
     quote,
 )
+from radcalc.maths import LARGEST, SLACK
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     CHOICE,
@@ -38,9 +40,6 @@ from radcalc.units.dimensions import ANGLE, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
-
-EXTREME = 1e100  # squares and ratios of what is within stay within a float
-SLACK = 1e-12  # what the digits of a limit, as typed, may add to it: 12.566370614359sr
 
 
 class Given(NamedTuple):
@@ -112,7 +111,7 @@ def read_as(symbol: Symbol, value: Any) -> Given:
 def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
     if isinstance(value, str):
-        text = " ".join(value.split()).replace("\u2212", "-")  # it is shown: on one line
+        text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
         number, unit_text = _split(symbol, text)
         if TEMPERATURE in symbol.dimensions:
             _refuse_celsius(name, number, unit_text)
@@ -176,11 +175,11 @@ def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
     """The value in SI units; extremes that no light reaches would only overflow later."""
     value = number * (divide(unit.top, unit.bottom) if unit else 1)
     size = abs(value)
-    extreme = (size > EXTREME) | ((size < 1 / EXTREME) & (size != 0)) | (size != size)
+    extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
     if maths.any_true(extreme):
         raise ConditionError(
             f"{option(name, quote(text))} is beyond what radcalc reckons with",
-            f"values from {1 / EXTREME:g} to {EXTREME:g} in SI units",
+            f"values from {1 / LARGEST:g} to {LARGEST:g} in SI units",
         )
     return value
 
@@ -350,7 +349,7 @@ def _read_angle(text: str, whole: str, what: str) -> float:
             f"{what} '{quote(whole)}' has {found} where an angle is meant", AS_DIRECTION
         )
     angle = number * unit.factor
-    if abs(angle) > EXTREME:
+    if abs(angle) > LARGEST:
         raise NumberError(f"{what} '{quote(whole)}' has too large an angle", AS_DIRECTION)
     return angle
 
@@ -373,7 +372,7 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
         numbers = tuple(parse_number(part) for part in parts)
     except NumberError as error:
         raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
-    if max(map(abs, numbers)) > EXTREME:
+    if max(map(abs, numbers)) > LARGEST:
         raise NumberError(f"{what} '{quote(text)}' is too far away", f"{noun}s up to 1e100")
     return numbers
 
@@ -406,7 +405,7 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
             f"without {quote(read[0][1])}",
         )
     sizes = tuple(number * unit.factor for (number, _), unit in zip(read, units, strict=True))
-    if max(map(abs, sizes)) > EXTREME:
+    if max(map(abs, sizes)) > LARGEST:
         raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
     return sizes, read[0][1]
 

@@ -9,6 +9,12 @@ from sys import float_info
 from typing import Any
 
 SMALLEST = float_info.min  # below it a float loses digits
+# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
+# as somebody types them, are still within the sphere.
+SLACK = 1e-12
+# What is given is held to this size, and to 1 over it where it is not 0: then squares and ratios
+# stay within a float.
+LARGEST = 1e100
 FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
 Number = Any  # a float, or anything that NumPy can work on element by element
 

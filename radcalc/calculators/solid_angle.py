@@ -40,7 +40,7 @@ from radcalc.given import (
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
-from radcalc.maths import FAINTEST, cos, sin
+from radcalc.maths import FAINTEST, SLACK, cos, sin
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -201,7 +201,7 @@ def _zone(sheet: Worksheet) -> Seen:
     low, high = polar.value
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
     omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
-    if high > math.pi / 2 * (1 + cones.SLACK):
+    if high > math.pi / 2 * (1 + SLACK):
         sheet.notes.append("what is below that plane, past 90 deg, does not count")
     t0, t1 = format_angle(low), format_angle(high)
     numbers = f"2 ({format_number(width)}) sin(({t0} + {t1})/2) sin(({t1} - {t0})/2) sr"

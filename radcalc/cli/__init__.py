@@ -9,6 +9,7 @@ from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.cli.spelling import Shell
 from radcalc.errors import (
+    MINUS,
     MissingUnit,
     NumberError,
     RadcalcError,
@@ -162,8 +163,8 @@ def commands() -> None:
 
 
 def protect_negatives(words: list[str]) -> list[str]:
-    """Write the minus of words that are numbers as U+2212, so that Click sees no option."""
-    return ["\u2212" + word[1:] if _is_negative(word) else word for word in words]
+    """Write the minus of words that are numbers in another way, so that Click sees no option."""
+    return [MINUS + word[1:] if _is_negative(word) else word for word in words]
 
 
 def _is_negative(word: str) -> bool:

@@ -99,7 +99,7 @@ def projected_solid_angle(given: Given) -> Factor:
 
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
-    within = not maths.any_true(half > math.pi / 2 * (1 + cones.SLACK))
+    within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))
     require(given, within, f"at most {most} deg, where a radiance is concerned")
     omega = cones.projected_cone(half)
     shown = f"{format_number(omega)} sr"

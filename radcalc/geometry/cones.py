@@ -11,16 +11,11 @@ from functools import wraps
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError
-from radcalc.maths import Number, any_true, asin, cos, piecewise, sin, smaller, sqrt
+from radcalc.maths import LARGEST, SLACK, Number, any_true, asin, cos, piecewise, sin, smaller, sqrt
 
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
-# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
-# as somebody types them, are still within the sphere.
-SLACK = 1e-12
-# What functions are held to, so that squares and ratios stay within a float: the largest of their
-# arguments, and the arguments of which 1 over it is the least that is not 0.
-LARGEST = 1e100
+# Arguments that are held to a least size besides the largest.
 SIZES = {"radius", "other", "distance", "height", "width", "length", "length_", "area", "reach"}
 
 F = TypeVar("F", bound=Callable[..., Any])

@@ -8,7 +8,7 @@ and is not used here.  Angles are in radians; floats or NumPy arrays, broadcast 
 import math
 
 from radcalc.errors import ConditionError
-from radcalc.maths import Number, any_true, atan2, cos, hypot, piecewise, sin
+from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
 
 TURN = 2 * math.pi  # [rad]
 
@@ -110,7 +110,7 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     >>> [round(x, 6) for x in cartesian(math.radians(60), math.radians(90))]
     [0.0, 0.866025, 0.5]
     """
-    if any_true((polar < 0) | (polar > math.pi * (1 + 1e-12))):
+    if any_true((polar < 0) | (polar > math.pi * (1 + SLACK))):
         raise ConditionError(
             "a polar angle is from 0 to 180 deg", "an elevation is from -90 to 90 deg"
         )

@@ -16,7 +16,7 @@ import math
 
 from radcalc.geometry import projected
 from radcalc.geometry.cones import bounded, refuse
-from radcalc.maths import Number, hypot, larger, power_of_two, smaller, sqrt
+from radcalc.maths import SLACK, Number, hypot, larger, power_of_two, smaller, sqrt
 
 
 @bounded
@@ -63,7 +63,7 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     0.5
     """
     refuse(
-        (half_angle < 0) | (half_angle > math.pi / 2 * (1 + 1e-12)),
+        (half_angle < 0) | (half_angle > math.pi / 2 * (1 + SLACK)),
         "a surface neither sends nor sees light past its horizon",
         "a half angle from 0 to 90 deg",
     )

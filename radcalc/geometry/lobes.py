@@ -12,8 +12,8 @@ Angles are in radians; arguments are floats or NumPy arrays, which are broadcast
 
 import math
 
-from radcalc.geometry.cones import SLACK, refuse
-from radcalc.maths import Number, asin, expm1, log1p, piecewise, sin
+from radcalc.geometry.cones import refuse
+from radcalc.maths import SLACK, Number, asin, expm1, log1p, piecewise, sin
 
 SMALLEST = 1e-150  # [rad] of a full angle, whose square a float can hold
 

@@ -25,7 +25,6 @@ from typing import Any
 from radcalc.geometry.cones import (
     FULL,
     HEMISPHERE,
-    SLACK,
     bounded,
     check_tilt,
     cone,
@@ -35,6 +34,7 @@ from radcalc.geometry.cones import (
 )
 from radcalc.geometry.numerics.special import cel
 from radcalc.maths import (
+    SLACK,
     Number,
     asin,
     atan2,

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from radcalc.errors import ConditionError, NumberError, RadcalcError, option, quote
+from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
 from radcalc.given import read_as
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.numbers import read_number, typed_digits
@@ -39,7 +39,7 @@ def read_claim(text: str) -> Claim:
             f"{option('check', quote(text))} has no name before =",
             option("check", "illuminance=25lx"),
         )
-    rest = rest.strip().replace("\u2212", "-")
+    rest = rest.strip().replace(MINUS, "-")
     try:
         value, end = read_number(rest)
     except NumberError as error:

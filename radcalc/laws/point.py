@@ -64,6 +64,7 @@ from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, Several, law, relation
 from radcalc.maths import (
+    SLACK,
     acos,
     atan,
     atan2,
@@ -236,7 +237,7 @@ INSIDE = relation(
     "{share} = 1 where {off-axis} is within {half-angle}, else 0",
     {
         "share": lambda at: piecewise(
-            at("off-axis") <= at("half-angle") * (1 + 1e-12),
+            at("off-axis") <= at("half-angle") * (1 + SLACK),
             lambda a, b: 1.0 + 0 * (a + b),
             lambda a, b: 0.0 * (a + b),
             at("off-axis"),

@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
-from radcalc.errors import NumberError, UsageError, listed, nearest, option, quote
+from radcalc.errors import MINUS, NumberError, UsageError, listed, nearest, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
@@ -22,7 +22,7 @@ class Fields:
 
     def __init__(self, text: str = "1") -> None:
         """Read the list; raise UsageError where it is none."""
-        self.ranges = sorted(_range(text, part) for part in text.replace("\u2212", "-").split(","))
+        self.ranges = sorted(_range(text, part) for part in text.replace(MINUS, "-").split(","))
         self.last = max(last or first for first, last in self.ranges)
 
     def of(self, count: int) -> Iterator[int]:

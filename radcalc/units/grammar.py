@@ -8,7 +8,7 @@ character at a time, bounded in length, depth and exponent.
     EXPONENT = digits | sign digits | ("^" | "**") [sign] digits | superscripts
 """
 
-from radcalc.errors import UnitError, quote
+from radcalc.errors import MINUS, UnitError, quote
 from radcalc.units.numbers import DIGITS, MAX_LENGTH, SIGNS
 
 MAX_DEPTH = 16
@@ -225,7 +225,7 @@ class _Scanner:
                 self.at += 1
             while self.peek() and self.peek() in DIGITS:
                 self.at += 1
-            digits = self.text[start : self.at].replace("\u2212", "-")
+            digits = self.text[start : self.at].replace(MINUS, "-")
         if not digits and not caret:
             return 1
         sign = -1 if digits[:1] == "-" else 1

@@ -10,7 +10,7 @@ A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
 import math
 from sys import float_info
 
-from radcalc.errors import NumberError, quote
+from radcalc.errors import MINUS, NumberError, quote
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -24,8 +24,8 @@ EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
 
 DIGITS = "0123456789"
-MINUS = "-\u2212"
-SIGNS = "+" + MINUS
+MINUSES = "-" + MINUS
+SIGNS = "+" + MINUSES
 RUN = DIGITS + ",._"
 
 
@@ -57,7 +57,7 @@ def read_number(text: str) -> tuple[float, int]:
         if value == INFINITE:
             raise _too_large(text[:at])
     _refuse_lookalikes(text, at)
-    return (-value if text[0] in MINUS else value), at
+    return (-value if text[0] in MINUSES else value), at
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:
@@ -65,7 +65,7 @@ def typed_digits(text: str) -> tuple[str, int] | None:
 
     None for a fraction, a product or a multiple of pi, which are exact.
     """
-    mantissa, _, exponent = text.lower().lstrip(SIGNS).replace("\u2212", "-").partition("e")
+    mantissa, _, exponent = text.lower().lstrip(SIGNS).replace(MINUS, "-").partition("e")
     whole, _, part = mantissa.partition(".")
     if not (whole + part).isdigit() or not (exponent or "0").lstrip("+-").isdigit():
         return None
@@ -127,7 +127,7 @@ def _term(text: str, at: int) -> tuple[float, int, int]:
             at = digits
             while at < len(text) and text[at] in DIGITS:
                 at += 1
-    value = float(text[start:at].replace("\u2212", "-"))
+    value = float(text[start:at].replace(MINUS, "-"))
     if value == INFINITE:
         raise _too_large(text[start:at])
     if value < SMALLEST and text[start:mantissa].strip("0.") != "":

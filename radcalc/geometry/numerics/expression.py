@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.errors import ConditionError, RadcalcError, manual, nearest, quote
+from radcalc.errors import MINUS, ConditionError, RadcalcError, manual, nearest, quote
 from radcalc.maths import limit
 
 NAMES = ("theta", "phi", "x", "y", "z")  # polar angle, azimuth [rad], unit vector [1]
@@ -57,7 +57,7 @@ CHEAP = ("abs", "min", "max", "sqrt")  # as an addition; other functions and pow
 COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] of an addition, at most
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
-SIGNS = {"^": "**", "\u2212": "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
+SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
 STEP = "a comparison by < <= > >=, as in (theta<30*deg)*100"
 EQUALS = re.compile(r"(?<![<>])=|==")
 LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within each other
