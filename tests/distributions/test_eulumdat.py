@@ -4,40 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from distributions.ldt import ALL_AROUND, GAMMAS, plain_figures, written
 
 from radcalc.distributions.eulumdat import read
 from radcalc.errors import RadcalcError
-
-ALL_AROUND = [15.0 * k for k in range(24)]
-GAMMAS = [5.0 * k for k in range(37)]
-STORED = {
-    0: lambda planes: planes,
-    1: lambda planes: planes[:1],
-    2: lambda planes: [c for c in planes if c <= 180],
-    3: lambda planes: [c for c in planes if c >= 270] + [c for c in planes if c <= 90],
-    4: lambda planes: [c for c in planes if c <= 90],
-}
-
-
-def ldt(intensity, symmetry=0, planes=ALL_AROUND, gammas=GAMMAS, **other):
-    """A file's lines; `intensity(C, gamma)` in cd, its arguments in radians."""
-    has = {
-        "steps": (planes[1] - planes[0] if len(planes) > 1 else 0, gammas[1] - gammas[0]),
-        "sets": [(1, "LED", 1000, "3000 K", "80", 12)],
-        "down": 50, "ratio": 80, "factor": 1, "tilt": 0, "ratios": [0.5] * 10, "name": "A lamp",
-    } | other  # fmt: skip
-    scale = 1000 / has["sets"][0][2] / has["factor"]
-    head = ["A company", 3, symmetry, len(planes), has["steps"][0], len(gammas), has["steps"][1]]
-    head += ["report", has["name"], "number", "lamp.ldt", "2020", *[100] * 9]
-    head += [has["down"], has["ratio"], has["factor"], has["tilt"], len(has["sets"])]
-    table = [
-        intensity(math.radians(c), math.radians(g)) * scale
-        for c in STORED[symmetry](planes)
-        for g in gammas
-    ]
-    lamps = [text for one in has["sets"] for text in one]
-    lines = [*head, *lamps, *has["ratios"], *planes, *gammas, *table]
-    return [str(line) for line in lines]
 
 
 def flux(lines):
@@ -52,7 +22,7 @@ def even(_c, _gamma):
 @pytest.mark.parametrize("step", [5, 10, 15, 22.5, 90])
 def test_a_sphere_of_every_symmetry_has_its_flux(symmetry, step):
     planes = [k * step for k in range(round(360 / step))]
-    found = read(ldt(even, symmetry, planes), "lamp.ldt")
+    found = read(written(even, symmetry, planes), "lamp.ldt")
     assert found.distribution.flux().value == pytest.approx(400 * math.pi, rel=1e-12)
     assert found.format == f"EULUMDAT, Isym {symmetry}"
     assert found.distribution.kind == "v"
@@ -62,7 +32,7 @@ def test_a_sphere_of_every_symmetry_has_its_flux(symmetry, step):
 @pytest.mark.parametrize("symmetry", range(5))
 def test_half_a_sphere_is_dark_beyond_its_angles(symmetry):
     for gammas in (GAMMAS[:19], GAMMAS[18:]):
-        found = read(ldt(even, symmetry, gammas=gammas), "lamp.ldt")
+        found = read(written(even, symmetry, gammas=gammas), "lamp.ldt")
         assert found.distribution.flux().value == pytest.approx(200 * math.pi, rel=1e-12)
         assert any("no light beyond" in text for text in found.assumptions)
 
@@ -79,7 +49,7 @@ WAVES = {
 @pytest.mark.parametrize("symmetry", WAVES)
 def test_each_plane_is_where_the_symmetry_has_it(symmetry):
     wave = WAVES[symmetry]
-    found = read(ldt(lambda c, g: 100 * wave(c) * (1 + g), symmetry), "lamp.ldt").distribution
+    found = read(written(lambda c, g: 100 * wave(c) * (1 + g), symmetry), "lamp.ldt").distribution
     for c in ALL_AROUND:
         for g in (30, 90, 150):
             c_rad, g_rad = math.radians(c), math.radians(g)
@@ -91,7 +61,7 @@ def test_each_plane_is_where_the_symmetry_has_it(symmetry):
 
 def test_symmetry_3_begins_with_c270():
     """As the format has it: Mc1 = 3 Mc/4 + 1 (docs.agi32.com, EULUMDAT file format)."""
-    lines = ldt(lambda c, g: 100 + 50 * math.sin(c), 3, [0, 90, 180, 270], [0.0, 90.0, 180.0])
+    lines = written(lambda c, g: 100 + 50 * math.sin(c), 3, [0, 90, 180, 270], [0.0, 90.0, 180.0])
     assert [float(text) for text in lines[-9:]] == [50] * 3 + [100] * 3 + [150] * 3
     found = read(lines, "lamp.ldt").distribution
     assert found.intensity(1.0, math.pi / 2) == pytest.approx(150)
@@ -103,7 +73,7 @@ def test_symmetry_3_begins_with_c270():
 @pytest.mark.parametrize("power", [1, 4, 20])
 def test_the_flux_of_a_lobe_is_within_its_error(symmetry, step, power):
     gammas = [float(step * k) for k in range(round(90 / step) + 1)]
-    found = flux(ldt(lambda c, g: 1000 * max(math.cos(g), 0) ** power, symmetry, gammas=gammas))
+    found = flux(written(lambda c, g: 1000 * max(math.cos(g), 0) ** power, symmetry, gammas=gammas))
     exact = 2000 * math.pi / (power + 1)
     assert abs(found.value - exact) <= found.error
     assert found.error < 0.07 * exact
@@ -111,7 +81,7 @@ def test_the_flux_of_a_lobe_is_within_its_error(symmetry, step, power):
 
 def test_planes_count_by_the_angle_that_each_stands_for():
     planes = [0.0, 10.0, 30.0, 90.0, 180.0, 270.0]
-    lines = ldt(lambda c, g: 10 + math.degrees(c), 0, planes, steps=(0, 5))
+    lines = written(lambda c, g: 10 + math.degrees(c), 0, planes, steps=(0, 5))
     gaps = np.diff([*planes, 360.0])
     weights = (gaps + np.roll(gaps, 1)) / 2  # trapezia, the last back to the first
     expected = 2 * np.radians(weights) @ (10 + np.array(planes))
@@ -121,12 +91,12 @@ def test_planes_count_by_the_angle_that_each_stands_for():
 def test_uneven_symmetric_planes():
     planes = [0, 20, 90, 160, 180, 200, 270, 340]
     for symmetry in (2, 3, 4):
-        found = read(ldt(even, symmetry, planes, steps=(0, 0)), "lamp.ldt")
+        found = read(written(even, symmetry, planes, steps=(0, 0)), "lamp.ldt")
         assert found.distribution.flux().value == pytest.approx(400 * math.pi)
 
 
 def test_the_factors_count_once():
-    lines = ldt(even, 1, [0.0], factor=2.5, sets=[(2, "T16", 8100, "", "", 120)])
+    lines = written(even, 1, [0.0], factor=2.5, sets=[(2, "T16", 8100, "", "", 120)])
     found = read(lines, "lamp.ldt")
     assert found.distribution.intensity(1.0, 0.0) == pytest.approx(100)
     at = lines.index("2.5")
@@ -139,7 +109,7 @@ def test_the_factors_count_once():
 
 def test_lamp_sets_are_alternatives():
     sets = [(1, "A", 2000, "", "", 20), (2, "B", 3000, "", "", 30), (1, "C", 500, "", "", "")]
-    found = read(ldt(even, 1, [0.0], sets=sets), "lamp.ldt")
+    found = read(written(even, 1, [0.0], sets=sets), "lamp.ldt")
     assert found.distribution.intensity(0.0, 0.0) == pytest.approx(100)
     assert (found.declared["lamp-flux"], found.declared["input-power"]) == (2000, 20)
     assert "3 lamp sets" in found.notes[0]
@@ -147,17 +117,17 @@ def test_lamp_sets_are_alternatives():
 
 
 def test_a_negative_number_of_lamps_is_absolute_photometry():
-    found = read(ldt(even, 1, [0.0], sets=[(-2, "LED", 1256.6, "", "", 9)]), "lamp.ldt")
+    found = read(written(even, 1, [0.0], sets=[(-2, "LED", 1256.6, "", "", 9)]), "lamp.ldt")
     assert found.distribution.intensity(0.0, 0.0) == pytest.approx(100)
     assert found.declared == {"downward-fraction": 0.5, "input-power": 9}
     assert any("absolute photometry" in text for text in found.assumptions)
     assert not found.notes
-    said = read(ldt(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt").notes
+    said = read(written(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt").notes
     assert said == ("the file declares 1300 lm of the luminaire, and its intensities have 1257 lm",)
 
 
 def test_what_real_files_have_is_read():
-    plain = ldt(even, 1, [0.0])
+    plain = written(even, 1, [0.0])
     expected = flux(plain).value
     dr = 26 + 6
     for lines in (
@@ -171,8 +141,8 @@ def test_what_real_files_have_is_read():
     ):  # fmt: skip
         assert flux(lines).value == expected
     assert "no direct ratios" in read([*plain[:dr], *plain[dr + 10 :]], "x").notes[0]
-    assert flux(ldt(even, 1)).value == expected  # 24 planes are listed, one is there
-    assert "tilt of 15 deg" in read(ldt(even, 1, [0.0], tilt=15), "x").notes[0]
+    assert flux(written(even, 1)).value == expected  # 24 planes are listed, one is there
+    assert "tilt of 15 deg" in read(written(even, 1, [0.0], tilt=15), "x").notes[0]
 
 
 def test_a_photometer_s_noise_counts_as_nothing():
@@ -182,13 +152,13 @@ def test_a_photometer_s_noise_counts_as_nothing():
 
 
 def test_the_name_is_printable():
-    assert read(ldt(even, 1, [0.0], name="L\x1b[31m" + "x" * 100), "x").name.startswith(
+    assert read(written(even, 1, [0.0], name="L\x1b[31m" + "x" * 100), "x").name.startswith(
         "L\\x1b[31m"
     )
 
 
 def changed(number, text, **other):
-    lines = ldt(even, **other)
+    lines = written(even, **other)
     return [*lines[: number - 1], text, *lines[number:]]
 
 
@@ -213,13 +183,13 @@ REFUSED = {
     "a word": (changed(200, "much"), "line 200: 'much' instead of the intensity"),
     "other digits": (changed(200, "١٠"), "line 200: "),
     "a gap": (changed(200, ""), "line 200: '' instead of the intensity"),
-    "data behind": ([*ldt(even), "", "7"], "line 993: '7' behind the last intensity"),
-    "darkness": (ldt(lambda c, g: 0.0), "no intensity is above 0"),
+    "data behind": ([*written(even), "", "7"], "line 993: '7' behind the last intensity"),
+    "darkness": (written(lambda c, g: 0.0), "no intensity is above 0"),
     "half of the planes": (
-        ldt(even, 0, ALL_AROUND[:12]), "line 54: the planes end at 165 deg, which leaves 195 deg"
+        written(even, 0, ALL_AROUND[:12]), "line 54: the planes end at 165 deg, which leaves"
     ),
     "planes on one side": (
-        ldt(even, 2, [0, 100, 170, 280], steps=(0, 5)), "line 45: the plane C170 stands where C180"
+        written(even, 2, [0, 100, 170, 280], steps=(0, 5)), "line 45: the plane C170 stands where"
     ),
     "a plane without its image": (
         changed(58, "226", symmetry=4, steps=(0, 5)), "line 58: the plane C226 is listed where"
@@ -229,7 +199,7 @@ REFUSED = {
         [line.removesuffix(".0") for line in changed(29, "1,000", ratios=[1] * 10)],
         "line 29: '1,000' may be a thousand or a decimal",
     ),
-    "too short": (ldt(even)[:-11], "line 980: the file ends here, before its intensity 27"),
+    "too short": (written(even)[:-11], "line 980: the file ends here, before its intensity 27"),
     "a flux of no lamp": (changed(29, "1e200"), "line 29: '1e200' instead of the luminous flux"),
     "light of no lamp": (changed(200, "1e200"), "line 200: an intensity of more than 1e100"),
     "nothing": ([""], "line 1: the file ends here, before its company"),
@@ -243,54 +213,6 @@ def test_a_bad_file_is_refused_with_the_line(lines, message):
     assert message in caught.value.message
     assert caught.value.message.startswith("lamp.ldt")
     assert caught.value.hint
-
-
-def again(lines):
-    """Flux, first direction and lamp flux of a file, computed without radcalc.
-
-    Each listed plane is folded to the one that is stored; planes are weighted by trapezia over
-    azimuth; along gamma the integral of linear pieces is exact (2 pi times the sum over segments
-    of [-I cos + s sin], s being the slope per radian).
-    """
-    while lines and not lines[-1].strip():
-        lines = lines[:-1]
-    value = [line.strip().replace(",", ".") for line in lines]
-    symmetry, mc, ng, sets = (int(float(value[k])) for k in (2, 3, 5, 25))
-    stored = {0: mc, 1: 1, 2: mc // 2 + 1, 3: mc // 2 + 1, 4: mc // 4 + 1}[symmetry]
-    table = [float(text) for text in value[-stored * ng :]]
-    gamma = [math.radians(float(text)) for text in value[-stored * ng - ng : -stored * ng]]
-    end = len(value) - stored * ng - ng
-    planes = [float(text) for text in value[end - mc : end]]
-    assert end - mc in (26 + 6 * sets, 36 + 6 * sets)
-    rows = [table[k * ng : (k + 1) * ng] for k in range(stored)]
-    kept = STORED[symmetry](planes)
-    fold = {
-        0: lambda c: c,
-        1: lambda c: kept[0],
-        2: lambda c: min(c, 360 - c),
-        3: lambda c: 180 - c if 90 < c < 270 else c,
-        4: lambda c: min(c % 180, 180 - c % 180),
-    }[symmetry]
-    scale = float(value[23]) * float(value[28]) / 1000
-
-    def nearest(c):
-        return rows[min(range(stored), key=lambda k: abs((kept[k] - fold(c) + 180) % 360 - 180))]
-
-    def along(row):
-        total = 0.0
-        for (a, i), (b, j) in zip(
-            zip(gamma, row, strict=True), zip(gamma[1:], row[1:], strict=True), strict=False
-        ):
-            slope = (j - i) / (b - a)
-            total += i * math.cos(a) - j * math.cos(b) + slope * (math.sin(b) - math.sin(a))
-        return total
-
-    sums = [along(nearest(c)) for c in planes]
-    total = 0.0
-    ends = [*planes[1:], planes[0] + 360]
-    for k, (c, d) in enumerate(zip(planes, ends, strict=True)):
-        total += math.radians(d - c) * (sums[k] + sums[(k + 1) % mc]) / 2
-    return scale * total, scale * nearest(planes[0])[0], float(value[28])
 
 
 def outcome(lines):
@@ -316,11 +238,11 @@ def mutants(lines):
 def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
     wave = WAVES.get(symmetry, lambda c: 1.0)
     planes = [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0]
-    whole = ldt(
+    whole = written(
         lambda c, g: round(100 * wave(c) * (2 + math.cos(g)), 3), symmetry, planes,
         [30.0 * k for k in range(7)], sets=[(1, "LED", 2000, "", "", 12), (1, "", 3000, "", "", 9)],
     )  # fmt: skip
-    assert again(whole)[0] == pytest.approx(flux(whole).value, rel=1e-12)
+    assert plain_figures(whole)[0] == pytest.approx(flux(whole).value, rel=1e-12)
     count = accepted = 0
     for what, lines in mutants(whole):
         count += 1
@@ -330,7 +252,7 @@ def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
             assert found.hint, what
             continue
         accepted += 1
-        value, first, lumens = again(lines)
+        value, first, lumens = plain_figures(lines)
         distribution = found.distribution
         assert distribution.flux().value == pytest.approx(value, rel=1e-9), what
         assert distribution.intensity(distribution.polar[0], 0.0) == pytest.approx(first), what
