@@ -9,14 +9,16 @@ The share is a half for the beam angle and a tenth for the field angle.
 """
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy
 
 from radcalc.distributions.distribution import Distribution
 
-STEPS = 3600  # in which a plane is looked at, from the axis to the direction behind it
-HALVINGS = 50
+STEPS = 3600  # in which a half of a plane is looked at, from the axis to the direction behind it
+CLOSER = 129  # directions that are looked at in a step that has an edge in it
+NARROWER = 6  # times, each 128 times as close: to 3600 * 128^6 parts of a half circle
 DIFFER = math.radians(2)  # from which on the definitions are said to differ
 
 
@@ -33,6 +35,9 @@ class Beam(NamedTuple):
         where there are none, or no light on the axis.
     is_ambiguous : bool
         Whether the two differ by more than 2 degrees, or one of them does not exist.
+    edges : tuple of 2 floats [rad] or None
+        Where the outermost directions are: angles from the axis towards the azimuth, negative
+        towards the opposite one.
 
     References
     ----------
@@ -47,6 +52,7 @@ class Beam(NamedTuple):
     outermost: float | None
     from_axis: float | None
     is_ambiguous: bool
+    edges: tuple[float, float] | None = None
 
 
 def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
@@ -75,43 +81,53 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
     >>> round(math.degrees(found.outermost), 9), found.is_ambiguous
     (120.0, False)
     """
-    theta = numpy.linspace(0.0, math.pi, STEPS + 1)
-    sides = [azimuth, azimuth + math.pi]
-    values = [distribution.intensity(theta, phi) for phi in sides]
-    axial, greatest = float(values[0][0]), max(float(side.max()) for side in values)
-    outermost = from_axis = None
-    if greatest > 0:
-        ends = [
-            _crossing(distribution, phi, theta, side >= share * greatest, share * greatest, -1)
-            for phi, side in zip(sides, values, strict=True)
-        ]
-        outermost = _sum(ends)
-    if axial > 0:
-        ends = [
-            _crossing(distribution, phi, theta, side >= share * axial, share * axial, 0)
-            for phi, side in zip(sides, values, strict=True)
-        ]
-        from_axis = _sum(ends)
+    angle = numpy.linspace(-math.pi, math.pi, 2 * STEPS + 1)
+
+    def along(angle: Any) -> Any:
+        """Intensity in the plane, by the angle from the axis; negative on the opposite side."""
+        return distribution.intensity(
+            abs(angle), numpy.where(angle < 0, azimuth + math.pi, azimuth)
+        )
+
+    values = along(angle)
+    edges = _edges(along, angle, values, share * float(values.max()), None)
+    near = _edges(along, angle, values, share * float(values[STEPS]), STEPS)
+    outermost, from_axis = (None if ends is None else ends[1] - ends[0] for ends in (edges, near))
     differ = outermost is None or from_axis is None or abs(outermost - from_axis) > DIFFER
-    return Beam(outermost, from_axis, differ)
+    return Beam(outermost, from_axis, differ, edges)
 
 
-def _sum(ends: list[float | None]) -> float | None:
-    return None if None in ends else sum(end for end in ends if end is not None)
+def _edges(
+    along: Callable[[Any], Any], angle: Any, values: Any, level: float, start: int | None
+) -> tuple[float, float] | None:
+    """The outermost angles with a level of intensity, or the first ones on both sides of a start.
 
-
-def _crossing(
-    distribution: Distribution, phi: float, theta: Any, bright: Any, level: float, which: int
-) -> float | None:
-    """The first (0) or the last (-1) angle at which the intensity falls below a level."""
-    falls = numpy.flatnonzero(bright[:-1] & ~bright[1:])
-    if not len(falls) or (which == 0 and not bright[0]) or (which == -1 and bright[-1]):
+    None where there is no light, or where the light goes all the way round.
+    """
+    bright = values >= level
+    dark = numpy.flatnonzero(~bright)
+    if not level or not len(dark):
         return None
-    low, high = float(theta[falls[which]]), float(theta[falls[which] + 1])
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        if distribution.intensity(middle, phi) >= level:
-            low = middle
-        else:
-            high = middle
-    return low
+    if start is None:
+        lit = numpy.flatnonzero(bright)
+        left, right = int(lit[0]), int(lit[-1])
+    else:
+        beyond = numpy.searchsorted(dark, start)
+        if beyond in (0, len(dark)):
+            return None
+        left, right = int(dark[beyond - 1]) + 1, int(dark[beyond]) - 1
+    if left == 0 or right == len(angle) - 1:
+        return None
+    return (
+        _crossing(along, float(angle[left]), float(angle[left - 1]), level),
+        _crossing(along, float(angle[right]), float(angle[right + 1]), level),
+    )
+
+
+def _crossing(along: Callable[[Any], Any], bright: float, dark: float, level: float) -> float:
+    """The last angle from one with a level of intensity towards one without."""
+    for _ in range(NARROWER):
+        parts = numpy.linspace(bright, dark, CLOSER)
+        first = int(numpy.argmax(along(parts) < level)) or CLOSER - 1
+        bright, dark = float(parts[first - 1]), float(parts[first])
+    return bright

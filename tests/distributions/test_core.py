@@ -92,9 +92,25 @@ def test_a_batwing_is_ambiguous():
 
 
 def test_a_light_without_an_edge_has_no_beam():
-    assert beam(Isotropic(), 0.0, 0.5) == (None, None, True)
+    assert beam(Isotropic(), 0.0, 0.5) == (None, None, True, None)
     up = Grid([2.0, 3.0, math.pi], [0.0], [[0.0, 1.0, 1.0]])
-    assert beam(up, 0.0, 0.5) == (None, None, True)
+    assert beam(up, 0.0, 0.5) == (None, None, True, None)
+
+
+def test_a_beam_may_lie_on_one_side_of_the_axis():
+    """A wall washer: 0, 100 and 0 cd at 10, 40 and 70 degrees on one side: half at 25 and 55."""
+    plane = [0.0, 100.0, 0.0]
+    washer = Grid(
+        numpy.radians([10, 40, 70]),
+        numpy.radians([0, 45, 315, 360]),
+        [plane, [0.0] * 3, [0.0] * 3, plane],
+    )
+    found = beam(washer, 0.0, 0.5)
+    assert numpy.degrees(found.edges) == pytest.approx([25, 55])
+    assert math.degrees(found.outermost) == pytest.approx(30)
+    assert (found.from_axis, found.is_ambiguous) == (None, True)
+    opposite = beam(washer, math.pi, 0.5)
+    assert numpy.degrees(opposite.edges) == pytest.approx([-55, -25])
 
 
 def degrees(*angles):
