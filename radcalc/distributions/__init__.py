@@ -9,6 +9,7 @@
 - `files`, `ies`, `eulumdat`, `tables`: files, by format
 - `planes`, `headings`: what tables of half planes share; what the titles over a table say
 - `beams`: beam angles and field angles in a plane through the axis
+- `places`: the light on places and discs under a source, and the places that get so much
 - `pose`: where a source stands, where it is aimed and how it is rotated
 
 A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma

@@ -1,0 +1,297 @@
+"""What lies under a source: the light on a disc, and the places that get so much of it.
+
+A source of the pose P is at the height h above a horizontal plane; a place in it is at x, y from
+the point below the source.  All is relative to the distribution: of one in candelas an irradiance
+is in lux.
+
+- `relative_irradiance` on the plane at a place
+- `heights`, `laterals`: the places that get so much
+- `on_plane`, `on_facing_disc`: solid angle of a disc, weighted with the intensity
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy
+
+from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.pose import Pose
+from radcalc.errors import ConditionError
+from radcalc.geometry.directions import cartesian, spherical
+from radcalc.maths import Number
+
+ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
+CLOSER = 65  # angles that are looked at between two of those that a place is between
+NARROWER = 9  # times, each 64 times as close
+SAME = 1e-9  # [1] by which a place found may miss the light that is looked for
+COUNTS = (4, 8, 16, 32, 64, 128)  # radii at which a disc is looked at, each of twice as many angles
+ENOUGH = 1e-5  # [1] of the light on a disc, from where on more of them do not matter
+AT_ONCE = 1 << 18  # places that are looked at, in memory
+MOST = 1 << 25  # places that are looked at in all
+
+
+def relative_irradiance(
+    distribution: Distribution, pose: Pose, x: Number, y: Number, height: Number
+) -> Number:
+    """Irradiance of a place on a horizontal plane under a source.
+
+    Parameters
+    ----------
+    distribution : Distribution
+        Of any form.
+    pose : Pose
+        How the source is aimed and rotated.
+    x, y : float or ndarray [m]
+        The place, from the point below the source.
+    height : float or ndarray [m]
+        Of the source above the plane, above 0.
+
+    Returns
+    -------
+    float or ndarray [lx, W/m^2, mol/s/m^2 or 1/m^2]
+        I(theta, phi) h / d^3.
+
+    Examples
+    --------
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> round(float(relative_irradiance(Isotropic(), Pose(), 8.0, 0.0, 6.0)), 9)
+    0.006
+    """
+    theta, phi, distance = pose.angles((x, y, 0.0 - height))
+    return distribution.intensity(theta, phi) * height / distance**3
+
+
+def heights(
+    distribution: Distribution, pose: Pose, lateral: float, bearing: float, wanted: float
+) -> tuple[float, ...]:
+    """Heights from which a place aside of the source gets so much light.
+
+    Parameters
+    ----------
+    distribution, pose
+        As of `relative_irradiance`.
+    lateral : float [m]
+        Distance of the place from the point below the source, above 0.
+    bearing : float [rad]
+        Azimuth of the place about that point, from +x towards +y.
+    wanted : float
+        Irradiance, above 0, in the unit of `relative_irradiance`.
+
+    Returns
+    -------
+    tuple of float [m]
+        All that are found between the horizon and straight below, the highest first.
+
+    Raises
+    ------
+    ConditionError
+        If no height gives so much.
+
+    Examples
+    --------
+    250 cd give a place 8 m aside 1.5 lx from 6 m up, and from higher up as well:
+
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> [round(h, 6) for h in heights(Isotropic(), Pose(), 8.0, 0.0, 1.5 / 250)]
+    [9.116844, 6.0]
+    """
+    x, y = lateral * math.cos(bearing), lateral * math.sin(bearing)
+
+    def light(off: Any) -> Any:
+        return relative_irradiance(distribution, pose, x, y, lateral / numpy.tan(off))
+
+    return tuple(lateral / math.tan(off) for off in _angles_with(light, wanted, "height"))
+
+
+def laterals(
+    distribution: Distribution, pose: Pose, height: float, bearing: float, wanted: float
+) -> tuple[float, ...]:
+    """Distances from the point below a source at which a plane gets so much light.
+
+    Parameters
+    ----------
+    distribution, pose
+        As of `relative_irradiance`.
+    height : float [m]
+        Of the source above the plane, above 0.
+    bearing : float [rad]
+        Azimuth in which to look, about the point below the source from +x towards +y.
+    wanted : float
+        Irradiance, above 0, in the unit of `relative_irradiance`.
+
+    Returns
+    -------
+    tuple of float [m]
+        All that are found between the horizon and straight below, the nearest first.
+
+    Raises
+    ------
+    ConditionError
+        If no place gets so much.
+
+    Examples
+    --------
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> [round(x, 6) for x in laterals(Isotropic(), Pose(), 6.0, 0.0, 1.5 / 250)]
+    [8.0]
+    """
+    x, y = math.cos(bearing), math.sin(bearing)
+
+    def light(off: Any) -> Any:
+        lateral = height * numpy.tan(off)
+        return relative_irradiance(distribution, pose, x * lateral, y * lateral, height)
+
+    return tuple(height * math.tan(off) for off in _angles_with(light, wanted, "offset"))
+
+
+def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[float]:
+    """The angles from straight down at which there is so much light, by looking ever closer."""
+    off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[:-1]
+    off[0] = 1e-9  # where it is below the source but for what no number tells
+    above = light(off) >= wanted
+    found = []
+    for k in numpy.flatnonzero(above[:-1] != above[1:]):
+        low, high = float(off[k]), float(off[k + 1])
+        for _ in range(NARROWER):
+            parts = numpy.linspace(low, high, CLOSER)
+            first = int(numpy.argmax((light(parts) >= wanted) != above[k])) or CLOSER - 1
+            low, high = float(parts[first - 1]), float(parts[first])
+        # where the light jumps, at the edge of a table, no place has just so much
+        if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
+            found.append(low)
+    if not found:
+        raise ConditionError(
+            f"no {what} gives just that irradiance", "another irradiance, flux or intensity"
+        )
+    return found
+
+
+def on_plane(
+    distribution: Distribution, pose: Pose, radius: Number, x: Number, y: Number, height: Number
+) -> tuple[Number, float]:
+    """Solid angle of a horizontal disc under a source, weighted with the intensity.
+
+    Parameters
+    ----------
+    distribution, pose
+        As of `relative_irradiance`.
+    radius : float or ndarray [m]
+        Radius of the disc, above 0.
+    x, y, height : float or ndarray [m]
+        Its centre, as of `relative_irradiance`.
+
+    Returns
+    -------
+    float or ndarray [lm, W, mol/s or sr]
+        The flux on the disc.
+    float [1]
+        An estimate of its error, relative to it.
+
+    Raises
+    ------
+    ConditionError
+        If there are too many discs.
+
+    Examples
+    --------
+    A disc whose rim is seen at 60 degrees fills pi sr:
+
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> flux, error = on_plane(Isotropic(), Pose(), 3**0.5, 0.0, 0.0, 1.0)
+    >>> round(float(flux) / math.pi, 5), error < 1e-4
+    (1.0, True)
+    """
+
+    def light(across: Any, along: Any, x: Any, y: Any, height: Any) -> Any:
+        return relative_irradiance(distribution, pose, x + across, y + along, height)
+
+    return _over_discs(light, radius, x, y, height)
+
+
+def on_facing_disc(
+    distribution: Distribution, radius: Number, distance: Number, theta: Number, phi: Number
+) -> tuple[Number, float]:
+    """Solid angle of a disc that faces a source, weighted with the intensity.
+
+    Parameters
+    ----------
+    distribution : Distribution
+        Of any form.
+    radius, distance : float or ndarray [m]
+        Radius of the disc and distance of its centre, above 0.
+    theta, phi : float or ndarray [rad]
+        Direction of its centre, from the source.
+
+    Returns
+    -------
+    float or ndarray, float
+        As of `on_plane`.
+
+    Raises
+    ------
+    ConditionError
+        If there are too many discs.
+
+    Examples
+    --------
+    >>> from radcalc.distributions.shapes import Isotropic
+    >>> flux, _ = on_facing_disc(Isotropic(), 3**0.5, 1.0, 0.7, 0.0)
+    >>> round(float(flux) / math.pi, 5)
+    1.0
+    """
+
+    def light(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> Any:
+        ahead = cartesian(theta, phi)
+        outward = (
+            numpy.cos(theta) * numpy.cos(phi),
+            numpy.cos(theta) * numpy.sin(phi),
+            -numpy.sin(theta),
+        )
+        around = (-numpy.sin(phi), numpy.cos(phi), 0.0)
+        x, y, z = (
+            a * distance + b * across + c * along
+            for a, b, c in zip(ahead, outward, around, strict=True)
+        )
+        own, turned, slant = spherical(x, y, z)
+        return distribution.intensity(own, turned) * distance / slant**3
+
+    return _over_discs(light, radius, distance, theta, phi)
+
+
+def _over_discs(light: Callable[..., Any], radius: Number, *places: Number) -> tuple[Number, float]:
+    """The integral of a light over discs, with ever more points until they do not matter."""
+    shape = numpy.broadcast_shapes(*map(numpy.shape, (radius, *places)))
+    size, *where = (numpy.broadcast_to(x, shape).ravel() for x in (radius, *places))
+    found, error = numpy.empty(0), math.inf
+    for count in COUNTS:
+        if 2 * count * count * len(size) > MOST:
+            break
+        before, found = found, _sums(light, count, size, where)
+        if len(before):
+            with numpy.errstate(all="ignore"):
+                apart = numpy.where(found > 0, abs(found - before) / found, 0.0)
+            error = float(apart.max())
+            if error < ENOUGH:
+                break
+    if error == math.inf:
+        raise ConditionError(f"{len(size)} receivers are too many", "fewer, or without their area")
+    return found.reshape(shape)[()], error
+
+
+def _sums(light: Callable[..., Any], count: int, size: Any, where: list[Any]) -> Any:
+    """The integral over each disc: Gauss and Legendre's radii, each of twice as many angles."""
+    nodes, weights = numpy.polynomial.legendre.leggauss(count)
+    radii = numpy.sqrt((nodes + 1) / 2)  # of rings of equal area
+    angles = (numpy.arange(2 * count) + 0.5) * math.pi / count
+    across = (radii[:, None] * numpy.cos(angles)).ravel()
+    along = (radii[:, None] * numpy.sin(angles)).ravel()
+    shares = numpy.repeat(weights / (4 * count), 2 * count)
+    found = numpy.empty(len(size))
+    step = max(1, AT_ONCE // len(across))
+    for start in range(0, len(size), step):
+        part = slice(start, start + step)
+        reach = size[part, None]
+        values = light(reach * across, reach * along, *(x[part, None] for x in where))
+        found[part] = values @ shares * (math.pi * size[part] ** 2)
+    return found
