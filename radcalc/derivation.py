@@ -107,13 +107,16 @@ class Formula(NamedTuple):
         """The formula in letters."""
         return fill(self.template, lambda name, _: letter_of(name))
 
-    def step(self, values: Mapping[str, Any], found: str) -> Step:
-        """The formula with values [SI] put in, and what was found; other symbols stay letters."""
+    def step(self, values: Mapping[str, Any], found: str, kind: str = "") -> Step:
+        """The formula with values [SI] put in, and what was found; other symbols stay letters.
+
+        Light quantities are of a kind.
+        """
 
         def write(name: str, is_factor: bool) -> str:
             if name not in values:
                 return letter_of(name)
-            text = format_value(values[name], coherent_unit_of(name))
+            text = format_value(values[name], coherent_unit_of(name, kind))
             return f"({text})" if is_factor and not text.endswith(" deg") else text
 
         body = self.template.partition(", ")[0]  # what stands behind a comma is a remark

@@ -23,6 +23,7 @@ from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     CHOICE,
     DIRECTION,
+    DISTRIBUTION,
     FLAG,
     INTERVAL,
     LINKS,
@@ -382,6 +383,17 @@ def _joined(value: Any) -> str:
     return value if isinstance(value, str) else ",".join(str(float(one)) for one in value)
 
 
+def _read_distribution(symbol: Symbol, value: Any) -> Given:
+    """One of the names, or else the photometry of a file or an expression."""
+    name = value.strip().lower() if isinstance(value, str) else ""
+    if name in symbol.choices:
+        return Given(symbol, name, name)
+    from radcalc.distributions.sources import photometry  # with NumPy
+
+    found = photometry(value)
+    return Given(symbol, value.strip() if name else found.format, found)
+
+
 def _read_point(symbol: Symbol, value: Any) -> Given:
     text = _joined(value)
     return Given(symbol, text, read_point(text, option(symbol.name)))
@@ -436,6 +448,7 @@ _READERS = {
     DIRECTION: _read_direction,
     INTERVAL: _read_interval,
     NUMBERS: _read_numbers,
+    DISTRIBUTION: _read_distribution,
 }
 
 

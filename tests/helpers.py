@@ -31,9 +31,9 @@ LIGHT = {
     "flux": "{0}", "intensity": "{0}/sr", "irradiance": "{0}/m2", "exitance": "{0}/m2",
     "radiance": "{0}/m2/sr", "exposure": "{1}/m2", "energy": "{1}", "received-flux": "{0}",
     "incident-irradiance": "{0}/m2", "flux-within": "{0}", "beam-flux": "{0}",
-    "far-field-irradiance": "{0}/m2", "intensity-toward": "{0}/sr",
-    "mean-irradiance": "{0}/m2",
-    "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
+    "far-field-irradiance": "{0}/m2", "scale": "{0}/sr", "peak-intensity": "{0}/sr",
+    "intensity-toward": "{0}/sr", "upward-flux": "{0}", "downward-flux": "{0}",
+    "mean-irradiance": "{0}/m2", "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",
@@ -51,7 +51,8 @@ OTHER = {
     "receiver-radius": "m", "receiver-diameter": "m", "horizontal": "rad", "vertical": "rad",
     "wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
     "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd/m2",
-    "sp-ratio": "1", "adaptation": "1",
+    "sp-ratio": "1", "adaptation": "1", "axial-share": "1", "peak-share": "1", "upward-part": "1",
+    "weighted-solid-angle": "sr", "azimuth": "rad", "beam-diameter": "m",
 }  # fmt: skip
 
 

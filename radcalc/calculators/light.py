@@ -72,11 +72,11 @@ class Lit(NamedTuple):
 DARK = Lit(RADIANT, {}, {}, {}, (), (), (), {})
 
 
-def read_light(typed: Inputs, links: Inputs) -> Lit:
+def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> Lit:
     """Sort the light quantities that were given, by generic names, and turn them into one kind.
 
-    The kind is that of the first; another needs a wavelength, a spectrum or an efficacy, or one
-    quantity in both kinds.
+    The kind is that of the first, or a preferred one where they are linked; another needs a
+    wavelength, a spectrum or an efficacy, or one quantity in both kinds.
     """
     given: Inputs = {}
     twins: Inputs = {}
@@ -102,7 +102,9 @@ def read_light(typed: Inputs, links: Inputs) -> Lit:
         raise Exclusive(linking[:2], "contradict each other: both link the kinds")
     _refuse_idle_refinements(links)
     first = next(iter(given), "")
-    kind = kind_of(given[first]) if first else RADIANT
+    kind = kind_of(given[first]) if first else preferred or RADIANT
+    if preferred not in ("", kind) and linking_factor(links, preferred, kind):
+        kind = preferred
     assumptions: list[str] = []
     notes: list[str] = []
     amounts = {}

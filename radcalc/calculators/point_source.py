@@ -4,6 +4,7 @@ The intensity is that on the source's axis.
 """
 
 import math
+from collections.abc import Sequence
 from functools import reduce
 
 from radcalc.answer import Answer
@@ -17,6 +18,7 @@ from radcalc.errors import (
     command,
     mention,
     option,
+    quote,
 )
 from radcalc.geometry import cones
 from radcalc.given import Inputs, angle_of
@@ -48,6 +50,8 @@ from radcalc.laws.solver import reached
 from radcalc.maths import any_true, hypot, is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
+# What takes a distribution as a function of direction, and not the laws of its own shape.
+DIRECTED = ("peak-intensity", "toward", "aim", "rotate")
 CONE = ("half-angle", "apex-angle", "solid-angle")
 LOBE = ("exponent", "beam-angle", "field-angle")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
@@ -86,14 +90,18 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     nothing tells how far aside of the axis the receiver is, it is on it, unless the rest tells
     another place.
     """
+    work_out = _answer
+    shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
+    if not shaped or {one.symbol.generic or name for name, one in given.items()} & set(DIRECTED):
+        from radcalc.calculators.luminaire import luminaire as work_out
     offsets = set(OFFSETS) & set(given)
     if "height" not in given or offsets or "distance" in given:
-        return _answer(given, bool(offsets or "height" in given), any_incidence)
+        return work_out(given, bool(offsets or "height" in given), any_incidence)
     try:
-        return _answer(given, False, any_incidence)
+        return work_out(given, False, any_incidence)
     except ConditionError as error:
         try:
-            return _answer(given, True, any_incidence)
+            return work_out(given, True, any_incidence)
         except RadcalcError:
             raise error from None
 
@@ -106,7 +114,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     )
     sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
     sheet.defaults.add("incidence")
-    _refuse_foreign(sheet.lit)
+    refuse_foreign(sheet.lit)
     laws = [*LAWS[shape], *ANY_LAWS]
     if not sheet.lit.values:
         return _width(sheet, shape, [*laws, INVERSE_SQUARE])
@@ -116,13 +124,9 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
         sheet.notes.append(
             mention("4 pi times the intensity is not the flux of a beam: {beam-angle} gives that")
         )
-    _solve(sheet, laws, any_incidence)
-    if is_aside and not sheet.has("height"):
-        told = next(given[name] for name in OFFSETS if name in given)
-        raise MissingInput(
-            f"{option('height')} is missing beside {option(told.name)}",
-            mention("{height=6m}, along the source's axis"),
-        )
+    solve(sheet, laws, any_incidence, FLAT in laws)
+    if is_aside:
+        require_height(sheet)
     answers = [_judged(one, shape, laws) for one in sheet.each()]
     return answers[0]._replace(more=tuple(answers[1:]))
 
@@ -155,9 +159,22 @@ def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
     return sheet.answer(laws)
 
 
-def _solve(sheet: Worksheet, laws: list[AnyLaw], any_incidence: bool) -> None:
-    """Work out what follows; light comes along the receiver's normal unless told otherwise."""
-    told = "incidence" in sheet.known or FLAT in laws
+def require_height(sheet: Worksheet) -> None:
+    """Refuse an offset for which no height is given or follows."""
+    if not sheet.has("height"):
+        told = next(sheet.given[name] for name in OFFSETS if name in sheet.given)
+        raise MissingInput(
+            f"{option('height')} is missing beside {option(told.name)}",
+            mention("{height=6m}, along the source's axis"),
+        )
+
+
+def solve(sheet: Worksheet, laws: list[AnyLaw], any_incidence: bool, is_flat: bool) -> None:
+    """Work out what follows; light comes along the receiver's normal unless told otherwise.
+
+    That of a receiver that is flat follows from its place.
+    """
+    told = is_flat or "incidence" in sheet.known
     placed = sheet.has("irradiance", "distance", "exposure")
     if told or any_incidence or not placed:
         sheet.solve(laws)
@@ -184,10 +201,10 @@ def _with_incidence(sheet: Worksheet, laws: list[AnyLaw], error: ConditionError)
     return error
 
 
-def _refuse_foreign(lit: Lit) -> None:
+def refuse_foreign(lit: Lit, takes: Sequence[str] = QUANTITIES) -> None:
     """Refuse what a point has not: a radiance, an exitance."""
     for name, one in lit.values.items():
-        if name not in QUANTITIES:
+        if name not in takes:
             raise ConditionError(
                 f"{option(one.name)}: a point source has none", command("lambertian")
             )
@@ -208,7 +225,7 @@ def spread(given: Inputs) -> str:
             if chosen not in (None, shape):
                 raise ConditionError(
                     f"{option(names[0])} is of a {shape}, and contradicts "
-                    f"{option('distribution', str(chosen))}",
+                    f"{option('distribution', quote(given['distribution'].text))}",
                     "one of them",
                 )
             return shape
@@ -289,7 +306,12 @@ def _judge_receiver(sheet: Worksheet, shape: str) -> None:
 
         uneven = receivers.unevenness(sheet.at("exponent"), (area / math.pi) ** 0.5, away, off)
         sheet.assume(f"the intensity on it is even, within {format_number(100 * uneven)} %")
-    mean = sheet.at("received-flux") / area
+    compare_mean(sheet)
+
+
+def compare_mean(sheet: Worksheet) -> None:
+    """Say where the irradiance at a receiver's centre is not its mean."""
+    mean = sheet.at("received-flux") / sheet.at("receiver-area")
     if not is_array(mean) and abs(sheet.at("irradiance") - mean) > 0.01 * mean:
         unit = coherent_unit_of("irradiance", sheet.lit.kind)
         sheet.notes.append(

@@ -75,10 +75,13 @@ class Worksheet:
     """What is given to a calculator, and what follows from it.
 
     `lit` are the light quantities, in one kind; `given` the other inputs.  Without
-    `with_light` a light quantity is an input like others.
+    `with_light` a light quantity is an input like others; the kind is the `preferred` one where
+    that is linked with what is given.
     """
 
-    def __init__(self, page: Page, given: Inputs, with_light: bool = True) -> None:
+    def __init__(
+        self, page: Page, given: Inputs, with_light: bool = True, preferred: str = ""
+    ) -> None:
         self.page = page
         self.takes = page.takes  # what may be named as missing
         self.lit, self.given = light.DARK, given
@@ -87,7 +90,7 @@ class Worksheet:
         refuse_foreign(self.given, page.takes, page.title)
         _refuse_disparate(self.given)
         if with_light:
-            self.lit = light.read_light(quantities, links)
+            self.lit = light.read_light(quantities, links, preferred)
         self.defaults: set[str] = set()  # what goes without saying where nothing gives it
         self.used: set[str] = {*self.lit.twins}
         self.placed: list[Step] = []  # of what was worked out outside the laws

@@ -9,7 +9,7 @@ from radcalc.cli.options import Output
 @define(
     "point-source",
     {
-        "Light": QUANTITIES,
+        "Light": (*QUANTITIES, "peak-intensity"),
         "Its directions": (
             "distribution",
             "half-angle",
@@ -19,6 +19,9 @@ from radcalc.cli.options import Output
             "beam-angle",
             "field-angle",
             "within",
+            "toward",
+            "aim",
+            "rotate",
         ),
         "The receiver": (
             "distance",

@@ -1,7 +1,7 @@
 """What every distribution can do, and what follows from that alone."""
 
 import math
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy
 
@@ -123,8 +123,10 @@ def integrated(
     >>> round(integrated(Lobe(1.0), (0.0, math.pi / 2), ALL_AZIMUTHS, 1e-9).value / math.pi, 9)
     1.0
     """
-    theta = numpy.linspace(*polar, DARK[0])[:, None]
-    phi = numpy.linspace(*azimuth, DARK[1])
+    theta, phi = (
+        _middles(*ends, count) for ends, count in zip((polar, azimuth), DARK, strict=True)
+    )
+    theta = theta[:, None]
     if not any(steps) and not numpy.any(distribution.intensity(theta, phi)):
         return Integral(0.0, 0.0, 0)
     return over_directions(
@@ -139,4 +141,11 @@ def integrated(
 
 
 ACCEPTED = 1e-3  # [1] of the flux
+
+
+def _middles(low: float, high: float, count: int) -> Any:
+    """The middles of so many parts of an interval; at its ends rounding may leave some light."""
+    return low + (high - low) * (numpy.arange(count) + 0.5) / count
+
+
 DARK = (361, 361)  # polar angles and azimuths of the grid that tells whether there is light

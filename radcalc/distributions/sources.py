@@ -2,7 +2,6 @@
 
 import os
 import re
-from importlib import import_module
 from typing import Any
 
 from radcalc.distributions.formula import Formula
@@ -54,9 +53,10 @@ def photometry(source: Any) -> Photometry:
     text = os.fspath(source).strip() if isinstance(source, (str, os.PathLike)) else ""
     if not text:
         raise ConditionError(f"'{quote(str(source))}' is no distribution", EXAMPLE)
-    if os.path.exists(text):
-        read: Photometry = import_module("radcalc.distributions.files").read_file(text)
-        return read
+    if text == "-" or os.path.exists(text):
+        from radcalc.distributions.files import read_file
+
+        return read_file(text)
     if PATH.search(text) or isinstance(source, os.PathLike):
         raise ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):

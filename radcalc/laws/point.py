@@ -194,18 +194,20 @@ COSINE = relation(
         "incidence": lambda at: _incidence_of(at("cosine")),
     },
 )
+STRAIGHT = relation(
+    "straight line to the source",
+    "{distance}^2 = {height}^2 + {lateral}^2",
+    {
+        "distance": lambda at: hypot(at("height"), at("lateral")),
+        "height": lambda at: _side(at("distance"), at("lateral"), "offset"),
+        "lateral": lambda at: _side(at("distance"), at("height"), "height"),
+    },
+)
+WITHIN = law("flux within", "{flux-within} = {flux} {part}")
 ANY_LAWS: list[AnyLaw] = [
     COSINE,
-    relation(
-        "straight line to the source",
-        "{distance}^2 = {height}^2 + {lateral}^2",
-        {
-            "distance": lambda at: hypot(at("height"), at("lateral")),
-            "height": lambda at: _side(at("distance"), at("lateral"), "offset"),
-            "lateral": lambda at: _side(at("distance"), at("height"), "height"),
-        },
-    ),
-    law("flux within", "{flux-within} = {flux} {part}"),
+    STRAIGHT,
+    WITHIN,
     EXPOSURE,
     ENERGY,
     law("flux on a receiver", "{received-flux} = {intensity} {received-solid-angle}"),

@@ -454,7 +454,7 @@ def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
     found = format_value(value, unit)
     if isinstance(law, Relation) and law.template.startswith(f"{{{target}}} = "):
         others = {name: values[name].value for name in law.names if name != target}
-        return law.formula.step(others, found)
+        return law.formula.step(others, found, kind)
     numbers = fill(law.template, write)
     told = f"{numbers} = {found}"
     if not numbers.startswith(f"{letter} = "):

@@ -31,6 +31,7 @@ from radcalc.units.dimensions import (
     LUMINANCE,
     MASS,
     PHOTON_ENERGY,
+    POWER,
     SOLID_ANGLE,
     SPECIFIC_HEAT,
     TEMPERATURE,
@@ -64,7 +65,7 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no l
 # How the value of a symbol is written.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
-POINT, DIRECTION = "point", "direction"
+POINT, DIRECTION, DISTRIBUTION = "point", "direction", "distribution"
 NUMBERS = "numbers"  # as many as the example has
 
 
@@ -278,6 +279,15 @@ _ROWS = (
         label="half angle of the part"),
     _symbol(ANGLE, "off-axis", "γ", "20deg", "Angle between the source's axis and the light.",
         label="angle off the axis"),
+    _symbol(ANGLE, "beam-angle-90", "FWHM_90", label="beam angle in C90-C270"),
+    _symbol(ANGLE, "field-angle-90", "FWTM_90", label="field angle in C90-C270"),
+    _length("beam-diameter", "D_b"),
+    _symbol(ANGLE, "peak-polar", "γ_max", label="polar angle of the peak"),
+    _symbol(ANGLE, "peak-azimuth", "C_max", label="azimuth of the peak"),
+    _symbol(NUMBER, "output-ratio", "LOR", label="light output ratio"),
+    _symbol(POWER, "input-power", "P", takes="a power"),
+    _symbol(RATIOS[LUMINOUS, RADIANT], "source-efficacy", "η_v",
+        label="luminous efficacy of the source", unit="lm/W"),
     # Directions and shapes.
     _symbol(ANGLE, "polar", "θ", "45deg", "Polar angle, from +z.",
         Limits(0.0, math.pi, "from 0 to 180 deg"),
@@ -306,9 +316,17 @@ _ROWS = (
     _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle.",
         solid_angle="Seen from above a corner of the rectangle."),
     _text(FLAG, "perpendicular", "", "", "Its normal runs along the rectangle's length."),
-    _text(CHOICE, "distribution", "a distribution", "lobe",
-        "How the light is spread (isotropic, unless an option of a cone or a lobe is given).",
+    _text(DISTRIBUTION, "distribution", "a distribution", "lobe",
+        "How the light is spread: isotropic (unless an option of a cone or a lobe is given), cone, "
+        "lobe, a file (IES, EULUMDAT, CSV), or 'EXPRESSION cd' in theta and phi.",
         DISTRIBUTIONS),
+    _text(DIRECTION, "toward", "a direction", "60deg,90deg",
+        "A direction from the source, in which the receiver is: POLAR from its axis, "
+        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis."),
+    _text(POINT, "aim", "a direction", "X,Y,Z",
+        "Where the source's axis points; straight down is 0,0,-1."),
+    _symbol(ANGLE, "rotate", "ψ", "90deg",
+        "Angle by which the source is turned about its axis, C0 from +x towards +y.", ANY),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
     _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
         scene="Where the receivers face (0,0,1: up).",
@@ -407,20 +425,27 @@ _INNER = (
     _symbol(NUMBER, "share", "f"),
     _symbol(NUMBER, "part", "k"),
     _symbol(NUMBER, "beam-part", "k_b"),
+    _symbol(NUMBER, "upward-part", "k_up"),
+    _symbol(NUMBER, "axial-share", "f_0"),
+    _symbol(NUMBER, "peak-share", "f_max"),
+    _symbol(SOLID_ANGLE, "weighted-solid-angle", "Ω_f"),
     _symbol(SOLID_ANGLE, "received-solid-angle", "Ω_r"),
     _symbol(LENGTH, "lateral", "x"),
     _symbol(AREA, "apparent-area", "A_p"),
     _symbol(FREQUENCY, "light", "b", unit="Hz"),
     _symbol(LENGTH, "size", "s"),
 )
-INNER = frozenset(symbol.name for symbol in _INNER)
+INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
 
 # Light quantities by generic names, which serve every kind: geometry, letter, help, and how the
 # names of one kind are made of those of the grid.
 _LIGHT = (
     ("flux", (0, 0, 0), "Φ", "All the flux", "{}"),
     ("intensity", (0, 0, 1), "I", "The intensity on the source's axis", "{}"),
+    ("peak-intensity", (0, 0, 1), "I_max", "The greatest intensity in any direction", "peak-{}"),
     ("intensity-toward", (0, 0, 1), "I_γ", "", "{}-toward"),
+    ("upward-flux", (0, 0, 0), "Φ_up", "", "upward-{}"),
+    ("downward-flux", (0, 0, 0), "Φ_down", "", "downward-{}"),
     ("irradiance", (0, 1, 0), "E", "The irradiance on the receiver", "{}"),
     ("exitance", (0, 1, 0), "M", "The exitance of the source", "{}"),
     ("radiance", (0, 1, 1), "L", "The uniform radiance of the source", "{}"),
@@ -510,6 +535,10 @@ def specific_name(generic: str, kind: str) -> str:
 _KIND_WORDS = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
 SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
+# The intensity that a 1 of a distribution stands for.
+SYMBOLS["scale"] = _of_light("intensity", "intensity", "", _LIGHT_ROWS["intensity"])._replace(
+    name="scale", letter="I_1", help="", label="scale"
+)
 SPECIFIC: dict[str, tuple[str, str]] = {}  # name of one kind -> generic name and kind
 for _name, _row in _LIGHT_ROWS.items():
     SYMBOLS[_name] = _of_light(_name, _name, "", _row)

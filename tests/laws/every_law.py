@@ -2,13 +2,18 @@
 
 import importlib
 import inspect
+import math
 import pkgutil
 from types import ModuleType
 from typing import Any
 
 from radcalc import calculators, laws
+from radcalc.distributions.pose import Pose
+from radcalc.distributions.shapes import Lobe
+from radcalc.laws import luminaire
 from radcalc.laws.law import AnyLaw, Law, Relation
 
+EXPONENT, ROTATE, BEARING = 3.0, 0.3, 1.0
 MODULES: list[ModuleType] = [
     importlib.import_module(found.name)
     for room in (laws, calculators)
@@ -36,6 +41,23 @@ def laws_made(module: ModuleType) -> list[AnyLaw]:
     ]
 
 
+def laws_of_a_distribution() -> list[AnyLaw]:
+    """What the functions of `luminaire` make of a lobe that is turned about its axis.
+
+    Its exponent is `EXPONENT`; the receiver is towards `BEARING`, and the beam has 45 degrees.
+    """
+    lobe, pose = Lobe(EXPONENT), Pose(rotate=ROTATE)
+    return [
+        luminaire.part(lobe, lobe.flux().value),
+        luminaire.share(lobe),
+        *luminaire.direction(pose, BEARING),
+        luminaire.floor(lobe, pose, BEARING),
+        luminaire.lying_disc(lobe, pose, BEARING),
+        luminaire.facing_disc(lobe),
+        luminaire.beam_diameter((-math.pi / 4, math.pi / 4), "height"),
+    ]
+
+
 def key(law: AnyLaw) -> tuple[str, str]:
     return law.name, law.template
 
@@ -43,6 +65,8 @@ def key(law: AnyLaw) -> tuple[str, str]:
 FOUND = {
     key(law): law for module in MODULES for law in (*laws_in(vars(module)), *laws_made(module))
 }
+OF_A_DISTRIBUTION = laws_of_a_distribution()
+FOUND |= {key(law): law for law in OF_A_DISTRIBUTION}
 LAWS = [law for law in FOUND.values() if isinstance(law, Law)]
 ALL_RELATIONS = [law for law in FOUND.values() if isinstance(law, Relation)]
 ON_PAGES = {
@@ -56,7 +80,7 @@ IN_LAWS = {
     for module in MODULES
     if module.__name__.startswith(laws.__name__)
     for law in (*laws_in(vars(module)), *laws_made(module))
-}
+} | {key(law) for law in OF_A_DISTRIBUTION}
 # Those that one calculator alone uses stand on its page, with their numbers in its own tests.
 RELATIONS = [law for law in ALL_RELATIONS if key(law) in IN_LAWS]
 OF_PAGES = [law for law in ALL_RELATIONS if key(law) in ON_PAGES - IN_LAWS]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from laws.every_law import LAWS, OF_PAGES, RELATIONS
+from laws.every_law import BEARING, EXPONENT, LAWS, OF_PAGES, RELATIONS, ROTATE
 from mpmath import mpf
 
 from radcalc.laws.law import Several
@@ -158,6 +158,30 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         {"ev100": st.floats(-10, 25)}, "saturation-luminance", lambda n: 1.2 * 2**n),
     ("angle off the source's axis", "off-axis"): (
         {"lateral": SIZE, "height": SIZE}, "off-axis", math.atan2),
+    ("flux downwards", "downward-flux"): (
+        {"flux": SIZE, "upward-part": st.floats(0, 1)}, "downward-flux",
+        lambda flux, up: flux - flux * up),
+    ("a receiver that lies flat, under any source", "incidence"): (
+        {"lateral": SIZE, "height": SIZE}, "incidence", math.atan2),
+    ("part of a distribution", "part"): (
+        {"within": ANGLE}, "part", lambda within: 1 - math.cos(within) ** (EXPONENT + 1)),
+    ("distribution in a direction", "share"): (
+        {"off-axis": ANGLE, "azimuth": ANGLE}, "share", lambda off, _: math.cos(off) ** EXPONENT),
+    ("angle off the axis, of a receiver", "off-axis"): (
+        {"lateral": SIZE, "height": SIZE}, "off-axis", math.atan2),
+    ("azimuth about the axis, of a receiver", "azimuth"): (
+        {"lateral": SIZE, "height": SIZE}, "azimuth", lambda *_: BEARING - ROTATE),
+    ("illuminance of a floor under a distribution", "irradiance"): (
+        {"height": st.floats(0.5, 5), "lateral": st.floats(0.5, 5), "scale": SIZE}, "irradiance",
+        lambda h, x, scale: scale * h ** (EXPONENT + 1) / math.hypot(h, x) ** (EXPONENT + 3)),
+    ("a receiver in a distribution, flat", "received-solid-angle"): (
+        {"receiver-area": st.floats(0.01, 1), "height": st.floats(1, 10), "lateral": st.just(0.0)},
+        "received-solid-angle", lambda a, h, _: _on_disc(a, h, 0.0, EXPONENT)),
+    ("a receiver in a distribution, facing it", "received-solid-angle"): (
+        {**RECEIVER, "off-axis": st.just(0.0), "azimuth": ANGLE}, "received-solid-angle",
+        lambda a, d, *_: _on_disc(a, d, 0.0, EXPONENT)),
+    ("diameter of the beam", "beam-diameter"): (
+        {"height": SIZE}, "beam-diameter", lambda h: 2 * h),
     ("illuminance of a floor", "irradiance"): (
         {"height": st.floats(0.5, 5), "lateral": st.floats(0.5, 5), "intensity": SIZE},
         "irradiance", None),
@@ -195,7 +219,12 @@ def test_every_symbol_of_a_law_comes_back(law, data):
         assert law.solve(target, others.__getitem__) == pytest.approx(values[target], rel=1e-13)
 
 
-TURNING = ("illuminance of a floor", "exposure of a floor", "lobe of a flux, off its axis")
+TURNING = (
+    "illuminance of a floor under a distribution",
+    "illuminance of a floor",
+    "exposure of a floor",
+    "lobe of a flux, off its axis",
+)
 
 
 def _floor(at: dict[str, float]) -> float:

@@ -1,0 +1,244 @@
+"""Point sources of any distribution: files, expressions, and what is aimed.
+
+Closed forms, independent sums and vectors; files are written here.
+"""
+
+import math
+import random
+
+import numpy
+import pytest
+from helpers import Q, number
+
+from radcalc import point_source
+from radcalc.distributions.grid import Grid
+from radcalc.distributions.shapes import Lobe
+from radcalc.errors import RadcalcError
+
+LOBE = "max(cos(theta), 0)^{n}"
+TABLE = "gamma (deg),I (cd)\n0,300\n15,290\n30,260\n45,200\n60,110\n75,30\n90,0\n"
+
+
+@pytest.fixture
+def table(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text(TABLE)
+    return path
+
+
+def floats(answer):
+    """Every result in coherent SI."""
+    return {
+        name: float(numpy.atleast_1d(value.to_base_units().magnitude)[0])
+        for name, value in answer.items()
+    }
+
+
+def test_a_laboratorys_table_in_one_command(table):
+    """2 pi times the sum of [-I cos + s sin] over its parts, s the slope per radian."""
+    angles, candelas = numpy.radians(range(0, 91, 15)), [300, 290, 260, 200, 110, 30, 0]
+    slopes = numpy.diff(candelas) / numpy.diff(angles)
+    whole = 2 * math.pi * sum(
+        -candelas[k + 1] * math.cos(angles[k + 1]) + candelas[k] * math.cos(angles[k])
+        + slopes[k] * (math.sin(angles[k + 1]) - math.sin(angles[k]))
+        for k in range(6)
+    )  # fmt: skip
+    found = point_source(distribution=table)
+    assert number(found, "flux", "lm") == pytest.approx(whole, rel=1e-12)
+    assert number(found, "flux", "lm") == pytest.approx(791.3485, abs=5e-5)
+    # by hand: 150 cd between 45 and 60 degrees, 30 cd at 75
+    assert number(found, "beam_angle", "deg") == pytest.approx(2 * (45 + 15 * 50 / 90))
+    assert number(found, "field_angle", "deg") == pytest.approx(150)
+
+
+@pytest.mark.parametrize("exponent", [0.5, 1, 4, 30])
+@pytest.mark.parametrize(
+    "place",
+    [
+        {},
+        {"distance": "2m"},
+        {"height": "3m"},
+        {"height": "3m", "offset": "1m"},
+        {"height": "3m", "offset": "-1m", "offset_y": "2m"},
+        {"height": "3m", "offset": "1m", "incidence": "0deg"},
+        {"distance": "4m", "offset": "1m"},
+        {"distance": "2m", "incidence": "30deg"},
+        {"distance": "2m", "receiver_area": "0.01m2"},
+        {"height": "3m", "offset": "1m", "receiver_area": "4m2"},
+        {"height": "3m", "offset": "1m", "time": "2h"},
+        {"within": "20deg"},
+    ],
+    ids=lambda place: " ".join(place) or "nowhere",
+)
+def test_an_expression_of_a_lobe_is_that_lobe(exponent, place):
+    closed = floats(point_source(flux="800lm", exponent=exponent, **place))
+    for extra in ({"flux": "800lm"}, {"intensity": Q(closed["intensity"], "cd")}):
+        text = LOBE.format(n=exponent)
+        found = floats(point_source(distribution=text, **extra, **place))
+        for name in closed.keys() & found.keys():
+            rel = 1e-5 if name == "received_flux" else 1e-8
+            assert found[name] == pytest.approx(closed[name], rel=rel, abs=1e-12), name
+        assert "flux" in found
+
+
+@pytest.mark.parametrize(
+    ("text", "closed"),
+    [
+        ("1", {"distribution": "isotropic"}),
+        ("(theta <= 30*deg)", {"half_angle": "30deg"}),
+    ],
+)
+def test_an_expression_of_another_shape_is_that_shape(text, closed):
+    place = {"height": "3m", "offset": "1m", "offset_y": "0.5m", "flux": "1klm", "within": "20deg"}
+    one, other = (
+        floats(point_source(**kind, **place)) for kind in ({"distribution": text}, closed)
+    )
+    for name in ("flux", "intensity", "irradiance", "distance", "incidence", "flux_within"):
+        assert one[name] == pytest.approx(other[name], rel=1e-4), name
+
+
+def test_sources_that_are_aimed_and_rotated_by_vectors():
+    """A lobe with an oval about its axis, by the turn of straight down to its aim (Rodrigues)."""
+    draw = random.Random(13)
+    for _ in range(40):
+        aim = [draw.uniform(-1, 1) for _ in range(3)]
+        place = [draw.uniform(-3, 3), draw.uniform(-3, 3), draw.uniform(0.5, 4)]
+        turn, exponent = draw.uniform(-180, 180), draw.uniform(0.5, 6)
+        axis = numpy.array(aim) / numpy.linalg.norm(aim)
+        down = numpy.array([0.0, 0.0, -1.0])
+        about, cosine = numpy.cross(down, axis), down @ axis
+        cross = numpy.cross(about, numpy.eye(3))  # v @ cross = about x v
+        matrix = numpy.eye(3) + cross + cross @ cross / (1 + cosine)
+        c0 = numpy.array([math.cos(math.radians(turn)), math.sin(math.radians(turn)), 0.0])
+        x, axis = (v @ matrix for v in (c0, down))
+        assert axis == pytest.approx(numpy.array(aim) / numpy.linalg.norm(aim))
+        y = numpy.cross(x, axis)  # hanging, C90 is towards +y where C0 is towards +x
+        y = y if (numpy.array([-c0[1], c0[0], 0.0]) @ matrix) @ y > 0 else -y
+        to = numpy.array([place[0], place[1], -place[2]])
+        away = numpy.linalg.norm(to)
+        own = numpy.array([to @ x, to @ y, to @ axis]) / away
+        intensity = 100 * max(own[2], 0) ** exponent * (1 + 0.3 * own[0] - 0.2 * own[1])
+        found = point_source(
+            distribution=f"100*max(z, 0)^{exponent!r}*(1 + 0.3*x - 0.2*y) cd",
+            aim=",".join(map(repr, aim)),
+            rotate=Q(turn, "deg"),
+            height=Q(place[2], "m"),
+            offset=Q(place[0], "m"),
+            offset_y=Q(place[1], "m"),
+        )
+        assert number(found, "intensity_toward", "cd") == pytest.approx(intensity, abs=1e-9)
+        assert number(found, "irradiance", "lx") == pytest.approx(
+            intensity * place[2] / away**3, abs=1e-9
+        )
+        assert number(found, "upward_flux", "lm") + number(
+            found, "downward_flux", "lm"
+        ) == pytest.approx(number(found, "flux", "lm"))
+
+
+@pytest.mark.parametrize(
+    ("aim", "upward"),
+    [("0,0,-1", 0.0), ("0,0,2", 1.0), ("1,0,0", 0.5), ("0,-3,0", 0.5), ("1,0,1", 0.5 + 2**-1.5)],
+)
+def test_what_a_lambertian_source_sends_upwards(aim, upward):
+    """Its projected solid angle over the horizon is (1 + sin(elevation)) / 2 of pi."""
+    found = point_source(exponent=1, flux="100lm", aim=aim)
+    assert number(found, "upward_flux", "lm") == pytest.approx(100 * upward, abs=1e-3)
+
+
+def test_a_direction_from_the_axis():
+    found = point_source(intensity="100cd", exponent=2, toward="60deg,90deg", distance="2m")
+    assert number(found, "intensity_toward", "cd") == pytest.approx(25)
+    assert number(found, "irradiance", "lx") == pytest.approx(6.25)
+    found = point_source(distribution="3 + x + 2*y cd", toward="0,3,4", distance="1m")
+    assert number(found, "intensity_toward", "cd") == pytest.approx(3 + 2 * 0.6)
+
+
+def test_the_distance_the_height_and_the_offset_follow_from_an_irradiance(table):
+    found = point_source(distribution=table, illuminance="75lx")
+    assert number(found, "distance", "m") == pytest.approx(2)
+    there = point_source(distribution=table, height="2m", offset="1.5m")
+    lux = there["irradiance"]
+    asked = point_source(distribution=table, illuminance=lux, offset="1.5m")
+    assert min(abs(asked["height"].to("m").magnitude - 2)) < 1e-8
+    assert len(asked["height"]) == 2
+    flux = there["flux"]
+    asked = point_source(distribution=table, flux=flux, illuminance=lux, height="2m")
+    assert number(asked, "offset", "m") == pytest.approx(1.5)
+
+
+def test_a_light_quantity_scales_a_distribution(table):
+    own = point_source(distribution=table, height="2m", offset="1m")
+    for name in ("flux", "intensity", "peak_intensity", "irradiance"):
+        twice = point_source(distribution=table, height="2m", offset="1m", **{name: 2 * own[name]})
+        assert number(twice, "intensity_toward", "cd") == pytest.approx(
+            2 * number(own, "intensity_toward", "cd")
+        )
+    watts = point_source(distribution=table, flux="10W", distance="1m")
+    assert watts["irradiance"].to("W/m2").magnitude == pytest.approx(10 * 300 / 791.3485, rel=1e-6)
+
+
+def test_a_spectrum_links_the_kinds(table):
+    found = point_source(distribution=table, spectrum="LED-B3", distance="2m")
+    efficacy = number(found, "luminous_efficacy", "lm/W")
+    assert number(found, "radiant_flux", "W") == pytest.approx(791.3485 / efficacy, rel=1e-6)
+    # and one that is given in watts is counted in the file's candelas
+    same = point_source(
+        distribution=table, spectrum="LED-B3", irradiance=found["radiant_irradiance"]
+    )
+    assert number(same, "distance", "m") == pytest.approx(2)
+
+
+def test_arrays_of_any_shape_that_fits(table):
+    heights, offsets = numpy.linspace(1, 5, 7)[:, None], numpy.linspace(-3, 3, 5)
+    found = point_source(distribution=table, height=Q(heights, "m"), offset=Q(offsets, "m"))
+    assert found["irradiance"].shape == (7, 5)
+    for i in (0, 6):
+        for k in (0, 2, 4):
+            one = point_source(
+                distribution=table, height=Q(heights[i, 0], "m"), offset=Q(offsets[k], "m")
+            )
+            got = found["irradiance"].to("lx").magnitude[i, k]
+            assert got == pytest.approx(number(one, "irradiance", "lx"))
+
+
+def test_a_distribution_of_python():
+    lobe = point_source(distribution=Lobe(1.0), intensity="1cd")
+    assert number(lobe, "flux", "lm") == pytest.approx(math.pi)
+    grid = Grid([0.0, math.pi / 2], [0.0], [[100.0, 100.0]])
+    assert number(point_source(distribution=grid), "flux", "lm") == pytest.approx(200 * math.pi)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"distribution": "cos(theta)^2"}, "relative, and what scales it is missing"),
+        ({"distribution": "1 cd", "half_angle": "30deg"}, "half_angle is of a cone"),
+        ({"distribution": "1 cd", "exponent": 3}, "exponent is of a lobe"),
+        ({"distribution": "theta cd", "intensity": "5cd"}, "where this distribution has none"),
+        ({"distribution": "0 cd"}, "is dark"),
+        ({"distribution": "cos(theta) cd"}, "has a negative value"),
+        ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both tell where"),
+        ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "no use without a receiver"),
+        ({"distribution": "1 cd", "radiance": "3cd/m2"}, "a point source has none"),
+        ({"distribution": "1 cd", "irradiance": "3W/m2"}, "what links them is missing"),
+        ({"distribution": "1 cd", "illuminance": "3lx", "offset": "9m"}, "no height gives just"),
+        ({"distribution": "1 cd", "offset": "9m"}, "height is missing beside offset"),
+        ({"distribution": "lamp.ies"}, "there is no file 'lamp.ies'"),
+        ({"distribution": "cone", "aim": "1,0,0", "flux": "1lm"}, "how wide the cone is"),
+        ({"distribution": "1 cd", "aim": "0,0,0", "height": "1m"}, "0,0,0 has no direction"),
+        (
+            {"distribution": "(theta < 5*deg) cd", "distance": "1m", "receiver_area": "0.2m2"},
+            "edges that are too sharp",
+        ),
+        (
+            {"distribution": "max(cos(theta), 0) cd", "distance": "1m", "incidence": "20deg",
+             "receiver_area": "0.2m2"},
+            "nobody tells about which axis",
+        ),
+    ],
+)  # fmt: skip
+def test_what_does_not_go_together_is_refused(given, said):
+    with pytest.raises(RadcalcError) as refused:
+        point_source(**given)
+    assert said in refused.value.message
+    assert refused.value.hint
