@@ -374,7 +374,7 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
     except NumberError as error:
         raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
     if max(map(abs, numbers)) > LARGEST:
-        raise NumberError(f"{what} '{quote(text)}' is too far away", f"{noun}s up to 1e100")
+        raise NumberError(f"{what} '{quote(text)}' is beyond what radcalc reckons with", hint)
     return numbers
 
 
