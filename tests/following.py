@@ -33,7 +33,7 @@ PROSE = (
     r"one unit (in START, STOP and STEP|for X, Y and Z)", r"a step from START to STOP",
     r"a list for one of them, and a loop", r"quotes around .*", r"a space or a dot between them.*",
     r"the number times that length.*", r"a TARGET unit", r"X,Y,Z, in one unit .*",
-    r"another spectrum or range", r"a reflectance above 0, and an incidence below 90 deg",
+    r"another spectrum or range", r"a reflectance above 0, and .* below 90 deg",
     r"(less|more) .*, or (less|more) .*", r"a receiver in the light", r"(the path of )?a file",
     r"a (wavelength|temperature) from \S+ to \S+", r"from \S+ to \S+( sr)?", r"one value.*",
     r"it once, or a list of values", r"it is a (number|logarithmic scale).*",

@@ -142,11 +142,25 @@ CONVERSIONS = {
         "W", "lm", {"wavelength": "555"}, "has no unit", "555nm"),
     "seconds are no distance": (
         "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
-    "an area at a distance is no solid angle of a beam": (
-        "lm", "cd", {"area": "1m2", "distance": "1m"}, "a solid angle is missing", "--isotropic"),
-    "a radius at a distance is no solid angle of a beam": (
-        "cd", "lm", {"radius": "1m", "distance": "1m"}, "a solid angle is missing",
-        "--half-angle"),
+    "an area nearer than five times its size is no small receiver": (
+        "lm", "cd", {"area": "1m2", "distance": "1m"}, "size of the receiver (1.12838 m)",
+        "--half-angle 29.4312deg in place"),
+    "a radius nearer than five times its size is no small receiver": (
+        "cd", "lm", {"radius": "1m", "distance": "9m", "incidence": "9deg"},
+        "size of the receiver (2 m)", "more distance"),
+    "an incidence turns no surface that a flux is spread over": (
+        "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence has no use", "without"),
+    "an incidence turns no surface that shines": (
+        "radlux", "radlux", {"incidence": "60deg"}, "--incidence has no use", "without"),
+    "a tilt turns no small source": (
+        "cd", "lx", {"distance": "1m", "tilt": "60deg"}, "--tilt has no use", "without"),
+    "nothing leaves a surface along it": (
+        "cd", "nit", {"area": "1m2", "tilt": "90deg"}, "no light arrives", "below 90"),
+    "a wide solid angle has no one angle from the normal": (
+        "nit", "lx", {"solid-angle": "1sr", "tilt": "60deg"}, "is not small",
+        "--half-angle 32.7705deg in place"),
+    "a disc that is tilted and near has no far field": (
+        "nit", "lx", {"radius": "1m", "distance": "2m", "tilt": "60deg"}, "five times", "more"),
     "a radius has no use where lumens become lux at a distance": (
         "lm", "lx", {"radius": "1m", "distance": "3m"}, "missing; --radius has no use",
         "--isotropic"),

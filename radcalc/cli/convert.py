@@ -61,6 +61,7 @@ class ConvertCommand(SectionedCommand):
         "Distance and surfaces": (
             "distance",
             "incidence",
+            "tilt",
             "area",
             "radius",
             "diameter",
@@ -95,6 +96,8 @@ def command(
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
       radcalc convert 500 lx cd/m2 --reflectance 0.8
+      radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
+      radcalc convert 1 W/sr W --area 20mm2 --distance 1m
       radcalc convert 250 cd/m2                    (every unit of luminance)
       cut -f3 log.tsv | radcalc convert - lx fc
       radcalc convert - lx fc -d , --column illuminance < log.csv

@@ -76,6 +76,7 @@ class Way(NamedTuple):
     supply: Supply
     is_suggested: bool = True
     extends: bool = True  # whether it is suggested to somebody who gave a part of it
+    is_tilted: bool = False  # whether the source may be seen aslant
 
 
 def _area(conditions: Conditions) -> Factor:
@@ -84,12 +85,19 @@ def _area(conditions: Conditions) -> Factor:
 
 def _front_area(conditions: Conditions) -> Factor:
     factor = geometric.area(conditions.take(AREA))
+    if "tilt" in conditions.given:
+        return factor
     return factor._replace(assumption=f"{factor.assumption}, seen along its normal")
 
 
 def _far_area(conditions: Conditions) -> Factor:
     area, given = conditions.take(AREA), conditions.given
-    return geometric.far_area(area, given[DISTANCE], given.get("incidence"))
+    return geometric.far_area(area, given[DISTANCE], given.get("incidence"), given.get("tilt"))
+
+
+def _aperture(conditions: Conditions) -> Factor:
+    area, given = conditions.take(AREA), conditions.given
+    return geometric.aperture(area, given[DISTANCE], given.get("incidence"))
 
 
 def _cone(conditions: Conditions) -> Factor:
@@ -97,7 +105,8 @@ def _cone(conditions: Conditions) -> Factor:
 
 
 def _projected_cone(conditions: Conditions) -> Factor:
-    return geometric.projected_solid_angle(conditions.take(CONE))
+    turn = conditions.use("tilt") or conditions.use("incidence")
+    return geometric.projected_solid_angle(conditions.take(CONE), turn)
 
 
 def _inverse_square(conditions: Conditions) -> Factor:
@@ -117,6 +126,7 @@ PLAIN: Supply = {AREA: _area, CONE: _cone, DISTANCE: _inverse_square, REFLECTANC
 AT_RADIANCE: Supply = {**PLAIN, CONE: _projected_cone}  # with a reflector the cone is the lamp's
 IN_FRONT: Supply = {**PLAIN, AREA: _front_area}
 FAR: Supply = {**PLAIN, AREA: _far_area}
+RECEIVED: Supply = {**PLAIN, AREA: _aperture}
 REFLECTED = Way({REFLECTANCE: 1}, {REFLECTANCE: lambda c: geometric.reflected(c.take(REFLECTANCE))})
 DISC = Way({DISTANCE: -1}, {DISTANCE: _disc})  # of a radius or diameter, exactly
 
@@ -124,7 +134,10 @@ FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
 # From the first geometry (powers of 1/area and 1/solid angle) to the second; back, the powers
 # change their sign.  Of the ways that begin with what is given, the first two are suggested.
 WAYS = {
-    (FLUX, INTENSITY): (Way({CONE: -1}, PLAIN),),
+    (FLUX, INTENSITY): (
+        Way({CONE: -1}, PLAIN),
+        Way({AREA: -1, DISTANCE: -1}, RECEIVED, False),
+    ),
     (FLUX, IRRADIANCE): (
         Way({AREA: -1}, PLAIN),
         Way({CONE: -1, DISTANCE: 1}, PLAIN),
@@ -139,14 +152,14 @@ WAYS = {
         Way({AREA: -1, CONE: 1}, PLAIN, False, False),
     ),
     (INTENSITY, RADIANCE): (
-        Way({AREA: -1}, IN_FRONT),
+        Way({AREA: -1}, IN_FRONT, is_tilted=True),
         Way({DISTANCE: 1, REFLECTANCE: 1}, PLAIN),
         Way({AREA: -1, CONE: 1, REFLECTANCE: 1}, PLAIN, False, False),
     ),
     (IRRADIANCE, RADIANCE): (
         Way({REFLECTANCE: 1}, PLAIN),
         Way({CONE: -1}, AT_RADIANCE),
-        Way({AREA: -1, DISTANCE: -1}, FAR, False),
+        Way({AREA: -1, DISTANCE: -1}, FAR, False, is_tilted=True),
     ),
 }
 
@@ -198,8 +211,9 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
 
 
 def _is_round(conditions: Conditions, given: set[str]) -> bool:
-    """Whether a radius or a diameter, and a distance, are what is given."""
-    return given == {AREA, DISTANCE} and conditions.given[AREA].name != "area"
+    """Whether a disc that faces the receiver is given: by its radius or diameter, from afar."""
+    is_exact = given == {AREA, DISTANCE} and "tilt" not in conditions.given
+    return is_exact and conditions.given[AREA].name != "area"
 
 
 def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
@@ -230,16 +244,31 @@ def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
 
 def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
     """The factors of a way; nothing follows from no light."""
-    links = []
-    for slot, power in way.powers.items():
-        factor = way.supply[slot](conditions)
-        if power * sign < 0 and any_true(factor.value == 0):
+    links = [(way.supply[slot](conditions), power * sign) for slot, power in way.powers.items()]
+    if way.is_tilted and (tilt := conditions.use("tilt")):
+        links.append((geometric.turned(tilt), way.powers[AREA] * sign))
+    for factor, power in links:
+        if power < 0 and any_true(factor.value == 0):
             raise ConditionError(
                 f"{factor.assumption}: no light arrives, so nothing follows from it",
-                "a reflectance above 0, and an incidence below 90 deg",
+                "a reflectance above 0, and an incidence or a tilt below 90 deg",
             )
-        links.append((factor, power * sign))
     return links
+
+
+def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
+    """How a surface is turned that a given irradiance lights: E cos(theta) reaches it."""
+    conditions = bridge.conditions
+    if "incidence" not in conditions.given or DISTANCE in conditions.given:
+        return []
+    if start.geometry[1:] != IRRADIANCE or bridge.source.is_exitance:
+        return []
+    here = end.geometry[1:]
+    reflects = REFLECTANCE in conditions.used
+    is_lit = here == FLUX or (here == RADIANCE and reflects)
+    if is_lit or (here == IRRADIANCE and bridge.target.is_exitance == reflects):
+        return [(geometric.turned(conditions.take("incidence")), 1)]
+    return []
 
 
 # ---------------------------------------------------------------------------------------------
@@ -326,16 +355,13 @@ class Bridge:
     def _instead(self, unused: Sequence[str]) -> str:
         """What is meant by a condition that has no use between two units of one quantity."""
         start, end = read(self.source), read(self.target)
-        if start is None or end is None or start != end or len(unused) > 1:
+        if start is None or end is None or start != end or len(self.conditions.given) > 1:
             return ""
         given = next(one for one in self.conditions.given.values() if one.name == unused[0])
-        if given.name in ("incidence", "reflectance") and start.area and not start.solid_angle:
-            is_turned = given.name == "incidence"
-            part = geometric.cosine(given) if is_turned else given.value
-            said = "E cos(theta)" if is_turned else "the part that is reflected"
-            number = f"{self.number}*{part:.12g}"
+        if given.name == "reflectance" and start.area and not start.solid_angle:
+            number = f"{self.number}*{given.value:.12g}"
             again = command("convert", number, quote(self.source.text), quote(self.target.text))
-            return f"{again}, which is {said}"
+            return f"{again}, which is the part that is reflected"
         if given.name == TIME and not start.time:
             slow = self.source.text.endswith(SLOW) and not self.target.text.endswith(SLOW)
             rate = self.source if slow else self.target
@@ -387,6 +413,8 @@ def link(source: Unit, target: Unit, given: Sequence[Given], number: str = "1") 
     links: Links = []
     if source.dimension == target.dimension:
         links += _surface(bridge)
+        if start and end:
+            links += _incidence(bridge, start, end)
     elif start is None or end is None:
         links += _width(bridge)
     else:
@@ -397,6 +425,7 @@ def link(source: Unit, target: Unit, given: Sequence[Given], number: str = "1") 
         links += _time(bridge, start, end)
         links += _pupil(bridge, start, end)
         links += _space(bridge, start, end)
+        links += _incidence(bridge, start, end)
     bridge.refuse()
     return links
 

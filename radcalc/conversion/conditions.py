@@ -36,6 +36,7 @@ CONDITIONS = {
     "beam-angle": CONE,
     "distance": DISTANCE,
     "incidence": REFINES,
+    "tilt": REFINES,
     "bandwidth": BAND,
     "reflectance": REFLECTANCE,
     "pupil": PUPIL,

@@ -27,6 +27,11 @@ REFLECTOR = Formula(
 REFLECTED = Formula(
     "reflected light", "{exitance} = {reflectance} {irradiance}", "ISO 80000-7, reflectance"
 )
+MORE_ROOM = "more distance, or less area"
+SLANTING_CONE = Formula(
+    "cone aslant to a surface",
+    "{projected-solid-angle} = integral of cos(theta) over the cone's part above the surface",
+)
 RETINA = Formula("retinal illuminance", "p = pi/4 {pupil}^2")
 
 
@@ -86,26 +91,107 @@ def _lobe(given: Given) -> Factor:
 PROJECTED = ("half-angle", "apex-angle", "hemisphere")  # what has a projected solid angle
 
 
-def projected_solid_angle(given: Given) -> Factor:
-    """The projected solid angle between radiance and irradiance, exitance or flux [sr]."""
+def projected_solid_angle(given: Given, turn: Given | None) -> Factor:
+    """The projected solid angle between radiance and irradiance, exitance or flux [sr].
+
+    It is about the surface's normal, or `turn` away from it.
+    """
+    if turn and given.name in (*PROJECTED, "solid-angle"):
+        return _slanting(given, turn)
     if given.name == "hemisphere":
         return Factor("Omega_p", math.pi, "sr", "uniform over a hemisphere, pi sr projected")
     if given.name not in PROJECTED:
+        hint = f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}"
+        if given.name == "solid-angle":
+            hint += f", or {option('tilt', '0deg')} with it"
         raise ConditionError(
             f"{option(given.name)} does not link a radiance: that takes the projected solid angle",
-            f"{option('half-angle', 'ANGLE')} or {option('hemisphere')}",
+            hint,
         )
     from radcalc.laws.cones import PROJECTED_CONE
 
-    half = half_angle_of(given)
-    most = "90" if given.name == "half-angle" else "180"
-    within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))
-    require(given, within, f"at most {most} deg, where a radiance is concerned")
+    half = _half_angle_at_most_right(given)
     omega = cones.projected_cone(half)
     shown = f"{format_number(omega)} sr"
     step = PROJECTED_CONE.formula.step({"half-angle": half}, shown)
     said = f"uniform over a cone of half angle {format_angle(half)} about the normal"
     return Factor("Omega_p", omega, "sr", f"{said}, {shown} projected", (step,))
+
+
+def _half_angle_at_most_right(given: Given) -> Any:
+    """A half angle [rad] up to 90 degrees."""
+    half = half_angle_of(given)
+    most = "90" if given.name == "half-angle" else "180"
+    within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))
+    require(given, within, f"at most {most} deg, where a radiance is concerned")
+    return half
+
+
+NARROW = math.atan(0.1)  # half the angle at which a disc is seen from five times its size
+
+
+def _slanting(given: Given, turn: Given) -> Factor:
+    """The projected solid angle of light that comes aslant [sr]: of a cone, or a small one."""
+    from radcalc.geometry import projected
+
+    angle, where = abs(turn.value), f"{turn.text} from the normal"
+    if given.name == "solid-angle":
+        cosine, _, notes = _cosine(turn)
+        half = cones.cone_of(given.value)
+        if maths.any_true(half > NARROW * (1 + maths.SLACK)):
+            size = "ANGLE" if maths.is_array(half) else f"{half * (180 / math.pi):.6g}deg"
+            raise ConditionError(
+                f"{option('solid-angle', quote(given.text))} is not small: its directions are not "
+                "all at the same angle from the normal",
+                f"{option('half-angle', size)} in place of {option('solid-angle')}, for a cone",
+            )
+        omega = given.value * cosine
+        good = far_field.percent(maths.tan(half / 2) ** 2)
+        said = f"a small solid angle of {given.text}, {where} (Omega cos(theta) is {good})"
+        formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
+        step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
+        return Factor("Omega_p", omega, "sr", said, (step,), notes)
+    half = math.pi / 2 if given.name == "hemisphere" else _half_angle_at_most_right(given)
+    omega = projected.cone(half, angle)
+    shown = f"{format_number(omega)} sr"
+    said = f"uniform over a cone of half angle {format_angle(half)}, its axis {where}"
+    notes = ()
+    if maths.any_true(half + angle > math.pi / 2 * (1 + maths.SLACK)):
+        told = option(turn.name, quote(turn.text))
+        notes = (f"{told}: a part of the cone is behind the surface, and left out",)
+    step = SLANTING_CONE.told(f"Omega_p = {shown}")
+    return Factor("Omega_p", omega, "sr", f"{said}, {shown} projected", (step,), notes)
+
+
+def turned(turn: Given) -> Factor:
+    """The cosine of the incidence on a surface, or of the tilt of one that shines."""
+    cosine, said, notes = _cosine(turn)
+    letter = "cos(theta)"
+    if turn.name == "incidence":
+        said = f"the irradiance given is that across the light; {said}"
+    else:
+        letter, said = "cos(theta_s)", f"seen {turn.text} from its normal"
+    step = Step(f"cosine of the {turn.name}", "", f"{letter} = {format_number(cosine)}")
+    return Factor(letter, cosine, "", said, (step,), notes)
+
+
+def aperture(given: Given, distance: Given, incidence: Given | None) -> Factor:
+    """An area that a small source lights from afar [m2]; one too near is refused."""
+    factor = area(given)
+    size = far_field.size(factor.value)
+    if far_field.is_near(distance.value, size):
+        hint = MORE_ROOM
+        if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
+            half = math.degrees(math.atan(size / 2 / distance.value))
+            hint = (
+                f"{option('half-angle', f'{half:.6g}deg')} in place of {option(given.name)} and "
+                f"{option('distance')}, exactly for a round one"
+            )
+        told = option("distance", quote(distance.text))
+        raise TooNear(told, "receiver", format_number(size), hint, "A / d^2")
+    angle = abs(incidence.value) if incidence else 0.0
+    good = far_field.percent(far_field.error(size, distance.value, angle))
+    return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 is {good})")
 
 
 def inverse_square(given: Given, incidence: Given | None) -> Factor:
@@ -121,21 +207,17 @@ def inverse_square(given: Given, incidence: Given | None) -> Factor:
     return Factor("q", value, "sr/m2", said, (step,), notes)
 
 
-def cosine(incidence: Given) -> float:
-    """The part of the light along a normal that reaches a surface turned away from it."""
-    return float(cones.facing(incidence.value))
-
-
-def _cosine(incidence: Given | None) -> tuple[Any, str, tuple[str, ...]]:
-    """The cosine of the incidence; light from behind the surface gives 0, and a note."""
-    if incidence is None:
+def _cosine(turn: Given | None) -> tuple[Any, str, tuple[str, ...]]:
+    """The cosine of an incidence or a tilt; light from behind the surface gives 0, and a note."""
+    if turn is None:
         return 1.0, "light along the receiver's normal", ()
-    cosine = cones.facing(incidence.value)
+    cosine = cones.facing(turn.value)
     notes: tuple[str, ...] = ()
     if maths.any_true(cosine == 0):
-        told = option("incidence", incidence.text)
-        notes = (f"{told}: light from the side or behind does not reach the surface",)
-    return cosine, f"incidence {incidence.text} from the normal", notes
+        told = option(turn.name, quote(turn.text))
+        to = "reach" if turn.name == "incidence" else "leave"
+        notes = (f"{told}: light from the side or behind does not {to} the surface",)
+    return cosine, f"{turn.name} {turn.text} from the normal", notes
 
 
 def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
@@ -167,24 +249,26 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     return Factor("Omega_p", omega, "sr", said, (step,), notes)
 
 
-def far_area(source: Given, distance: Given, incidence: Given | None) -> Factor:
+def far_area(source: Given, distance: Given, incidence: Given | None, tilt: Given | None) -> Factor:
     """An area that is seen from afar [m2]; one too near, or cut by the horizon, is refused."""
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
-    angle = abs(incidence.value) if incidence else 0.0
-    radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
-    hint = (
-        f"{option('radius', radius)} in place of {option('area')}, for the exact disc (or "
-        f"{command('lambertian')})"
-    )
+    angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
+    hint = MORE_ROOM
+    if tilt is None:
+        radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
+        hint = (
+            f"{option('radius', radius)} in place of {option('area')}, for the exact disc (or "
+            f"{command('lambertian')})"
+        )
     if far_field.is_near(distance.value, size):
         told = option("distance", quote(distance.text))
         raise TooNear(told, "source", format_number(size), hint)
     if incidence and maths.any_true(far_field.is_cut(reach, distance.value, angle)):
         raise HorizonCuts("incidence", incidence.text, "", hint)
-    good = far_field.percent(far_field.error(size, distance.value))
-    said = f"{factor.assumption}, which faces the receiver (A / d^2 is {good})"
-    return factor._replace(assumption=said)
+    good = far_field.percent(far_field.error(size, distance.value, slope, angle))
+    facing = "" if tilt else ", which faces the receiver"
+    return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 is {good})")
 
 
 def reflector(given: Given) -> Factor:

@@ -177,7 +177,7 @@ def derive(made: Plan, value: float) -> "list[Step]":
     for factor, power in made.links:
         sign = "*" if power > 0 else "/"
         formula += f" {sign} {factor.letter}"
-        over += f" {sign} {factor.value:.6g} {factor.unit}"
+        over += f" {sign} {factor.value:.6g} {factor.unit}".rstrip()
     numbers = f"{over} = {made.apply(value) * target.factor:.6g} {wanted}"
     if (target.top, target.text) != (target.bottom, wanted):
         numbers += f" = {result}"

@@ -43,6 +43,8 @@ RULES = {  # of the factors of a conversion
     "solid-angle": "I = Phi / Omega",
     "projected-solid-angle": "E = L Omega_p",
     "area": "E = Phi / A, and I = L A",
+    "cosine": "E = E_0 cos(theta)",
+    "cosine-of-source": "I = L A cos(theta_s)",
     "time": "Q = Phi t",
     "bandwidth": "a band is the density times its width",
     "luminous-efficacy": "lumens are watts times the lumens per watt",

@@ -45,6 +45,7 @@ INVERSE_SQUARE = _of_factor(
     ("cosine", 1),
     ("distance", -2),
 )
+SMALL_SOLID_ANGLE = law("small solid angle", "{projected-solid-angle} = {solid-angle} {cosine}")
 REFLECTOR = _of_factor(
     "Lambertian reflector", "L = {reflectance} E / (pi Omega0)", "r", ("reflectance", 1)
 )
@@ -60,6 +61,8 @@ SYMBOL_OF = {
     "A": "area",
     "Omega": "solid-angle",
     "Omega_p": "projected-solid-angle",
+    "cos(theta)": "cosine",
+    "cos(theta_s)": "cosine-of-source",
 }
 BEFORE: dict[str, Steps] = {  # the laws of what may be given in place of these symbols
     "A": [(DIAMETER, "radius"), (CIRCLE, "area")],
@@ -86,10 +89,14 @@ def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Step
         if target not in values and values.keys() >= set(one.names) - {target}:
             values[target] = float(one.solve(target, values.__getitem__))
             steps.append((one, target))
-    whole = next((one for (by, of), one in ALL_ROUND.items() if of == letter and by in given), None)
+    round_ones = [one for (by, of), one in ALL_ROUND.items() if of == letter and by in given]
+    whole = next((one for one in round_ones if math.isclose(one.constant, size)), None)
     if letter == "q":
         values["cosine"] = size * values["distance"] ** 2
         whole = INVERSE_SQUARE
+    elif letter == "Omega_p" and "solid-angle" in given:
+        values["cosine"] = size / values["solid-angle"]
+        whole = SMALL_SOLID_ANGLE
     elif letter == "r":
         whole = REFLECTOR._replace(constant=1 / math.pi)
     elif letter == "p":

@@ -31,21 +31,21 @@ def searched(start: Geometry, end: Geometry) -> list[dict[str, int]]:
         way = {slot: power for slot, power in zip(DOES, exponents, strict=True) if power}
         moved = tuple(sum(power * DOES[slot][i] for slot, power in way.items()) for i in (0, 1))
         fits = moved == wanted and way.get(REFLECTANCE, reflects) == reflects
-        if fits and is_physical(set(way), RADIANCE in (start, end)):
+        if fits and is_physical(set(way), {start, end}):
             found.append(way)
     return sorted(found, key=len)
 
 
-def is_physical(slots: set[str], radiance: bool) -> bool:
+def is_physical(slots: set[str], ends: set[Geometry]) -> bool:
     """Whether the conditions mean together what their dimensions say.
 
-    An area and a distance are the far field of a source, between radiance and irradiance alone:
-    an area at a distance from a small source catches a cone of its light, no more than a
-    sphere's worth.  A cone and a distance are a lamp's: between radiance and intensity the one
-    would be exact and the other a far field.
+    An area and a distance are a far field: of a source between radiance and irradiance, of a
+    receiver between intensity and flux, and nothing else.  A cone and a distance are a lamp's:
+    between radiance and intensity the one would be exact and the other a far field.
     """
+    radiance = RADIANCE in ends
     if {AREA, DISTANCE} <= slots:
-        return radiance and len(slots) == 2
+        return (radiance or ends == {FLUX, INTENSITY}) and len(slots) == 2
     return not (radiance and {CONE, DISTANCE} <= slots and REFLECTANCE not in slots)
 
 
@@ -56,8 +56,8 @@ def test_the_table_has_exactly_the_ways_that_a_search_finds(start, end):
     assert signed == searched(start, end)
 
 
-def test_there_are_fifteen_ways_with_the_disc():
-    assert sum(map(len, WAYS.values())) + 1 == 15
+def test_there_are_sixteen_ways_with_the_disc():
+    assert sum(map(len, WAYS.values())) + 1 == 16
     assert {frozenset(pair) for pair in WAYS} == {
         frozenset(pair) for pair in permutations(GEOMETRIES, 2)
     }
@@ -77,7 +77,7 @@ def test_a_cone_is_projected_beside_a_radiance_unless_a_reflector_makes_it(pair)
         cone = bridges._projected_cone if projected else bridges._cone
         assert CONE not in slots or row.supply[CONE] is cone
         if {AREA, DISTANCE} <= slots:
-            area = bridges._far_area
+            area = bridges._far_area if RADIANCE in pair else bridges._aperture
         else:
             seen = pair == (INTENSITY, RADIANCE) and slots == {AREA}
             area = bridges._front_area if seen else bridges._area
@@ -87,7 +87,7 @@ def test_a_cone_is_projected_beside_a_radiance_unless_a_reflector_makes_it(pair)
 @pytest.mark.parametrize("pair", WAYS)
 def test_the_ways_that_people_think_of_are_suggested(pair):
     both = {AREA, CONE} if RADIANCE in pair else {CONE, DISTANCE}
-    far = {AREA, DISTANCE} if RADIANCE in pair else both
+    far = {AREA, DISTANCE} if RADIANCE in pair or pair == (FLUX, INTENSITY) else both
     for row in WAYS[pair]:
         assert row.is_suggested == (set(row.powers) in (*PLAIN, both))
         assert row.extends == (set(row.powers) in (*PLAIN, both, far))

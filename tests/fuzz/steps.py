@@ -2,7 +2,8 @@
 
 The oracle is radcalc's own other way: either both agree, or one of them is refused.  A cone is
 taken as plain where an intensity is uniform over it and as projected where a radiance is; only a
-call that begins or ends with a radiance may take it otherwise than the steps do.
+call that begins or ends with a radiance may take it otherwise than the steps do.  An incidence is
+that of a distance or of a cone where there is one, and else turns the surface that is lit.
 """
 
 import math
@@ -29,10 +30,10 @@ UNITS = (
 # Small beside the distance, and so is the band: in nanometres as in hertz it is the same.
 CONDITIONS = {
     "wavelength": "555nm", "efficacy": "93lm/W", "spectrum": "D65", "time": "2h", "area": "3m2",
-    "radius": "10cm", "solid-angle": "1sr", "half-angle": "30deg", "apex-angle": "40deg",
+    "radius": "10cm", "solid-angle": "0.02sr", "half-angle": "30deg", "apex-angle": "40deg",
     "isotropic": True, "hemisphere": True, "exponent": "3", "beam-angle": "50deg",
     "distance": "2km", "incidence": "60deg", "bandwidth": "10nm", "reflectance": "0.7",
-    "pupil": "3mm", "observer": "scotopic",
+    "pupil": "3mm", "observer": "scotopic", "tilt": "40deg",
 }  # fmt: skip
 GIVEN = {name: read(name, value) for name, value in CONDITIONS.items()}
 Names = frozenset[str]
@@ -51,6 +52,11 @@ def cones(*plans: Plan) -> set[str]:
     """How cones are taken: as plain solid angles, or projected."""
     letters = {factor.letter for made in plans for factor, _ in made.links}
     return letters & {"Omega", "Omega_p"}
+
+
+def turns(*plans: Plan) -> int:
+    """How often a surface is turned that a given irradiance lights."""
+    return sum(factor.letter == "cos(theta)" for made in plans for factor, _ in made.links)
 
 
 def splits(names: Names) -> Iterator[tuple[Names, Names]]:
@@ -74,6 +80,8 @@ def compare(source: str, target: str, names: Names) -> int:
             continue
         if at_radiance and cones(direct) != cones(first, second):
             continue
+        if turns(direct) != turns(first, second):
+            continue  # the incidence of a distance or a cone is another one
         compared += 1
         case = (source, between, target, sorted(names), sorted(one), sorted(two))
         together = first.factor * second.factor
