@@ -153,10 +153,10 @@ def _has_eulumdat_head(lines: Sequence[str]) -> bool:
 
 
 def _has_rows(lines: Sequence[str]) -> bool:
-    """Whether the first rows, but for a header, are columns that begin with a number."""
+    """Whether there are rows of columns that begin with a number, behind one or two of titles."""
     texts = (line.strip() for line in lines)
     rows = list(islice((text for text in texts if _is_data(text)), ROWS))
-    rows = rows[1:] or rows
+    rows = rows[2:] or rows[1:] or rows  # behind titles and units
     split = [(columns.cells(row, columns.dialect(row)[0]), columns.dialect(row)[1]) for row in rows]
     return bool(rows) and all(
         len(cells) > 1 and columns.is_number(cells[0], comma) for cells, comma in split

@@ -15,7 +15,8 @@ axis: what is negative belongs to the half plane opposite.
 Columns are parted by commas, semicolons, tabs, bars or blanks; with any but commas, numbers may
 have decimal commas.  Lines that begin with #, %, // or ;; are comments; the titles may be in the
 last of them.  The unit of the intensities (cd, mcd, W/sr, mW/sr, umol/s/sr ...) stands in their
-titles, in brackets or behind, or in a comment such as `# I (cd)`; without one they are relative.
+titles, in brackets or behind, in a row of units below, or in a comment such as `# I (cd)`; without
+one they are relative.
 Angles are in degrees unless the title of the first column says otherwise.
 """
 
@@ -147,6 +148,11 @@ class _Reader:
         if len(titles) != width:
             problem = f"{len(titles)} titles over {width} columns"
             self.refuse(head, problem, "a title for each column, or no titles")
+        units = columns.cells(self.rows[0][1], self.delimiter)
+        if not any(columns.is_number(unit, self.comma) for unit in units) and len(self.rows) > 1:
+            del self.rows[0]
+            both = zip(titles, units, strict=True)
+            return [f"{title} ({unit})" if unit else title for title, unit in both], head
         return titles, head
 
     def split(self, line: str) -> list[str]:

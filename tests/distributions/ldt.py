@@ -35,7 +35,7 @@ def written(intensity, symmetry=0, planes=ALL_AROUND, gammas=GAMMAS, **other):
 
 
 def plain_figures(lines):
-    """Flux, the intensity of the first direction and the lamps' flux, without radcalc.
+    """Flux, the first direction and its intensity, and the lamps' flux, without radcalc.
 
     Each listed plane is folded to the one that is stored; planes are weighted by trapezia over
     azimuth; along gamma the integral of linear pieces is exact (2 pi times the sum over segments
@@ -79,4 +79,5 @@ def plain_figures(lines):
     ends = [*planes[1:], planes[0] + 360]
     for k, (c, d) in enumerate(zip(planes, ends, strict=True)):
         total += math.radians(d - c) * (sums[k] + sums[(k + 1) % mc]) / 2
-    return scale * total, scale * nearest(planes[0])[0], float(value[28])
+    first = gamma[0], math.radians(planes[0]), scale * nearest(planes[0])[0]
+    return scale * total, first, float(value[28])

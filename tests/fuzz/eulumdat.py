@@ -89,8 +89,8 @@ def check(lines: list[str]) -> str:
         return error.message
     value, first, lumens = plain_figures(lines)
     assert math.isclose(found.distribution.flux().value, value, rel_tol=1e-9), lines
-    own = found.distribution.intensity(found.distribution.polar[0], 0.0)
-    assert math.isclose(own, first, rel_tol=1e-9), lines
+    own = found.distribution.intensity(*first[:2])
+    assert math.isclose(own, first[2], rel_tol=1e-9), lines
     assert found.declared.get("lamp-flux", lumens) == lumens, lines
     return ""
 
