@@ -39,12 +39,13 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     a source with an inverse square would need to give the same.  Notes say which settings are no
     physics.
 
-    The other lights of computer graphics, a spot with a power of the cosine or with a cone, are
-    point sources:
+    The other lights of computer graphics, a spot with a power of the cosine, one with a cone, and
+    the general point source, are point sources:
 
     \b
       radcalc point-source --intensity 1000cd --exponent 20 --height 3m --offset 1m --steps
       radcalc point-source --intensity 1000cd --half-angle 20deg --height 3m --offset 1m --steps
+      radcalc point-source --distribution '(100 + 50*cos(theta)) cd' --distance 2m --steps
     """
     each = cases(typed, arrays=True)
     if not words:
