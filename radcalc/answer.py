@@ -57,7 +57,7 @@ class Value(NamedTuple):
     may be a function, where working it out is worth waiting until it is looked at.  `reach` has
     the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
     is the number that the user gave, in the first of the units; `also` is another name of it.
-    A result that does not follow has no units; `lacking` tells which symbols would do, or
+    A result that does not follow has no units; `lacking` tells in words what would do, or
     `because` why none would.
     """
 
@@ -70,7 +70,7 @@ class Value(NamedTuple):
     reach: dict[Dimension, Any] = ALONE
     given: Any = None
     also: str = ""
-    lacking: Callable[[], Sequence[str]] | None = None
+    lacking: Callable[[], str] | None = None
     because: RadcalcError | None = None
 
     @property

@@ -37,7 +37,7 @@ from radcalc.quantities.symbols import (
     Limits,
     Symbol,
 )
-from radcalc.units.dimensions import ANGLE, LENGTH, TEMPERATURE, TIME
+from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
@@ -126,9 +126,13 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     if dimension not in symbol.dimensions:
         if unit is None:
             raise MissingUnit(name, quote(text), _with_unit(symbol, quote(text)))
+        example = symbol.example
+        if name == "bandwidth" and dimension == ENERGY:
+            from radcalc.spectra.planck import PLANCK
+
+            example = f"{number * unit.factor / PLANCK / 1e12:.6g}THz"
         raise ConditionError(
-            f"{option(name)} takes {symbol.takes}, not {describe(unit)}",
-            option(name, symbol.example),
+            f"{option(name)} takes {symbol.takes}, not {describe(unit)}", option(name, example)
         )
     given = Given(
         symbol,

@@ -47,7 +47,8 @@ PROSE = (
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
     r"one of them", r"the same unit.*",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
-    r"a larger .*", r"a smaller .*",
+    r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
+    r"a comparison by .*", r"a product of comparisons .*", r"angles with their units, .*",
 )  # fmt: skip
 STANDING_FOR = {  # words in capitals of commands that are not symbols
     "UNIT": "lx", "TARGET": "fc", "FILE": "D65", "SOURCE": "D65", "X": ",", "N": "1",

@@ -247,7 +247,7 @@ COMMANDS = {
     "an angle beside an illuminance alone has no use, and the angle is named": (
         "point-source --illuminance 100lx --half-angle 30deg --time 1h",
         "nothing follows from --half-angle 30deg", "--flux"),
-    "a mass alone has no use": ("calorimeter --mass 10g", "--mass 10g", "without --mass"),
+    "a mass alone has no use": ("calorimeter --mass 10g", "--mass 10g", "with it, --specific-heat"),
     # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
     "an illuminance that contradicts a flux at its distance is refused with the ratio": (
         "point-source --flux 800lm --distance 2m --illuminance 20lx", "--illuminance 20lx",

@@ -14,6 +14,7 @@ from radcalc.derivation import format_number
 from radcalc.errors import (
     ConditionError,
     HorizonCuts,
+    Idle,
     MissingInput,
     RadcalcError,
     TooNear,
@@ -67,6 +68,12 @@ def lambertian(shape: str, given: Inputs) -> Answer:
         return _answer(shape, given)
     except (TooNear, HorizonCuts) as error:
         error.hint = _exact_call(given) or error.hint
+        raise
+    except Idle as error:
+        received = [one.text for one in given.values() if one.symbol.generic == "irradiance"]
+        if received and "reflectance" in given:
+            incident = option("incident-irradiance", quote(received[0]))
+            error.hint = f"{incident} for what falls on the reflector; {error.hint}"
         raise
 
 

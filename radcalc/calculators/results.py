@@ -6,11 +6,11 @@ from typing import Any
 
 from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
-from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, options, quote
+from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
 from radcalc.given import Given
 from radcalc.maths import is_array, is_column, is_lost
 from radcalc.quantities.light import GRID, describe
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.symbols import SPECIFIC, SYMBOLS
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import Unit, resolve
 
@@ -78,8 +78,7 @@ def _refuse_absent(value: Value) -> None:
     if value.because is not None:
         raise value.because
     if value.lacking is not None:
-        hint = options(tuple(value.lacking())[:5]) or "more of the quantities"
-        raise MissingInput(f"no {value.label} follows from what is given", hint)
+        raise MissingInput(f"no {value.label} follows from what is given", value.lacking())
 
 
 def element(value: Value, k: int) -> Value:
@@ -120,6 +119,11 @@ def pick(values: Sequence[Value], wanted: str) -> Any:
             _refuse_absent(value)
             return in_unit(value, resolve(unit)) if unit else _shown(value, value.units[0])
     names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
+    generic = SPECIFIC.get(name, ("", ""))[0]
+    if generic in names:
+        raise MissingInput(
+            f"{name} takes what links the kinds of light", f"{LINKS_HINT}, or {generic}"
+        )
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
+from itertools import combinations
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
@@ -238,8 +239,28 @@ class Worksheet:
         useful = [n for n, then in brings.items() if idle.keys() <= then]
         useful = (useful or [n for n, then in brings.items() if name in then])[:4]
         alone = "" if len(everything) > 1 else " alone"
-        hint = f"with it, {options(useful)}" if useful else f"the same without {option(one.name)}"
+        hint = f"the same without {option(one.name)}"
+        if useful:
+            hint = f"with it, {options(useful)}"
+        elif several := self._partners(name, laws):
+            hint = f"with it, {options(several, ' and ')}"
         raise Idle(f"nothing follows from {option(one.name, one.text)}{alone}", hint)
+
+    def _partners(self, name: str, laws: Sequence[AnyLaw]) -> list[str]:
+        """What has to be given with a symbol so that something follows by one of its laws."""
+        known, inputs = {*self.known, *self.defaults}, set(self._inputs())
+        lacking = [
+            [other for other in law.names[1:] if other not in known]
+            for law in laws
+            if name in law.names[1:]
+        ]
+        lacking = [
+            names
+            for names in lacking
+            if inputs.issuperset(names)
+            and name in _live(laws, reached(laws, known.union(names)), self.page.goal)
+        ]
+        return min(lacking, key=len, default=[])
 
     def _quantities(self) -> Inputs:
         """What is given, but for flags, choices and spectra."""
@@ -259,10 +280,14 @@ class Worksheet:
             if follows or SYMBOLS[name].form != QUANTITY:
                 continue
 
-            def lacking(name: str = name) -> list[str]:
+            def lacking(name: str = name) -> str:
                 known = {*self.known, *self.defaults}
-                others = (n for n in self._inputs() if n != name)
-                return [n for n in others if name in reached(laws, {*known, n})]
+                others = [n for n in self._inputs() if n not in (name, *known)]
+                if found := [n for n in others if name in reached(laws, {*known, n})]:
+                    return options(found[:5])
+                pairs = combinations([n for n in others if n not in self.page.light], 2)
+                pair = next((two for two in pairs if name in reached(laws, known.union(two))), ())
+                return options(pair, " and ") or "more of the quantities"
 
             symbol = SYMBOLS[name]
             also = specific_name(name, self.lit.kind) if name == symbol.generic else ""

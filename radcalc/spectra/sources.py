@@ -5,9 +5,9 @@ import os
 
 from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
 from radcalc.spectra.observers import standard_air_wavelength
-from radcalc.spectra.planck import LIGHT
+from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
-from radcalc.units.dimensions import FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
@@ -18,6 +18,9 @@ ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.
 HINT = (
     f"D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file ({command('spectrum', list='')})"
 )
+
+# A wavelength in vacuum [m] times its frequency [Hz], or its photon energy [J].
+TIMES_WAVELENGTH = {FREQUENCY: LIGHT, ENERGY: PLANCK * LIGHT}
 
 
 def spectrum(text: str, column: str = "") -> Spectrum:
@@ -111,11 +114,30 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
         parts = parameters.split(",")
         if len(parts) != 2:
             raise _malformed(text, "gaussian:CENTRE,FWHM as in gaussian:530nm,30nm")
+        if in_lengths := _in_lengths(*parts):
+            raise _malformed(text, in_lengths)
         return _gaussian(text, wavelength(parts[0], text), _width(parts[1], text))
     ends = [wavelength(part, text) for part in parameters.split(":")]
     if len(ends) != 2 or ends[0] >= ends[1]:
         raise _malformed(text, "band:LOW:HIGH as in band:580nm:630nm")
     return Table(text, ends, [1.0, 1.0], is_whole=True)
+
+
+def _in_lengths(centre: str, fwhm: str) -> str:
+    """The gaussian of an energy, or of a width in frequency, in wavelengths; else nothing."""
+    (place, of_place), (width, of_width) = (
+        (value * unit.factor, unit.dimension)
+        for value, unit_text in map(split_quantity, (centre, fwhm))
+        if (unit := resolve(unit_text or "1"))
+    )
+    if not place or (of_place != ENERGY and of_width not in TIMES_WAVELENGTH):
+        return ""
+    if of_place in TIMES_WAVELENGTH:
+        place = TIMES_WAVELENGTH[of_place] / place
+        centre = f"{standard_air_wavelength(place) * 1e9:.6g}nm"
+    if of_width in TIMES_WAVELENGTH:
+        width *= place * place / TIMES_WAVELENGTH[of_width]
+    return f"gaussian:{quote(centre.strip())},{width * 1e9:.4g}nm"
 
 
 def _malformed(text: str, form: str) -> ConditionError:
@@ -145,6 +167,9 @@ def wavelength(parameter: str, text: str) -> float:
     """A wavelength [nm] from a length or a frequency."""
     value, unit_text = split_quantity(parameter)
     unit = resolve(unit_text or "1")
+    if value > 0 and unit.dimension == ENERGY:
+        length = standard_air_wavelength(TIMES_WAVELENGTH[ENERGY] / (value * unit.factor))
+        raise _malformed(text, f"a wavelength, {length * 1e9:.6g}nm")
     if value <= 0 or unit.dimension not in (LENGTH, FREQUENCY):
         raise _malformed(text, "wavelengths such as 632.8nm")
     if unit.dimension == FREQUENCY:

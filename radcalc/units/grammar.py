@@ -25,6 +25,8 @@ SAME = {
     "\u00a0": " ",
     "\u202f": " ",
     "\t": " ",
+    "\u2103": "°C",
+    "\u2109": "°F",
 }
 NAMED = {"%": "percent", "‰": "permille", "°": "degree", "′": "arcminute", "″": "arcsecond"}
 POWERS = {"square": 2, "sq": 2, "cubic": 3, "cu": 3}
@@ -155,7 +157,9 @@ class _Scanner:
             self.at += 1
         elif c in NAMED:
             self.at += 1
-            atoms = [(NAMED[c], 1, False)]
+            scale = self.peek() if c == "°" and self.peek() in tuple("CFcf") else ""
+            self.at += len(scale)
+            atoms = [(c + scale if scale else NAMED[c], 1, False)]
         elif c == "1" and self.text[self.at + 1 : self.at + 2] in ("", "/", " ", ")", *PRODUCTS):
             self.at += 1
             return [("1", 1, False)]

@@ -92,7 +92,10 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     """Start, step and number of values of a range, in the unit of its start."""
     parts = text.split(":")
     if len(parts) != 3:
-        raise ConditionError(f"'{quote(text)}' is not a range", "START:STOP:STEP, as in 1m:5m:1m")
+        hint = "START:STOP:STEP, as in 1m:5m:1m"
+        if len(parts) == 2 and all(part.strip().isdigit() for part in parts):
+            hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
+        raise ConditionError(f"'{quote(text)}' is not a range", hint)
     numbers = [split_quantity(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in numbers]
     if len({unit.dimension for unit in units}) > 1:

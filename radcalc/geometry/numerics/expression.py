@@ -192,7 +192,7 @@ class Expression:
                 raise ConditionError("'and' and 'or' cannot stand in an expression", hint)
         raise ConditionError(
             f"'{quote(self._part(node))}' cannot stand in an expression",
-            "numbers, + - * / **, < <= > >=, brackets, "
+            "numbers, + - * / **, comparisons, brackets, "
             + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
         )
 
