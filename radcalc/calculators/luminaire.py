@@ -439,7 +439,7 @@ class _Luminaire:
 
     def _width(self, sheet: Worksheet, name: str, azimuth: float, share: float, said: str) -> Value:
         """A beam angle or a field angle in a plane, and what is to be said of it."""
-        beam = _beam(self.source, azimuth, share)
+        beam = _beam(self.source, 0.0 if self.source.is_axial else azimuth, share)
         if beam.outermost is None:
             return absent(
                 name,

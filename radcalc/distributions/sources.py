@@ -4,10 +4,8 @@ import os
 import re
 from typing import Any
 
-from radcalc.distributions.formula import Formula
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
-from radcalc.geometry.numerics.expression import CONSTANTS, FUNCTIONS, NAMES
 from radcalc.quantities.light import KINDS, describe, light_dimension
 from radcalc.quantities.symbols import DISTRIBUTIONS
 from radcalc.units.table import Unit, resolve
@@ -59,15 +57,18 @@ def photometry(source: Any) -> Photometry:
         return read_file(text)
     if PATH.search(text) or isinstance(source, os.PathLike):
         raise ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
-    if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
-        near = nearest(text.lower(), DISTRIBUTIONS)
-        problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
-        raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
     return _expression(text)
 
 
 def _expression(text: str) -> Photometry:
     """An expression, and the unit behind it."""
+    from radcalc.distributions.formula import Formula
+    from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
+
+    if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
+        near = nearest(text.lower(), DISTRIBUTIONS)
+        problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
+        raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
     factor, kind, said = 1.0, "", text
     if parts := UNIT.match(text):
         unit = _unit(parts[2], text)
@@ -85,6 +86,9 @@ def _unit(text: str, whole: str) -> Unit:
     try:
         return resolve(text)
     except RadcalcError:
-        if set(re.findall(r"\w+", text)) & {*NAMES, *CONSTANTS, *FUNCTIONS}:
-            Formula(whole)  # which refuses it
+        from radcalc.geometry.numerics import expression
+
+        words = {*expression.NAMES, *expression.CONSTANTS, *expression.FUNCTIONS}
+        if words.intersection(re.findall(r"\w+", text)):
+            expression.Expression(whole)  # which refuses it
         raise
