@@ -12,9 +12,7 @@ from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import light
 from radcalc.calculators.point_source import (
     ASSUMED,
-    CONE,
     DIRECTED,
-    LOBE,
     LYING,
     POSITION,
     QUANTITIES,
@@ -71,11 +69,13 @@ LIGHT = (
 SCALING = ("peak-intensity", *QUANTITIES)
 PAGE = Page(
     "a point source",
-    (*QUANTITIES, *CONE, *LOBE, *POSITION, *RECEIVER, "distribution", *DIRECTED),
+    (*QUANTITIES, *POSITION, *RECEIVER, "distribution", *DIRECTED),
     LIGHT,
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
 EXPRESSION = "expression"  # the format of what is typed
+# What a file may declare that its intensities tell as well.
+COMPARED = {"output-ratio": "a light output ratio", "downward-fraction": "a downward part"}
 ODD = 0.02  # [1] from which on a declared figure and the table's are said to differ
 UNEVEN = 0.01  # [1] the most by which the intensity may vary over a receiver that is turned
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
@@ -142,7 +142,7 @@ class _Luminaire:
         self.of_shape = isinstance(chosen, str)
         kind = "" if self.of_shape else chosen.distribution.kind
         shaped = SHAPED[shape] if self.of_shape else ()
-        page = PAGE._replace(others=(*PAGE.others, *shaped))
+        page = PAGE._replace(takes=(*PAGE.takes, *shaped), others=(*PAGE.others, *shaped))
         self.sheet = Worksheet(page, given, preferred=kind)
         self.sheet.takes = (*SCALING, *shaped, *POSITION, *RECEIVER)
         self.sheet.defaults.add("incidence")
@@ -167,7 +167,10 @@ class _Luminaire:
         if shape not in (CONICAL, LOBED):
             return Photometry(shapes.Isotropic(), shape)
         name = "half-angle" if shape == CONICAL else "exponent"
-        found = follow(LAWS[shape], self.sheet.known).values
+        known = dict(self.sheet.known)
+        if "peak-intensity" in known:
+            known.setdefault("intensity", known["peak-intensity"])
+        found = follow(LAWS[shape], known).values
         if name not in found:
             raise MissingInput(f"how wide the {shape} is, is missing", options(SHAPED[shape]))
         width = found[name].value
@@ -292,7 +295,7 @@ class _Luminaire:
         elif not self.is_aside:
             sheet.know("lateral", 0.0)
         own = laws_of.direction(self.pose, self.bearing)
-        if not aside:
+        if self.is_aside and not aside:
             own.append(OFFSET)
         if "incidence" not in given:
             own.append(laws_of.FLAT)
@@ -417,8 +420,7 @@ class _Luminaire:
             for suffix, azimuth in PLANES:
                 if name + suffix not in sheet.known:
                     yield self._width(sheet, name + suffix, azimuth, share, said)
-        if not self.is_scaled:
-            yield from self._declared(sheet)
+        yield from self._declared(sheet)
 
     def _error(self, sheet: Worksheet, flux: "Integral") -> Value:
         """How far the flux may be off, by how it was integrated."""
@@ -450,38 +452,54 @@ class _Luminaire:
             "beam and field angles: between the outermost directions in which the plane has a "
             "half and a tenth of its greatest intensity"
         )
-        label = value(name, 0.0).label
-        if beam.is_ambiguous or self.figures.peak.polar > 0:
-            other = "there is none" if beam.from_axis is None else format_angle(beam.from_axis)
-            if beam.is_ambiguous:
-                sheet.notes.append(
-                    f"the {label} is ambiguous: from {said} of the intensity on the axis it is "
-                    f"{other}"
-                )
-        return value(name, beam.outermost)
+        found = value(name, beam.outermost)
+        if beam.is_ambiguous and not (azimuth and self.source.is_axial):
+            other = (
+                "there is none"
+                if beam.from_axis is None
+                else f"it is {format_angle(beam.from_axis)}"
+            )
+            sheet.notes.append(
+                f"the {found.label} is ambiguous: from the axis to {said} of the intensity there "
+                f"{other}"
+            )
+        return found
 
     def _declared(self, sheet: Worksheet) -> Iterator[Value]:
-        """What the file declares, beside what its table says."""
-        declared = self.photometry.declared
+        """What a file declares, beside what its table says; nothing of what is scaled."""
+        declared = {} if self.is_scaled else self.photometry.declared
         flux = sheet.at("flux") if sheet.has("flux") else None
+        lamps, watts = declared.get("lamp-flux"), declared.get("input-power")
+        found = {
+            "output-ratio": flux / lamps if flux is not None and lamps else None,
+            "input-power": watts,
+            "source-efficacy": flux / watts
+            if flux is not None and watts and sheet.lit.kind == LUMINOUS
+            else None,
+        }
+        for name, own in found.items():
+            if own is None:
+                yield absent(name, *self._not_declared)
+            else:
+                yield value(name, own)
         if flux is not None:
-            found = {"downward-fraction": sheet.at("downward-flux") / flux}
-            if "lamp-flux" in declared and declared["lamp-flux"] > 0:
-                found["output-ratio"] = flux / declared["lamp-flux"]
-                yield value("output-ratio", found["output-ratio"])
-            labels = {"downward-fraction": "downward fraction", "output-ratio": "output ratio"}
-            for name, own in found.items():
-                said = declared.get(name)
-                if said is not None and abs(own - said) > ODD * max(own, said):
+            own = {**found, "downward-fraction": sheet.at("downward-flux") / flux}
+            for name, label in COMPARED.items():
+                said, part = declared.get(name), own[name]
+                if said is not None and part is not None and abs(part - said) > ODD * said:
                     sheet.notes.append(
-                        f"the file declares a {labels[name]} of {format_number(100 * said, 4)} %, "
-                        f"and its intensities have {format_number(100 * own, 4)} %"
+                        f"the file declares {label} of {format_number(100 * said, 4)} %, and its "
+                        f"intensities have {format_number(100 * part, 4)} %"
                     )
-        watts = declared.get("input-power")
-        if watts:
-            yield value("input-power", watts)
-            if flux is not None and sheet.lit.kind == LUMINOUS:
-                yield value("source-efficacy", flux / watts)
+
+    @property
+    def _not_declared(self) -> tuple[str, str]:
+        """Why there is nothing to be declared of the lamps, and what to do."""
+        if self.photometry.declared and self.is_scaled:
+            return "the light is scaled, and what is declared of its lamps holds no longer", (
+                "the same without what scales it"
+            )
+        return "nothing declares it", "a file that tells the flux of its lamps and the watts"
 
 
 def _refuse_idle(given: Inputs) -> None:

@@ -52,12 +52,25 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --intensity 100cd --exponent 3 --within 45deg -g flux-within:lm
       radcalc point-source --flux 500lm --intensity 900cd --distribution cone
       radcalc point-source --flux 5mW --distance 1m --wavelength 632.8nm
+      radcalc point-source --distribution lamp.ies --height 3m --offset 1m
+      radcalc point-source --distribution lamp.ldt --flux 3klm --illuminance 50lx
+      radcalc point-source --distribution table.csv --toward 0deg:90deg:5deg
+      radcalc point-source --distribution '300*cos(theta)^4*(theta<90*deg) cd'
+      radcalc point-source --distribution lamp.ies --aim 1,0,-2 --rotate 90deg \\
+          --height 3m --offset 2m
 
     Any sufficient set of the quantities gives the others; what is given twice is checked, to the
     digits typed.  The irradiance is at the receiver.  Light comes along the receiver's normal,
     unless --incidence tells otherwise or -g incidence asks what it is; under a --height the
     source points straight down and the receiver lies flat.  An offset, a height or an exponent
-    follows from the light; where two fit, both are shown.  Several sources add up:
+    follows from the light; where two fit, both are shown.
+
+    --distribution also reads the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
+    intensities (CSV), or an expression in theta, the angle from the source's axis, and phi, the
+    azimuth about it, with a unit behind a blank; - is standard input.  Such a source is taken as it
+    is, unless a light quantity scales it.  --offset is towards C0, --offset-y towards C90.
+
+    Several sources add up (see also radcalc scene):
 
     \b
       for i in 100cd 250cd; do

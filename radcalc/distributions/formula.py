@@ -36,6 +36,8 @@ class Formula:
         What its values are multiplied by to be in coherent SI; 1 by default.
     kind : str, optional
         "v" where those are candelas, "e", "p"; empty, the default, where they are relative.
+    unit : str, optional
+        The unit of the values, for messages.
 
     Raises
     ------
@@ -52,8 +54,9 @@ class Formula:
     57.1199
     """
 
-    def __init__(self, text: str, factor: float = 1.0, kind: str = "") -> None:
+    def __init__(self, text: str, factor: float = 1.0, kind: str = "", unit: str = "") -> None:
         self.text = text
+        self.unit = unit
         self.kind = kind
         self.factor = factor
         self.expression = Expression(text)
@@ -69,7 +72,11 @@ class Formula:
             self._refuse("no finite value", ~numpy.isfinite(found), theta, phi, "a finite number")
         if least < -NEGATIVE * most:
             self._refuse(
-                "a negative value", found < -NEGATIVE * most, theta, phi, f"max({self.text}, 0)"
+                "a negative value",
+                found < -NEGATIVE * most,
+                theta,
+                phi,
+                f"max({self.text}, 0) {self.unit}".strip(),
             )
         return numpy.maximum(found, 0.0)
 

@@ -69,7 +69,7 @@ def _expression(text: str) -> Photometry:
         near = nearest(text.lower(), DISTRIBUTIONS)
         problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
         raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
-    factor, kind, said = 1.0, "", text
+    factor, kind, unit_text, said = 1.0, "", "", text
     if parts := UNIT.match(text):
         unit = _unit(parts[2], text)
         if unit.dimension not in INTENSITIES:
@@ -77,8 +77,9 @@ def _expression(text: str) -> Photometry:
                 f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not an intensity",
                 f"'{quote(parts[1])} cd', or W/sr, umol/s/sr, or without a unit",
             )
-        factor, kind, text = unit.factor, INTENSITIES[unit.dimension], parts[1]
-    return Photometry(Formula(text, factor, kind), "expression", said)
+        factor, kind = unit.factor, INTENSITIES[unit.dimension]
+        text, unit_text = parts.groups()
+    return Photometry(Formula(text, factor, kind, unit_text), "expression", said)
 
 
 def _unit(text: str, whole: str) -> Unit:

@@ -11,9 +11,12 @@ import pytest
 from helpers import Q, number
 
 from radcalc import point_source
+from radcalc.calculators.point_source import point_source as work_out
 from radcalc.distributions.grid import Grid
+from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.shapes import Lobe
 from radcalc.errors import RadcalcError
+from radcalc.given import read
 
 LOBE = "max(cos(theta), 0)^{n}"
 TABLE = "gamma (deg),I (cd)\n0,300\n15,290\n30,260\n45,200\n60,110\n75,30\n90,0\n"
@@ -201,11 +204,73 @@ def test_arrays_of_any_shape_that_fits(table):
             assert got == pytest.approx(number(one, "irradiance", "lx"))
 
 
+def test_a_shape_that_is_told_by_its_flux_and_its_peak():
+    found = point_source(distribution="cone", flux="500lm", peak_intensity="900cd", aim="1,0,0")
+    assert number(found, "half_angle", "deg") == pytest.approx(24.2753, abs=1e-4)
+
+
+def test_a_beam_that_is_no_single_angle_is_called_ambiguous():
+    """100, 300 and 0 cd at 0, 60 and 90 degrees: half at 75 degrees, half of the axis at 85."""
+    wing = Grid(numpy.radians([0, 60, 90]), [0.0], [[100.0, 300.0, 0.0]])
+    answer = work_out({"distribution": read("distribution", wing)})
+    rows = {one.name: one for one in answer.values}
+    assert math.degrees(rows["beam-angle"].amount) == pytest.approx(150)
+    assert math.degrees(rows["peak-polar"].amount) == pytest.approx(60)
+    assert any("beam angle is ambiguous" in note and "170 deg" in note for note in answer.notes)
+
+
+def test_the_diameter_of_a_beam():
+    found = point_source(exponent=1, intensity="1cd", peak_intensity="1cd", distance="2m")
+    assert number(found, "beam_diameter", "m") == pytest.approx(4 * math.tan(math.pi / 3))
+
+
 def test_a_distribution_of_python():
     lobe = point_source(distribution=Lobe(1.0), intensity="1cd")
     assert number(lobe, "flux", "lm") == pytest.approx(math.pi)
     grid = Grid([0.0, math.pi / 2], [0.0], [[100.0, 100.0]])
     assert number(point_source(distribution=grid), "flux", "lm") == pytest.approx(200 * math.pi)
+
+
+def ies(intensities, lumens=1000, watts=10):
+    """A file of one plane, from the axis to 90 degrees."""
+    angles = [90 * k / (len(intensities) - 1) for k in range(len(intensities))]
+    return "\n".join(
+        [
+            "IESNA:LM-63-2002", "[LUMINAIRE] test", "TILT=NONE",
+            f"1 {lumens} 1 {len(angles)} 1 1 2 0 0 0", f"1 1 {watts}",
+            " ".join(map(str, angles)), "0", " ".join(map(str, intensities)), "",
+        ]
+    )  # fmt: skip
+
+
+def test_what_a_file_declares_of_its_lamps(tmp_path):
+    path = tmp_path / "lamp.ies"
+    path.write_text(ies([100, 100], lumens=1000, watts=20))
+    found = point_source(distribution=path)
+    lumens = 200 * math.pi
+    assert number(found, "output_ratio", "1") == pytest.approx(lumens / 1000)
+    assert number(found, "input_power", "W") == pytest.approx(20)
+    assert number(found, "source_efficacy", "lm/W") == pytest.approx(lumens / 20)
+    assert "luminous_efficacy" not in found
+    scaled = point_source(distribution=path, flux="1klm")
+    assert not {"output_ratio", "input_power", "source_efficacy"} & set(scaled)
+    linked = point_source(distribution=path, spectrum="D65")
+    assert number(linked, "source_efficacy", "lm/W") == pytest.approx(lumens / 20)
+    assert number(linked, "luminous_efficacy", "lm/W") > 100
+
+
+@pytest.mark.parametrize(("declared", "is_noted"), [(0.70, True), (0.64, False)])
+def test_a_declared_output_ratio_is_compared(declared, is_noted):
+    """200 pi lm of 1000 lm are 0.628."""
+    lamp = Photometry(
+        Grid([0.0, math.pi / 2], [0.0], [[100.0, 100.0]]),
+        "EULUMDAT, Isym 1",
+        "lamp",
+        {"lamp-flux": 1000.0, "output-ratio": declared},
+    )
+    answer = work_out({"distribution": read("distribution", lamp)})
+    told = [note for note in answer.notes if "62.83 %" in note and "70 %" in note]
+    assert bool(told) is is_noted
 
 
 @pytest.mark.parametrize(
