@@ -14,6 +14,6 @@
 
 A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
 of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).
-Angles are in radians, intensities in coherent SI (cd, W/sr, mol/s/sr); floats or NumPy arrays.
+Angles are in radians, intensities in coherent SI (cd, W/sr, photon/s/sr); floats or NumPy arrays.
 Needs NumPy.
 """

@@ -18,7 +18,7 @@ class Peak(NamedTuple):
 
     Attributes
     ----------
-    intensity : float [cd, W/sr, mol/s/sr or 1]
+    intensity : float [cd, W/sr, photon/s/sr or 1]
         The intensity.
     polar, azimuth : float [rad]
         The direction.
@@ -40,7 +40,7 @@ class Distribution(Protocol):
     Attributes
     ----------
     kind : str
-        The kind of light: "v" where intensities are in cd, "e" in W/sr, "p" in mol/s/sr; empty
+        The kind of light: "v" where intensities are in cd, "e" in W/sr, "p" in photon/s/sr; empty
         where they are relative.
     is_axial : bool
         Whether the intensity is the same at every azimuth.
@@ -61,7 +61,7 @@ class Distribution(Protocol):
 
         Returns
         -------
-        float or ndarray [cd, W/sr, mol/s/sr or 1]
+        float or ndarray [cd, W/sr, photon/s/sr or 1]
             0 or more.
         """
         ...
@@ -77,7 +77,7 @@ class Distribution(Protocol):
         Returns
         -------
         Integral
-            Flux [lm, W, mol/s, or sr] and an estimate of its error.
+            flux [lm, W, photon/s or sr] and an estimate of its error.
         """
         ...
 

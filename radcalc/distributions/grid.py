@@ -37,7 +37,7 @@ class Grid:
         Azimuths about that pole, rising, over a turn at most.  A table of the whole circle ends
         with the plane that it begins with, a turn later; one of the single azimuth 0 is the same
         at every azimuth.
-    values : array_like of shape (n, m) [cd, W/sr, mol/s/sr or 1]
+    values : array_like of shape (n, m) [cd, W/sr, photon/s/sr or 1]
         Intensities, 0 or more.
     kind : str, optional
         The kind of light, as of `Distribution`; "v" by default.
@@ -161,7 +161,7 @@ class Grid:
 
         Returns
         -------
-        float [lm, W, mol/s or sr]
+        float [lm, W, photon/s or sr]
             Flux in all directions.
 
         References

@@ -79,7 +79,7 @@ def upward_flux(distribution: Distribution, pose: Pose) -> Integral:
     Returns
     -------
     Integral
-        Flux [lm, W, mol/s or sr], by the sum over small cells of the world's directions, and an
+        Flux [lm, W, photon/s or sr], by the sum over small cells of the world's directions, and an
         estimate of its error, from cells that are twice as large.
 
     Examples
@@ -224,7 +224,7 @@ def on_plane(
 
     Returns
     -------
-    float or ndarray [lm, W, mol/s or sr]
+    float or ndarray [lm, W, photon/s or sr]
         The flux on the disc, to 0.1 % or better.
 
     Raises
@@ -263,7 +263,7 @@ def on_facing_disc(
 
     Returns
     -------
-    float or ndarray [lm, W, mol/s or sr]
+    float or ndarray [lm, W, photon/s or sr]
         As of `on_plane`.
 
     Raises

@@ -135,7 +135,7 @@ class Panel:
         Where its normal points, and how it is rotated about that.
     width, length_ : float [m]
         Sides along C0 and along C90.
-    radiance : float [cd/m^2, W/sr/m^2 or mol/s/sr/m^2]
+    radiance : float [cd/m^2, W/sr/m^2 or photon/s/sr/m^2]
         The same in all directions, and all over it.
 
     Examples
