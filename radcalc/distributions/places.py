@@ -55,7 +55,7 @@ def relative_irradiance(
 
     Returns
     -------
-    float or ndarray [lx, W/m^2, mol/s/m^2 or 1/m^2]
+    float or ndarray [lx, W/m^2, photon/s/m^2 or 1/m^2]
         I(theta, phi) h / d^3.
 
     Examples

@@ -77,7 +77,7 @@ class Emitter:
 
         Returns
         -------
-        ndarray of shape (n,) [lx, W/m^2 or mol/s/m^2]
+        ndarray of shape (n,) [lx, W/m^2 or photon/s/m^2]
 
         Raises
         ------
@@ -260,7 +260,7 @@ class Field(NamedTuple):
     ----------
     points : tuple of 3 ndarrays of shape (n,) [m]
         The points.
-    total : ndarray of shape (n,) [lx, W/m^2 or mol/s/m^2]
+    total : ndarray of shape (n,) [lx, W/m^2 or photon/s/m^2]
         Irradiance of all sources.
     parts : list of ndarrays of shape (n,)
         That of each; empty where it was not asked for.
