@@ -5,10 +5,11 @@ sees the source, which is exact at any distance; the far field is shown beside i
 """
 
 import math
+from collections.abc import Callable
 
 from radcalc.answer import Answer
 from radcalc.calculators.light import Lit
-from radcalc.calculators.shapes import POSITION, SHAPES, SIZES, cut_by_horizon
+from radcalc.calculators.shapes import OTHERWISE, POSITION, SHAPES, SIZES, cut_by_horizon
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (
@@ -25,6 +26,7 @@ from radcalc.errors import (
 )
 from radcalc.geometry import far_field
 from radcalc.given import Given, Inputs, angle_of, offset_of, read
+from radcalc.laws.law import AnyLaw
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
 from radcalc.maths import acos, any_true, is_array
 
@@ -65,7 +67,7 @@ def lambertian(shape: str, given: Inputs) -> Answer:
     the kinds.
     """
     try:
-        return _answer(shape, given)
+        return _answer(shape, SHAPES[shape].place, given)
     except (TooNear, HorizonCuts) as error:
         error.hint = _exact_call(given) or error.hint
         raise
@@ -75,16 +77,24 @@ def lambertian(shape: str, given: Inputs) -> Answer:
             incident = option("incident-irradiance", quote(received[0]))
             error.hint = f"{incident} for what falls on the reflector; {error.hint}"
         raise
+    except ConditionError as error:
+        told, place = OTHERWISE.get(shape, (given, None))
+        if place is None or set(told) & set(given):
+            raise
+        try:
+            return _answer(shape, place, given)
+        except RadcalcError:
+            raise error from None
 
 
-def _answer(shape: str, given: Inputs) -> Answer:
+def _answer(shape: str, place: Callable[[Worksheet], list[AnyLaw]], given: Inputs) -> Answer:
     """What follows; a small patch that is near is refused."""
     takes = (*SHAPES[shape].takes, "reflectance", "time")
     sheet = Worksheet(PAGE._replace(title=f"a {shape}", takes=takes), given)
     _refuse_dark(given, sheet.lit)
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
-    laws = [*LAWS, *sheet.place(SHAPES[shape].place)]
+    laws = [*LAWS, *sheet.place(place)]
     if "time" not in given:
         laws.append(SURFACE_ENERGY)
     sheet.assume("Lambertian: the same radiance in all directions")
@@ -92,8 +102,13 @@ def _answer(shape: str, given: Inputs) -> Answer:
     sheet.solve(laws)
     if shape == "patch":
         _refuse_near(sheet)
-    _judge(sheet)
-    return sheet.answer(laws)
+    if len(sheet.solutions) > 1:
+        sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
+    answers = []
+    for one in sheet.each():
+        _judge(one)
+        answers.append(one.answer(laws))
+    return answers[0]._replace(more=tuple(answers[1:]))
 
 
 def _refuse_dark(given: Inputs, lit: Lit) -> None:

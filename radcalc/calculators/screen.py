@@ -8,6 +8,7 @@ from radcalc.errors import MissingInput, mention
 from radcalc.geometry import cones
 from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.laws.sizes import ASPECT
 from radcalc.maths import hypot, sqrt
 
 SIZES = ("width", "height", "diagonal", "aspect", "area")
@@ -64,6 +65,7 @@ PAGE = Page(
     examples=(
         "flux=3000lm diagonal=100in aspect=16/9 gain=1.3",
         "flux=2000lm width=2m aspect=4/3 get=luminance:fL",
+        "flux=3000lm area=3m2 diagonal=100in",
         "luminance=48cd/m2 width=12m aspect=2.39 gain=1 get=flux:lm",
     ),
     remarks="The luminance is that along the screen's normal, in a dark room.  Any sufficient set "
@@ -88,5 +90,9 @@ def screen(given: Inputs) -> Answer:
         sheet.know("gain", 1.0)
         sheet.assume(mention("a matt white screen, with a gain of 1 ({gain})"))
     sheet.assume("the whole flux falls evenly on the picture, in a dark room")
-    sheet.solve(LAWS)
-    return sheet.answer(LAWS)
+    laws = LAWS
+    if set(SIZES) & set(given) == {"diagonal", "area"}:
+        sheet.assume("the picture is at least as wide as it is high")
+        laws = [*LAWS, ASPECT]
+    sheet.solve(laws)
+    return sheet.answer(laws)

@@ -21,10 +21,13 @@ from radcalc.errors import (
 )
 from radcalc.geometry import cones, far_field, projected, solid
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
+from radcalc.laws.point import OFFSET
 from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import (
     CUT_DISC,
+    DISC_ASIDE,
     FLAT,
     FLAT_FLUX,
     SMALL_SOURCE,
@@ -225,13 +228,28 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
         sheet.know("solid-angle", solid.disc(size, height, offset))
         sheet.know("size", 2 * size)
         return laws
-    if "offset" in sheet.given or "incidence" in sheet.given:
+    if "incidence" in sheet.given:
         missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
-        raise MissingInput(mention("too little is given beside {offset} or {incidence}"), missing)
+        raise MissingInput(mention("too little is given beside {incidence}"), missing)
+    if "offset" in sheet.given:
+        sheet.know("lateral", abs(offset_of(sheet.given)), sheet.given["offset"])
+        return [*laws, *_disc_aside(sheet)]
     if "irradiance" in sheet.lit.values:
         sheet.assume("the receiver is on the disc's axis and faces it")
     away = "height" if "height" in sheet.given else "distance"
     return [*laws, disc_on_axis(away), disc_flux(away)]
+
+
+def _disc_aside(sheet: Worksheet) -> list[AnyLaw]:
+    """The laws of a disc off its axis, of which a length is looked for."""
+    sheet.assume("the receiver faces the source's plane")
+    return [DISC_ASIDE, OFFSET]
+
+
+def _disc_off_axis(sheet: Worksheet) -> list[AnyLaw]:
+    """The laws of a disc where the offset is looked for, which is not on the axis."""
+    sheet.assume("the receiver is as far off the disc's axis as the light tells")
+    return [*round_sizes(sheet.given), CIRCLE, FLAT, *_disc_aside(sheet)]
 
 
 def _sphere(sheet: Worksheet) -> list[AnyLaw]:
@@ -347,6 +365,13 @@ def _hemisphere(sheet: Worksheet) -> list[AnyLaw]:
     return []
 
 
+def _part_of_hemisphere(sheet: Worksheet) -> list[AnyLaw]:
+    """The laws of a hemisphere of which no more shines than the light tells."""
+    _say_facing(sheet)
+    sheet.assume("a hemisphere shines as far from its zenith as the light tells")
+    return [PROJECTED_CONE, CONE]
+
+
 SHAPES = {
     "patch": Shape((*SIZES, *POSITION, "tilt"), _patch),
     "disc": Shape(("radius", "diameter", "distance", "height", "offset", "incidence"), _disc),
@@ -354,4 +379,10 @@ SHAPES = {
     "rectangle": Shape(("width", "length", *POSITION, "corner", "perpendicular"), _rectangle),
     "plane": Shape(("incidence",), _plane),
     "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
+}
+# Where the light contradicts what goes without saying of a shape, unless one of these is given:
+# what is looked for in its place.
+OTHERWISE = {
+    "disc": (("distance", "offset", "incidence"), _disc_off_axis),
+    "hemisphere": (("half-angle", "incidence"), _part_of_hemisphere),
 }

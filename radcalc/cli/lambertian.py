@@ -38,6 +38,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc lambertian --incident-illuminance 500lx --reflectance 0.8
       radcalc lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm --offset 10cm
       radcalc lambertian disc --radius 25cm --distance 75cm --illuminance 70lx -g exitance:lm/m2
+      radcalc lambertian disc --luminance 1e4cd/m2 --radius 25cm --offset 50cm --illuminance 1klx
+      radcalc lambertian hemisphere --luminance 3000cd/m2 --illuminance 5000lx
       radcalc lambertian sphere --luminance 2e4cd/m2 --radius 6cm --distance 1m:5m:1m
       radcalc lambertian rectangle --luminance 3000cd/m2 --width 1m --length 2m --height 1.5m \\
         --corner --perpendicular

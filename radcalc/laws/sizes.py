@@ -3,15 +3,34 @@
 - `RECTANGLE`: A = w l
 - `CIRCLE`: A = pi R^2
 - `DIAMETER`: D = 2 R
+- `ASPECT`: c^2 = A (a + 1/a), of a rectangle's diagonal c and its sides' ratio a, at least 1
 """
 
 from collections.abc import Container
+from typing import Any
 
-from radcalc.laws.law import AnyLaw, law
+from radcalc.geometry import cones
+from radcalc.laws.law import AnyLaw, law, relation
+from radcalc.maths import sqrt
 
 RECTANGLE = law("area of a rectangle", "{area} = {width} {length}")
 CIRCLE = law("area of a circle", "{area} = pi {radius}^2")
 DIAMETER = law("diameter", "{diameter} = 2 {radius}")
+
+
+def _aspect(ratio: Any) -> Any:
+    """Of the two aspects of a ratio, which are upside down to each other, that of 1 or more."""
+    cones.refuse(
+        ratio < 2, "the diagonal is too short for that area", "more diagonal, or less area"
+    )
+    return (ratio + sqrt((ratio - 2) * (ratio + 2))) / 2
+
+
+ASPECT = relation(
+    "aspect of a rectangle, by its area and diagonal",
+    "{diagonal}^2 = {area} ({aspect} + 1 / {aspect})",
+    {"aspect": lambda at: _aspect(at("diagonal") ** 2 / at("area"))},
+)
 
 
 def round_sizes(given: Container[str]) -> list[AnyLaw]:

@@ -13,6 +13,7 @@ What a receiver gets, exactly at any distance:
 - irradiance of a uniform radiance: E = L Omega_p (ISO 80000-7, radiance and irradiance)
 - `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
 - `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
+- `DISC_ASIDE`: the same at the height h, x from the axis, of which up to two heights fit (Howell)
 - `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
 - `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
 - `disc_flux`: Phi = pi (R^2 + h^2) E
@@ -36,8 +37,8 @@ from typing import Any
 
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, law, relation
-from radcalc.maths import sqrt
+from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, relation
+from radcalc.maths import is_array, piecewise, sqrt
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -106,14 +107,16 @@ CUT_DISC = relation(
 )
 
 
+TOO_MUCH = (
+    "more irradiance than the whole hemisphere at that radiance would give",
+    "more radiance, or less irradiance",
+)
+
+
 def _hemisphere_over(at: At) -> Any:
     """A whole over the projected solid angle, which must be less."""
     part = at("projected-solid-angle")
-    cones.refuse(
-        part >= math.pi,
-        "more irradiance than the whole hemisphere at that radiance would give",
-        "more radiance, or less irradiance",
-    )
+    cones.refuse(part >= math.pi, *TOO_MUCH)
     return math.pi / part
 
 
@@ -222,6 +225,62 @@ def disc_flux(away: str) -> Relation:
     )
 
 
+def _slope(at: At) -> Any:
+    """(1 - 2 F) / sqrt(F (1 - F)), where F is the projected solid angle over pi."""
+    part = at("projected-solid-angle") / math.pi
+    cones.refuse(part >= 1, *TOO_MUCH)
+    return (1 - 2 * part) / sqrt(part * (1 - part))
+
+
+def _disc_offset(at: At) -> Any:
+    radius, height = at("radius"), at("height")
+    square = radius**2 - height**2 + _slope(at) * radius * height
+    cones.refuse(square < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
+    return sqrt(square)
+
+
+def _disc_heights(at: At) -> Any:
+    """The heights, up to two beside the disc, at which so much of it is seen."""
+    radius, offset = at("radius"), at("lateral")
+    half = _slope(at) * radius / 2
+    rest = (offset - radius) * (offset + radius)
+    cones.refuse(
+        is_array(half) or is_array(rest),
+        "several heights may fit, which are found for one set of values at a time",
+        "a list of at most 1000 values",
+    )
+    square = half**2 - rest
+    cones.refuse(
+        square < 0 or (half <= 0 <= rest),
+        "more irradiance than at any height there",
+        TOO_MUCH[1],
+    )
+    far = half + sqrt(square) if half > 0 else -rest / (sqrt(square) - half)
+    return Several((rest / far, far)) if rest > 0 and rest < far * far else far
+
+
+def _disc_radius(at: At) -> Any:
+    half, square = _slope(at) * at("height") / 2, at("height") ** 2 + at("lateral") ** 2
+    root = sqrt(half**2 + square)
+    return piecewise(
+        half > 0, lambda h, r, s: s / (r + h), lambda h, r, s: r - h, half, root, square
+    )
+
+
+DISC_ASIDE = relation(
+    "disc off its axis",
+    "{projected-solid-angle} = pi/2 (1 - ({height}^2 + {lateral}^2 - {radius}^2) / "
+    "sqrt(({height}^2 + {lateral}^2 + {radius}^2)^2 - 4 {radius}^2 {lateral}^2)) Omega0",
+    {
+        "projected-solid-angle": lambda at: projected.disc(
+            at("radius"), at("height"), at("lateral")
+        ),
+        "lateral": _disc_offset,
+        "height": _disc_heights,
+        "radius": _disc_radius,
+    },
+    f"{HOWELL}, B-13",
+)
 SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",

@@ -310,3 +310,35 @@ def test_what_is_too_near_is_refused_with_the_call_that_is_exact(texts, expected
     assert words[:2] == ["radcalc", "lambertian"]
     outcome = call([*words[1:], "-g", "irradiance:lx", "-q"])
     assert float(outcome.output) == pytest.approx(1e4 * expected(), rel=1e-5)
+
+
+@pytest.mark.parametrize(("r", "h", "x"), [(0.25, 0.75, 0.1), (1, 2, 3), (2, 0.5, 1.5), (1, 1, 1)])
+def test_the_place_and_the_size_of_a_disc_off_its_axis_follow_from_its_light(r, h, x):
+    lux = 1e4 * disc_integral(r, h, x, (0, 0, 1))
+    lit = {"luminance": "1e4cd/m2", "illuminance": Q(lux, "lx")}
+    sizes = {"radius": f"{r}m", "height": f"{h}m", "offset": f"{x}m"}
+    for name, size in (("radius", r), ("height", h), ("offset", x)):
+        others = {other: text for other, text in sizes.items() if other != name}
+        found = np.atleast_1d(lambertian("disc", **lit, **others)[name].to("m").magnitude)
+        assert np.min(abs(found / size - 1)) < 1e-7
+        for one in map(float, found):
+            place = {"radius": r, "height": h, "offset": x, name: one}
+            assert 1e4 * disc_integral(*place.values(), (0, 0, 1)) == pytest.approx(lux, rel=1e-7)
+
+
+def test_beside_a_disc_two_heights_have_the_same_light():
+    found = lambertian(
+        "disc", luminance="1e4cd/m2", radius="25cm", offset="50cm", illuminance="1klx"
+    )
+    near, far = found["height"].to("m").magnitude
+    for height in (near, far):
+        assert 1e4 * disc_integral(0.25, height, 0.5, (0, 0, 1)) == pytest.approx(1000, rel=1e-9)
+
+
+@pytest.mark.parametrize("half", [1, 30, 46.7, 89])
+def test_how_much_of_a_hemisphere_shines_follows_from_its_light(half):
+    part = PI * math.sin(math.radians(half)) ** 2
+    found = lambertian("hemisphere", luminance="3000cd/m2", illuminance=Q(3000 * part, "lx"))
+    assert number(found, "half_angle", "deg") == pytest.approx(half, rel=1e-9)
+    all_of_it = lambertian("hemisphere", luminance="3000cd/m2", illuminance="9425lx")
+    assert "half_angle" not in all_of_it

@@ -22,6 +22,9 @@ from conftest import run
         ("--flux 1lm --width 4m --height 3m", "diagonal:m", 5),
         ("--flux 1lm --width 4m --diagonal 5m", "aspect", 4 / 3),
         ("--flux 1lm --area 12m2 --aspect 4/3", "width:m", 4),
+        ("--flux 1lm --area 12m2 --diagonal 5m", "width:m", 4),
+        ("--flux 1lm --area 12m2 --diagonal 5m", "aspect", 4 / 3),
+        ("--flux 1lm --area 12m2 --diagonal 5m --width 3m", "height:m", 4),
         # pi cd/m2 at 1 lx is a perfect diffuser's pi times: the gain is pi L / E
         ("--luminance 100cd/m2 --illuminance 314.159265359lx", "gain", 1),
         ("--illuminance 500lx --gain 0.9", "luminance:cd/m2", 450 / math.pi),
@@ -42,6 +45,7 @@ def test_what_is_not_given_is_assumed_and_said():
     ("words", "message"),
     [
         ("--width 2m", "a light quantity is missing"),
+        ("--flux 1lm --area 2m2 --diagonal 1.9m", "too short for that area"),
         ("--flux 2000lm --width 2m", "nothing follows from --flux"),
         ("--flux 1lm --width 2m --height 1m --aspect 16/9", "contradicts the rest"),
         ("--flux 1lm --area 1m2 --gain 0", "not possible"),

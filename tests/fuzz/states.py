@@ -200,7 +200,7 @@ def surface(rng: random.Random) -> State:
         equations.append(lambda v: (v["area"], pi * v["radius"] ** 2))
         if shape == "disc aside":
             v["offset"] = size * rng.uniform(0.1, 3)
-            always = ["radius", "height", "offset"]
+            inputs += ["offset"]
 
         def projected(v: Values) -> float:
             h, r, x = v["height"], v["radius"], v.get("offset", 0.0)  # Howell
@@ -223,7 +223,7 @@ def surface(rng: random.Random) -> State:
             return pi
     else:
         v["half-angle"] = rng.uniform(0.1, 1.5)
-        always = ["half-angle"]
+        inputs += ["half-angle"]
 
         def projected(v: Values) -> float:
             return pi * sin(v["half-angle"]) ** 2
@@ -240,9 +240,12 @@ def surface(rng: random.Random) -> State:
     word = shape.split()[0]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """Where the receiver is turned is of no use without a distance."""
+        """What goes without saying; where a patch is turned has no use without a distance."""
         if shape == "patch" and not part & {"distance", "irradiance"}:
             return part | {"distance"}
+        usual = {"disc aside": "offset", "hemisphere": "half-angle"}.get(shape)
+        if usual and usual not in part | known:
+            return part | {usual}
         return part
 
     return State(f"lambertian {shape}", lambda given: lambertian(word, given), v, inputs,

@@ -34,6 +34,14 @@ def _discs(radius: float, other: float, distance: float) -> mpf:
         return mpmath.pi**2 / 2 * (s - mpmath.sqrt(s * s - 4 * mpf(radius * other) ** 2))
 
 
+def _disc_aside(radius: float, height: float, offset: float) -> float:
+    """Howell's B-13, its root as the distances to the nearest and the farthest point of the rim."""
+    with mpmath.workdps(40):
+        r, h, x = map(mpf, (radius, height, offset))
+        return float(PI / 2 * (1 - (h**2 + x**2 - r**2) / mpmath.sqrt(
+            (h**2 + (x + r) ** 2) * (h**2 + (x - r) ** 2))))  # fmt: skip
+
+
 def _adaptation(mesopic: float) -> float:
     return min(1.0, max(0.0, 0.7670 + 0.3334 * math.log10(mesopic)))
 
@@ -128,6 +136,12 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
         lambda r, h: PI * r**2 / (r**2 + h**2)),
+    ("disc off its axis", "projected-solid-angle"): (
+        {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)},
+        "projected-solid-angle", _disc_aside),
+    ("aspect of a rectangle, by its area and diagonal", "diagonal"): (
+        {"area": SIZE, "aspect": st.floats(1.1, 10)}, "diagonal",
+        lambda area, ratio: math.hypot(math.sqrt(area * ratio), math.sqrt(area / ratio))),
     ("disc on its axis", "solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "solid-angle",
         lambda r, h: _cone(math.atan2(r, h))),
@@ -220,6 +234,7 @@ def test_every_symbol_of_a_law_comes_back(law, data):
 
 
 TURNING = (
+    "disc off its axis",
     "illuminance of a floor under a distribution",
     "illuminance of a floor",
     "exposure of a floor",
