@@ -80,6 +80,15 @@ def test_lengths_may_have_units():
     assert "metres" not in run("uberlight", "0m,0m,1m").stderr
 
 
+def test_what_is_not_given_is_assumed_and_said():
+    told = run("uberlight", *["0,0,1", "--superellipse", "1,1,1,1", "--intensity", "1cd"]).stderr
+    for text in ("along +z", "fall-off of 2", "distance of 1 m", "roundness of 1", "I / L^2",
+                 "faces the light"):  # fmt: skip
+        assert text in told
+    words = "0,0,1 --superellipse 1,1,1,1 --roundness 0 --falloff 2 --falloff-distance 3m"
+    assert run("uberlight", *words.split()).stderr.count("assumed") == 2  # place and metres
+
+
 def test_every_kind_of_light():
     # 683.002 lm/W at 555 nm (CIE 018:2019)
     found = asked("0,0,1 --intensity 683.002cd --wavelength 555nm -g irradiance:W/m2")
@@ -91,6 +100,11 @@ def test_every_kind_of_light():
     [
         ("0,0,4", None),
         ("0,0,4 --maximum 3", None),
+        ("0,0,1 --maximum 3", None),
+        ("0,0,0.5", None),
+        ("0,0,4 --beam-exponent 0", None),
+        ("0,0,1.5 --falloff 1", "1.5 times the light of one here, so light is created"),
+        ("0,0,2 --falloff 0:1:0.001 -g attenuation", "light is created or lost"),
         ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: it gives 4 times the light of one "
          "here, so light is created"),
         ("0,0,4 --falloff 3", "0.25 times the light of one here, so light is lost"),
@@ -133,6 +147,14 @@ def test_the_steps_have_each_attenuation_with_its_numbers():
         "E = I a cos(theta) Omega0 / L^2",
     ):
         assert text in told
+
+
+def test_the_steps_of_a_corner_and_of_the_centre():
+    told = run("uberlight", *["1,1,2", "--superellipse", "0.4,0.4,0.8,0.8", "--steps"]).stderr
+    # q = a b / sqrt(2 (b/2)^2) = 0.4 sqrt(2), r = 0.8 sqrt(2)
+    assert "q = 0.565685; A = 0.8, B = 0.8: r = 1.13137" in told
+    told = run("uberlight", *["0,0,2", "--superellipse", "0.4,0.4,0.8,0.8", "--steps"]).stderr
+    assert "u = 0, v = 0; a_s = 1" in told
 
 
 @pytest.mark.parametrize(

@@ -163,3 +163,33 @@ def test_arrays_give_what_floats_give():
         }
         for name, value in one.items():
             assert found[name][k] == pytest.approx(value, rel=1e-12, abs=1e-300), (name, k)
+
+
+def test_between_the_axes_the_scale_is_the_formula():
+    # R = 1/2 has the exponent 4: (3^4 + 2^4)^(1/4)
+    found = uberlight.superellipse_scale(3.0, -4.0, 1.0, 2.0, 0.5)
+    assert found == pytest.approx((3**4 + 2**4) ** 0.25, rel=1e-14)
+
+
+def test_without_limits_there_is_light_in_front():
+    assert [uberlight.depth_clip(z) for z in (1e-9, 0.5, 1e9, 0.0, -0.5)] == [1, 1, 1, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((0.0, 2.0, 1.0), "a distance from the light"),
+        ((1.0, -2.0, 1.0), "a negative fall-off"),
+        ((1.0, 2.0, 0.0), "a fall-off distance"),
+        ((1.0, 2.0, 1.0, 0.9), "a maximum is at least"),
+    ],
+)
+def test_what_no_fall_off_has_is_refused(arguments, message):
+    with pytest.raises(ConditionError, match=message):
+        uberlight.falloff(*arguments)
+    assert uberlight.falloff(2.0, 0.0, 1.0) == 1
+
+
+def test_a_negative_beam_exponent_is_refused():
+    with pytest.raises(ConditionError, match="negative beam exponent"):
+        uberlight.beam(0.0, 0.0, 1.0, -1.0)
