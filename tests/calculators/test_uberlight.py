@@ -33,6 +33,7 @@ def test_the_receiver_is_turned_by_its_normal_or_by_the_incidence():
     assert asked(f"{words} --normal 0,0,-2") == pytest.approx([32])
     assert asked(f"{words} --incidence 60deg") == pytest.approx([20])
     assert asked(f"{words} --normal 0,0,1") == [0]
+    assert asked(f"{words} --normal -6,0,-2") == pytest.approx([40 * (18 + 8) / 5 / math.sqrt(40)])
     assert asked("3,0,4 --intensity 1cd --normal 0,0,1 -g incidence:deg") == pytest.approx(
         [math.degrees(math.acos(-0.8))]
     )
@@ -130,6 +131,11 @@ def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
         assert any(noted in note for note in notes), notes
 
 
+def test_at_the_fall_off_distance_nothing_is_created_or_lost():
+    told = run("uberlight", *["0,0,2", "--falloff", "1", "--falloff-distance", "2m"]).stderr
+    assert "note: --falloff 1 is no inverse square\n" in told
+
+
 def test_the_steps_have_each_attenuation_with_its_numbers():
     words = (
         "0.5,0,2 --intensity 100cd --near 1m:3m --far 4m:5m --superellipse 0.2,0.2,0.4,0.4 "
@@ -155,6 +161,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
     assert "q = 0.565685; A = 0.8, B = 0.8: r = 1.13137" in told
     told = run("uberlight", *["0,0,2", "--superellipse", "0.4,0.4,0.8,0.8", "--steps"]).stderr
     assert "u = 0, v = 0; a_s = 1" in told
+    assert "a_z = 1 where z > 0, else 0" in told
 
 
 @pytest.mark.parametrize(
@@ -187,6 +194,8 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "one of them"),
         ("0,0,1 --intensity 1cd --illuminance 2lx", "contradicts the rest, which gives 1 lx", ""),
         ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
+        ("0,0,1e90", "beyond what radcalc reckons with", "less extreme"),
+        ("0,0,1 --falloff-distance 1e90m", "beyond what radcalc reckons with", "less extreme"),
         ("0,0,9 --falloff 999", "beyond what a number holds", "a smaller exponent"),
         ("0,0,1 -g irradiance", "no irradiance follows", "--intensity"),
     ],
