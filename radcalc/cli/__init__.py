@@ -1,4 +1,7 @@
-"""The command line: one module per command, one boundary for every error."""
+"""The command line: one module per command, one boundary for every error.
+
+What is said of a wrong command line is in `complaints`.
+"""
 
 import os
 import sys
@@ -14,12 +17,8 @@ from radcalc.errors import (
     NumberError,
     RadcalcError,
     UsageError,
-    nearest,
-    option,
     quote,
 )
-from radcalc.errors import command as call_of
-from radcalc.errors import manual as help_of
 from radcalc.units.numbers import read_number
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -46,22 +45,6 @@ COMMANDS = {
     "units": "Units, their definitions and sources.",
     "quantities": "Names of the quantities, in three languages.",
     "typical": "Typical values: sun, sky, moon and lamps.",
-}
-# What people call what a command is about, whose own name is not like it.
-MEANT = {
-    "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
-    "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
-    "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
-    "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
-    "photon": "wavelength frequency wavenumber laser",
-    "mesopic": "scotopic photopic purkinje",
-    "direction": "vector angle angles spherical azimuth elevation",
-    "integrate": "integral",
-    "calorimeter": "heat thermometer",
-    "units": "unit",
-    "screen": "projector cinema",
-    "solid-angle": "steradian steradians omega",
-    "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
 }
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
@@ -134,7 +117,9 @@ class Commands(Helped, click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command, or say which one is near."""
         if args[0] not in COMMANDS and not args[0].startswith("-"):
-            raise UsageError(f"there is no command '{quote(args[0])}'", _meant(args))
+            from radcalc.cli.complaints import meant
+
+            raise UsageError(f"there is no command '{quote(args[0])}'", meant(args))
         return super().resolve_command(ctx, args)
 
 
@@ -185,10 +170,14 @@ def run(words: list[str]) -> int:
         return _answer(words)
     except RadcalcError as error:
         if isinstance(error, MissingUnit):
-            _join_unit(error, words)
+            from radcalc.cli.complaints import join_unit
+
+            join_unit(error, words)
         return stdio.complain(error, Shell)
     except click.UsageError as error:
-        return stdio.complain(_usage(error, words), Shell)
+        from radcalc.cli.complaints import of_click
+
+        return stdio.complain(of_click(error, words), Shell)
     except KeyboardInterrupt:
         return stdio.INTERRUPTED
     except BrokenPipeError:
@@ -229,79 +218,6 @@ def _completions(asked: str) -> str:
         f"{COMPLETE}={quote(asked)} asks for nothing that can be completed",
         "bash_source, zsh_source or fish_source there, or without it",
     )
-
-
-def _meant(args: list[str]) -> str:
-    """What to type in place of a word that is no command."""
-    word = args[0].lower()
-    if word[:1].isdigit() and len(args) > 1 and all(quote(one) == one for one in args):
-        return call_of("convert", *args)
-    if near := nearest(word, COMMANDS, 1, 0.75):
-        return f"{near[0]} (see radcalc --help)"
-    from radcalc.calculators.solid_angle import ALIASES, SHAPES
-
-    if word in SHAPES or word in ALIASES:
-        return f"{call_of('solid-angle', word)} (see {help_of('solid-angle')})"
-    names = [name for name, others in MEANT.items() if word in others.split()]
-    return f"{names[0]} (see {help_of(names[0])})" if names else "radcalc --help"
-
-
-def _join_unit(error: MissingUnit, words: list[str]) -> None:
-    """Say to write `--distance 2 ft`, which the shell cuts, as one word."""
-    from radcalc.quantities.symbols import SYMBOLS
-    from radcalc.units.table import resolve
-
-    flag = f"--{error.symbol}"
-    behind = words[words.index(flag) + 2 :][:1] if flag in words else []
-    if ":" in error.text:  # an interval, each end of which has its unit
-        return
-    symbol = SYMBOLS.get(error.symbol)
-    try:
-        if behind and symbol and resolve(behind[0]).dimension in symbol.dimensions:
-            error.hint = option(error.symbol, f"{error.text}{quote(behind[0])}")
-    except RadcalcError:
-        pass
-    error.hint += " (one word, no blank)"
-
-
-def _takers(name: str) -> list[str]:
-    """The commands that have an option."""
-    return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
-
-
-def _usage(error: click.UsageError, words: list[str]) -> RadcalcError:
-    """Click's complaint of a wrong option or command, with the nearest right ones."""
-    called = next((word for word in words if word in COMMANDS), "")
-    help_ = f"{f'radcalc {called}'.strip()} --help"
-    if isinstance(error, click.NoSuchOption):
-        known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
-        near = [o for o in known if o.startswith(error.option_name)]
-        is_named = called and not near and error.option_name.startswith("--")
-        others = _takers(error.option_name) if is_named else []
-        if others:
-            said = f"there is no option '{quote(error.option_name)}' in {called}"
-            return RadcalcError(said, f"{help_of(others[0])}; it is of {', '.join(others)}")
-        near = near or nearest(error.option_name, known, cutoff=0.7)
-        hint = f"{', '.join(near)} (see {help_})" if near else help_
-        return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)
-    message = one_line(error.format_message())
-    if "unexpected extra argument" in message:
-        word = message.partition("(")[2].rstrip(")")
-        hint = "a value and its unit are one word, as in --distance 2m"
-        return RadcalcError(f"there is a word too many: '{word}'", hint)
-    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
-
-
-def _parameters(called: str) -> list[click.Parameter]:
-    context = click.Context(commands, **commands.context_settings)  # or -h is forgotten
-    found = commands.get_command(context, called) or commands
-    return found.get_params(context)
-
-
-def one_line(text: str) -> str:
-    """One printable line of bounded length."""
-    text = " ".join(text.split())
-    return quote(text) if not text.isprintable() or len(text) > 300 else text
 
 
 def _bug(error: Exception) -> int:
