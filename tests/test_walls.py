@@ -257,6 +257,10 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich(words
     assert not loaded & (HEAVY - {"click"})
 
 
+def test_no_start_looks_for_translations_of_clicks_own_texts():
+    assert "locale" not in loaded_by("point-source", "--flux", "800lm", "--distance", "2m")
+
+
 OF_COMMANDS = {f"radcalc.cli.{name.replace('-', '_')}" for name in COMMANDS}
 
 

@@ -46,25 +46,34 @@ COMMANDS = {
     "quantities": "Names of the quantities, in three languages.",
     "typical": "Typical values: sun, sky, moon and lamps.",
 }
-SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+HELP_NAMES = ["-h", "--help"]
+SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
-
-
-class Helped(click.Command):
-    """A command whose help is written as answers are: to its end, or not with status 0."""
-
-    def get_help_option(self, ctx: click.Context) -> click.Option | None:
-        """The option that Click makes, with a way out of our own."""
-        option = super().get_help_option(ctx)
-        if option:
-            option.callback = _help
-        return option
 
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
         stdio.write(ctx.get_help() + "\n")
         ctx.exit()
+
+
+# Click's own looks for a translation of its text at every start.
+HELP = click.Option(
+    HELP_NAMES,
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_help,
+    help="Show this message and exit.",
+)
+
+
+class Helped(click.Command):
+    """A command whose help is written as answers are: to its end, or not with status 0."""
+
+    def get_help_option(self, ctx: click.Context) -> click.Option | None:
+        """The option that shows the help."""
+        return HELP
 
 
 def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
