@@ -46,6 +46,7 @@ PAGE = Page(
     examples=(
         "area=1mm2 half-angle=90deg",
         "diameter=200um na=0.22",
+        "area=1mm2 f-number=1.4 get=half-angle:deg",
         "width=14.5mm length=8.2mm f-number=2.4",
         "area=1cm2 receiver-area=4cm2 distance=1m tilt=60deg",
         "radius=1m receiver-radius=1m distance=0.5m,1m,2m",
@@ -124,19 +125,20 @@ def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
     at_most_one(given, "the cone", *CONES)
     if sheet.has("area", "radius", "diameter", "width", *CONES):
         sheet.assume(
-            "every point of the source sends its light into the same cone about its normal"
+            "every point of the source sends its light into the same cone about its normal",
+            "in air, where the numerical aperture is the sine of the half angle",
         )
+    angles: list[AnyLaw] = [laws_of.NUMERICAL_APERTURE, APEX]
     if "na" in given:
-        sheet.assume("in air, where the numerical aperture is the sine of the half angle")
-        return [*laws, laws_of.APERTURE]
+        return [*laws, laws_of.APERTURE, *angles]
     if "f-number" in given:
         require(given["f-number"], given["f-number"].value >= 0.5, "0.5 or more, in air")
         sheet.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
-        return [*laws, laws_of.LENS]
+        return [*laws, laws_of.LENS, laws_of.F_NUMBER, *angles]
     for name in ("half-angle", "apex-angle"):
         if name in given:
             half_angle_of(given[name], 90)
-    return [*laws, APEX, laws_of.CONE]
+    return [*laws, *angles, laws_of.CONE]
 
 
 def _with_receiver(sheet: Worksheet) -> list[AnyLaw]:

@@ -158,7 +158,8 @@ def _slanting(given: Given, turn: Given) -> Factor:
     notes = ()
     if maths.any_true(half + angle > math.pi / 2 * (1 + maths.SLACK)):
         told = option(turn.name, quote(turn.text))
-        notes = (f"{told}: a part of the cone is behind the surface, and left out",)
+        what = "a part" if maths.any_true(omega > 0) else "all"
+        notes = (f"{told}: {what} of the cone is behind the surface, and left out",)
     step = SLANTING_CONE.told(f"Omega_p = {shown}")
     return Factor("Omega_p", omega, "sr", f"{said}, {shown} projected", (step,), notes)
 

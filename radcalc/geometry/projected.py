@@ -28,6 +28,7 @@ from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
 from radcalc.geometry.numerics.vectors import dot, length, times, vector
 from radcalc.maths import (
+    SLACK,
     Number,
     atan2,
     cos,
@@ -113,7 +114,7 @@ def _cone(half_angle: float, tilt: float) -> Number:
     sine, cosine = math.sin(half_angle), math.cos(tilt)
     if cosine >= sine:
         return math.pi * sine**2 * cosine
-    if cosine <= -sine:
+    if cosine <= -sine * (1 - SLACK):
         return 0.0
     if cosine < -0.9 * sine:
         return _crescent(half_angle, tilt)

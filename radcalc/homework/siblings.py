@@ -199,7 +199,8 @@ def _aside(p: Problem) -> Found:
     if far and near and p.asks("irradiance"):
         square = p.right * far / near
         yield usual("cosine-forgotten", square / cosine)
-    for power in (2, 3):  # the latter without the cosine too
+    is_flat = p.is_of("lambertian")  # which has a cosine of its own
+    for power in (2, 3, 4)[: 2 + is_flat]:  # from the third on without a cosine too
         yield usual("height-for-distance", square / cosine**power)
         if p.asks("intensity", "flux"):
             yield usual("height-for-distance", square * cosine**power)

@@ -5,6 +5,7 @@
 - `CONE`: G = pi A sin^2(alpha) Omega0, the same cone at every point, alpha up to pi/2
 - `APERTURE`: G = pi A NA^2 Omega0, in air
 - `LENS`: G = pi A / (4 N^2) Omega0, corrected for coma and focused far away, N from 0.5
+- `NUMERICAL_APERTURE`: NA = sin(alpha), in air; `F_NUMBER`: sin(alpha) = 1 / (2 N)
 - `PATCHES`: G = A cos(theta_s) A_r cos(theta) / d^2 Omega0, both small beside their distance
 - `DISCS`: G = pi^2/2 (S - sqrt(S^2 - 4 R^2 R_r^2)) Omega0, S = R^2 + R_r^2 + d^2, of discs that
   face each other on one axis, exact at any distance (Howell, C-41)
@@ -16,6 +17,7 @@ Etendues [m2 sr], areas [m2], lengths [m], angles [rad].
 
 from radcalc.geometry import cones, etendue
 from radcalc.laws.law import HOWELL, law, relation
+from radcalc.maths import asin, sin
 
 FLUX = law("flux of a uniform radiance", "{flux} = {radiance} {etendue}", "ISO 80000-7, radiance")
 PER_AREA = law("etendue per area", "{etendue} = {area} {projected-solid-angle}")
@@ -30,6 +32,19 @@ CONE = relation(
 )
 APERTURE = law("etendue of a cone", "{etendue} = pi {area} {na}^2 Omega0")
 LENS = law("etendue of a cone", "{etendue} = pi {area} / (4 {f-number}^2) Omega0")
+NUMERICAL_APERTURE = relation(
+    "numerical aperture",
+    "{na} = sin({half-angle})",
+    {"na": lambda at: sin(at("half-angle")), "half-angle": lambda at: asin(at("na"))},
+)
+F_NUMBER = relation(
+    "half angle of a lens's light",
+    "sin({half-angle}) = 1 / (2 {f-number})",
+    {
+        "half-angle": lambda at: asin(1 / (2 * at("f-number"))),
+        "f-number": lambda at: 1 / (2 * sin(at("half-angle"))),
+    },
+)
 PATCHES = law(
     "two small patches",
     "{etendue} = {area} {cosine-of-source} {receiver-area} {cosine} / {distance}^2 Omega0",

@@ -103,6 +103,8 @@ HELD_OUT = [
     Wrong("photon 650nm", "luminous-efficacy", "lm/W", V650, "683-forgotten"),
     Wrong("photon 415THz", "wavelength", "nm", 415e12 / C * 1e9,
           "wavelength-upside-down|frequency-upside-down"),
+    Wrong(f"{LA} --luminance 1300cd/m2 --area 7cm2 --height 1.7m --offset 1.1m", "illuminance",
+          "lx", 1300 * 7e-4 / 1.7**2, "height-for-distance"),
     # --- planes turned away, surfaces aslant, small receivers
     Wrong("convert 870 W/m2 W/m2 --incidence 37deg", "", "W/m2", 870 * s(37),
           "angle-from-surface"),

@@ -136,6 +136,9 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("disc on its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10)}, "projected-solid-angle",
         lambda r, h: PI * r**2 / (r**2 + h**2)),
+    ("numerical aperture", "na"): ({"half-angle": ANGLE}, "na", math.sin),
+    ("half angle of a lens's light", "half-angle"): (
+        {"f-number": st.floats(0.51, 32)}, "half-angle", lambda n: math.asin(1 / (2 * n))),
     ("disc off its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)},
         "projected-solid-angle", _disc_aside),
