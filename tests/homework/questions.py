@@ -71,6 +71,7 @@ RIGHT = [  # the question, the result, its unit
     (POINT, "flux", "lm"), (POINT, "luminous-flux", "klm"), (POINT, "irradiance", "fc"),
     ("point-source --intensity 85cd --illuminance 34lx", "distance", "ft"),
     ("point-source --flux 5.3mW --distance 1.3m --wavelength 610nm", "illuminance", "lx"),
+    ("uberlight 0.4,0.3,2 --intensity 730cd --beam-exponent 8", "illuminance", "lx"),
     ("lambertian --luminance 130cd/m2", "exitance", "lm/m2"),
     ("lambertian disc --luminance 2900cd/m2 --radius 31cm --distance 45cm", "illuminance", "lx"),
     ("lambertian --incident-illuminance 470lx --reflectance 0.63", "luminance", "nit"),
