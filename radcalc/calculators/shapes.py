@@ -25,11 +25,13 @@ from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.point import OFFSET
 from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
+from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,
     DISC_ASIDE,
     FLAT,
     FLAT_FLUX,
+    LAWS,
     SMALL_SOURCE,
     SMALL_SOURCE_ENERGY,
     SMALL_SOURCE_INTENSITY,
@@ -41,6 +43,7 @@ from radcalc.laws.surface import (
     SPHERE_INTENSITY,
     disc_flux,
     disc_on_axis,
+    rectangle_on_axis,
 )
 from radcalc.maths import any_true, atan2, cos, hypot, larger, piecewise, sin, smaller
 
@@ -290,7 +293,18 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
         for name in ("corner", "perpendicular", *OFFSETS, "incidence"):
             if name in given:
                 raise _without_height(name)
-        return laws
+        if {"irradiance", "exposure"} & set(sheet.lit.values):
+            sheet.assume("the receiver is on the rectangle's axis and faces it")
+        return [*laws, rectangle_on_axis("height")]
+    sides = [name for name in ("width", "length") if name in given]
+    elsewhere = {"corner", "perpendicular", *OFFSETS, "incidence"} & set(given)
+    if (
+        len(sides) == 1
+        and not elsewhere
+        and "projected-solid-angle" in reached(LAWS, {*sheet.known})
+    ):
+        sheet.assume("the receiver is on the rectangle's axis and faces it")
+        return [*laws, rectangle_on_axis("height" if "height" in given else "distance")]
     for name in ("width", "length"):
         one_of(given, f"the {name} of the rectangle", name)
     width, length = given["width"].value, given["length"].value

@@ -13,6 +13,7 @@ What a receiver gets, exactly at any distance:
 - irradiance of a uniform radiance: E = L Omega_p (ISO 80000-7, radiance and irradiance)
 - `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
 - `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
+- `rectangle_on_axis`: Omega_p by the sides and the height (Howell)
 - `DISC_ASIDE`: the same at the height h, x from the axis, of which up to two heights fit (Howell)
 - `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
 - `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
@@ -38,7 +39,7 @@ from typing import Any
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, relation
-from radcalc.maths import is_array, piecewise, sqrt
+from radcalc.maths import each, is_array, limit, piecewise, sqrt
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -281,6 +282,85 @@ DISC_ASIDE = relation(
     },
     f"{HOWELL}, B-13",
 )
+
+
+def rectangle_on_axis(away: str) -> Relation:
+    """Projected solid angle of a uniform rectangle from a place on its axis, at any distance.
+
+    Parameters
+    ----------
+    away : {"distance", "height"}
+        The symbol of the length [m] between that place and the rectangle.
+
+    Returns
+    -------
+    Relation
+        Between the projected solid angle [sr], the width and the length [m] and `away` [m].
+
+    Raises
+    ------
+    ConditionError
+        When the relation is solved for a length, if the projected solid angle is that of all that
+        the receiver sees, or of an endless strip, or more.
+
+    Notes
+    -----
+    With a = w / (2 h) and b = l / (2 h)::
+
+        Omega_p = 2 Omega0 (a / sqrt(1 + a^2) arctan(b / sqrt(1 + a^2))
+                            + b / sqrt(1 + b^2) arctan(a / sqrt(1 + b^2)))
+
+    Lengths are found by bisection, to the last digit.
+
+    References
+    ----------
+    J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-3.
+
+    Examples
+    --------
+    >>> above = rectangle_on_axis("height")
+    >>> seen = {"width": 1.0, "length": 2.0, "height": 1.5}
+    >>> flat = above.solve("projected-solid-angle", seen.get)
+    >>> round(flat, 6)
+    0.656817
+    >>> round(above.solve("length", {**seen, "projected-solid-angle": flat}.get), 9)
+    2.0
+    """
+
+    def height(part: float, width: float, length: float) -> float:
+        cones.refuse(part >= math.pi, *TOO_MUCH)
+        most = math.sqrt(width * length / part)
+        return limit(lambda h: projected.rectangle(width, length, h) >= part, most, 1e-9 * most)
+
+    def side(part: float, other: float, height: float) -> float:
+        cones.refuse(
+            part >= math.pi * other / math.hypot(other, 2 * height),
+            "more irradiance than an endless strip of that radiance gives there",
+            TOO_MUCH[1],
+        )
+        least = part * height**2 / other
+        most = 2 * least
+        while projected.rectangle(most, other, height) <= part:
+            most *= 2
+        return limit(lambda w: projected.rectangle(w, other, height) <= part, most, least)
+
+    return relation(
+        "rectangle on its axis",
+        "{projected-solid-angle} = 2 Omega0 (a / sqrt(1 + a^2) arctan(b / sqrt(1 + a^2)) + "
+        "b / sqrt(1 + b^2) arctan(a / sqrt(1 + b^2))), "
+        f"a = {{width}} / (2 {{{away}}}), b = {{length}} / (2 {{{away}}})",
+        {
+            "projected-solid-angle": lambda at: projected.rectangle(
+                at("width"), at("length"), at(away)
+            ),
+            away: lambda at: each(height, at("projected-solid-angle"), at("width"), at("length")),
+            "width": lambda at: each(side, at("projected-solid-angle"), at("length"), at(away)),
+            "length": lambda at: each(side, at("projected-solid-angle"), at("width"), at(away)),
+        },
+        f"{HOWELL}, B-3",
+    )
+
+
 SPHERE_AT_DISTANCE = relation(
     "sphere, its centre at a distance",
     "{projected-solid-angle} = pi Omega0 ({radius} / {distance})^2",

@@ -15,7 +15,7 @@ import radcalc
 from radcalc import lambertian
 from radcalc.calculators.lambertian import lambertian as work_out
 from radcalc.cli.spelling import Shell
-from radcalc.errors import TooNear
+from radcalc.errors import RadcalcError, TooNear
 from radcalc.given import read
 
 PI = math.pi
@@ -342,3 +342,17 @@ def test_how_much_of_a_hemisphere_shines_follows_from_its_light(half):
     assert number(found, "half_angle", "deg") == pytest.approx(half, rel=1e-9)
     all_of_it = lambertian("hemisphere", luminance="3000cd/m2", illuminance="9425lx")
     assert "half_angle" not in all_of_it
+
+
+@pytest.mark.parametrize(("w", "l", "h"), [(1, 2, 1.5), (0.1, 3, 0.4), (5, 5, 0.2)])
+def test_the_sides_and_the_height_of_a_rectangle_follow_from_its_light(w, l, h):  # noqa: E741
+    lux = 3000 * rectangle_integral(w, l, h, 0, 0, (0, 0, 1))
+    lit = {"luminance": "3000cd/m2", "illuminance": Q(lux, "lx")}
+    sizes = {"width": f"{w}m", "length": f"{l}m", "height": f"{h}m"}
+    for name, size in (("width", w), ("length", l), ("height", h)):
+        others = {other: text for other, text in sizes.items() if other != name}
+        found = lambertian("rectangle", **lit, **others)
+        assert number(found, name, "m") == pytest.approx(size, rel=1e-6)
+        assert number(found, "flux", "lm") == pytest.approx(3000 * PI * w * l, rel=2e-6)
+    with pytest.raises(RadcalcError, match="endless strip"):
+        lambertian("rectangle", luminance="3000cd/m2", illuminance="9klx", width="1m", height="1m")

@@ -210,7 +210,6 @@ def surface(rng: random.Random) -> State:
         v["width"], v["length"], v["height"] = size, size * rng.uniform(0.3, 1), away
         v["area"] = v["width"] * v["length"]
         inputs += ["width", "length", "height"]
-        always = ["width", "length", "height"]
         equations.append(lambda v: (v["area"], v["width"] * v["length"]))
 
         def projected(v: Values) -> float:

@@ -42,6 +42,13 @@ def _disc_aside(radius: float, height: float, offset: float) -> float:
             (h**2 + (x + r) ** 2) * (h**2 + (x - r) ** 2))))  # fmt: skip
 
 
+def _rectangle_above(width: float, length: float, height: float) -> float:
+    """Four times a quarter below its corner, Howell's B-3."""
+    a, b = width / 2 / height, length / 2 / height
+    p, q = math.hypot(1, a), math.hypot(1, b)
+    return 2 * (a / p * math.atan(b / p) + b / q * math.atan(a / q))
+
+
 def _adaptation(mesopic: float) -> float:
     return min(1.0, max(0.0, 0.7670 + 0.3334 * math.log10(mesopic)))
 
@@ -139,6 +146,9 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("numerical aperture", "na"): ({"half-angle": ANGLE}, "na", math.sin),
     ("half angle of a lens's light", "half-angle"): (
         {"f-number": st.floats(0.51, 32)}, "half-angle", lambda n: math.asin(1 / (2 * n))),
+    ("rectangle on its axis", "projected-solid-angle"): (
+        {"width": st.floats(0.1, 10), "length": st.floats(0.1, 10), "height": st.floats(0.1, 10)},
+        "projected-solid-angle", _rectangle_above),
     ("disc off its axis", "projected-solid-angle"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)},
         "projected-solid-angle", _disc_aside),
@@ -238,6 +248,7 @@ def test_every_symbol_of_a_law_comes_back(law, data):
 
 TURNING = (
     "disc off its axis",
+    "rectangle on its axis",
     "illuminance of a floor under a distribution",
     "illuminance of a floor",
     "exposure of a floor",
