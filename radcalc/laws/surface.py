@@ -39,7 +39,7 @@ from typing import Any
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, relation
-from radcalc.maths import each, is_array, limit, piecewise, sqrt
+from radcalc.maths import SLACK, each, is_array, limit, piecewise, sqrt
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -328,13 +328,15 @@ def rectangle_on_axis(away: str) -> Relation:
     """
 
     def height(part: float, width: float, length: float) -> float:
-        cones.refuse(part >= math.pi, *TOO_MUCH)
-        most = math.sqrt(width * length / part)
-        return limit(lambda h: projected.rectangle(width, length, h) >= part, most, 1e-9 * most)
+        cones.refuse(part >= math.pi * (1 - SLACK), *TOO_MUCH)
+        most = least = math.sqrt(width * length / part)
+        while projected.rectangle(width, length, least) < part:
+            least /= 2
+        return limit(lambda h: projected.rectangle(width, length, h) >= part, most, least)
 
     def side(part: float, other: float, height: float) -> float:
         cones.refuse(
-            part >= math.pi * other / math.hypot(other, 2 * height),
+            part >= math.pi * other / math.hypot(other, 2 * height) * (1 - SLACK),
             "more irradiance than an endless strip of that radiance gives there",
             TOO_MUCH[1],
         )

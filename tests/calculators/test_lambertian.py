@@ -356,3 +356,11 @@ def test_the_sides_and_the_height_of_a_rectangle_follow_from_its_light(w, l, h):
         assert number(found, "flux", "lm") == pytest.approx(3000 * PI * w * l, rel=2e-6)
     with pytest.raises(RadcalcError, match="endless strip"):
         lambertian("rectangle", luminance="3000cd/m2", illuminance="9klx", width="1m", height="1m")
+
+
+def test_a_thin_rectangle_is_as_near_as_a_strip():
+    """Of an endless strip of the width w the projected solid angle is pi w / sqrt(w^2 + 4 h^2)."""
+    found = lambertian(
+        "rectangle", radiance="1W/m2/sr", width="1e-12m", length="1e12m", irradiance="1e-9W/m2"
+    )
+    assert number(found, "height", "m") == pytest.approx(PI * 1e-12 / 2 / 1e-9, rel=1e-9)
