@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from radcalc.answer import Answer
 from radcalc.calculators.results import value
-from radcalc.derivation import Formula, format_number
+from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, MissingInput, listed, mention, quote
-from radcalc.geometry.numerics.cubature import FIRST, GAP, POINTS, of_constant, over_directions
+from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
 from radcalc.given import Inputs
@@ -96,17 +96,21 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
         )
     else:
         found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
-    width, turn = (math.degrees(end - start) for start, end in (polar, azimuth))
     values = [
         value(name, size * of.factor, of.unit)._replace(dimensions=(of.dimension,))
         for name, size in (("integral", found.value), ("error", found.error))
     ]
-    narrow = [GAP * side / (2 * n) for side, n in zip((width, turn), FIRST, strict=True)]
+    narrow = [
+        f"{format_angle(width)} in {name}"
+        for name, width in zip(
+            ("theta", "phi"), narrowest(polar, azimuth, expression.is_axial), strict=True
+        )
+        if width
+    ]
     said = [
         "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
         f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z the unit vector",
-        f"peaks narrower than {format_number(narrow[0])} deg in theta or "
-        f"{format_number(narrow[1])} deg in phi may be missed",
+        f"peaks narrower than {' or '.join(narrow)} may be missed",
     ]
     if of.said:
         said.append(of.said)

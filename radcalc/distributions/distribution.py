@@ -34,6 +34,14 @@ class Peak(NamedTuple):
     azimuth: float
 
 
+class Lights(Protocol):
+    """What can be integrated over directions; `Distribution` has the details."""
+
+    @property
+    def is_axial(self) -> bool: ...
+    def intensity(self, theta: Number, phi: Number) -> Number: ...
+
+
 class Distribution(Protocol):
     """Intensity as a function of direction.
 
@@ -87,7 +95,7 @@ class Distribution(Protocol):
 
 
 def integrated(
-    distribution: Distribution,
+    distribution: Lights,
     polar: Interval,
     azimuth: Interval,
     accuracy: float,
@@ -98,7 +106,7 @@ def integrated(
     Parameters
     ----------
     distribution : Distribution
-        Of any form.
+        Of any form; no more than its intensity is needed, and whether it is axial.
     polar, azimuth : tuple of 2 floats [rad]
         Between which to integrate.
     accuracy : float [1]
@@ -123,8 +131,9 @@ def integrated(
     >>> round(integrated(Lobe(1.0), (0.0, math.pi / 2), ALL_AZIMUTHS, 1e-9).value / math.pi, 9)
     1.0
     """
+    counts = DARK_AXIAL if distribution.is_axial else DARK
     theta, phi = (
-        _middles(*ends, count) for ends, count in zip((polar, azimuth), DARK, strict=True)
+        _middles(*ends, count) for ends, count in zip((polar, azimuth), counts, strict=True)
     )
     theta = theta[:, None]
     if not any(steps) and not numpy.any(distribution.intensity(theta, phi)):
@@ -148,4 +157,5 @@ def _middles(low: float, high: float, count: int) -> Any:
     return low + (high - low) * (numpy.arange(count) + 0.5) / count
 
 
-DARK = (361, 361)  # polar angles and azimuths of the grid that tells whether there is light
+# Polar angles and azimuths of the grid that tells whether there is light.
+DARK, DARK_AXIAL = (361, 361), (20_000, 1)

@@ -20,7 +20,9 @@ from radcalc.maths import Number
 
 ACCURACY, OF_AXIAL = 1e-6, 1e-9  # [1] of a flux; what is axial costs little
 NEGATIVE = 1e-12  # [1] of the greatest: below it is what rounding makes of 0
-FIRST = (181, 361)  # directions in which the peak is looked for at first
+# Polar angles and azimuths at which the peak is looked for at first: as close as peaks are seen
+# by the integral.
+FIRST, FIRST_OF_AXIAL = (361, 721), (7201, 1)
 CLOSER = (21, 21)  # and in each narrower part
 NARROWER = 8  # times, each a tenth as wide
 
@@ -97,7 +99,7 @@ class Formula:
     def peak(self) -> Peak:
         """The greatest intensity, looked for on a grid that gets ever finer about it."""
         polar, azimuth = ALL_POLAR, ALL_AZIMUTHS
-        counts = FIRST
+        counts = FIRST_OF_AXIAL if self.is_axial else FIRST
         best = Peak(-math.inf, 0.0, 0.0)
         for _ in range(NARROWER):
             theta, phi = numpy.linspace(*polar, counts[0]), numpy.linspace(*azimuth, counts[1])
@@ -107,7 +109,10 @@ class Formula:
             row, column = numpy.unravel_index(numpy.argmax(values), values.shape)
             if values[row, column] > best.intensity:
                 best = Peak(float(values[row, column]), float(theta[row]), float(phi[column]))
-            steps = [(b - a) / (n - 1) for (a, b), n in zip((polar, azimuth), counts, strict=True)]
+            steps = [
+                (high - low) / max(count - 1, 1)
+                for (low, high), count in zip((polar, azimuth), counts, strict=True)
+            ]
             polar = (max(0.0, best.polar - steps[0]), min(math.pi, best.polar + steps[0]))
             azimuth = (best.azimuth - steps[1], best.azimuth + steps[1])
             counts = CLOSER

@@ -17,14 +17,14 @@ from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.distribution import Distribution, integrated
 from radcalc.distributions.pose import Pose
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian, spherical
 from radcalc.geometry.numerics.cubature import Integral
 from radcalc.maths import Number
 
-CELLS = 360  # rings in the upper half of the world
+ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon
 ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
 CLOSER = 65  # angles that are looked at between two of those that a place is between
 NARROWER = 9  # times, each 64 times as close
@@ -79,28 +79,67 @@ def upward_flux(distribution: Distribution, pose: Pose) -> Integral:
     Returns
     -------
     Integral
-        Flux [lm, W, photon/s or sr], by the sum over small cells of the world's directions, and an
-        estimate of its error, from cells that are twice as large.
+        Flux [lm, W, photon/s or sr] and an estimate of its error.
+
+    Raises
+    ------
+    ConditionError
+        If a part of the distribution cannot be integrated.
+
+    Notes
+    -----
+    Of an axis at the height e above the horizon, directions within abs(e) of it are on its side
+    of the horizon, and those within abs(e) of its opposite on the other.  Of a circle about it
+    between these, the arc is up that is within w of its highest point::
+
+        cos(w) = -tan(e) / tan(theta)
 
     Examples
     --------
     Half of a light that is aimed at the horizon:
 
     >>> from radcalc.distributions.shapes import Lobe
-    >>> round(upward_flux(Lobe(1.0), Pose((1.0, 0.0, 0.0))).value / math.pi, 4)
+    >>> round(upward_flux(Lobe(1.0), Pose((1.0, 0.0, 0.0))).value / math.pi, 6)
     0.5
     """
-    whole, coarse = (_over_cells(distribution, pose, count) for count in (CELLS, CELLS // 2))
-    return Integral(whole, abs(whole - coarse), 2 * CELLS * CELLS)
+    up = tuple(axis[2] for axis in pose.axes)
+    across = math.hypot(up[0], up[1])
+    height = math.atan2(up[2], across)
+    edge, whole = abs(height), distribution.flux()
+    ahead, behind = distribution.flux((0.0, edge)), distribution.flux((math.pi - edge, math.pi))
+    upper, lower = (ahead, behind) if height > 0 else (behind, ahead)
+    if across == 0:
+        return upper
+    slope, highest = math.tan(height), math.atan2(up[1], up[0])
+    above, below = (
+        integrated(arcs, (edge, math.pi - edge), (-1.0, 1.0), ACCURACY)
+        for arcs in (
+            _Arcs(distribution, slope, highest),
+            _Arcs(distribution, -slope, highest + math.pi),
+        )
+    )
+    value, rest = upper.value + above.value, lower.value + below.value
+    missed = abs(value + rest - whole.value)
+    if missed > ACCEPTED * whole.value:
+        raise ConditionError(
+            "the light is too narrow for the horizon to be cut from it",
+            "without its flux upwards and downwards",
+        )
+    error = upper.error + above.error + missed
+    return Integral(min(value, whole.value), error, upper.cells + above.cells)
 
 
-def _over_cells(distribution: Distribution, pose: Pose, count: int) -> float:
-    """The sum over so many rings between straight up and the horizon, each of twice as many."""
-    cosine = 1 - (numpy.arange(count)[:, None] + 0.5) / count  # of cells of one solid angle
-    azimuth = (numpy.arange(2 * count) + 0.5) * math.pi / count
-    sine = numpy.sqrt(1 - cosine**2)
-    theta, phi, _ = pose.angles((sine * numpy.cos(azimuth), sine * numpy.sin(azimuth), cosine))
-    return float(distribution.intensity(theta, phi).mean()) * 2 * math.pi
+class _Arcs:
+    """A distribution over the arcs above the horizon: phi goes from -1 to 1 along each of them."""
+
+    def __init__(self, distribution: Distribution, slope: float, highest: float) -> None:
+        self.distribution, self.slope, self.highest = distribution, slope, highest
+        self.is_axial = distribution.is_axial
+
+    def intensity(self, theta: Number, phi: Number) -> Number:
+        with numpy.errstate(divide="ignore"):
+            half = numpy.arccos(numpy.clip(-self.slope / numpy.tan(theta), -1.0, 1.0))
+        return self.distribution.intensity(theta, self.highest + half * phi) * half
 
 
 def heights(

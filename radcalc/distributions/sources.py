@@ -1,5 +1,6 @@
 """How a user names a distribution: a file, or an expression with a unit or without."""
 
+import math
 import os
 import re
 from typing import Any
@@ -62,7 +63,9 @@ def photometry(source: Any) -> Photometry:
 
 def _expression(text: str) -> Photometry:
     """An expression, and the unit behind it."""
+    from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR
     from radcalc.distributions.formula import Formula
+    from radcalc.geometry.numerics.cubature import narrowest
     from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
 
     if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
@@ -79,7 +82,12 @@ def _expression(text: str) -> Photometry:
             )
         factor, kind = unit.factor, INTENSITIES[unit.dimension]
         text, unit_text = parts.groups()
-    return Photometry(Formula(text, factor, kind, unit_text), "expression", said)
+    formula = Formula(text, factor, kind, unit_text)
+    if not formula.expression.uses:
+        return Photometry(formula, "expression", said)
+    narrow = math.degrees(max(narrowest(ALL_POLAR, ALL_AZIMUTHS, formula.is_axial)))
+    unseen = f"peaks narrower than {narrow:.2g} deg may be missed"
+    return Photometry(formula, "expression", said, assumptions=(unseen,))
 
 
 def _unit(text: str, whole: str) -> Unit:

@@ -8,6 +8,7 @@ import pytest
 from radcalc.distributions.beams import beam
 from radcalc.distributions.formula import Formula
 from radcalc.distributions.grid import Grid
+from radcalc.distributions.places import upward_flux
 from radcalc.distributions.pose import Pose
 from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.errors import ConditionError
@@ -170,3 +171,34 @@ def test_a_ring_between_the_points_of_any_grid_has_its_flux():
     expected = 2 * math.pi * (math.cos(math.radians(20.24)) - math.cos(math.radians(20.26)))
     assert ring.flux().value == pytest.approx(expected, rel=1e-9)
     assert ring.flux((math.pi / 2, math.pi)).value == 0
+
+
+@pytest.mark.parametrize("half", [0.3, 1, 5, 60])
+@pytest.mark.parametrize("height", [0.0, 0.1, 0.9, 4.9, -2.0, 30.0, -89.0, 90.0])
+def test_what_a_cone_sends_above_the_horizon(half, height):
+    """By a sum over its rings of a cone: cos(w) = -tan(e) / tan(theta) (spherical triangle)."""
+    tilt = math.radians(height)
+    theta = (numpy.arange(200_000) + 0.5) / 200_000 * math.radians(half)
+    arcs = numpy.arccos(numpy.clip(-math.tan(tilt) / numpy.tan(theta), -1, 1))
+    up = (2 * arcs * numpy.sin(theta)).mean() * math.radians(half)
+    pose = Pose((math.cos(tilt), 0.0, math.sin(tilt)))
+    assert upward_flux(Cone(math.radians(half)), pose).value == pytest.approx(up, rel=1e-4)
+
+
+def test_an_upward_flux_of_planes_and_poses():
+    """A plain sum over small cells of the world's upper half."""
+    cosine = (numpy.arange(800)[:, None] + 0.5) / 800
+    turn = (numpy.arange(1600) + 0.5) / 1600 * 2 * math.pi
+    sine = numpy.sqrt(1 - cosine**2)
+    for name in ("formula", "grid", "type B"):
+        pose = Pose((0.5, -0.3, 0.2), 0.7)
+        theta, phi, _ = pose.angles((sine * numpy.cos(turn), sine * numpy.sin(turn), cosine))
+        summed = float(MEMBERS[name].intensity(theta, phi).mean()) * 2 * math.pi
+        assert upward_flux(MEMBERS[name], pose).value == pytest.approx(summed, rel=1e-3)
+
+
+def test_a_narrow_peak_of_a_formula_is_found():
+    """1001 at 33.5 degrees, where a grid of whole degrees has 1."""
+    peak = Formula("1+1000*exp(-((theta-33.5*deg)/(0.05*deg))^2)").peak()
+    assert peak.intensity == pytest.approx(1001)
+    assert math.degrees(peak.polar) == pytest.approx(33.5)

@@ -18,6 +18,7 @@ POINTS = 10  # of Gauss and Legendre, a side of a cell
 CHECKS = (7, 8)  # points a side of the rules of Gauss and Lobatto that check it
 INSIDE = 1e-11  # [1] of half a side: how far from it those have the points at its ends
 FIRST = (8, 16)  # cells in polar angle and azimuth, before all are quartered once
+FIRST_OF_AXIAL = (256, 1)  # of what is the same at every azimuth, and cheaper
 GAP = 0.2  # [1] of a side: no wider circle in a cell is free of points
 MOST = 100_000  # cells in all
 WORK = 1e10  # what the function may cost in all: points, times the cost of each
@@ -82,7 +83,7 @@ class _Grid:
     ) -> None:
         self.function = function
         self.rules = _rules()
-        first = (FIRST[0], 1) if is_axial else FIRST
+        first = FIRST_OF_AXIAL if is_axial else FIRST
         # into how many parts a side is cut, and the parts, by rows and columns
         cuts = 2, 1 if is_axial else 2
         self.cuts, self.parts = numpy.array(cuts), numpy.indices(cuts).reshape(2, -1).T
@@ -191,6 +192,31 @@ def _edges(interval: Interval, count: int, steps: Sequence[float]) -> Any:
     low, high = interval
     inner = [step for step in steps if low < step < high]
     return numpy.union1d(numpy.linspace(low, high, count + 1), inner)
+
+
+def narrowest(polar: Interval, azimuth: Interval, is_axial: bool = False) -> tuple[float, float]:
+    """How wide a peak must be for `over_directions` to see it.
+
+    Parameters
+    ----------
+    polar, azimuth, is_axial
+        As of `over_directions`.
+
+    Returns
+    -------
+    tuple of 2 floats [rad]
+        Full widths in polar angle and in azimuth; what is narrower may be missed.
+
+    Examples
+    --------
+    >>> [round(math.degrees(width), 3) for width in narrowest((0.0, math.pi), (0.0, 2 * math.pi))]
+    [2.25, 2.25]
+    """
+    if is_axial:
+        return GAP * (polar[1] - polar[0]) / (2 * FIRST_OF_AXIAL[0]), 0.0
+    sides = zip((polar, azimuth), FIRST, strict=True)
+    across, along = (GAP * (high - low) / (2 * count) for (low, high), count in sides)
+    return across, along
 
 
 def over_directions(
