@@ -48,6 +48,7 @@ PROSE = (
     r"one of them", r"the same unit.*",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
+    r"an intensity behind it, .*",
     r"a comparison by .*", r"a product of comparisons .*", r"angles with their units, .*",
 )  # fmt: skip
 STANDING_FOR = {  # words in capitals of commands that are not symbols

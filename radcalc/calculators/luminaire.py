@@ -210,7 +210,7 @@ class _Luminaire:
             name = option(sheet.lit.values["intensity"].name)
             raise ConditionError(
                 f"{name} is that on the axis, where this distribution has none",
-                mention("{flux} or {peak-intensity}"),
+                mention("{flux} or {peak-intensity} in its place"),
             )
         if isinstance(flux, ConditionError):
             if {"flux", "energy"} & set(sheet.lit.values):
@@ -496,9 +496,9 @@ class _Luminaire:
     def _not_declared(self) -> tuple[str, str]:
         """Why there is nothing to be declared of the lamps, and what to do."""
         if self.photometry.declared and self.is_scaled:
-            return "the light is scaled, and what is declared of its lamps holds no longer", (
-                "the same without what scales it"
-            )
+            scaling = options([one.name for one in self.sheet.lit.values.values()], " and ")
+            problem = "the light is scaled, and what is declared of its lamps holds no longer"
+            return problem, f"the same without {scaling}"
         return "nothing declares it", "a file that tells the flux of its lamps and the watts"
 
 

@@ -78,7 +78,7 @@ def _expression(text: str) -> Photometry:
         if unit.dimension not in INTENSITIES:
             raise ConditionError(
                 f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not an intensity",
-                f"'{quote(parts[1])} cd', or W/sr, umol/s/sr, or without a unit",
+                f"an intensity behind it, '{quote(parts[1])} cd', or no unit",
             )
         factor, kind = unit.factor, INTENSITIES[unit.dimension]
         text, unit_text = parts.groups()
