@@ -299,7 +299,7 @@ def _ends(symbol: Symbol, text: str) -> tuple[Given, Given]:
         low, high = (read_as(end, part) for part in parts)
     except MissingUnit:
         whole = (part if split_quantity(part)[1] else _with_unit(end, part) for part in parts)
-        raise MissingUnit(symbol.name, quote(text), ":".join(whole)) from None
+        raise MissingUnit(symbol.name, quote(text), quote(":".join(whole))) from None
     return low, high
 
 

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from radcalc.errors import RadcalcError
-from radcalc.given import Given, read_as, read_direction, values_of
+from radcalc.errors import START, RadcalcError
+from radcalc.given import Given, read_as, read_direction, read_interval, values_of
 from radcalc.quantities.symbols import DIRECTION, SYMBOLS
 from radcalc.units.table import resolve
 
@@ -79,3 +79,9 @@ def test_directions_are_a_range_of_polar_angles(monkeypatch):
         "60deg,90deg",
     ]
     assert values_of("toward", "60deg,90deg") == ["60deg,90deg"]
+
+
+def test_an_interval_without_a_unit_is_quoted_in_its_hint():
+    with pytest.raises(RadcalcError) as error:
+        read_interval("polar", f"1:1{START}")
+    assert START not in error.value.hint[1:]  # but for the mention of the option itself
