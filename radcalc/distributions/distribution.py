@@ -5,7 +5,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy
 
-from radcalc.geometry.numerics.cubature import Integral, Steps, over_directions
+from radcalc.geometry.numerics.cubature import Dark, Integral, Steps, over_directions
 from radcalc.maths import Number
 
 Interval = tuple[float, float]
@@ -138,15 +138,18 @@ def integrated(
     theta = theta[:, None]
     if not any(steps) and not numpy.any(distribution.intensity(theta, phi)):
         return Integral(0.0, 0.0, 0)
-    return over_directions(
-        lambda at: distribution.intensity(at["theta"], at["phi"]),
-        polar,
-        azimuth,
-        accuracy,
-        is_axial=distribution.is_axial,
-        accepted=ACCEPTED,
-        steps=steps,
-    )
+    try:
+        return over_directions(
+            lambda at: distribution.intensity(at["theta"], at["phi"]),
+            polar,
+            azimuth,
+            accuracy,
+            is_axial=distribution.is_axial,
+            accepted=ACCEPTED,
+            steps=steps,
+        )
+    except Dark:  # between its steps
+        return Integral(0.0, 0.0, 0)
 
 
 ACCEPTED = 1e-3  # [1] of the flux

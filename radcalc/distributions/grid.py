@@ -59,8 +59,8 @@ class Grid:
 
     which is exact; the zonal method of photometric laboratories leaves B out.  Over a sphere both
     have errors of about the size of B.  The error that is given is the larger of two: their
-    difference, and half of what leaving out every other angle changes (of the azimuths only where
-    there are many).
+    difference, and half of what leaving out every other angle changes, the odd ones or the even
+    ones (of the azimuths only where there are many).
 
     Examples
     --------
@@ -148,8 +148,9 @@ class Grid:
             return found._replace(error=found.error + found.value * self._relative_error())
         value = self._sum(self.polar, self.values, polar, azimuth)
         zonal = self._sum(self.polar, self.values, polar, azimuth, is_zonal=True)
-        half = self._every_other(polar, azimuth)
-        error = max(abs(value - zonal), abs(value - half) / 2, ROUNDING * value)
+        halves = [self._every_other(polar, azimuth, first) for first in (0, 1)]
+        off = max(abs(value - half) / 2 for half in halves)
+        error = max(abs(value - zonal), off, ROUNDING * value)
         return Integral(value, error, self.values.size)
 
     def _relative_error(self) -> float:
@@ -195,9 +196,9 @@ class Grid:
         along = _weights(nodes, *polar, _zonal if is_zonal else _sine)
         return float(across @ values @ along)
 
-    def _every_other(self, polar: Interval, azimuth: Interval) -> float:
+    def _every_other(self, polar: Interval, azimuth: Interval, first: int) -> float:
         """The same of the table without every other of its angles."""
-        rows, columns = (_halved(len(angles)) for angles in (self.azimuth, self.polar))
+        rows, columns = (_halved(len(angles), first) for angles in (self.azimuth, self.polar))
         if len(self.azimuth) < MANY:
             rows = list(range(len(self.azimuth)))
         return self._sum(
@@ -220,9 +221,9 @@ class Grid:
         return Peak(intensity, polar, azimuth)
 
 
-def _halved(count: int) -> list[int]:
-    """Every other of so many, with the last."""
-    return sorted({*range(0, count, 2), count - 1})
+def _halved(count: int, first: int) -> list[int]:
+    """Every other of so many, from one of the first two on, and both ends."""
+    return sorted({0, *range(first, count, 2), count - 1})
 
 
 def _weights(nodes: Any, low: float, high: float, cell: Any) -> Any:

@@ -202,3 +202,17 @@ def test_a_narrow_peak_of_a_formula_is_found():
     peak = Formula("1+1000*exp(-((theta-33.5*deg)/(0.05*deg))^2)").peak()
     assert peak.intensity == pytest.approx(1001)
     assert math.degrees(peak.polar) == pytest.approx(33.5)
+
+
+def test_a_part_without_light_between_steps_has_no_flux():
+    assert Formula("(z > 0)*100").flux((math.pi / 2, math.pi)).value == 0
+    assert Formula("(z > 0)*100").flux().value == pytest.approx(200 * math.pi, rel=1e-8)
+    assert Formula("(phi < 185*deg)*(theta > 100*deg)").flux((0.0, math.pi / 4)).value == 0
+
+
+@pytest.mark.parametrize(
+    "text", ["(theta < 90)*100", "(0 < phi < 180)*5", "(45 > theta)*cos(theta)"]
+)
+def test_an_angle_is_not_compared_with_degrees(text):
+    with pytest.raises(ConditionError, match="is in radians"):
+        Formula(text)

@@ -130,3 +130,15 @@ def test_the_peak_is_where_the_intensity_is(system):
 def test_angles_that_do_not_rise_and_values_that_do_not_fit_are_refused(polar, azimuth, values):
     with pytest.raises(ConditionError):
         Grid(polar, azimuth, values)
+
+
+@pytest.mark.parametrize("power", [2, 4, 8])
+@pytest.mark.parametrize("step", [5, 10, 18])
+def test_the_error_covers_a_table_that_falls_at_its_end(power, step):
+    """1 - (t/90)^k, whose integral over the hemisphere is by mpmath."""
+    degrees = numpy.arange(0, 90 + step / 2, step)
+    found = Grid(numpy.radians(degrees), [0.0], [1 - (degrees / 90) ** power]).flux()
+    true = TURN * mpmath.quad(
+        lambda t: (1 - (t / (mpmath.pi / 2)) ** power) * mpmath.sin(t), [0, mpmath.pi / 2]
+    )
+    assert abs(found.value - float(true)) <= found.error

@@ -24,6 +24,7 @@ MOST = 100_000  # cells in all
 WORK = 1e10  # what the function may cost in all: points, times the cost of each
 DEEPEST = 32  # levels of cells: what needs more has a pole, which floats would hide in the end
 BATCH = 2_000  # cells at a time, which is what bounds the memory
+COARSEST_OF_AXIAL = 1e-4  # [1] accuracy
 MIDPOINT = numpy.array([0.0]), numpy.array([2.0])  # exact for what is the same at every azimuth
 ROUNDING = 1e-14  # [1] error of the sums, relative to the integral of the function's size
 SAFETY = 2.0  # [1] what a kink may leave, over the difference of two levels
@@ -291,6 +292,8 @@ def over_directions(
     >>> round(found.value / math.pi, 9), found.error < 1e-8
     (1.0, True)
     """
+    if is_axial:  # digits cost little, and without them a pole may look like an integral
+        accuracy = min(accuracy, COARSEST_OF_AXIAL)
     grid = _Grid(function, polar, azimuth, is_axial, steps)
     most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
     split = numpy.arange(len(grid.value))
@@ -316,10 +319,14 @@ def over_directions(
             raise _not_found(math.fsum(grid.value), error, size, cells)
 
 
+class Dark(ConditionError):
+    """The refusal of a function that is 0 at all points looked at."""
+
+
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
     """The refusal of an integral that does not converge, with the accuracy that was reached."""
     if not size:
-        return ConditionError(
+        return Dark(
             f"the expression is 0 at all points of {cells} cells",
             "a part of the sphere where it is not",
         )

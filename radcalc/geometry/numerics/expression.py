@@ -10,6 +10,7 @@ import math
 import re
 import warnings
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy
@@ -55,6 +56,7 @@ COMPARISONS: dict[type, Callable[..., Any]] = {
 }
 CHEAP = ("abs", "min", "max", "sqrt")  # as an addition; other functions and powers take longer
 COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] of an addition, at most
+LARGEST = {"theta": math.pi, "phi": 2 * math.pi}  # [rad]
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
 SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
@@ -201,6 +203,7 @@ class Expression:
 
     def _compare(self, node: ast.Compare, depth: int) -> Function:
         """1 where one or several comparisons hold, 0 elsewhere; no value where a side has none."""
+        self._refuse_degrees(node)
         self.comparisons.append(self._part(node))
         self.cost += COSTS["comparison"] * len(node.ops)
         tests = [COMPARISONS[type(op)] for op in node.ops]
@@ -218,6 +221,19 @@ class Expression:
 
         self._steps.append((inside, holds))
         return holds
+
+    def _refuse_degrees(self, node: ast.Compare) -> None:
+        """Refuse to compare an angle in radians with a number that can only be in degrees."""
+        sides = (node.left, *node.comparators)
+        for a, b in (*pairwise(sides), *pairwise(sides[::-1])):
+            match a, b:
+                case ast.Name(id="theta" | "phi" as name), ast.Constant(value=value):
+                    if isinstance(value, (int, float)) and value > LARGEST[name]:
+                        raise ConditionError(
+                            f"'{quote(self._part(node))}' is the same everywhere: {name} is in "
+                            "radians",
+                            f"{self._part(b)}*deg",
+                        )
 
     def steps(self, polar: Interval, azimuth: Interval) -> tuple[list[float], list[float]]:
         """Where comparisons of one angle alone change: at which polar angles and azimuths.
