@@ -174,7 +174,7 @@ def heights(
 
     >>> from radcalc.distributions.shapes import Isotropic
     >>> [round(h, 6) for h in heights(Isotropic(), Pose(), 8.0, 0.0, 1.5 / 250)]
-    [9.116844, 6.0]
+    [6.0, 5.329171]
     """
     x, y = lateral * math.cos(bearing), lateral * math.sin(bearing)
 

@@ -320,7 +320,16 @@ def over_directions(
 
 
 class Dark(ConditionError):
-    """The refusal of a function that is 0 at all points looked at."""
+    """The refusal of a function that is 0 at all points looked at.
+
+    Examples
+    --------
+    >>> try:
+    ...     over_directions(lambda at: 0.0 * at["z"], (0.0, 1.0), (0.0, 1.0))
+    ... except Dark as error:
+    ...     print(error.hint)
+    a part of the sphere where it is not
+    """
 
 
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
