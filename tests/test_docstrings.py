@@ -45,7 +45,7 @@ CLASSES = {name: found for name, found in PUBLIC.items() if inspect.isclass(foun
 MODULES = {m.__name__: m for package in ROOMS for m in modules(package)}
 EXAMPLES = {
     found.name: found
-    for module in MODULES.values()
+    for module in (*MODULES.values(), *modules("radcalc.distributions"))
     for found in doctest.DocTestFinder().find(module)
     if found.examples
 }

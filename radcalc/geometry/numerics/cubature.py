@@ -265,7 +265,9 @@ def over_directions(
     ConditionError
         If the function is not a finite number somewhere, the integral overflows, it is not within
         the accuracy (or the accepted one) after 100 000 cells (fewer for a costly function) or 32
-        halvings, or the function is 0 at all points looked at.
+        halvings.
+    Dark
+        If the function is 0 at all points looked at.
 
     Notes
     -----
@@ -322,6 +324,16 @@ def over_directions(
 class Dark(ConditionError):
     """The refusal of a function that is 0 at all points looked at.
 
+    Parameters
+    ----------
+    cells : int
+        How many cells had the points.
+
+    Attributes
+    ----------
+    message, hint : str
+        As of every `ConditionError`.
+
     Examples
     --------
     >>> try:
@@ -331,14 +343,17 @@ class Dark(ConditionError):
     a part of the sphere where it is not
     """
 
+    def __init__(self, cells: int) -> None:
+        super().__init__(
+            f"the expression is 0 at all points of {cells} cells",
+            "a part of the sphere where it is not",
+        )
+
 
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
     """The refusal of an integral that does not converge, with the accuracy that was reached."""
     if not size:
-        return Dark(
-            f"the expression is 0 at all points of {cells} cells",
-            "a part of the sphere where it is not",
-        )
+        return Dark(cells)
     hint = "a function that is finite everywhere, and its parts one by one"
     if error < 1e-2 * size:
         reached = 10.0 ** math.ceil(math.log10(error / size) + 0.1)
