@@ -10,6 +10,7 @@ import os
 import numpy
 import pytest
 
+import radcalc
 from radcalc.distributions.files import read_file
 from radcalc.distributions.pose import Pose
 
@@ -20,6 +21,7 @@ except ImportError:  # there is no wheel for some machines
         raise
     pytest.skip("pyradiance is not installed", allow_module_level=True)
 
+Q = radcalc.Quantity
 EFFICACY = 179  # [lm/W] of Radiance's white
 WHITE = 0.265, 0.670, 0.065  # the shares of red, green and blue in it
 CLOSE = 1e-3
@@ -69,13 +71,14 @@ def points(below=True, count=40, seed=2):
     return at, faces / numpy.linalg.norm(faces, axis=1, keepdims=True)
 
 
-def of_radiance(text, at, faces, monkeypatch, folder, turn=lambda scene: scene):
-    """Illuminances [lx] at the points, under a point source of a photometric file."""
+def of_radiance(text, at, faces, monkeypatch, folder, *turns):
+    """Illuminances [lx] at the points, under point sources of a photometric file."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("RAYPATH", os.pathsep.join([os.environ["RAYPATH"], "."]))
     (folder / "lamp.ies").write_text(text)
     pyradiance.ies2rad("lamp.ies", outname="source", lamp_type="default")
-    (folder / "scene.rad").write_bytes(turn(pyradiance.Xform("source.rad"))())
+    sources = [turn(pyradiance.Xform("source.rad"))() for turn in turns or [lambda source: source]]
+    (folder / "scene.rad").write_bytes(b"".join(sources))
     (folder / "scene.oct").write_bytes(pyradiance.oconv("scene.rad"))
     rays = lines(*numpy.concatenate([at, faces], axis=1))
     options = ("-ab", "0", "-dj", "0", "-ds", "0", "-dt", "0")
@@ -83,6 +86,11 @@ def of_radiance(text, at, faces, monkeypatch, folder, turn=lambda scene: scene):
         rays.encode(), "scene.oct", header=False, irradiance=True, params=options
     )
     return EFFICACY * numpy.array(found.split(), float).reshape(-1, 3) @ WHITE
+
+
+def aimed(source, rotated, tilt, turned):
+    """A source turned about its axis, then tilted from straight down towards an azimuth [deg]."""
+    return source.rotatez(rotated).rotatez(-turned).rotatey(-tilt).rotatez(turned)
 
 
 def of_radcalc(text, at, faces, folder, pose=None, name="lamp.ies"):
@@ -171,10 +179,55 @@ def test_aimed_and_rotated(tilt, turned, rotated, tmp_path, monkeypatch):
         aim, turned = (0.0, 0.0, 1.0), 90  # about x
     ours = of_radcalc(text, at, faces, tmp_path, Pose(aim, math.radians(rotated)))
 
-    def turn(scene):
-        about_axis = scene.rotatez(rotated)
-        return about_axis.rotatez(-turned).rotatey(-tilt).rotatez(turned)
+    def turn(source):
+        return aimed(source, rotated, tilt, turned)
 
     assert ours == pytest.approx(
         of_radiance(text, at, faces, monkeypatch, tmp_path, turn), rel=CLOSE
     )
+
+
+@pytest.mark.parametrize("name", ["lamp.ies", "lamp.ldt"])
+def test_the_command(name, tmp_path, monkeypatch):
+    """Under a lamp that hangs and is turned about its axis."""
+    planes = tuple(range(0, 360, 30))
+    values = table(planes, POLAR)
+    text = ies((*planes, 360), POLAR, numpy.concatenate([values, values[:1]]))
+    (tmp_path / name).write_text(text if name == "lamp.ies" else eulumdat(0, planes, POLAR, values))
+    at, faces = points()
+    at[:, 2], faces[:] = -2.5, (0, 0, 1)
+    found = radcalc.point_source(
+        distribution=str(tmp_path / name),
+        height="2.5 m",
+        offset=Q(at[:, 0], "m"),
+        offset_y=Q(at[:, 1], "m"),
+        rotate="35 deg",
+    )["irradiance"]
+    theirs = of_radiance(text, at, faces, monkeypatch, tmp_path, lambda lamp: lamp.rotatez(35))
+    assert found.to("lx").magnitude == pytest.approx(theirs, rel=CLOSE)
+
+
+def test_a_scene(tmp_path, monkeypatch):
+    """Lamps at three places, two of them aimed and turned."""
+    text = ies(WHOLE, SPHERE, table(WHOLE, SPHERE))
+    path = tmp_path / "lamp.ies"
+    path.write_text(text)
+    lamps, turns = [], []
+    for place, rotated, tilt, turned in [
+        ((0.5, 0, 2), 0, 0, 0), ((-1, 0.3, 2.5), 80, 35, 120), ((0.2, -2, 1.8), 200, 60, 300)
+    ]:  # fmt: skip
+        a, b = math.radians(tilt), math.radians(turned)
+        aim = (math.sin(a) * math.cos(b), math.sin(a) * math.sin(b), -math.cos(a))
+        names = ("x", "y", "z", "direction_x", "direction_y", "direction_z")
+        row = dict(zip(names, (*place, *aim), strict=True))
+        lamps.append({**row, "rotate": f"{rotated} deg", "distribution": str(path)})
+
+        def turn(source, turns=(rotated, tilt, turned), place=place):
+            return aimed(source, *turns).translate(*place)
+
+        turns.append(turn)
+    at, faces = points()
+    at[:, 2], faces[:] = 0, (0, 0, 1)
+    found = radcalc.scene(lamps, at)["irradiance"]
+    theirs = of_radiance(text, at, faces, monkeypatch, tmp_path, *turns)
+    assert found.to("lx").magnitude == pytest.approx(theirs, rel=CLOSE)
