@@ -52,12 +52,16 @@ class Distribution(Protocol):
         where they are relative.
     is_axial : bool
         Whether the intensity is the same at every azimuth.
+    finest : float [rad]
+        An angle within which no peak of it hides.
     """
 
     @property
     def kind(self) -> str: ...
     @property
     def is_axial(self) -> bool: ...
+    @property
+    def finest(self) -> float: ...
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         """Intensity in directions.

@@ -1,6 +1,7 @@
 """A distribution that is typed as an expression in theta and phi."""
 
 import math
+from functools import cached_property
 from typing import Any
 
 import numpy
@@ -14,7 +15,7 @@ from radcalc.distributions.distribution import (
 )
 from radcalc.errors import ConditionError, quote
 from radcalc.geometry.directions import cartesian
-from radcalc.geometry.numerics.cubature import Integral
+from radcalc.geometry.numerics.cubature import Integral, narrowest
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.maths import Number
 
@@ -41,6 +42,11 @@ class Formula:
     unit : str, optional
         The unit of the values, for messages.
 
+    Attributes
+    ----------
+    unseen : float [rad]
+        Peaks narrower than that may be missed.
+
     Raises
     ------
     ConditionError
@@ -63,6 +69,7 @@ class Formula:
         self.factor = factor
         self.expression = Expression(text)
         self.is_axial = self.expression.is_axial
+        self.unseen = max(narrowest(ALL_POLAR, ALL_AZIMUTHS, self.is_axial))
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         x, y, z = cartesian(theta, phi)
@@ -90,6 +97,16 @@ class Formula:
             for name, angle in (("theta", theta), ("phi", phi))
         )
         raise ConditionError(f"the intensity '{quote(self.text)}' has {what} at {angles}", hint)
+
+    @cached_property
+    def finest(self) -> float:
+        """The least width over which it is above half of its peak, at the azimuth of that."""
+        peak, count = self.peak(), FIRST_OF_AXIAL[0]
+        theta = numpy.linspace(*ALL_POLAR, count)
+        bright = self.intensity(theta, peak.azimuth) >= peak.intensity / 2
+        ends = numpy.flatnonzero(numpy.diff(numpy.concatenate([[False], bright, [False]])))
+        widths = ends[1::2] - ends[::2]
+        return float(widths.min(initial=count)) * math.pi / (count - 1) or self.unseen
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
         accuracy = OF_AXIAL if self.is_axial else ACCURACY

@@ -92,6 +92,7 @@ class Grid:
         self._is_alike = len(self.azimuth) == 1  # in every plane
         self._closes = math.isclose(self.azimuth[-1] - self.azimuth[0], TURN)
         self.is_axial = system == "C" and self._is_alike
+        self.finest = float(numpy.diff(self.polar).min())
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         if self.system == "C":

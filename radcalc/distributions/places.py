@@ -18,11 +18,11 @@ from typing import Any
 import numpy
 
 from radcalc.distributions.distribution import Distribution, integrated
-from radcalc.distributions.pose import Pose
+from radcalc.distributions.pose import DOWN, Pose
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian, spherical
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.maths import Number
+from radcalc.maths import Number, each
 
 ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon
 ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
@@ -280,10 +280,14 @@ def on_plane(
     1.0
     """
 
+    if pose.axes[2] == DOWN and not (numpy.any(x) or numpy.any(y)):
+        return _about_axis(distribution, radius, height)
+
     def light(across: Any, along: Any, x: Any, y: Any, height: Any) -> Any:
         return relative_irradiance(distribution, pose, x + across, y + along, height)
 
-    return _over_discs(light, radius, x, y, height)
+    counts = _counts(distribution, radius, height)
+    return _over_discs(light, counts, radius, x, y, height)
 
 
 def on_facing_disc(
@@ -317,11 +321,33 @@ def on_facing_disc(
     1.0
     """
 
+    if not numpy.any(theta):
+        return _about_axis(distribution, radius, distance)
+
     def light(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> Any:
         own, turned, slant = _seen(across, along, distance, theta, phi)
         return distribution.intensity(own, turned) * distance / slant**3
 
-    return _over_discs(light, radius, distance, theta, phi)
+    counts = _counts(distribution, radius, distance)
+    return _over_discs(light, counts, radius, distance, theta, phi)
+
+
+def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Number:
+    """The flux on discs whose centres are on the axis."""
+    return each(lambda r, d: distribution.flux((0.0, math.atan2(r, d))).value, radius, away)
+
+
+def _counts(distribution: Distribution, radius: Number, away: Number) -> list[int]:
+    """How many radii of a disc are looked at, so that nothing of the light falls between them."""
+    widest = float(numpy.arctan(numpy.max(radius / away)))
+    least = math.pi * widest / distribution.finest
+    counts = [count for count in COUNTS if 2 * count >= least]
+    if len(counts) < 2:
+        raise ConditionError(
+            "the light is too narrow for the receiver to be cut from it",
+            "a smaller receiver, or one whose centre is on the axis",
+        )
+    return counts
 
 
 def unevenness(
@@ -375,14 +401,16 @@ def _seen(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> tuple
     return spherical(x, y, z)
 
 
-def _over_discs(light: Callable[..., Any], radius: Number, *places: Number) -> Number:
+def _over_discs(
+    light: Callable[..., Any], counts: list[int], radius: Number, *places: Number
+) -> Number:
     """The integral of a light over discs, with ever more points until they do not matter."""
     shape = numpy.broadcast_shapes(*map(numpy.shape, (radius, *places)))
     size, *where = (numpy.broadcast_to(x, shape).ravel() for x in (radius, *places))
-    if 2 * COUNTS[1] ** 2 * len(size) > MOST:
+    if 2 * counts[1] ** 2 * len(size) > MOST:
         raise ConditionError(f"{len(size)} receivers are too many", "fewer, or without their area")
-    found, error = _sums(light, COUNTS[0], size, where), math.inf
-    for count in COUNTS[1:]:
+    found, error = _sums(light, counts[0], size, where), math.inf
+    for count in counts[1:]:
         if 2 * count * count * len(size) > MOST:
             break
         before, found = found, _sums(light, count, size, where)

@@ -19,6 +19,7 @@ class _Axial:
 
     kind = ""
     is_axial = True
+    finest = math.pi
 
     def peak(self) -> Peak:
         return Peak(1.0, 0.0, 0.0)
@@ -56,7 +57,7 @@ class Cone(_Axial):
 
     def __init__(self, half_angle: float) -> None:
         cones.cone(half_angle)  # refuses what is no half angle
-        self.half_angle = half_angle
+        self.half_angle = self.finest = half_angle
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         return (theta <= self.half_angle) * (1.0 + 0.0 * phi)
@@ -83,6 +84,7 @@ class Lobe(_Axial):
     def __init__(self, exponent: float) -> None:
         lobes.solid_angle(exponent)  # refuses what is no exponent
         self.exponent = exponent
+        self.finest = lobes.angle(exponent, 0.5) / 2
 
     def intensity(self, theta: Number, phi: Number) -> Number:
         ahead = numpy.asarray(theta) <= math.pi / 2

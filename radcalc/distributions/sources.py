@@ -63,9 +63,7 @@ def photometry(source: Any) -> Photometry:
 
 def _expression(text: str) -> Photometry:
     """An expression, and the unit behind it."""
-    from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR
     from radcalc.distributions.formula import Formula
-    from radcalc.geometry.numerics.cubature import narrowest
     from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
 
     if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
@@ -85,8 +83,7 @@ def _expression(text: str) -> Photometry:
     formula = Formula(text, factor, kind, unit_text)
     if not formula.expression.uses:
         return Photometry(formula, "expression", said)
-    narrow = math.degrees(max(narrowest(ALL_POLAR, ALL_AZIMUTHS, formula.is_axial)))
-    unseen = f"peaks narrower than {narrow:.2g} deg may be missed"
+    unseen = f"peaks narrower than {math.degrees(formula.unseen):.2g} deg may be missed"
     return Photometry(formula, "expression", said, assumptions=(unseen,))
 
 

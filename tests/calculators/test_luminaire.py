@@ -292,7 +292,12 @@ def test_a_declared_output_ratio_is_compared(declared, is_noted):
         ({"distribution": "cone", "aim": "1,0,0", "flux": "1lm"}, "how wide the cone is"),
         ({"distribution": "1 cd", "aim": "0,0,0", "height": "1m"}, "0,0,0 has no direction"),
         (
-            {"distribution": "(theta < 5*deg) cd", "distance": "1m", "receiver_area": "0.2m2"},
+            {
+                "distribution": "(theta < 5*deg) cd",
+                "distance": "1m",
+                "receiver_area": "0.2m2",
+                "toward": "3deg",
+            },
             "edges that are too sharp",
         ),
         (
@@ -307,3 +312,18 @@ def test_what_does_not_go_together_is_refused(given, said):
         point_source(**given)
     assert said in refused.value.message
     assert refused.value.hint
+
+
+@pytest.mark.parametrize("place", [{"distance": "1m"}, {"height": "1m"}])
+def test_a_receiver_about_the_axis_of_a_narrow_light_gets_all_of_it(place):
+    """A cone of 1 degree has 2 pi (1 - cos 1 deg) sr; a disc of 1 m2 at 1 m is wider."""
+    found = point_source(distribution="(theta < 1*deg)*100 W/sr", receiver_area="1m2", **place)
+    true = 200 * math.pi * (1 - math.cos(math.radians(1)))
+    assert number(found, "received_flux", "W") == pytest.approx(true, rel=1e-6)
+
+
+def test_a_light_that_falls_between_the_points_of_a_receiver_is_refused():
+    with pytest.raises(RadcalcError, match=r"too narrow|too sharp"):
+        point_source(
+            distribution="(theta < 1*deg)*100 W/sr", receiver_area="1m2", height="1m", offset="0.1m"
+        )
