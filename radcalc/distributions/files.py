@@ -14,6 +14,7 @@ from itertools import islice
 
 from radcalc import columns, stdio
 from radcalc.distributions.photometry import Photometry
+from radcalc.distributions.planes import contradictions
 from radcalc.errors import ConditionError, quote, quote_path
 
 LARGEST = 1 << 26  # bytes of a file
@@ -53,7 +54,7 @@ def read_file(path: str) -> Photometry:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
     # only the one that is needed is loaded
     found: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
-    return found
+    return found._replace(notes=(*found.notes, *contradictions(found.distribution)))
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:

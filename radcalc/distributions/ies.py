@@ -31,7 +31,6 @@ from radcalc.errors import ConditionError, quote
 
 NEAR = 0.01  # [deg] by which an angle is taken for another
 LARGEST = 1e18  # of any number, so that products of them can be held
-SEAM = 0.02  # of the peak: what the planes of 0 and 360 degrees may differ by
 # kind of light and SI value of the units that intensities are met in
 UNITS = {
     "cd": ("v", 1.0),
@@ -433,14 +432,7 @@ class _Table:
         if (first, last) in ((0, 90), (0, 180), (90, 270)):
             self.assumptions.append(said + ("all four quadrants" if last == 90 else "both sides"))
             return self.vertical, *mirrored(planes, values)
-        if last == first + 360:
-            gap = float(abs(values[0] - values[-1]).max() / values.max())
-            if gap > SEAM:
-                self.notes.append(
-                    f"the planes {first:g} and {last:g} deg, which are one, differ by up to "
-                    f"{gap:.0%} of the peak"
-                )
-        else:
+        if last != first + 360:
             self.assumptions.append(f"behind the plane {last:g} deg the first one follows")
         try:
             return self.vertical, *closed(planes, values)
