@@ -135,6 +135,8 @@ def integrated(
     >>> round(integrated(Lobe(1.0), (0.0, math.pi / 2), ALL_AZIMUTHS, 1e-9).value / math.pi, 9)
     1.0
     """
+    if not (polar[0] < polar[1] and azimuth[0] < azimuth[1]):
+        return Integral(0.0, 0.0, 0)
     counts = DARK_AXIAL if distribution.is_axial else DARK
     theta, phi = (
         _middles(*ends, count) for ends, count in zip((polar, azimuth), counts, strict=True)

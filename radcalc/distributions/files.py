@@ -11,10 +11,10 @@ import stat
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from itertools import islice
+from typing import Any
 
 from radcalc import columns, stdio
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import contradictions
 from radcalc.errors import ConditionError, quote, quote_path
 
 LARGEST = 1 << 26  # bytes of a file
@@ -54,7 +54,8 @@ def read_file(path: str) -> Photometry:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
     # only the one that is needed is loaded
     found: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
-    return found._replace(notes=(*found.notes, *contradictions(found.distribution)))
+    grid: Any = found.distribution
+    return found._replace(notes=(*found.notes, *grid.contradictions()))
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:

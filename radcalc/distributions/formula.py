@@ -14,7 +14,7 @@ from radcalc.distributions.distribution import (
     integrated,
 )
 from radcalc.errors import ConditionError, quote
-from radcalc.geometry.directions import cartesian
+from radcalc.geometry.directions import TURN, cartesian
 from radcalc.geometry.numerics.cubature import Integral, narrowest
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.maths import Number
@@ -72,6 +72,7 @@ class Formula:
         self.unseen = max(narrowest(ALL_POLAR, ALL_AZIMUTHS, self.is_axial))
 
     def intensity(self, theta: Number, phi: Number) -> Number:
+        phi = phi % TURN  # an expression need not come round by itself
         x, y, z = cartesian(theta, phi)
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
         with numpy.errstate(all="ignore"):
@@ -133,4 +134,4 @@ class Formula:
             polar = (max(0.0, best.polar - steps[0]), min(math.pi, best.polar + steps[0]))
             azimuth = (best.azimuth - steps[1], best.azimuth + steps[1])
             counts = CLOSER
-        return best._replace(azimuth=best.azimuth % (2 * math.pi))
+        return best._replace(azimuth=best.azimuth % TURN)

@@ -19,6 +19,7 @@ from radcalc.maths import Number, in_chunks
 
 TURN = 2 * math.pi
 SLACK = 1e-9  # [rad] beyond the ends of a table, where rounding leads
+SEAM = 0.02  # of the peak: what two values of one direction may differ by
 MANY = 9  # azimuths of which half still tell the shape
 ACCURACY = 1e-4  # [1] of the flux through a part that cuts across a table's cells
 # Which of the source's coordinates x, y, z are those of the table: its azimuth is counted from the
@@ -220,6 +221,37 @@ class Grid:
             axes = AXES[self.system]
             polar, azimuth, _ = spherical(*(own[axes.index(k)] for k in range(3)))
         return Peak(intensity, polar, azimuth)
+
+    def contradictions(self) -> tuple[str, ...]:
+        """What the table says twice of one direction, and differently.
+
+        Returns
+        -------
+        tuple of str
+            A note for each: on the axis, behind it, and where the circle closes.
+
+        Examples
+        --------
+        >>> Grid([0, 1], [0, 1, 2], [[10, 1], [11, 1], [10, 1]]).contradictions()
+        ('the planes differ on the axis, which is one direction, by 9.1 % of the peak',)
+        """
+        if self.system != "C" or self._is_alike:
+            return ()
+        rows = self.values / (self.values.max() or 1.0)
+        spread = numpy.ptp(rows, axis=0)
+        gaps = {
+            "differ on the axis, which is one direction,": spread[self.polar <= SLACK],
+            "differ behind the axis, which is one direction,": spread[
+                self.polar >= math.pi - SLACK
+            ],
+        }
+        if self._closes:
+            gaps["at both ends of the circle, which are one, differ"] = abs(rows[0] - rows[-1])
+        return tuple(
+            f"the planes {how} by {100 * gap.max():.2g} % of the peak"
+            for how, gap in gaps.items()
+            if gap.max(initial=0.0) > SEAM
+        )
 
 
 def _halved(count: int, first: int) -> list[int]:

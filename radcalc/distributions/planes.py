@@ -9,12 +9,9 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution
-from radcalc.distributions.grid import Grid
 from radcalc.errors import ConditionError
 
 TURN = 360.0  # [deg]
-SEAM = 0.02  # of the peak: what two values of one direction may differ by
 SLACK = 0.01  # [deg] by which an angle is taken for another
 GREATEST = 1e100  # intensity in any unit, which sums can hold
 NOISE = 1e-3  # of the greatest: negative values within it are a photometer's noise
@@ -161,49 +158,3 @@ def without_noise(
         return values, ()
     count = int((values < 0).sum())
     return values.clip(min=0), (f"{count} negative intensities (down to {low:g}) count as 0",)
-
-
-def contradictions(grid: Distribution) -> tuple[str, ...]:
-    """What a table says twice of one direction, and differently.
-
-    Parameters
-    ----------
-    grid : Grid
-        The table; of another distribution nothing is said.
-
-    Returns
-    -------
-    tuple of str
-        A note for each: on the axis, behind it, and where the circle closes.
-
-    Examples
-    --------
-    >>> quarter = Grid([0, 1], [0, 1, 2], [[10, 1], [11, 1], [10, 1]])
-    >>> contradictions(quarter)
-    ('the planes differ on the axis, which is one direction, by 9.1 % of the peak',)
-    """
-    if not isinstance(grid, Grid) or grid.system != "C" or grid.is_axial:
-        return ()
-    rows = grid.values / (grid.values.max() or 1.0)
-    places = {
-        "on the axis, which is one direction,": numpy.ptp(rows[:, grid.polar <= SLACK], axis=0),
-        "behind the source, which is one direction,": numpy.ptp(
-            rows[:, grid.polar >= math.pi - SLACK], axis=0
-        ),
-    }
-    found = [
-        f"the planes differ {where} by {_percent(gap)}"
-        for where, gap in places.items()
-        if gap.max(initial=0.0) > SEAM
-    ]
-    closes = math.isclose(grid.azimuth[-1] - grid.azimuth[0], 2 * math.pi)
-    if closes and (gap := abs(rows[0] - rows[-1])).max() > SEAM:
-        first, last = (math.degrees(grid.azimuth[k]) for k in (0, -1))
-        found.append(
-            f"the planes {first:g} and {last:g} deg, which are one, differ by {_percent(gap)}"
-        )
-    return tuple(found)
-
-
-def _percent(gap: Any) -> str:
-    return f"{100 * gap.max():.2g} % of the peak"

@@ -216,3 +216,22 @@ def test_a_part_without_light_between_steps_has_no_flux():
 def test_an_angle_is_not_compared_with_degrees(text):
     with pytest.raises(ConditionError, match="is in radians"):
         Formula(text)
+
+
+@pytest.mark.parametrize(
+    "aim", [(1.0, 0.0, 0.0), (1.0, 0.3, 0.2), (1.0, 0.3, 0.0), (-2.0, 1.0, 1.0)]
+)
+@pytest.mark.parametrize("text", ["(theta < 60*deg)*100", "(theta < 60*deg)*(phi < 180*deg)*100"])
+def test_what_goes_up_and_what_goes_down_are_all_of_a_formula_with_steps(text, aim):
+    lamp = Formula(text)
+    up = upward_flux(lamp, Pose(aim)).value
+    down = lamp.flux().value - up
+    opposite = tuple(-x for x in aim)
+    assert 0 <= up <= lamp.flux().value
+    if "phi" not in text:  # the mirror image
+        assert upward_flux(lamp, Pose(opposite)).value == pytest.approx(down, rel=1e-3, abs=1e-6)
+
+
+def test_a_formula_of_phi_goes_round_once():
+    assert Formula("phi").peak().intensity <= 2 * math.pi
+    assert Formula("phi").intensity(1.0, -0.5) == pytest.approx(2 * math.pi - 0.5)

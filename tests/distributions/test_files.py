@@ -229,6 +229,7 @@ def test_no_damage_of_a_byte_is_more_than_an_error(written):
     ("header", "rows", "said"),
     [
         ("gamma,C0 (cd),C45 (cd),C90 (cd)", "0,100,110,100", "on the axis"),
+        ("gamma,C0 (cd),C90 (cd)", "0,9,9\n0.5,9,5\n1,9,5", ""),
         (
             "gamma,C0 (cd),C90 (cd),C180 (cd),C270 (cd),C360 (cd)",
             "0,9,9,9,9,9\n45,5,6,7,8,6",
@@ -239,4 +240,5 @@ def test_no_damage_of_a_byte_is_more_than_an_error(written):
 def test_a_table_that_contradicts_itself_is_told_so(tmp_path, header, rows, said):
     path = tmp_path / "lamp.csv"
     path.write_text(f"{header}\n{rows}\n90{',0' * header.count(',')}\n")
-    assert said in " ".join(read_file(str(path)).notes)
+    notes = " ".join(read_file(str(path)).notes)
+    assert said in notes if said else not notes
