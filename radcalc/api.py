@@ -172,14 +172,16 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
 
 @in_python
 def point_source(
-    *, distribution: str | None = None, any_incidence: bool = False, **given: Any
+    *, distribution: Any = None, any_incidence: bool = False, **given: Any
 ) -> dict[str, Any]:
     """Everything that follows for a source that is small beside its distance.
 
     Parameters
     ----------
-    distribution : {"isotropic", "cone", "lobe"}, optional
-        How its light is spread, where no option of a cone or a lobe tells.
+    distribution : str, path or Distribution, optional
+        How its light is spread: "isotropic", "cone" or "lobe", where no option of a cone or a lobe
+        tells; a file (IES, EULUMDAT, CSV); an expression in theta and phi, with a unit behind a
+        blank; or an object of `radcalc.distributions`, such as a `Grid`.
     any_incidence : bool
         Work out the incidence, in place of taking it as 0.
     **given : str, Quantity or float
@@ -201,6 +203,8 @@ def point_source(
     --------
     >>> print(point_source(flux="800lm", distance="2m")["irradiance"].round(3))
     15.915 lux
+    >>> print(point_source(distribution="300*max(cos(theta), 0)^2 cd")["flux"].round(3))
+    628.319 lumen
     """
     from radcalc.calculators.point_source import point_source as work_out
 
