@@ -117,16 +117,21 @@ def _beam(distribution: Any, azimuth: float, share: float) -> "Beam":
 
 
 @lru_cache(maxsize=8)
-def _upward(distribution: Any, aim: tuple[float, float, float], rotate: float) -> "Integral":
-    """Flux into the upper half of the world."""
+def _upward(
+    distribution: Any, whole: float, aim: tuple[float, float, float], rotate: float
+) -> float:
+    """Flux into the upper half of the world, of that in all directions."""
     from radcalc.distributions.places import upward_flux
     from radcalc.distributions.pose import Pose
 
     if aim[:2] == (0.0, 0.0):
-        half = math.pi / 2
-        found: Integral = distribution.flux((0.0, half) if aim[2] > 0 else (half, math.pi))
-        return found
-    return upward_flux(distribution, Pose(aim, rotate))
+        ahead, behind = (0.0, math.pi / 2), (math.pi / 2, math.pi)
+        upper, lower = (ahead, behind) if aim[2] > 0 else (behind, ahead)
+        try:
+            return float(distribution.flux(upper).value)
+        except ConditionError:  # of a half with next to nothing, that the other one has
+            return max(0.0, whole - float(distribution.flux(lower).value))
+    return upward_flux(distribution, Pose(aim, rotate)).value
 
 
 class _Luminaire:
@@ -230,7 +235,11 @@ class _Luminaire:
                 f"Omega_f = {format_number(flux.value)} {unit}",
             )
         )
-        sheet.know("upward-part", _upward(self.source, self.aim, self.rotate).value / flux.value)
+        try:
+            upward = _upward(self.source, flux.value, self.aim, self.rotate)
+            sheet.know("upward-part", upward / flux.value)
+        except ConditionError as error:
+            sheet.notes.append(f"no flux upwards or downwards: {error.message}")
         laws.append(laws_of.part(self.source, flux.value))
 
     def _know_scale(self, laws: list[AnyLaw]) -> None:
@@ -350,7 +359,7 @@ class _Luminaire:
             sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
         if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
             sheet.notes.append("light from the side or behind does not reach the receiver")
-        if sheet.has("share", "irradiance") and any_true(sheet.at("share") == 0):
+        if sheet.has("share") and sheet.has("irradiance") and any_true(sheet.at("share") == 0):
             sheet.notes.append("the source is dark in the direction of the receiver")
         if sheet.has("received-flux"):
             self._judge_receiver(sheet)
@@ -412,7 +421,9 @@ class _Luminaire:
     def _facts(self, sheet: Worksheet) -> Iterator[Value]:
         """What is known of the distribution beside its light."""
         flux = self.figures.flux
-        if not (self.of_shape or isinstance(flux, ConditionError)) and sheet.has("flux"):
+        if isinstance(flux, ConditionError):
+            yield absent("flux", flux.message, flux.hint)
+        elif not self.of_shape and sheet.has("flux"):
             yield self._error(sheet, flux)
         yield value("peak-polar", self.figures.peak.polar)
         yield value("peak-azimuth", self.figures.peak.azimuth)
@@ -454,14 +465,12 @@ class _Luminaire:
         )
         found = value(name, beam.outermost)
         if beam.is_ambiguous and not (azimuth and self.source.is_axial):
-            other = (
-                "there is none"
-                if beam.from_axis is None
-                else f"it is {format_angle(beam.from_axis)}"
-            )
+            other = "there is none"
+            if beam.from_axis is not None:
+                other = f"it is {format_angle(beam.from_axis)}"
             sheet.notes.append(
-                f"the {found.label} is ambiguous: from the axis to {said} of the intensity there "
-                f"{other}"
+                f"the {found.label} is ambiguous: counted from the axis, to {said} of the "
+                f"intensity on it, {other}"
             )
         return found
 
@@ -482,15 +491,15 @@ class _Luminaire:
                 yield absent(name, *self._not_declared)
             else:
                 yield value(name, own)
-        if flux is not None:
-            own = {**found, "downward-fraction": sheet.at("downward-flux") / flux}
-            for name, label in COMPARED.items():
-                said, part = declared.get(name), own[name]
-                if said is not None and part is not None and abs(part - said) > ODD * said:
-                    sheet.notes.append(
-                        f"the file declares {label} of {format_number(100 * said, 4)} %, and its "
-                        f"intensities have {format_number(100 * part, 4)} %"
-                    )
+        if sheet.has("downward-flux"):
+            found["downward-fraction"] = sheet.at("downward-flux") / flux
+        for name, label in COMPARED.items():
+            said, part = declared.get(name), found.get(name)
+            if said is not None and part is not None and abs(part - said) > ODD * said:
+                sheet.notes.append(
+                    f"the file declares {label} of {format_number(100 * said, 4)} %, and its "
+                    f"intensities have {format_number(100 * part, 4)} %"
+                )
 
     @property
     def _not_declared(self) -> tuple[str, str]:
@@ -509,7 +518,7 @@ def _refuse_idle(given: Inputs) -> None:
         raise Exclusive(
             ("toward", placed), "contradict each other: both tell where the receiver is"
         )
-    if "rotate" in given and not placed:
+    if "rotate" in given and not placed and "aim" not in given:
         raise Unused(
             ("rotate",), "without a receiver aside", mention("{height=3m} and {offset=1m} with it")
         )
