@@ -37,6 +37,7 @@ from radcalc.errors import (
     options,
     quote,
 )
+from radcalc.geometry import far_field
 from radcalc.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
@@ -224,7 +225,8 @@ class _Luminaire:
             return
         if not flux.value:
             raise ConditionError(
-                "the distribution is dark: it has no intensity anywhere", "another"
+                "the distribution has no intensity in any direction that was looked at",
+                "another, or one that is wider",
             )
         sheet.know("weighted-solid-angle", flux.value)
         unit = "sr, with f in units of the scale"
@@ -248,11 +250,11 @@ class _Luminaire:
         if not sheet.lit.values and not own:
             raise MissingInput(
                 "the distribution is relative, and what scales it is missing",
-                mention("{flux}, {intensity} or {peak-intensity}")
-                + ("" if self.of_shape else ", or a unit behind the expression, such as cd"),
+                mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
             )
         known = {*sheet.known, *(() if self.any_incidence else sheet.defaults)}
-        if not own or "scale" in reached(laws, known):
+        asks_place = self._asks_place and sheet.lit.kind == own
+        if not own or ("scale" in reached(laws, known) and not asks_place):
             return
         if sheet.lit.kind != own:
             name = option(next(iter(sheet.lit.values.values())).name)
@@ -263,6 +265,22 @@ class _Luminaire:
             )
         sheet.know("scale", 1.0)
         self.is_scaled = False
+
+    @property
+    def _unit_hint(self) -> str:
+        """Where a unit would make a distribution absolute."""
+        if self.of_shape:
+            return ""
+        if self.photometry.format == EXPRESSION:
+            return ", or a unit behind the expression, such as cd"
+        return ", or a unit in the titles of the file, as in I (cd)"
+
+    @property
+    def _asks_place(self) -> bool:
+        """Whether an irradiance asks for the offset of a source that is taken as it is."""
+        strength = {"flux", "intensity", "peak-intensity", "energy"} & set(self.sheet.lit.values)
+        placed = {"distance", *OFFSETS} & set(self.given)
+        return bool(self.sheet.lit.values) and "height" in self.given and not strength | placed
 
     # -- where the receiver is ------------------------------------------------------------------
 
@@ -363,6 +381,12 @@ class _Luminaire:
             sheet.notes.append("the source is dark in the direction of the receiver")
         if sheet.has("received-flux"):
             self._judge_receiver(sheet)
+        size = self.photometry.size
+        if size and sheet.has("distance") and far_field.is_near(sheet.at("distance"), size):
+            sheet.notes.append(
+                f"what shines is {format_value(size, 'm')} long: nearer than five times that the "
+                "inverse square does not hold"
+            )
         facts = [*self._facts(sheet)]
         answer = sheet.answer(laws)
         lit = {name: k for k, name in enumerate(LIGHT)}

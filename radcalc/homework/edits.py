@@ -11,8 +11,18 @@ from radcalc.quantities.symbols import SYMBOLS
 
 # What is never left out or turned round: what stands for a whole factor or for the light, and
 # numbers that are no factors.
-WHOLE = ("value", "q", "r", "p", "light", "heat")
-NO_FACTORS = ("exponent", "ev", "ev100", "iso", "adaptation", "part", "beam-part", "cosine")
+WHOLE = ("value", "q", "r", "p", "light", "heat", "weighted-solid-angle")
+NO_FACTORS = (
+    "exponent",
+    "ev",
+    "ev100",
+    "iso",
+    "adaptation",
+    "part",
+    "beam-part",
+    "upward-part",
+    "cosine",
+)
 LABELS = {
     "cosine": "cosine of the incidence",
     "cosine-of-source": "cosine of the tilt",
@@ -69,6 +79,8 @@ def find(p: Problem) -> Iterator[Candidate]:
     """What follows with one edit of a law that leads to the result."""
     has_pi = False
     for law, target in p.chain.steps:
+        if "scale" in law.names:
+            continue  # what a distribution is, of which nobody leaves a part out
         yield from _powers(p, law, target) if isinstance(law, Law) else _numbers(p, law, target)
         number, power = _constant(law)
         has_pi |= power != 0

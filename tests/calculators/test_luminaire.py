@@ -17,6 +17,8 @@ from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.shapes import Lobe
 from radcalc.errors import RadcalcError
 from radcalc.given import read
+from radcalc.homework.question import of_calculator
+from radcalc.homework.verdict import check
 
 LOBE = "max(cos(theta), 0)^{n}"
 TABLE = "gamma (deg),I (cd)\n0,300\n15,290\n30,260\n45,200\n60,110\n75,30\n90,0\n"
@@ -169,6 +171,39 @@ def test_the_distance_the_height_and_the_offset_follow_from_an_irradiance(table)
     assert number(asked, "offset", "m") == pytest.approx(1.5)
 
 
+def test_an_irradiance_below_a_source_as_it_is_asks_for_the_offset(table):
+    there = point_source(distribution=table, height="2m", offset="1.5m")
+    asked = point_source(distribution=table, height="2m", illuminance=there["irradiance"])
+    assert number(asked, "offset", "m") == pytest.approx(1.5)
+    assert number(asked, "flux", "lm") == pytest.approx(number(there, "flux", "lm"))
+    with pytest.raises(RadcalcError, match="gives 75 lx"):
+        point_source(distribution=table, height="2m", illuminance="90lx")
+
+
+def test_a_flux_that_no_cubature_finds_is_left_out():
+    found = point_source(distribution="(sin(50*phi)>0)*(sin(50*theta)>0) cd", toward="2deg,2deg")
+    assert "flux" not in found
+    assert number(found, "intensity_toward", "cd") == 1
+
+
+def test_a_receiver_that_is_nearer_than_five_times_the_size():
+    """Of 40 cm: 2 m is as near as it may be."""
+    lamp = Photometry(Lobe(1.0), "test", size=0.4)
+    for away, is_near in (("1.9m", True), ("2m", False)):
+        given = {"distribution": lamp, "distance": away, "intensity": "1cd"}
+        notes = work_out({name: read(name, one) for name, one in given.items()}).notes
+        assert any("five times" in note for note in notes) is is_near
+
+
+def test_no_mistake_is_what_a_distribution_is(table):
+    """The scale of a table in candelas is 1 cd: to leave it out is no mistake that one makes."""
+    given = {"distribution": read("distribution", table)}
+    verdict = check(of_calculator("point-source", "", given, work_out), "flux=79.13485lm")
+    assert not verdict.is_right
+    assert "power of ten" in str(verdict)
+    assert "weighted solid angle" not in str(verdict)
+
+
 def test_a_light_quantity_scales_a_distribution(table):
     own = point_source(distribution=table, height="2m", offset="1m")
     for name in ("flux", "intensity", "peak_intensity", "irradiance"):
@@ -280,7 +315,7 @@ def test_a_declared_output_ratio_is_compared(declared, is_noted):
         ({"distribution": "1 cd", "half_angle": "30deg"}, "half_angle is of a cone"),
         ({"distribution": "1 cd", "exponent": 3}, "exponent is of a lobe"),
         ({"distribution": "theta cd", "intensity": "5cd"}, "where this distribution has none"),
-        ({"distribution": "0 cd"}, "is dark"),
+        ({"distribution": "0 cd"}, "no intensity in any direction"),
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both tell where"),
         ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "no use without a receiver"),
