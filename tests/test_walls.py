@@ -221,6 +221,10 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("direction", "1", "1", "1"),
         ("etendue", "--area", "1mm2", "--half-angle", "90deg"),
         ("point-source", "--flux", "800lm", "--distance", "2m"),
+        ("point-source", "--beam-angle", "30deg"),
+        ("uberlight", "0,0,4", "--intensity", "100cd"),
+        ("convert", "1", "W/sr", "W", "--area", "20mm2", "--distance", "1m"),
+        ("lambertian", "--luminance", "1e4cd/m2", "--area", "1cm2", "--height", "1m"),
         (
             "lambertian",
             "disc",
@@ -255,6 +259,14 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich(words
     loaded = loaded_by(*words)
     assert "click" in loaded
     assert not loaded & (HEAVY - {"click"})
+
+
+def test_a_file_of_a_luminaire_loads_its_own_reader_alone():
+    path = str(ROOT / "examples" / "downlight.ies")
+    loaded = loaded_by("point-source", "--distribution", path, "-g", "flux")
+    others = {f"radcalc.distributions.{name}" for name in ("tables", "eulumdat", "formula")}
+    assert "radcalc.distributions.ies" in loaded
+    assert not loaded & (others | HEAVY - {"click", "numpy"})
 
 
 def test_no_start_looks_for_translations_of_clicks_own_texts():

@@ -6,6 +6,7 @@ told the lamp type "default", so that no lamp table takes a share away.
 
 import math
 import os
+import platform
 
 import numpy
 import pytest
@@ -16,8 +17,8 @@ from radcalc.distributions.pose import Pose
 
 try:
     import pyradiance
-except ImportError:  # there is no wheel for some machines
-    if os.environ.get("CI"):
+except ImportError:
+    if platform.machine() != "aarch64":  # for which there is no wheel
         raise
     pytest.skip("pyradiance is not installed", allow_module_level=True)
 
