@@ -75,9 +75,6 @@ PAGE = Page(
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
 EXPRESSION = "expression"  # the format of what is typed
-# What a file may declare that its intensities tell as well.
-COMPARED = {"output-ratio": "a light output ratio", "downward-fraction": "a downward part"}
-ODD = 0.02  # [1] from which on a declared figure and the table's are said to differ
 UNEVEN = 0.01  # [1] the most by which the intensity may vary over a receiver that is turned
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
@@ -499,7 +496,7 @@ class _Luminaire:
         return found
 
     def _declared(self, sheet: Worksheet) -> Iterator[Value]:
-        """What a file declares, beside what its table says; nothing of what is scaled."""
+        """What a file declares; nothing of what is scaled."""
         declared = {} if self.is_scaled else self.photometry.declared
         flux = sheet.at("flux") if sheet.has("flux") else None
         lamps, watts = declared.get("lamp-flux"), declared.get("input-power")
@@ -515,15 +512,6 @@ class _Luminaire:
                 yield absent(name, *self._not_declared)
             else:
                 yield value(name, own)
-        if sheet.has("downward-flux"):
-            found["downward-fraction"] = sheet.at("downward-flux") / flux
-        for name, label in COMPARED.items():
-            said, part = declared.get(name), found.get(name)
-            if said is not None and part is not None and abs(part - said) > ODD * said:
-                sheet.notes.append(
-                    f"the file declares {label} of {format_number(100 * said, 4)} %, and its "
-                    f"intensities have {format_number(100 * part, 4)} %"
-                )
 
     @property
     def _not_declared(self) -> tuple[str, str]:

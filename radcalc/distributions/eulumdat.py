@@ -41,7 +41,6 @@ from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 
 KILOLUMEN = 1000.0  # [lm]
-ODD = 0.02  # [1] from which on two fluxes are said to differ
 MOST = 10_000  # angles, planes, lamps
 LARGEST = 1e12  # of a flux [lm] or a factor
 STEP = 0.1  # [deg] how far listed angles may be from the declared step: they are rounded
@@ -68,7 +67,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     -------
     Photometry
         Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
-        `output-ratio` (where the photometry is not absolute), `downward-fraction` and
+        `output-ratio`, or `flux` where the photometry is absolute, `downward-fraction` and
         `input-power`, as far as the file has them.
 
     Raises
@@ -199,12 +198,6 @@ class _Reader:
         values *= factor * lumens / KILOLUMEN
         around, values = self.around(symmetry, azimuths, values, start)
         grid = Grid(numpy.radians(polar), numpy.radians(around), values)
-        found = grid.flux().value
-        if "lamp-flux" not in declared and abs(found - lumens) > ODD * lumens:
-            self.notes.append(
-                f"the file declares {lumens:g} lm of the luminaire, and its intensities have "
-                f"{found:.4g} lm"
-            )
         return Photometry(
             grid,
             f"EULUMDAT, Isym {symmetry}",
@@ -252,6 +245,7 @@ class _Reader:
                 "luminaire's own"
             )
             del declared["output-ratio"]
+            declared["flux"] = lumens
         else:
             declared["lamp-flux"] = lumens
         return lumens

@@ -55,7 +55,7 @@ def read_file(path: str) -> Photometry:
     # only the one that is needed is loaded
     found: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
     grid: Any = found.distribution
-    return found._replace(notes=(*found.notes, *grid.contradictions()))
+    return found._replace(notes=(*found.notes, *found.contradictions(), *grid.contradictions()))
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:

@@ -1,8 +1,13 @@
 """What a file says of a luminaire: its distribution, and figures beside it."""
 
+import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from radcalc.derivation import format_number
 from radcalc.distributions.distribution import Distribution
+
+ODD = 0.02  # [1] from which on a declared figure and the intensities' are said to differ
 
 
 class Photometry(NamedTuple):
@@ -17,8 +22,9 @@ class Photometry(NamedTuple):
     name : str
         What it says the luminaire is; may be empty, and has no control characters.
     declared : dict of str to float
-        What it declares, by the names of symbols [SI]: `lamp-flux` of all lamps (not where the
-        photometry is absolute), `output-ratio`, `input-power`, `downward-fraction`.
+        What it declares, by the names of symbols [SI]: `lamp-flux` of all lamps and
+        `output-ratio`, or where the photometry is absolute `flux` of the luminaire;
+        `input-power`, `downward-fraction`.
     size : float [m]
         The longest side or the diameter of what shines, where it says that; else 0.
     assumptions, notes : tuple of str
@@ -38,3 +44,33 @@ class Photometry(NamedTuple):
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     size: float = 0.0
+
+    def contradictions(self) -> Iterator[str]:
+        """What it declares, where its intensities have more than 2 % less or more of it.
+
+        Lamps may have more light than leaves the luminaire, and not less.
+
+        Examples
+        --------
+        >>> from radcalc.distributions.shapes import Isotropic
+        >>> [*Photometry(Isotropic(), "a file", declared={"lamp-flux": 10.0}).contradictions()]
+        ['the file declares lamps of 10 lm, and its intensities have 12.57 lm, which is more']
+        """
+        declared, flux = self.declared, self.distribution.flux().value
+        if not (declared and flux):
+            return
+        said = "the file declares {} of {} {unit}, and its intensities have {} {unit}"
+        lamps = declared.get("lamp-flux", math.inf)
+        if flux > lamps * (1 + ODD):
+            figures = format_number(lamps, 4), format_number(flux, 4)
+            yield said.format("lamps", *figures, unit="lm") + ", which is more"
+        downward = self.distribution.flux((0.0, math.pi / 2)).value
+        for symbol, label, found, unit in (
+            ("flux", "a luminaire", flux, "lm"),
+            ("output-ratio", "a light output ratio", 100 * flux / lamps, "%"),
+            ("downward-fraction", "a downward part", 100 * downward / flux, "%"),
+        ):
+            figure = declared.get(symbol, 0.0) * (100 if unit == "%" else 1)
+            if figure and abs(found - figure) > ODD * figure:
+                figures = format_number(figure, 4), format_number(found, 4)
+                yield said.format(label, *figures, unit=unit)

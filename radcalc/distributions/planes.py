@@ -145,7 +145,7 @@ def without_noise(
     Examples
     --------
     >>> without_noise(numpy.array([100.0, -0.01]), print)
-    (array([100.,   0.]), ('1 negative intensities (down to -0.01) count as 0',))
+    (array([100.,   0.]), ('1 negative intensity (down to -0.01) counts as 0',))
     """
     peak, low = float(values.max()), float(values.min())
     if max(peak, -low) > GREATEST:
@@ -157,4 +157,5 @@ def without_noise(
     if low >= 0:
         return values, ()
     count = int((values < 0).sum())
-    return values.clip(min=0), (f"{count} negative intensities (down to {low:g}) count as 0",)
+    what, verb = ("intensity", "counts") if count == 1 else ("intensities", "count")
+    return values.clip(min=0), (f"{count} negative {what} (down to {low:g}) {verb} as 0",)

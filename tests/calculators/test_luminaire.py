@@ -303,9 +303,22 @@ def test_a_declared_output_ratio_is_compared(declared, is_noted):
         "lamp",
         {"lamp-flux": 1000.0, "output-ratio": declared},
     )
-    answer = work_out({"distribution": read("distribution", lamp)})
-    told = [note for note in answer.notes if "62.83 %" in note and "70 %" in note]
+    told = [note for note in lamp.contradictions() if "62.83 %" in note and "70 %" in note]
     assert bool(told) is is_noted
+
+
+@pytest.mark.parametrize(
+    ("lumens", "is_noted"), [(600, True), (620, False), (900, False), (-1, False)]
+)
+def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_noted):
+    """100 cd below are 200 pi lm, whichever way it is turned and however it is scaled."""
+    path = tmp_path / "lamp.ies"
+    path.write_text(ies([100, 100], lumens=lumens, watts=20))
+    said = "the file declares lamps of 600 lm, and its intensities have 628.3 lm, which is more"
+    for more in ({}, {"aim": (0, 0, 1), "height": "2m"}, {"flux": "1klm"}):
+        given = {"distribution": path} | more
+        notes = work_out({name: read(name, one) for name, one in given.items()}).notes
+        assert (said in notes) is is_noted
 
 
 @pytest.mark.parametrize(

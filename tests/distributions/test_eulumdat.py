@@ -119,11 +119,13 @@ def test_lamp_sets_are_alternatives():
 def test_a_negative_number_of_lamps_is_absolute_photometry():
     found = read(written(even, 1, [0.0], sets=[(-2, "LED", 1256.6, "", "", 9)]), "lamp.ldt")
     assert found.distribution.intensity(0.0, 0.0) == pytest.approx(100)
-    assert found.declared == {"downward-fraction": 0.5, "input-power": 9}
+    assert found.declared == {"flux": 1256.6, "downward-fraction": 0.5, "input-power": 9}
     assert any("absolute photometry" in text for text in found.assumptions)
-    assert not found.notes
-    said = read(written(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt").notes
-    assert said == ("the file declares 1300 lm of the luminaire, and its intensities have 1257 lm",)
+    assert not [*found.notes, *found.contradictions()]
+    said = read(written(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt")
+    assert [*said.contradictions()] == [
+        "the file declares a luminaire of 1300 lm, and its intensities have 1257 lm"
+    ]
 
 
 def test_what_real_files_have_is_read():
@@ -147,7 +149,7 @@ def test_what_real_files_have_is_read():
 
 def test_a_photometer_s_noise_counts_as_nothing():
     found = read(changed(200, "-0.05"), "lamp.ldt")
-    assert found.notes == ("1 negative intensities (down to -0.05) count as 0",)
+    assert found.notes == ("1 negative intensity (down to -0.05) counts as 0",)
     assert found.distribution.values.min() == 0
 
 

@@ -302,7 +302,7 @@ def test_what_is_assumed_and_what_is_odd():
     """Noise below 0, a circle that does not close, and a table that ends early are said."""
     noisy = opened(lambda v, h: 1000 if v < 90 else -0.5, [0, 45, 90], [0])
     assert noisy.distribution.intensity(math.pi / 2, 0) == 0
-    assert "1 negative intensities (down to -0.5) count as 0" in noisy.notes
+    assert "1 negative intensity (down to -0.5) counts as 0" in noisy.notes
     seam = opened(lambda v, h: 100 + h / 36, [0, 90], steps(0, 360, 90))
     assert any("differ by 9" in text for text in seam.distribution.contradictions())
     assert not opened(100, [0, 90], steps(0, 360, 90)).notes

@@ -161,7 +161,7 @@ def test_what_is_negative_belongs_to_the_half_plane_opposite():
 
 def test_a_photometer_s_noise_counts_as_nothing():
     found = table("gamma,I (cd)", "0,300", "60,20", "90,-0.1")
-    assert found.notes == ("1 negative intensities (down to -0.1) count as 0",)
+    assert found.notes == ("1 negative intensity (down to -0.1) counts as 0",)
     assert found.distribution.flux().value == flux("gamma,I (cd)", "0,300", "60,20", "90,0")
 
 
