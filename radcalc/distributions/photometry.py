@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from radcalc.derivation import format_number
 from radcalc.distributions.distribution import Distribution
 
 ODD = 0.02  # [1] from which on a declared figure and the intensities' are said to differ
@@ -62,8 +61,7 @@ class Photometry(NamedTuple):
         said = "the file declares {} of {} {unit}, and its intensities have {} {unit}"
         lamps = declared.get("lamp-flux", math.inf)
         if flux > lamps * (1 + ODD):
-            figures = format_number(lamps, 4), format_number(flux, 4)
-            yield said.format("lamps", *figures, unit="lm") + ", which is more"
+            yield said.format("lamps", *_rounded(lamps, flux), unit="lm") + ", which is more"
         downward = self.distribution.flux((0.0, math.pi / 2)).value
         for symbol, label, found, unit in (
             ("flux", "a luminaire", flux, "lm"),
@@ -72,5 +70,9 @@ class Photometry(NamedTuple):
         ):
             figure = declared.get(symbol, 0.0) * (100 if unit == "%" else 1)
             if figure and abs(found - figure) > ODD * figure:
-                figures = format_number(figure, 4), format_number(found, 4)
-                yield said.format(label, *figures, unit=unit)
+                yield said.format(label, *_rounded(figure, found), unit=unit)
+
+
+def _rounded(*figures: float) -> Iterator[str]:
+    """Numbers of four digits."""
+    return (f"{float(f'{figure:.4g}'):g}" for figure in figures)
