@@ -1,6 +1,6 @@
 """The Python API: Pint quantities in and out, arrays welcome."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import Any, TypeVar
 
@@ -13,14 +13,16 @@ from radcalc.errors import (
     RadcalcError,
     UnitError,
     nearest,
+    option,
     quote,
     spell,
 )
 from radcalc.given import Given, Inputs, read, read_place
-from radcalc.maths import LARGEST
-from radcalc.quantities.symbols import FLAG, INNER, SYMBOLS
+from radcalc.maths import LARGEST, is_array
+from radcalc.quantities.symbols import DIRECTION, FLAG, INNER, NUMBERS, POINT, SYMBOLS
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
+from radcalc.units.ranges import real
 from radcalc.units.registry import from_container, light_registry
 from radcalc.units.table import resolve
 
@@ -139,7 +141,8 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     254.648 candela
     """
     made, magnitude = _plan(value, target, conditions)
-    return Quantity(made.apply(magnitude), light_registry().container(made.target))
+    found = _broadcast(lambda: made.apply(magnitude))
+    return Quantity(found, light_registry().container(made.target))
 
 
 @in_python
@@ -166,6 +169,8 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     >>> explain("800 lm", "cd", isotropic=True).assumptions
     ('uniform over 4 pi sr (isotropic)',)
     """
+    if any(getattr(one, "shape", ()) for one in (value, *conditions.values())):
+        raise ConditionError("explain takes single values, not arrays", "one of each")
     made, magnitude = _plan(value, target, conditions)
     return answer(made, float(magnitude), steps=True).spelled(_in_words)
 
@@ -229,8 +234,8 @@ def scene(
         A CSV file with a row for each source, or a dict for each, with the columns of
         ``radcalc scene`` as keys and texts, quantities or numbers as values.
     points : array_like or Quantity of shape (n, 3)
-        The points, in metres unless they have a unit.
-    normal : sequence of 3 floats, optional
+        The points, in metres unless they have a unit; a text such as ``"1,2,0.75"`` for one.
+    normal : str or sequence of 3 floats, optional
         Where the receivers face; up by default.
     shares : bool, optional
         Whether to give the irradiance by each source too.
@@ -263,18 +268,25 @@ def scene(
     from radcalc.calculators import scene as page
     from radcalc.calculators.worksheet import refuse_foreign
     from radcalc.distributions.scene import blocks
-    from radcalc.geometry.numerics.vectors import vector
     from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
     inputs = _inputs(links)
     refuse_foreign(inputs, (*LINKS, *REFINEMENTS), "a scene")
+    for one in inputs.values():
+        if is_array(one.value):
+            raise ConditionError(f"{option(one.name)} is an array", "one value for the whole scene")
     if isinstance(sources, os.PathLike):
         sources = os.fspath(sources)
+    elif isinstance(sources, Iterable) and not isinstance(sources, (str, bytes)):
+        sources = [_row(number, source) for number, source in enumerate(sources, 1)]
     elif not isinstance(sources, str):
-        sources = [_without_quantities(source) for source in sources]
-    if _is_quantity(points):
-        points = points.to("m").magnitude
-    survey = page.Survey(page.scene(sources, inputs), vector(normal), shares)
+        raise ConditionError(
+            f"the sources are of the type {type(sources).__name__}",
+            "the path of a CSV file, or a list with a dict for each",
+        )
+    points = numpy.atleast_2d(numpy.stack(_place(points).value, -1))
+    facing = read("normal", normal).value
+    survey = page.Survey(page.scene(sources, inputs), facing, shares)
     parts = [_quantities(answer) for answer in survey.at_points(blocks(points))]
     found = {
         name: Quantity(numpy.concatenate([part[name].magnitude for part in parts]), one.units)
@@ -284,14 +296,18 @@ def scene(
     return {**found, **_quantities(survey.remarks(with_values=True))}
 
 
-def _without_quantities(source: Any) -> Any:
+def _row(number: int, source: Any) -> Any:
     """A row of a scene, whose quantities are numbers with units."""
     if not isinstance(source, dict):
         return source
-    return {
-        key: (value.magnitude, from_container(value._units)) if _is_quantity(value) else value
-        for key, value in source.items()
-    }
+    row = {}
+    for key, value in source.items():
+        if type(value) in (list, tuple) or getattr(value, "shape", None):
+            raise ConditionError(
+                f"source {number}, '{quote(str(key))}': several values", "a dict for each source"
+            )
+        row[key] = _plain(value)
+    return row
 
 
 @in_python
@@ -327,7 +343,7 @@ def lambertian(
     from radcalc.calculators.lambertian import lambertian as work_out
     from radcalc.calculators.shapes import SHAPES
 
-    if shape not in SHAPES:
+    if not isinstance(shape, str) or shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
     inputs = _inputs({"corner": corner, "perpendicular": perpendicular, **given})
     return _results(lambda: work_out(shape, inputs))
@@ -384,10 +400,7 @@ def _place(point: Any) -> Given:
         metres = point.magnitude * unit.factor
     import numpy
 
-    try:
-        array = numpy.asarray(metres, float)
-    except (TypeError, ValueError):
-        raise ConditionError("the point is not of numbers", "X,Y,Z") from None
+    array = numpy.asarray(real(metres, "a point", "three numbers, [1, 0, 2]"))
     if array.shape[-1:] != (3,):
         raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
     if not (abs(array) <= LARGEST).all():
@@ -472,22 +485,38 @@ def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
     if name not in known:
         near = nearest(name, known) if what == "input" else known
         keywords = ", ".join(one.replace("-", "_") for one in near)
-        raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords)
+        raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords or "help(radcalc)")
     if value is None or value is False:
         return None
-    if _is_quantity(value):
-        value = (value.magnitude, from_container(value._units))
-    return read(name, value)
+    if isinstance(value, (list, tuple)) and any(map(_is_quantity, value)):
+        if SYMBOLS[name].form not in (DIRECTION, POINT, NUMBERS):
+            array = f"one quantity, {keyword}=radcalc.Quantity([1, 2], UNIT)"
+            raise ConditionError(f"{keyword} is a list of quantities", array)
+        value = ",".join(
+            f"{one.magnitude} {from_container(one._units).text}" if _is_quantity(one) else str(one)
+            for one in value
+        )
+    return read(name, _plain(value))
 
 
-def _results(work_out: Callable[[], Answer]) -> dict[str, Any]:
-    """The results as quantities, each in the first unit it is shown in."""
+def _plain(value: Any) -> Any:
+    """A quantity as a number (or an array) with its unit; anything else as it is."""
+    return (value.magnitude, from_container(value._units)) if _is_quantity(value) else value
+
+
+def _broadcast(work_out: Callable[[], T]) -> T:
+    """What comes of arrays, which have to fit together."""
     try:
-        answer = work_out()
+        return work_out()
     except ValueError as error:
         if "broadcast" not in str(error):
             raise
         raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
+
+
+def _results(work_out: Callable[[], Answer]) -> dict[str, Any]:
+    """The results as quantities, each in the first unit it is shown in."""
+    answer = _broadcast(work_out)
     answers = [_quantities(one) for one in (answer, *answer.more)]
     if len(answers) == 1:
         return answers[0]
@@ -515,10 +544,14 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     if isinstance(value, str):
         value = light_registry().parse_expression(value)
     elif not _is_quantity(value):
-        value = Quantity(value, "1")
+        value = Quantity(real(value, "the value", "a text, a quantity or numbers"), "1")
     given = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
     made = plan(from_container(value._units), resolve(target), [g for g in given if g])
-    return made, value.magnitude
+    magnitude = value.magnitude
+    kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
+    if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
+        magnitude = real(magnitude, "the value", "real numbers")
+    return made, magnitude
 
 
 def _is_quantity(value: Any) -> bool:

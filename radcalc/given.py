@@ -39,7 +39,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
-from radcalc.units.ranges import read_array, read_series, read_spectra
+from radcalc.units.ranges import read_array, read_series, read_spectra, real
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
 
@@ -117,13 +117,18 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         if TEMPERATURE in symbol.dimensions:
             _refuse_celsius(name, number, unit_text)
         unit = resolve(unit_text) if unit_text else None
-    elif isinstance(value, tuple):
+    elif _has_unit(value):
         number, unit, *said = value
+        number = real(number, option(name), option(name, symbol.example))
         text = said[0] if said else f"{format_number(number)} {unit.text}"
     else:
-        number, unit, text = value, None, format_number(value)
+        number, unit = real(value, option(name), option(name, symbol.example)), None
+        text = format_number(number)
     dimension = unit.dimension if unit else NUMBER
     if dimension not in symbol.dimensions:
+        if unit is None and maths.is_array(number):
+            problem = f"{option(name)} has numbers without a unit"
+            raise ConditionError(problem, "an array with its unit, a radcalc.Quantity")
         if unit is None:
             raise MissingUnit(name, quote(text), _with_unit(symbol, quote(text)))
         example = symbol.example
@@ -145,6 +150,10 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     )
     hold(given, symbol.limits)
     return given
+
+
+def _has_unit(value: Any) -> bool:
+    return isinstance(value, tuple) and len(value) > 1 and isinstance(value[1], Unit)
 
 
 def _split(symbol: Symbol, text: str) -> tuple[float, str]:
@@ -214,7 +223,7 @@ def require(given: Given, good: bool, limit: str) -> None:
 
 
 def _read_choice(symbol: Symbol, value: Any) -> Given:
-    if value not in symbol.choices:
+    if not isinstance(value, str) or value not in symbol.choices:
         raise ConditionError(
             f"{option(symbol.name)} does not know '{quote(str(value))}'", ", ".join(symbol.choices)
         )
@@ -360,7 +369,9 @@ def _read_angle(text: str, whole: str, what: str) -> float:
 
 
 def _read_direction(symbol: Symbol, value: Any) -> Given:
-    text = f"{value[0]!r} {value[1].text}" if isinstance(value, tuple) else str(value)
+    if _has_unit(value) and maths.is_array(value[0]):
+        raise ConditionError(f"{option(symbol.name)} takes one direction at a time", AS_DIRECTION)
+    text = _joined(value)
     return Given(symbol, text, read_direction(text, option(symbol.name)))
 
 
@@ -383,8 +394,15 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
 
 
 def _joined(value: Any) -> str:
-    """Numbers of Python's as they would be typed."""
-    return value if isinstance(value, str) else ",".join(str(float(one)) for one in value)
+    """Numbers of Python's as they would be typed; what is none is refused by its reader."""
+    if isinstance(value, str):
+        return value
+    if _has_unit(value):
+        return f"{value[0]} {value[1].text}"
+    try:
+        return ",".join(str(float(one)) for one in value)
+    except (TypeError, ValueError, OverflowError):
+        return " ".join(str(value).split())
 
 
 def _read_distribution(symbol: Symbol, value: Any) -> Given:

@@ -83,6 +83,92 @@ def test_what_is_wrong_raises_a_radcalc_error(call, error):
     assert caught.value.hint
 
 
+LAMPS = [{"x": 0, "y": 0, "z": 2, "intensity": "100 cd"}]
+FLOOR = [[0, 0, 0]]
+
+
+def _spot(**given):
+    return radcalc.point_source(distribution="100 cd", **given)
+
+
+def _light(point=(0, 0, 2), **given):
+    return radcalc.uberlight(point, intensity="100 cd", **given)
+
+
+def _lamp(**cells):
+    return radcalc.scene([{**LAMPS[0], **cells}], FLOOR)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: _spot(distance="1m", toward=Q([0, 30], "deg")),
+        lambda: _spot(distance="1m", toward=(1, "x", 0)),
+        lambda: _spot(distance="1m", toward=(Q(30, "deg"), 90)),
+        lambda: _spot(distance="1m", toward=[[1, 0, 1]]),
+        lambda: _spot(distance="1m", toward=object()),
+        lambda: _spot(height="1m", aim=5),
+        lambda: _spot(height="1m", aim=(1, "x", 0)),
+        lambda: _spot(height="1m", aim=Q([0, 0, -1], "m")),
+        lambda: _spot(height="1m", aim=(10**400, 0, 0)),
+        lambda: _spot(height="1m", rotate=(1, 2)),
+        lambda: _spot(height="1m", rotate=(1,)),
+        lambda: radcalc.point_source(distribution=5),
+        lambda: radcalc.point_source(flux=[1, 2], distance="2m"),
+        lambda: radcalc.point_source(flux=[Q(1, "lm")], distance="2m"),
+        lambda: radcalc.point_source(flux={}, distance="2m"),
+        lambda: radcalc.point_source(flux=Q([], "lm"), distance="2m"),
+        lambda: radcalc.point_source(flux=Q([1 + 2j], "lm"), distance="2m"),
+        lambda: radcalc.point_source(flux=Q(10**400, "lm"), distance="2m"),
+        lambda: radcalc.point_source(flux="1lm", distance=Q([1, 2], "m"), exponent=[1, 2, 3]),
+        lambda: _light(superellipse=5),
+        lambda: _light(superellipse=("a", 1, 2, 3)),
+        lambda: _light(normal=3),
+        lambda: _light(normal=Q(3, "m")),
+        lambda: _light(near=(1, 2)),
+        lambda: _light(5),
+        lambda: _light(Q([1, 2, 3], "lm")),
+        lambda: _light(np.zeros((0, 3))),
+        lambda: _light((Q(1, "m"), Q(1, "m"), Q(1, "m"))),
+        lambda: radcalc.scene(5, FLOOR),
+        lambda: radcalc.scene(None, FLOOR),
+        lambda: radcalc.scene([5], FLOOR),
+        lambda: radcalc.scene(LAMPS, 5),
+        lambda: radcalc.scene(LAMPS, [["a", 0, 0]]),
+        lambda: radcalc.scene(LAMPS, Q(FLOOR, "lm")),
+        lambda: radcalc.scene(LAMPS, FLOOR, normal=5),
+        lambda: radcalc.scene(LAMPS, FLOOR, normal=("a", 0, 1)),
+        lambda: radcalc.scene(LAMPS, FLOOR, normal=Q([0, 0, 1], "m")),
+        lambda: radcalc.scene(LAMPS, FLOOR, wavelength=Q([500, 555], "nm")),
+        lambda: _lamp(intensity=Q([1, 2], "cd")),
+        lambda: _lamp(intensity=np.array([1, 2])),
+        lambda: _lamp(intensity=Q(1j, "cd")),
+        lambda: _lamp(intensity=object()),
+        lambda: _lamp(name=[1]),
+        lambda: radcalc.convert(Q([1, 2, 3], "lm"), "cd", half_angle=Q([30, 60], "deg")),
+        lambda: radcalc.convert({}, "lx"),
+        lambda: radcalc.convert(Q(np.array(["a"]), "lx"), "fc"),
+        lambda: radcalc.explain(Q([1, 2], "lm"), "cd", isotropic=True),
+        lambda: radcalc.lambertian([1]),
+        lambda: radcalc.ev(ev100={}),
+    ],
+)
+def test_python_objects_that_are_no_input_are_refused(call):
+    with pytest.raises(RadcalcError) as caught:
+        call()
+    assert caught.value.hint
+
+
+def test_vectors_and_points_are_texts_or_sequences():
+    for toward in ((1, 0, 1), [1, 0, 1], np.array([1, 0, 1]), "1,0,1", Q(45, "deg"),
+                   (Q(45, "deg"), Q(0, "deg"))):  # fmt: skip
+        found = _spot(distance="2m", toward=toward)
+        assert found["intensity_toward"].magnitude == pytest.approx(100)
+    for point in ("0,0,0", [0, 0, 0], FLOOR, Q(FLOOR, "m")):
+        found = radcalc.scene(LAMPS, point, normal="0,0,1")
+        assert found["irradiance"].magnitude.tolist() == [25.0]  # 100 cd / (2 m)^2
+
+
 @pytest.mark.parametrize(
     ("one", "other"), [("lm", "cd"), ("lx", "nit"), ("W/Hz", "J"), ("td", "cd")]
 )

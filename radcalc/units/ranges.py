@@ -1,10 +1,10 @@
-"""Several values in one word: a list `1m,2m,5m` or a range `START:STOP:STEP`."""
+"""Several values at once: a list `1m,2m,5m`, a range `START:STOP:STEP`, or an array."""
 
 import math
 from collections.abc import Sequence
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, option, quote
+from radcalc.errors import ConditionError, NumberError, option, quote
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
@@ -117,3 +117,30 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         many = f"{values}" if count < 1e15 else f"{count:.2g}"
         raise ConditionError(f"'{quote(text)}' has {many} values", f"at most {most}")
     return start, step, values, numbers[0][1]
+
+
+def real(value: Any, what: str, hint: str) -> Any:
+    """A number of Python's as it is; an array, or what makes one, as an array of floats.
+
+    `what` is said where it is neither.
+    """
+    problem = f"{what} takes real numbers, not '{quote(str(value))}'"
+    try:
+        if isinstance(value, (int, float)):
+            float(value)
+            return value
+        import warnings
+
+        import numpy
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # imaginary parts and units would be dropped
+            array = numpy.asarray(value, float)
+    except OverflowError:
+        problem = f"{what} has a number that is beyond what radcalc reckons with"
+        raise NumberError(problem, hint) from None
+    except (TypeError, ValueError, Warning):
+        raise NumberError(problem, hint) from None
+    if not array.size:
+        raise NumberError(f"{what} has an array without a number", hint)
+    return array if array.ndim else float(array)
