@@ -27,7 +27,10 @@ def cells(line: str, delimiter: str | None) -> list[str]:
     if delimiter and '"' in line:
         import csv
 
-        parts = next(csv.reader([line], delimiter=delimiter))
+        try:
+            parts = next(csv.reader([line], delimiter=delimiter))
+        except csv.Error:  # a cell of more than 128 KiB
+            parts = line.split(delimiter)
     else:
         parts = line.split(delimiter)
     return [cell.strip().strip('"').strip() for cell in parts]

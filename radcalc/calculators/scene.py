@@ -47,14 +47,15 @@ def scene(
 ) -> Scene:
     """The sources of a file, or of a list with a dict for each."""
     if isinstance(sources, str):
-        reader, rows = Reader(links, dirname(sources)), rows_of_file(sources)
+        reader = Reader(links, dirname(sources))
+        rows, notes = rows_of_file(sources)
     else:
-        reader, rows = Reader(links), rows_of_dicts(sources)
+        reader = Reader(links)
+        rows, notes = rows_of_dicts(sources), []
     placed = reader.sources(rows)
     lit = light.read_light({}, links)._replace(kind=reader.kind)
-    return Scene(
-        placed, lit, tuple(dict.fromkeys([*assumptions, *reader.assumptions])), tuple(reader.notes)
-    )
+    said = tuple(dict.fromkeys([*assumptions, *reader.assumptions]))
+    return Scene(placed, lit, said, (*notes, *reader.notes))
 
 
 class Survey:

@@ -7,6 +7,7 @@ import math
 import os
 import re
 from collections.abc import Mapping, Sequence
+from numbers import Real
 from typing import Any, NamedTuple
 
 from radcalc import columns
@@ -19,14 +20,15 @@ from radcalc.distributions.pose import DOWN, Pose
 from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.distributions.sources import PATH, photometry
-from radcalc.errors import ConditionError, Plain, RadcalcError, nearest, quote
+from radcalc.errors import ConditionError, NumberError, Plain, RadcalcError, listed, nearest, quote
 from radcalc.geometry import cones, far_field, lobes
 from radcalc.geometry.numerics.vectors import Vector, minus
 from radcalc.given import Given, Inputs, half_angle_of, read_as
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
 from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
-from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.dimensions import LENGTH
+from radcalc.units.numbers import parse_number, split_quantity
 from radcalc.units.table import NUMBER, Unit, resolve
 
 LAMBERTIAN = "lambertian"
@@ -48,15 +50,17 @@ def _coordinate(name: str) -> Symbol:
 
 COLUMNS: dict[str, Symbol] = {
     **{name: _coordinate(name) for name in (*PLACE, *AIM, *DIRECTION)},
-    "rotate": Symbol("rotate", "ψ", (ANGLE,), "90deg", limits=ANY, takes="an angle"),
+    "rotate": SYMBOLS["rotate"],
     **{
         name: SYMBOLS[name]
         for generic in (*CONE, *LOBE, *SIZE, *STRENGTH, *SURFACE)
         for name in (generic, *names_of_kinds(generic))
     },
 }
+COMMENT = "#"
 TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
+NO_NAME = re.compile(r"[^\w.+-]+")  # what the name of a result has not
 # A comma in a number that parts no thousands: 0,75 or 12,5 or 0,125.
 DECIMAL_COMMA = re.compile(r"(?<![\d,.])(?:0,\d|\d+,(?!\d{3}(?!\d))\d)")
 
@@ -79,12 +83,10 @@ class Row(NamedTuple):
 
 
 class Placed(NamedTuple):
-    """A source of a scene: what it is called in results, its row, and how it shines."""
+    """A source of a scene, and what it is called in results."""
 
     name: str
-    row: Row
     source: Source
-    kind: str
 
 
 def _title(titles: Mapping[str, str], column: str) -> str:
@@ -102,14 +104,12 @@ def typed(column: str) -> str:
     return column.replace("-", "_")
 
 
-def rows_of_file(path: str) -> list[Row]:
-    """The rows of a file, with a header and a line for each source."""
+def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
+    """The rows of a file, with a header and a line for each source; and what is odd."""
     name, whole = read_lines(path, "a CSV file with a row for each source")
-    lines = [
-        (number, line)
-        for number, line in enumerate(whole, 1)
-        if line.strip(" \t;,|") and not line.lstrip().startswith(columns.COMMENTS)
-    ]
+    lines = [(number, line) for number, line in enumerate(whole, 1) if line.strip(" \t;,|")]
+    comments = [one for one in lines if one[1].lstrip().startswith(COMMENT)]
+    lines = [one for one in lines if one not in comments]
     if len(lines) < 2:
         problem = "there is a header and no source" if lines else "there is no source"
         raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
@@ -131,7 +131,13 @@ def rows_of_file(path: str) -> list[Row]:
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
         rows.append(Row(where, filled, titles))
     _read_numbers(rows, units, delimiter != ",")
-    return rows
+    like_rows = [
+        str(number)
+        for number, line in comments
+        if len(columns.cells(line, delimiter)) == len(titles)
+    ]
+    notes = [f"{name}: passed over, as they begin with {COMMENT}: lines {listed(like_rows)}"]
+    return rows, notes if like_rows else []
 
 
 def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], may_have_commas: bool) -> None:
@@ -141,8 +147,8 @@ def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], may_have_comma
         for row, column in places:
             row[column] = row[column].replace(",", ".")
     for row, column in places:
-        number = columns.finite(row[column], False)
-        if number is not None and column in units:
+        if column in units and _is_bare(row[column]):
+            number = parse_number(row[column])
             row[column] = (number, units[column], f"{row[column]} {units[column].text}")
 
 
@@ -216,7 +222,8 @@ def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
                 near = [typed(one) for one in nearest(name, KNOWN, 3)]
                 problem = f"source {number}: there is no column '{quote(str(key))}'"
                 raise ConditionError(problem, ", ".join(near or map(typed, KNOWN[:8])))
-            if value is not None and value != "":
+            is_blank = value is None or (isinstance(value, str) and not value.strip())
+            if not is_blank:
                 cells[name] = value
         rows.append(Row(f"source {number}", cells, {}))
     if not rows:
@@ -236,15 +243,14 @@ class Reader:
         self.assumptions: dict[str, None] = {}
         self.notes: dict[str, None] = {}
         self.files: dict[str, Photometry] = {}
-        self.fluxes: dict[int, float] = {}
+        self.fluxes: dict[Distribution, float] = {}
 
     def sources(self, rows: Sequence[Row]) -> list[Placed]:
         """A source for each row, with a name of its own."""
         found: list[Placed] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
-            name = str(row.cells.get("name", number))
-            name = "-".join(name.replace(":", " ").split())
+            name = NO_NAME.sub("-", str(row.cells.get("name", number)))
             if name in names:
                 raise row.error(
                     "name",
@@ -268,14 +274,18 @@ class Reader:
         strength = strengths[0] if strengths else None
         said = f"'{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
-            return Placed(name, row, self.patch(said, row, given, strength, place, pose), self.kind)
+            return Placed(name, self.patch(said, row, given, strength, place, pose))
+        self.assumptions["sources count as points, but for rectangles"] = None
         factor = self.factor(row, found.distribution, strength)
         source = Emitter(said, place, pose, found.distribution, factor, found.size)
-        return Placed(name, row, source, self.kind)
+        return Placed(name, source)
 
     def read(self, row: Row, column: str) -> Given:
         """The value in a cell."""
         symbol, value = COLUMNS[column], row.cells[column]
+        number = value[0] if isinstance(value, tuple) else value
+        if isinstance(number, bool) or not isinstance(number, (str, Real)):
+            raise row.error(column, f"a {type(number).__name__} is no value", "one number or text")
         is_place = symbol.dimensions == (LENGTH,) and column in (*PLACE, *AIM, *DIRECTION)
         if is_place and _is_bare(value):
             self.assumptions["coordinates without a unit are in metres"] = None
@@ -409,17 +419,26 @@ class Reader:
                     f"{row.where}: the source has no strength",
                     "flux or intensity, with its unit: 800lm",
                 )
-            return self.in_kind(row, "intensity", distribution.kind)
+            return self.in_kind(row, "distribution", distribution.kind)
+        if distribution.kind:
+            self.assumptions["of a distribution that is scaled the shape alone counts"] = None
         if strength.symbol.generic == "intensity":
             own = float(distribution.intensity(0.0, 0.0))
             what = "intensity on its axis"
         else:
-            if id(distribution) not in self.fluxes:
-                self.fluxes[id(distribution)] = distribution.flux().value
-            own, what = self.fluxes[id(distribution)], "flux"
+            own, what = self.flux(row, distribution), "flux"
         if not own > 0:
             raise row.error(strength.name, f"the distribution has no {what}", "another quantity")
         return self.amount(row, strength) / own
+
+    def flux(self, row: Row, distribution: Distribution) -> float:
+        """The flux of a distribution, which is worked out once."""
+        if distribution not in self.fluxes:
+            try:
+                self.fluxes[distribution] = distribution.flux().value
+            except ConditionError as error:
+                raise row.error("distribution", *error.spelled(Plain)) from None
+        return self.fluxes[distribution]
 
     def amount(self, row: Row, one: Given) -> float:
         """A light quantity in the scene's kind."""
@@ -484,7 +503,10 @@ class Reader:
 
 
 def _is_bare(value: Any) -> bool:
-    """Whether a coordinate has no unit."""
-    if isinstance(value, str):
-        return value[-1:].isdigit() or value[-1:] == "."
-    return not isinstance(value, tuple)
+    """Whether a number has no unit."""
+    if not isinstance(value, str):
+        return not isinstance(value, tuple)
+    try:
+        return not split_quantity(value)[1]
+    except NumberError:
+        return False

@@ -11,6 +11,7 @@ from radcalc.errors import manual as help_of
 MEANT = {
     "ev": "camera aperture f-number iso shutter exposure meter lightmeter photography lens",
     "point-source": "point lamp led bulb spot spotlight beam inverse-square cosine candela",
+    "scene": "room lights luminaires layout isolux uniformity",
     "lambertian": "diffuse diffuser reflector panel wall surface luminaire reflectance",
     "spectrum": "blackbody illuminant cct cri colour color spectra daylight",
     "photon": "wavelength frequency wavenumber laser",

@@ -160,8 +160,11 @@ class _Reader:
         luminaire = self.text("luminaire name")
         for what in ("luminaire number", "file name", "date"):
             self.text(what)
-        for what in ("length", "width", "height") + ("size of the luminous area",) * 6:
+        sizes = [
             self.optional(f"{what} [mm]")
+            for what in ("length", "width", "height") + ("size of the luminous area",) * 6
+        ]
+        size = max(sizes[3:5]) or max(sizes[:2])  # of what shines, or else of all of it
         declared = {
             "downward-fraction": self.optional("downward flux fraction [%]") / 100,
             "output-ratio": self.optional("light output ratio LORL [%]") / 100,
@@ -205,6 +208,7 @@ class _Reader:
             {symbol: value for symbol, value in declared.items() if value > 0},
             (*self.assumptions, *end_of(polar)),
             tuple(self.notes),
+            max(size, 0.0) / 1000,
         )
 
     def check_planes(self, symmetry: int, planes: int) -> None:

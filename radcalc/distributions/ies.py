@@ -44,6 +44,7 @@ END_IN_DOS = "\x1a"  # of a file
 YEARS = (1986, 1991, 1995, 2002, 2019)
 EDITIONS = {text: year for year in YEARS for text in (str(year), str(year)[2:])}
 SYSTEMS = {1: "C", 2: "B", 3: "A"}
+METRES = {1: 0.3048, 2: 1.0}  # in a unit of length, by its number
 
 _EDITION = re.compile(r"\s*IES(?:NA)?\s*:?\s*(?:LM-?63-)?(\d{4}|\d\d)\s*$", re.IGNORECASE)
 _TAG = re.compile(r"\s*IES(?:NA|\s*:)|LM-?63", re.IGNORECASE)
@@ -113,6 +114,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
         {symbol: value for symbol, value in declared.items() if value > 0},
         (*assumptions, *table.assumptions),
         tuple(table.notes),
+        header.size,
     )
 
 
@@ -316,6 +318,7 @@ class _Header(NamedTuple):
     horizontal: int
     system: int
     watts: float
+    size: float  # [m] the longest of width, length and height
 
 
 def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
@@ -326,8 +329,8 @@ def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
     vertical = numbers.whole("number of vertical angles", 2)
     horizontal = numbers.whole("number of horizontal angles", 1)
     system = numbers.one_of("photometric type", {k: f"type {v}" for k, v in SYSTEMS.items()})
-    numbers.one_of("type of units", {1: "feet", 2: "metres"})
-    numbers.take(3)  # width, length, height
+    units = numbers.one_of("type of units", {1: "feet", 2: "metres"})
+    size = float(max(abs(numbers.take(3)))) * METRES[units]  # a diameter is negative
     ballast = numbers.factor("ballast factor")
     factor *= ballast
     if ballast != 1:
@@ -335,7 +338,7 @@ def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
     factor *= _ballast_lamp_factor(numbers, edition, assumptions)
     watts = numbers.one()
     _check_counts(numbers, vertical, horizontal)
-    return _Header(lumens, factor, vertical, horizontal, system, watts)
+    return _Header(lumens, factor, vertical, horizontal, system, watts, size)
 
 
 def _ballast_lamp_factor(numbers: _Numbers, edition: int, assumptions: list[str]) -> float:

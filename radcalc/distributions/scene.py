@@ -97,29 +97,29 @@ class Emitter:
         """Intensity towards points, cosine of the incidence there, and distance; as above."""
         to = minus(points, self.place)
         distance = length(to)
-        self._refuse(distance <= NEAREST, points, "is where {} is", "another point")
+        _refuse(distance <= NEAREST, points, f"is where {self.name} is", "another point")
         if self.is_patch:
-            self._refuse(
+            _refuse(
                 far_field.nearer(distance, self.size),
                 points,
-                f"is nearer than five times its size ({self.size:.3g} m) to {{}}",
+                f"is nearer than five times its size ({self.size:.3g} m) to {self.name}",
                 "its width and length in place of its area, which holds at any distance",
             )
-        if self.distribution.is_axial:
+        if self.distribution.is_axial:  # any azimuth will do
             axis = self.pose.axes[2]
-            theta = numpy.arctan2(length(cross(axis, to)), dot(axis, to))
-            intensity = self.distribution.intensity(theta, 0.0)
+            theta, phi = numpy.arctan2(length(cross(axis, to)), dot(axis, to)), 0.0
         else:
             theta, phi, _ = self.pose.angles(to)
-            intensity = self.distribution.intensity(theta, phi)
-        return self.factor * intensity, -dot(normal, to) / distance, distance
+        try:
+            intensity = self.factor * self.distribution.intensity(theta, phi)
+        except ConditionError as error:  # of an expression
+            error.message = f"{self.name}: {error.message}"
+            raise
+        return intensity, -dot(normal, to) / distance, distance
 
     def near(self, points: Vector) -> Any:
         """Which points are nearer than five times the size."""
         return far_field.nearer(length(minus(points, self.place)), self.size)
-
-    def _refuse(self, bad: Any, points: Vector, problem: str, hint: str) -> None:
-        _refuse(bad, points, problem.format(self.name), hint)
 
 
 class Panel:

@@ -48,6 +48,7 @@ def test_the_sum_is_that_of_point_source_for_each(tmp_path):
         ("x,y,z,flux\n0,0,2,800lm\n", 800 / (4 * math.pi) / 4),
         ("x,y,z,flux (klm)\n0,0,2,0.8\n", 800 / (4 * math.pi) / 4),
         ("x,y,z_cm,luminous_flux [lm]\n0,0,200,800\n", 800 / (4 * math.pi) / 4),
+        ("x,y,z (cm),flux\n0,0,400/2,800lm\n", 800 / (4 * math.pi) / 4),
         ("x,y,z (cm),flux\n0,0,2m,800 lm\n", 800 / (4 * math.pi) / 4),
         ("X;Y;Z;Flux\r\n0;0;2,5;800lm\r\n", 800 / (4 * math.pi) / 6.25),
         ("\ufeffx\ty\tz\tflux\n0\t0\t2\t800lm\n", 800 / (4 * math.pi) / 4),
@@ -257,6 +258,37 @@ def test_what_is_assumed_and_odd_is_said(tmp_path):
     assert "uniformity" not in dark.stdout
 
 
+def test_a_row_that_is_passed_over_is_told(tmp_path):
+    text = "# my rig\nname;x;y;z;flux\n#1;0;0;2;8lm\n;;;;\n;0;0;3;8lm\n"
+    done = scene(tmp_path, text, "--at", "0,0,0", "-g", "irradiance:lx")
+    assert float(done.stdout) == pytest.approx(8 / (4 * math.pi) / 9)
+    assert "rig.csv: passed over, as they begin with #: lines 3\n" in done.stderr
+
+
+def test_a_row_of_blank_first_cells_is_no_comment(tmp_path):
+    text = "name;aim_x;aim_y;aim_z;x;y;z;flux\n;;;;0;0;2;8lm\nb;;;;0;0;3;8lm\n"
+    expected = 8 / (4 * math.pi) * (1 / 4 + 1 / 9)
+    assert lux(tmp_path, text, "--at", "0,0,0") == pytest.approx([expected])
+
+
+def test_a_name_makes_one_column(tmp_path):
+    text = 'name,x,y,z,flux\n"desk, left: 1",0,0,2,8lm\nc,0,0,3,8lm\n'
+    done = scene(tmp_path, text, "--at", "0,0,0", "--format", "csv", "-q")
+    (row,) = csv.DictReader(io.StringIO(done.stdout))
+    assert list(row)[4:] == [
+        "share-desk-left-1:lx",
+        "share-desk-left-1:%",
+        "share-c:lx",
+        "share-c:%",
+    ]
+
+
+def test_a_cell_of_any_length_is_refused_in_words(tmp_path):
+    done = scene(tmp_path, f'x,y,z,flux\n0,0,2,"{"a" * 200_000}"\n', "--at", "0,0,0")
+    assert done.returncode == 2
+    assert "line 2, column 'flux'" in done.stderr
+
+
 def test_the_derivation_has_the_term_of_each_source(tmp_path):
     done = scene(tmp_path, LAMPS, "--at", "-2,0,1", "--steps", "-q", "-g", "irradiance:lx")
     assert "100 cd * 1 / (2 m)^2 = 25 lx" in done.stderr
@@ -298,6 +330,9 @@ def test_python_gets_arrays_and_figures(tmp_path):
     assert of_file["irradiance"].magnitude == pytest.approx(expected)
     with pytest.raises(RadcalcError, match="source 2: there is no column 'fluks'"):
         radcalc.scene([lamps[0], {"fluks": 1}], points)
+    for bad in (True, [1, 2], numpy.array([1.0, 2.0]), Quantity([1, 2], "m"), object()):
+        with pytest.raises(RadcalcError, match="source 1, column 'x'"):
+            radcalc.scene([lamps[0] | {"x": bad}], points)
     with pytest.raises(RadcalcError, match="no use with a scene"):
         radcalc.scene(lamps, points, flux="8lm")
 

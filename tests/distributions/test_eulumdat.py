@@ -261,3 +261,18 @@ def test_damage_is_refused_with_a_line_or_does_not_matter(symmetry):
         assert found.declared.get("lamp-flux", lumens) == lumens, what
     assert count > 1000
     assert 0 < accepted < count / 2
+
+
+@pytest.mark.parametrize(
+    ("sizes", "metres"),
+    [
+        ([1200, 300, 80, 1150, 250, 0, 0, 0, 0], 1.15),
+        ([200, 0, 80, 150, 0, 0, 0, 0, 0], 0.15),  # a circle, by its diameter
+        ([200, 300, 80, 0, 0, 0, 0, 0, 0], 0.3),
+        ([0] * 9, 0.0),
+    ],
+)
+def test_the_size_of_what_shines_is_kept(sizes, metres):
+    lines = written(lambda _c, _gamma: 100.0)
+    lines[12:21] = map(str, sizes)
+    assert read(lines, "lamp.ldt").size == metres

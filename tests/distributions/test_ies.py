@@ -466,3 +466,17 @@ def test_the_plain_sum_itself():
         assert plain_flux(lines) == pytest.approx(flux(ies.read(lines, "lamp.ies")), rel=1e-12)
     assert plain_flux(written(1, [0, 90, 180], [0])) == pytest.approx(4 * math.pi)
     assert plain_flux(written(1, [-90, 0, 90], [0, 90], "B")) == pytest.approx(2 * math.pi)
+
+
+@pytest.mark.parametrize(
+    ("sizes", "metres"),
+    [
+        ("1 2 3.5 0", 1.0668),  # feet
+        ("2 0.3 1.2 0", 1.2),
+        ("2 -0.15 0 0", 0.15),  # a circle, by its diameter
+        ("2 0 0 0", 0.0),
+    ],
+)
+def test_the_size_of_what_shines_is_kept(sizes, metres):
+    text = f"IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 {sizes}\n1 1 10\n0 90\n0\n100 100\n"
+    assert ies.read(text.splitlines(), "lamp.ies").size == pytest.approx(metres)
