@@ -278,7 +278,7 @@ def scene(
     if isinstance(sources, os.PathLike):
         sources = os.fspath(sources)
     elif isinstance(sources, Iterable) and not isinstance(sources, (str, bytes)):
-        sources = [_row(number, source) for number, source in enumerate(sources, 1)]
+        sources = [_row(source) for source in sources]
     elif not isinstance(sources, str):
         raise ConditionError(
             f"the sources are of the type {type(sources).__name__}",
@@ -296,18 +296,11 @@ def scene(
     return {**found, **_quantities(survey.remarks(with_values=True))}
 
 
-def _row(number: int, source: Any) -> Any:
+def _row(source: Any) -> Any:
     """A row of a scene, whose quantities are numbers with units."""
     if not isinstance(source, dict):
         return source
-    row = {}
-    for key, value in source.items():
-        if type(value) in (list, tuple) or getattr(value, "shape", None):
-            raise ConditionError(
-                f"source {number}, '{quote(str(key))}': several values", "a dict for each source"
-            )
-        row[key] = _plain(value)
-    return row
+    return {key: _plain(value) for key, value in source.items()}
 
 
 @in_python

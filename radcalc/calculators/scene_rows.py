@@ -3,7 +3,6 @@
 A row has a value for some of the columns; it is a line of a file, or a dict of Python's.
 """
 
-import math
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -12,6 +11,7 @@ from typing import Any, NamedTuple
 
 from radcalc import columns
 from radcalc.calculators import light
+from radcalc.calculators.point_source import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT
 from radcalc.distributions.distribution import Distribution
 from radcalc.distributions.files import read_lines
@@ -21,10 +21,13 @@ from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.distributions.sources import PATH, photometry
 from radcalc.errors import ConditionError, NumberError, Plain, RadcalcError, listed, nearest, quote
-from radcalc.geometry import cones, far_field, lobes
+from radcalc.geometry import far_field
 from radcalc.geometry.numerics.vectors import Vector, minus
-from radcalc.given import Given, Inputs, half_angle_of, read_as
-from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
+from radcalc.given import Given, Inputs, read_as
+from radcalc.laws import surface
+from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
+from radcalc.laws.solver import Known
+from radcalc.laws.solver import solve as follow
 from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
 from radcalc.units.dimensions import LENGTH
@@ -36,12 +39,10 @@ SHAPES = (ISOTROPIC, CONICAL, LOBED, LAMBERTIAN)
 PLACE, AIM, DIRECTION = (
     tuple(f"{word}{axis}" for axis in "xyz") for word in ("", "aim-", "direction-")
 )
-CONE = ("half-angle", "apex-angle", "solid-angle")
-LOBE = ("exponent", "beam-angle", "field-angle")
 SIZE = ("area", "width", "length")
 STRENGTH = ("flux", "intensity")  # of any source
 SURFACE = ("radiance", "exitance")  # of a Lambertian one
-TAKES = {CONICAL: CONE, LOBED: LOBE, LAMBERTIAN: (*SIZE, *SURFACE), ISOTROPIC: ()}
+TAKES = {**SHAPED, LAMBERTIAN: (*SIZE, *SURFACE)}
 
 
 def _coordinate(name: str) -> Symbol:
@@ -250,7 +251,10 @@ class Reader:
         found: list[Placed] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
-            name = NO_NAME.sub("-", str(row.cells.get("name", number)))
+            given = row.cells.get("name", number)
+            if not isinstance(given, (str, Real)):
+                raise row.error("name", f"a {type(given).__name__} is no name", "a text")
+            name = NO_NAME.sub("-", str(given))
             if name in names:
                 raise row.error(
                     "name",
@@ -351,9 +355,9 @@ class Reader:
         if not shape:
             return "", self.photometry(row, text)
         if shape == CONICAL:
-            return shape, Photometry(Cone(self.half_angle(row, given)), "")
+            return shape, Photometry(Cone(self.width(row, given, shape, "half-angle")), "")
         if shape == LOBED:
-            return shape, Photometry(Lobe(self.exponent(row, given)), "")
+            return shape, Photometry(Lobe(self.width(row, given, shape, "exponent")), "")
         return shape, Photometry(Isotropic(), "")
 
     def photometry(self, row: Row, text: Any) -> Photometry:
@@ -388,20 +392,11 @@ class Reader:
             )
         return given[found[0]]
 
-    def half_angle(self, row: Row, given: Inputs) -> float:
-        """The half angle of a cone [rad]."""
-        one = self.one_of(row, given, CONE, CONICAL)
-        if one.name == "solid-angle":
-            return float(cones.cone_of(one.value))
-        return float(half_angle_of(one))
-
-    def exponent(self, row: Row, given: Inputs) -> float:
-        """The exponent of a lobe."""
-        one = self.one_of(row, given, LOBE, LOBED)
-        if one.name == "exponent":
-            return float(one.value)
-        share = 0.5 if one.name == "beam-angle" else 0.1
-        return float(lobes.exponent(one.value, share))
+    def width(self, row: Row, given: Inputs, shape: str, wanted: str) -> float:
+        """The half angle of a cone [rad], or the exponent of a lobe."""
+        one = self.one_of(row, given, TAKES[shape], shape)
+        found = follow(WIDTHS[shape], {one.name: Known(float(one.value))}).values
+        return float(found[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
         """Refuse columns that are of another distribution."""
@@ -485,13 +480,8 @@ class Reader:
                 "luminance, exitance, flux or intensity, with its unit",
             )
         area = float(given["area"].value if "area" in given else sides[0] * sides[1])
-        radiance = self.amount(row, strength)
-        radiance /= {
-            "radiance": 1.0,
-            "exitance": math.pi,
-            "flux": math.pi * area,
-            "intensity": area,
-        }[strength.symbol.generic]
+        known = {strength.symbol.generic: Known(self.amount(row, strength)), "area": Known(area)}
+        radiance = float(follow([*surface.LAWS, surface.FLAT], known).values["radiance"].value)
         if sides:
             return Panel(said, place, pose, float(sides[0]), float(sides[1]), radiance)
         self.assumptions["a patch given by its area alone counts as small beside its distance"] = (

@@ -80,8 +80,9 @@ from radcalc.maths import (
     sqrt,
     tan,
 )
+from radcalc.quantities.symbols import DISTRIBUTIONS
 
-ISOTROPIC, CONICAL, LOBED = "isotropic", "cone", "lobe"
+ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS
 
 
 def _exponent_of(solid_angle: Any) -> Any:
