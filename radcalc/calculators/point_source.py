@@ -45,8 +45,11 @@ from radcalc.laws.point import (
     RECEIVER_TURNED,
     SPOT,
     WIDTHS,
+    beam_of_cone,
+    beam_of_lobe,
 )
 from radcalc.laws.solver import reached
+from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, hypot, is_array
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
@@ -78,6 +81,8 @@ ASSUMED = {
 }
 # What a distribution is about where no light is given.
 WIDTH = {CONICAL: "half-angle", LOBED: "exponent"}
+# The angle from edge to edge, and the law of how wide that is across the axis.
+BEAMS = {CONICAL: ("apex-angle", beam_of_cone), LOBED: ("beam-angle", beam_of_lobe)}
 LYING = "the receiver lies flat, in a plane across the source's axis"
 
 
@@ -110,7 +115,8 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     """What follows for a receiver on the source's axis, or aside of it."""
     shape = spread(given)
     sheet = Worksheet(
-        PAGE._replace(others=(*POSITION, "off-axis", *SHAPED[shape], *RECEIVER)), given
+        PAGE._replace(others=(*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)),
+        given,
     )
     sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
     sheet.defaults.add("incidence")
@@ -119,6 +125,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     if not sheet.lit.values:
         return _width(sheet, shape, [*laws, INVERSE_SQUARE])
     laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
+    laws += _beam(sheet, shape, "height" if is_aside or "height" in sheet.given else "distance")
     sheet.assume(ASSUMED[shape])
     if shape == ISOTROPIC and "intensity" in sheet.lit.values and "distribution" not in given:
         sheet.notes.append(
@@ -136,10 +143,22 @@ def _width(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
     if sheet.lit.links or not set(SHAPED[shape]) & set(sheet.given):
         hint = mention("{flux}, {intensity} or {irradiance}")
         raise MissingInput("a light quantity is missing", hint)
-    sheet.page = sheet.page._replace(goal=WIDTH[shape])
+    away = next((name for name in ("height", "distance") if name in sheet.given), "")
+    beam = _beam(sheet, shape, away) if away else []
+    sheet.page = sheet.page._replace(goal="beam-diameter" if beam else WIDTH[shape])
     sheet.assume(ASSUMED[shape].partition(";")[0])
-    sheet.solve(WIDTHS[shape])
-    return sheet.answer(laws)
+    sheet.solve([*WIDTHS[shape], *beam])
+    return sheet.answer([*laws, *beam])
+
+
+def _beam(sheet: Worksheet, shape: str, away: str) -> list[AnyLaw]:
+    """The law of how wide the light is across the axis, where its edge is ahead of the source."""
+    name, beam = BEAMS.get(shape, ("", None))
+    try:
+        width = follow(LAWS[shape], sheet.known).values.get(name)
+    except ConditionError:  # which is said where everything is solved
+        return []
+    return [beam(away)] if beam and width and not any_true(width.value >= math.pi) else []
 
 
 def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:

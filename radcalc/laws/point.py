@@ -24,6 +24,9 @@ Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees fr
 - flux in the beam: Phi_b = Phi k_b
 - `FALL`: f = cos(gamma)^n
 
+How wide the light is across the axis: `beam_of_cone`, D_b = 2 d tan(alpha), and `beam_of_lobe`,
+D_b = 2 d tan(FWHM/2), for angles that leave it an edge ahead
+
 `WIDTHS` has those laws of each that are about its angles alone.
 
 All (`ANY_LAWS`), for a source that is small beside its distance d (five times its size and more):
@@ -119,6 +122,40 @@ FIELD_ANGLE = relation(
         "field-angle": lambda at: lobes.angle(at("exponent"), 0.1),
     },
 )
+
+
+def beam_of_cone(away: str) -> Relation:
+    """Make the law of how wide a cone's light is at `height` or `distance` along its axis.
+
+    The half angle is to be less than a right one, as whoever takes the law has made sure.
+    """
+    return relation(
+        "diameter of a cone's light",
+        f"{{beam-diameter}} = 2 {{{away}}} tan({{half-angle}})",
+        {
+            "beam-diameter": lambda at: 2 * at(away) * tan(at("half-angle")),
+            away: lambda at: at("beam-diameter") / (2 * tan(at("half-angle"))),
+            "half-angle": lambda at: atan(at("beam-diameter") / (2 * at(away))),
+        },
+    )
+
+
+def beam_of_lobe(away: str) -> Relation:
+    """Make the law of how wide a lobe's beam is at `height` or `distance` along its axis.
+
+    The beam angle is to be less than a straight one, as whoever takes the law has made sure.
+    """
+    return relation(
+        "diameter of a lobe's beam",
+        f"{{beam-diameter}} = 2 {{{away}}} tan({{beam-angle}}/2)",
+        {
+            "beam-diameter": lambda at: 2 * at(away) * tan(at("beam-angle") / 2),
+            away: lambda at: at("beam-diameter") / (2 * tan(at("beam-angle") / 2)),
+            "beam-angle": lambda at: 2 * atan(at("beam-diameter") / (2 * at(away))),
+        },
+    )
+
+
 # How wide a distribution is, which is known without any light.
 WIDTHS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [],

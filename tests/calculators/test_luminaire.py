@@ -259,6 +259,26 @@ def test_the_diameter_of_a_beam():
     assert number(found, "beam_diameter", "m") == pytest.approx(4 * math.tan(math.pi / 3))
 
 
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"half_angle": "15deg", "height": "2m"},
+        {"half_angle": "15deg", "flux": "9lm", "height": "2m", "offset": "1m"},
+        {"beam_angle": "30deg", "distance": "2m"},
+        {"beam_angle": "30deg", "intensity": "100cd", "distance": "2m"},
+    ],
+)
+def test_the_diameter_of_a_cone_and_of_a_lobes_beam(given):
+    """4 m times tan 15 degrees = 2 - sqrt(3)."""
+    found = point_source(**given)
+    assert number(found, "beam_diameter", "m") == pytest.approx(4 * (2 - math.sqrt(3)))
+
+
+@pytest.mark.parametrize("wide", [{"half_angle": "90deg"}, {"exponent": 0}, {}])
+def test_what_has_no_edge_ahead_has_no_diameter(wide):
+    assert "beam_diameter" not in point_source(**wide, flux="9lm", distance="2m")
+
+
 def test_a_distribution_of_python():
     lobe = point_source(distribution=Lobe(1.0), intensity="1cd")
     assert number(lobe, "flux", "lm") == pytest.approx(math.pi)
@@ -329,6 +349,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "1 cd", "exponent": 3}, "exponent is of a lobe"),
         ({"distribution": "theta cd", "intensity": "5cd"}, "where this distribution has none"),
         ({"distribution": "0 cd"}, "no intensity in any direction"),
+        ({"distribution": "(abs(theta-1)<1e-5) cd"}, "narrower than 0.0"),
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both tell where"),
         ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "no use without a receiver"),

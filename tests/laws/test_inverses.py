@@ -207,6 +207,12 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("a receiver in a distribution, facing it", "received-solid-angle"): (
         {**RECEIVER, "off-axis": st.just(0.0), "azimuth": ANGLE}, "received-solid-angle",
         lambda a, d, *_: _on_disc(a, d, 0.0, EXPONENT)),
+    ("diameter of a cone's light", "beam-diameter"): (
+        {"height": SIZE, "half-angle": st.floats(0.01, 1.5)}, "beam-diameter",
+        lambda h, angle: 2 * h * math.tan(angle)),
+    ("diameter of a lobe's beam", "beam-diameter"): (
+        {"height": SIZE, "beam-angle": st.floats(0.01, 3)}, "beam-diameter",
+        lambda h, angle: 2 * h * math.tan(angle / 2)),
     ("diameter of the beam", "beam-diameter"): (
         {"height": SIZE}, "beam-diameter", lambda h: 2 * h),
     ("illuminance of a floor", "irradiance"): (
