@@ -147,8 +147,9 @@ def _width(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
     beam = _beam(sheet, shape, away) if away else []
     sheet.page = sheet.page._replace(goal="beam-diameter" if beam else WIDTH[shape])
     sheet.assume(ASSUMED[shape].partition(";")[0])
-    sheet.solve([*WIDTHS[shape], *beam])
-    return sheet.answer([*laws, *beam])
+    own = [*WIDTHS[shape], *beam]
+    sheet.solve(own)
+    return sheet.answer(own if beam else laws)
 
 
 def _beam(sheet: Worksheet, shape: str, away: str) -> list[AnyLaw]:

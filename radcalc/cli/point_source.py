@@ -48,6 +48,7 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --flux 4.5klm --half-angle 12.5deg --distance 1m,2m,5m
       radcalc point-source --intensity 1000cd --beam-angle 30deg
       radcalc point-source --beam-angle 30deg                (exponent, field angle)
+      radcalc point-source --half-angle 15deg --height 2m -g beam-diameter
       radcalc point-source --luminous-flux 800lm --radiant-flux 3W  (the efficacy)
       radcalc point-source --intensity 100cd --exponent 3 --within 45deg -g flux-within:lm
       radcalc point-source --flux 500lm --intensity 900cd --distribution cone
