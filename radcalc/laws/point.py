@@ -127,7 +127,21 @@ FIELD_ANGLE = relation(
 def beam_of_cone(away: str) -> Relation:
     """Make the law of how wide a cone's light is at `height` or `distance` along its axis.
 
-    The half angle is to be less than a right one, as whoever takes the law has made sure.
+    Parameters
+    ----------
+    away : str
+        The symbol that tells how far along the axis: `height` or `distance`.
+
+    Returns
+    -------
+    Relation
+        Of `beam-diameter`, that symbol and the half angle, which is to be less than a right one.
+
+    Examples
+    --------
+    >>> width = beam_of_cone("height")
+    >>> round(width.solve("beam-diameter", {"height": 3.0, "half-angle": math.pi / 4}.get), 9)
+    6.0
     """
     return relation(
         "diameter of a cone's light",
@@ -143,7 +157,21 @@ def beam_of_cone(away: str) -> Relation:
 def beam_of_lobe(away: str) -> Relation:
     """Make the law of how wide a lobe's beam is at `height` or `distance` along its axis.
 
-    The beam angle is to be less than a straight one, as whoever takes the law has made sure.
+    Parameters
+    ----------
+    away : str
+        The symbol that tells how far along the axis: `height` or `distance`.
+
+    Returns
+    -------
+    Relation
+        Of `beam-diameter`, that symbol and the beam angle, which is to be less than a straight one.
+
+    Examples
+    --------
+    >>> width = beam_of_lobe("height")
+    >>> round(width.solve("beam-diameter", {"height": 3.0, "beam-angle": math.pi / 2}.get), 9)
+    6.0
     """
     return relation(
         "diameter of a lobe's beam",
