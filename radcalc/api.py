@@ -17,7 +17,7 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.given import Given, Inputs, read, read_place
+from radcalc.given import TOO_FAR, Given, Inputs, read, read_place
 from radcalc.maths import LARGEST, is_array
 from radcalc.quantities.symbols import DIRECTION, FLAG, INNER, NUMBERS, POINT, SYMBOLS
 from radcalc.units.dimensions import LENGTH
@@ -397,7 +397,7 @@ def _place(point: Any) -> Given:
     if array.shape[-1:] != (3,):
         raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
     if not (abs(array) <= LARGEST).all():
-        raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
+        raise ConditionError(*TOO_FAR)
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
     return Given(SYMBOLS["point"], "the points", place, unit=unit)
 

@@ -352,6 +352,11 @@ AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without:
 
 def _read_angle(text: str, whole: str, what: str) -> float:
     """One of the angles of a direction [rad]."""
+    if ":" in text:
+        raise ConditionError(
+            f"{what} '{quote(whole)}' has a range where one angle is meant",
+            "one direction, or at a shell a range of polar angles: 0deg:90deg:15deg,90deg",
+        )
     try:
         number, unit_text = split_quantity(text)
     except NumberError as error:
@@ -427,21 +432,36 @@ def _read_numbers(symbol: Symbol, value: Any) -> Given:
     return Given(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
 
 
+IN_METRES = "coordinates without a unit are in metres"
+TOO_FAR = "a coordinate is beyond what radcalc reckons with", "up to 1e100"
+
+
 def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
-    """Read coordinates that are all lengths [m], or all bare; give the first one's unit too."""
+    """Read coordinates that are all lengths [m], or all bare; give the first unit too.
+
+    A 0 needs no unit beside lengths.
+    """
+    if any(":" in part for part in parts):
+        raise ConditionError("a coordinate is one number, not a range", "one point at a time")
     read = [split_quantity(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in read]
-    if len({unit.dimension for unit in units}) > 1:
-        raise ConditionError("the coordinates mix quantities", "one unit for X, Y and Z")
-    if read[0][1] and units[0].dimension != LENGTH:
-        raise ConditionError(
-            f"a coordinate is a length or a bare number, not {describe(units[0])}",
-            f"without {quote(read[0][1])}",
-        )
+    first = next((unit for _, unit in read if unit), "")
+    for part, (number, unit_text), unit in zip(parts, read, units, strict=True):
+        if unit_text and unit.dimension != LENGTH:
+            raise ConditionError(
+                f"a coordinate is a length or a bare number, not {describe(unit)}",
+                f"without {quote(unit_text)}",
+            )
+        if first and not unit_text and number:
+            bare = part.strip()
+            raise ConditionError(
+                f"'{quote(bare)}' has no unit, and another coordinate has one",
+                f"{quote(bare + first)} in place of {quote(bare)}",
+            )
     sizes = tuple(number * unit.factor for (number, _), unit in zip(read, units, strict=True))
     if max(map(abs, sizes)) > LARGEST:
-        raise ConditionError("a coordinate is beyond what radcalc reckons with", "up to 1e100")
-    return sizes, read[0][1]
+        raise ConditionError(*TOO_FAR)
+    return sizes, first
 
 
 def read_place(name: str, text: str) -> Given:
@@ -453,8 +473,6 @@ def read_place(name: str, text: str) -> Given:
         raise ConditionError(f"{what} has {count}, not three", hint)
     try:
         place, unit = read_coordinates(parts)
-    except ConditionError as error:
-        raise ConditionError(f"{what}: {error.message}", hint) from None
     except RadcalcError as error:
         error.message = f"{what}: {error.message}"
         raise

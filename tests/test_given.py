@@ -5,7 +5,14 @@ import math
 import pytest
 
 from radcalc.errors import START, RadcalcError
-from radcalc.given import Given, read_as, read_direction, read_interval, values_of
+from radcalc.given import (
+    Given,
+    read_as,
+    read_direction,
+    read_interval,
+    read_place,
+    values_of,
+)
 from radcalc.quantities.symbols import DIRECTION, SYMBOLS
 from radcalc.units.table import resolve
 
@@ -85,3 +92,8 @@ def test_an_interval_without_a_unit_is_quoted_in_its_hint():
     with pytest.raises(RadcalcError) as error:
         read_interval("polar", f"1:1{START}")
     assert START not in error.value.hint[1:]  # but for the mention of the option itself
+
+
+def test_a_coordinate_of_0_needs_no_unit_beside_lengths():
+    assert read_place("point", "0,0,100cm").value == (0.0, 0.0, 1.0)
+    assert read_place("point", "1cm,0,0").unit.text == "cm"

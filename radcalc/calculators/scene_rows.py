@@ -23,7 +23,7 @@ from radcalc.distributions.sources import PATH, photometry
 from radcalc.errors import ConditionError, NumberError, Plain, RadcalcError, listed, nearest, quote
 from radcalc.geometry import far_field
 from radcalc.geometry.numerics.vectors import Vector, minus
-from radcalc.given import Given, Inputs, read_as
+from radcalc.given import IN_METRES, Given, Inputs, read_as
 from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
 from radcalc.laws.solver import Known
@@ -292,7 +292,7 @@ class Reader:
             raise row.error(column, f"a {type(number).__name__} is no value", "one number or text")
         is_place = symbol.dimensions == (LENGTH,) and column in (*PLACE, *AIM, *DIRECTION)
         if is_place and _is_bare(value):
-            self.assumptions["coordinates without a unit are in metres"] = None
+            self.assumptions[IN_METRES] = None
             value = f"{value} m" if isinstance(value, str) else (value, resolve("m"))
         try:
             return read_as(symbol, value)

@@ -23,7 +23,7 @@ from radcalc.errors import (
 )
 from radcalc.geometry import uberlight as attenuations
 from radcalc.geometry.numerics.vectors import cross, dot, length, times
-from radcalc.given import Inputs, angle_of
+from radcalc.given import IN_METRES, Inputs, angle_of
 from radcalc.laws.law import AnyLaw, law
 from radcalc.laws.point import COSINE
 from radcalc.maths import Number, any_true, atan2, hypot, is_array, log
@@ -180,7 +180,7 @@ def _assume(sheet: Worksheet, is_omni: bool) -> None:
     aim = "shines everywhere" if is_omni else "shines along +z"
     sheet.assume(f"the light is at 0,0,0 and {aim}")
     if given["point"].unit is None:
-        sheet.assume("x, y and z are metres")
+        sheet.assume(IN_METRES)
     if "falloff" not in given:
         sheet.know("falloff", 2.0)
         sheet.assume(mention("the inverse square, a fall-off of 2 ({falloff})"))

@@ -112,16 +112,19 @@ def _refuse_long(each: Sequence[Case]) -> None:
             raise UsageError(f"a table of {count} answers is too long", "-g NAME:UNIT, for columns")
 
 
+def refuse_format(output: Output) -> None:
+    """Refuse a format beside the bare numbers that were asked for."""
+    if output.format not in (PLAIN, TABLE):
+        problem = f"--get prints bare numbers, and contradicts --format {output.format}"
+        raise UsageError(problem, "one of them")
+
+
 def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
     if not asked.steps:
         answers = ((case, answer._replace(steps=())) for case, answer in answers)
     if asked.wanted:
-        if output.format not in (PLAIN, TABLE):
-            raise UsageError(
-                f"--get prints bare numbers, and contradicts --format {output.format}",
-                "one of them",
-            )
+        refuse_format(output)
         texts: list[str] = []
         remarks: dict[tuple[Any, ...], Result] = {}
         for _, answer in answers:

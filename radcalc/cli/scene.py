@@ -8,16 +8,15 @@ import click
 from radcalc import stdio
 from radcalc.answer import Answer
 from radcalc.calculators.results import element, pick
-from radcalc.cli.calculator import Asked, cases, formatted, lines, result, run
+from radcalc.cli.calculator import Asked, cases, formatted, lines, refuse_format, result, run
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, RadcalcError, UsageError, quote
 from radcalc.errors import command as call_of
-from radcalc.given import Inputs, read_coordinates, read_place
-from radcalc.render.formats import CSV, PLAIN, TABLE
+from radcalc.given import IN_METRES, Inputs, read_coordinates, read_place
+from radcalc.render.formats import CSV
 
 AS_GRID = "X0:X1:N,Y0:Y1:N,Z, as in 0:6:61,0:4:41,0.75"
-IN_METRES = ("coordinates without a unit are in metres",)
 MOST = 100_000_000  # points
 FEW = 12  # sources whose shares are shown unasked
 AT = click.Option(
@@ -120,10 +119,8 @@ def command(
 
 def _stream(survey: Any, points: "Points", asked: Asked, shown: Output) -> int:
     """Write a line for each point, a block of them at a time."""
-    if asked.wanted and shown.format not in (PLAIN, TABLE):
-        raise UsageError(
-            f"--get prints bare numbers, and contradicts --format {shown.format}", "one of them"
-        )
+    if asked.wanted:
+        refuse_format(shown)
     form = f"%.{shown.style.precision}g" if shown.style.precision else "%r"
     is_first = True
     for answer in survey.at_points(points.blocks()):
@@ -178,10 +175,12 @@ def _points(at: tuple[str, ...], grid: str | None) -> Points:
         return _grid(grid)
     if not at:
         raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
+    if several := next((text for text in at if ":" in text), None):
+        raise ConditionError(f"--at {quote(several)} is a range", f"--grid {AS_GRID}")
     places = [read_place("point", text) for text in at]
     bare = any(place.unit is None for place in places)
     every = [place.value for place in places]
-    return Points(lambda: scene.blocks(every), len(at), at, IN_METRES if bare else ())
+    return Points(lambda: scene.blocks(every), len(at), at, (IN_METRES,) if bare else ())
 
 
 def _grid(text: str) -> Points:
@@ -209,7 +208,7 @@ def _grid(text: str) -> Points:
         size *= count
     if size > MOST:
         raise ConditionError(f"{told} has {size} points", f"at most {MOST}")
-    return Points(lambda: scene.grid(*axes), size, (), () if unit else IN_METRES)
+    return Points(lambda: scene.grid(*axes), size, (), () if unit else (IN_METRES,))
 
 
 def _count(text: str, told: str) -> int:
