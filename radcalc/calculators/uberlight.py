@@ -22,7 +22,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import uberlight as attenuations
-from radcalc.geometry.numerics.vectors import cross, dot, length, times
+from radcalc.geometry.numerics.vectors import cross, dot, length, times, unit
 from radcalc.given import IN_METRES, Inputs, angle_of
 from radcalc.laws.law import AnyLaw, law
 from radcalc.laws.point import COSINE
@@ -211,8 +211,7 @@ def _turn_receiver(sheet: Worksheet) -> None:
         if not any(normal):
             told = option("normal", quote(given["normal"].text))
             raise ConditionError(f"{told} has no direction", option("normal", "0,0,-1"))
-        size = max(map(abs, normal))
-        normal = (normal[0] / size, normal[1] / size, normal[2] / size)  # its square is in range
+        normal = unit(normal)
         to_light = times(given["point"].value, -1 / sheet.known["distance"].value)
         across = length(cross(normal, to_light))
         sheet.know("incidence", atan2(across, dot(normal, to_light)))

@@ -7,7 +7,7 @@ towards +x and C90 towards +y.
 import math
 
 from radcalc.geometry.directions import spherical
-from radcalc.geometry.numerics.vectors import Vector, dot, length, plus, times
+from radcalc.geometry.numerics.vectors import Vector, dot, plus, times, unit
 from radcalc.maths import Number
 
 DOWN: Vector = (0.0, 0.0, -1.0)
@@ -45,9 +45,7 @@ class Pose:
 
     def __init__(self, aim: Vector = DOWN, rotate: float = 0.0) -> None:
         spherical(*aim)  # refuses what is no direction
-        size = max(map(abs, aim))
-        aim = times(aim, 1 / size)
-        axis = times(aim, 1 / length(aim))
+        axis = unit(aim)
         c0 = (math.cos(rotate), math.sin(rotate), 0.0)
         c90 = (-math.sin(rotate), math.cos(rotate), 0.0)
         self.axes = tuple(_turned(own, axis) for own in (c0, c90, DOWN))

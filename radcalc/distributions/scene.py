@@ -13,7 +13,8 @@ from radcalc.distributions.distribution import Distribution
 from radcalc.distributions.pose import Pose
 from radcalc.errors import ConditionError, option, quote
 from radcalc.geometry import far_field, projected
-from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, times
+from radcalc.geometry.numerics import vectors
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus
 
 NEAREST = 1e-6  # [m] nothing is nearer to a source than that
 BLOCK = 1 << 16  # points that are worked out at a time
@@ -244,13 +245,11 @@ def unit(normal: Vector) -> Vector:
     >>> unit((0.0, 0.0, 5.0))
     (0.0, 0.0, 1.0)
     """
-    largest = max(map(abs, normal))
-    if largest == 0 or not math.isfinite(sum(normal)):
+    if not any(normal) or not math.isfinite(sum(normal)):
         raise ConditionError(
             "a normal of length 0, or of no finite one, has no direction", option("normal", "0,0,1")
         )
-    scaled = times(normal, 1 / largest)
-    return times(scaled, 1 / length(scaled))
+    return vectors.unit(normal)
 
 
 class Field(NamedTuple):

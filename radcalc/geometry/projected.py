@@ -26,7 +26,7 @@ from radcalc.errors import option
 from radcalc.geometry import cones, solid
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
-from radcalc.geometry.numerics.vectors import dot, length, times, vector
+from radcalc.geometry.numerics.vectors import dot, unit, vector
 from radcalc.maths import (
     SLACK,
     Number,
@@ -561,11 +561,10 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     from radcalc.geometry.polygons import above, projected
 
     n = vector(normal)
-    largest = larger(larger(abs(n[0]), abs(n[1])), abs(n[2]))
-    cones.refuse(largest == 0, "a normal of length 0 has no direction", option("normal", "0,0,1"))
-    n = times(n, 1 / power_of_two(largest))
-    unit = times(n, 1 / length(n))
-    coordinates = [*first, *unit, *(x for side in sides for x in side)]
+    is_none = (n[0] == 0) & (n[1] == 0) & (n[2] == 0)
+    cones.refuse(is_none, "a normal of length 0 has no direction", option("normal", "0,0,1"))
+    axis = unit(n)
+    coordinates = [*first, *axis, *(x for side in sides for x in side)]
 
     def one(*xs: Any) -> Number:
         flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
@@ -578,6 +577,6 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
 
     if not any(map(is_array, coordinates)):
         return one(*coordinates)
-    heights = [dot(unit, first) + dot(unit, side) for side in sides]
+    heights = [dot(axis, first) + dot(axis, side) for side in sides]
     lowest = reduce(smaller, heights)
     return piecewise(lowest >= 0, whole, lambda *xs: each(one, *xs), *coordinates)

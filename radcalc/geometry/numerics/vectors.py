@@ -7,7 +7,7 @@ every function works element by element.  Units are those of the arguments.
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.maths import Number, sqrt
+from radcalc.maths import Number, larger, power_of_two, sqrt
 
 Vector = tuple[Number, Number, Number]
 
@@ -179,3 +179,28 @@ def length(a: Vector) -> Number:
     7.0
     """
     return sqrt(dot(a, a))
+
+
+def unit(a: Vector) -> Vector:
+    """Vector of length 1 in the direction of another.
+
+    Parameters
+    ----------
+    a : tuple of 3 floats or ndarrays
+        Not all 0, of any size: it is scaled by a power of two first.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        a / |a|
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import unit
+    >>> unit((0.0, 0.0, 5e300))
+    (0.0, 0.0, 1.0)
+    """
+    largest = larger(larger(abs(a[0]), abs(a[1])), abs(a[2]))
+    scaled = times(a, 1 / power_of_two(largest))
+    size = length(scaled)
+    return (scaled[0] / size, scaled[1] / size, scaled[2] / size)
