@@ -116,20 +116,13 @@ def _beam(distribution: Any, azimuth: float, share: float) -> "Beam":
 
 @lru_cache(maxsize=8)
 def _upward(
-    distribution: Any, whole: float, aim: tuple[float, float, float], rotate: float
+    distribution: Any, whole: "Integral", aim: tuple[float, float, float], rotate: float
 ) -> float:
     """Flux into the upper half of the world, of that in all directions."""
     from radcalc.distributions.places import upward_flux
     from radcalc.distributions.pose import Pose
 
-    if aim[:2] == (0.0, 0.0):
-        ahead, behind = (0.0, math.pi / 2), (math.pi / 2, math.pi)
-        upper, lower = (ahead, behind) if aim[2] > 0 else (behind, ahead)
-        try:
-            return float(distribution.flux(upper).value)
-        except ConditionError:  # of a half with next to nothing, that the other one has
-            return max(0.0, whole - float(distribution.flux(lower).value))
-    return upward_flux(distribution, Pose(aim, rotate)).value
+    return upward_flux(distribution, Pose(aim, rotate), whole).value
 
 
 class _Luminaire:
@@ -237,7 +230,7 @@ class _Luminaire:
             )
         )
         try:
-            upward = _upward(self.source, flux.value, self.aim, self.rotate)
+            upward = _upward(self.source, flux, self.aim, self.rotate)
             sheet.know("upward-part", upward / flux.value)
         except ConditionError as error:
             sheet.notes.append(f"no flux upwards or downwards: {error.message}")

@@ -14,11 +14,9 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution
+from radcalc.distributions.distribution import Distribution, last_where
 
 STEPS = 3600  # in which a half of a plane is looked at, from the axis to the direction behind it
-CLOSER = 129  # directions that are looked at in a step that has an edge in it
-NARROWER = 6  # times, each 128 times as close: to 3600 * 128^6 parts of a half circle
 DIFFER = math.radians(2)  # from which on the definitions are said to differ
 
 
@@ -118,16 +116,11 @@ def _edges(
         left, right = int(dark[beyond - 1]) + 1, int(dark[beyond]) - 1
     if left == 0 or right == len(angle) - 1:
         return None
+
+    def is_bright(angle: Any) -> Any:
+        return along(angle) >= level
+
     return (
-        _crossing(along, float(angle[left]), float(angle[left - 1]), level),
-        _crossing(along, float(angle[right]), float(angle[right + 1]), level),
+        last_where(is_bright, float(angle[left]), float(angle[left - 1])),
+        last_where(is_bright, float(angle[right]), float(angle[right + 1])),
     )
-
-
-def _crossing(along: Callable[[Any], Any], bright: float, dark: float, level: float) -> float:
-    """The last angle from one with a level of intensity towards one without."""
-    for _ in range(NARROWER):
-        parts = numpy.linspace(bright, dark, CLOSER)
-        first = int(numpy.argmax(along(parts) < level)) or CLOSER - 1
-        bright, dark = float(parts[first - 1]), float(parts[first])
-    return bright

@@ -1,6 +1,7 @@
 """What every distribution can do, and what follows from that alone."""
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple, Protocol
 
 import numpy
@@ -168,3 +169,35 @@ def _middles(low: float, high: float, count: int) -> Any:
 
 # Polar angles and azimuths of the grid that tells whether there is light.
 DARK, DARK_AXIAL = (361, 361), (20_000, 1)
+
+
+def last_where(holds: Callable[[Any], Any], inside: float, outside: float) -> float:
+    """The last number from one at which a condition holds towards one at which it does not.
+
+    Parameters
+    ----------
+    holds : callable
+        Takes an array of numbers and gives an array of truth values.
+    inside, outside : float
+        Where it holds, and where it does not.
+
+    Returns
+    -------
+    float
+        To the digits of a float, by looking ever closer at many numbers at once; as
+        `radcalc.maths.limit` does at one.
+
+    Examples
+    --------
+    >>> round(last_where(lambda x: x * x < 2, 1.0, 2.0), 12)
+    1.414213562373
+    """
+    for _ in range(NARROWER):
+        parts = numpy.linspace(inside, outside, CLOSER)
+        first = int(numpy.argmin(holds(parts))) or CLOSER - 1
+        inside, outside = float(parts[first - 1]), float(parts[first])
+    return inside
+
+
+CLOSER = 65  # numbers that are looked at between two
+NARROWER = 9  # times, each 64 times as close

@@ -13,11 +13,12 @@ is in lux.
 
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import Distribution, integrated
+from radcalc.distributions.distribution import Distribution, integrated, last_where
 from radcalc.distributions.pose import DOWN, Pose
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian, spherical
@@ -26,8 +27,6 @@ from radcalc.maths import Number, each
 
 ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon
 ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
-CLOSER = 65  # angles that are looked at between two of those that a place is between
-NARROWER = 9  # times, each 64 times as close
 SAME = 1e-9  # [1] by which a place found may miss the light that is looked for
 COUNTS = (4, 8, 16, 32, 64, 128)  # radii at which a disc is looked at, each of twice as many angles
 ENOUGH = 1e-5  # [1] of the light on a disc, from where on more of them do not matter
@@ -68,13 +67,15 @@ def relative_irradiance(
     return distribution.intensity(theta, phi) * height / distance**3
 
 
-def upward_flux(distribution: Distribution, pose: Pose) -> Integral:
+def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Integral:
     """Flux of a source into the upper half of the world.
 
     Parameters
     ----------
     distribution, pose
         As of `relative_irradiance`.
+    whole : Integral
+        Its flux in all directions.
 
     Returns
     -------
@@ -99,17 +100,23 @@ def upward_flux(distribution: Distribution, pose: Pose) -> Integral:
     Half of a light that is aimed at the horizon:
 
     >>> from radcalc.distributions.shapes import Lobe
-    >>> round(upward_flux(Lobe(1.0), Pose((1.0, 0.0, 0.0))).value / math.pi, 6)
+    >>> lamp = Lobe(1.0)
+    >>> round(upward_flux(lamp, Pose((1.0, 0.0, 0.0)), lamp.flux()).value / math.pi, 6)
     0.5
     """
     up = tuple(axis[2] for axis in pose.axes)
     across = math.hypot(up[0], up[1])
     height = math.atan2(up[2], across)
-    edge, whole = abs(height), distribution.flux()
-    ahead, behind = distribution.flux((0.0, edge)), distribution.flux((math.pi - edge, math.pi))
-    upper, lower = (ahead, behind) if height > 0 else (behind, ahead)
+    edge = abs(height)
+    ahead, behind = (0.0, edge), (math.pi - edge, math.pi)
+    sides = (ahead, behind) if height > 0 else (behind, ahead)
     if across == 0:
-        return upper
+        try:
+            return distribution.flux(sides[0])
+        except ConditionError:  # of a half with next to nothing, that the other one has
+            lower = distribution.flux(sides[1])
+            return whole._replace(value=max(0.0, whole.value - lower.value))
+    upper, lower = map(distribution.flux, sides)
     slope, highest = math.tan(height), math.atan2(up[1], up[0])
     above, below = (
         integrated(arcs, (edge, math.pi - edge), (-1.0, 1.0), ACCURACY)
@@ -232,11 +239,8 @@ def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[
     above = light(off) >= wanted
     found = []
     for k in numpy.flatnonzero(above[:-1] != above[1:]):
-        low, high = float(off[k]), float(off[k + 1])
-        for _ in range(NARROWER):
-            parts = numpy.linspace(low, high, CLOSER)
-            first = int(numpy.argmax((light(parts) >= wanted) != above[k])) or CLOSER - 1
-            low, high = float(parts[first - 1]), float(parts[first])
+        holds = partial(_is_so, light, wanted, above[k])
+        low = last_where(holds, float(off[k]), float(off[k + 1]))
         # where the light jumps, at the edge of a table, no place has just so much
         if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
             found.append(low)
@@ -245,6 +249,11 @@ def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[
             f"no {what} gives just that irradiance", "another irradiance, flux or intensity"
         )
     return found
+
+
+def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, off: Any) -> Any:
+    """Whether a light is as much as is wanted, or whether it is not."""
+    return (light(off) >= wanted) == is_above
 
 
 def on_plane(
