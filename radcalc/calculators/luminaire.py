@@ -201,7 +201,7 @@ class _Luminaire:
         """The figures of the distribution, by the symbols of the laws."""
         sheet, flux = self.sheet, self.figures.flux
         sheet.know("axial-share", self.figures.axial)
-        sheet.know("peak-share", self.figures.peak.intensity)
+        sheet.know("peak-share", self.figures.peak.value)
         if self.figures.axial == 0 and "intensity" in sheet.lit.values:
             name = option(sheet.lit.values["intensity"].name)
             raise ConditionError(

@@ -11,6 +11,8 @@
 - `beams`: beam angles and field angles in a plane through the axis
 - `places`: the light on places and discs under a source, and the places that get so much
 - `pose`: where a source stands, where it is aimed and how it is rotated
+- `radiances`: what radiances can do, as functions of the direction that they come from; an
+  expression as one
 
 A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
 of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).

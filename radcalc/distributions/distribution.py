@@ -15,22 +15,22 @@ ALL_AZIMUTHS: Interval = (0.0, 2 * math.pi)  # [rad]
 
 
 class Peak(NamedTuple):
-    """The greatest intensity, and one direction that has it.
+    """The greatest value of a function of direction, and one direction that has it.
 
     Attributes
     ----------
-    intensity : float [cd, W/sr, photon/s/sr or 1]
-        The intensity.
+    value : float [coherent SI]
+        The value: an intensity of a distribution.
     polar, azimuth : float [rad]
         The direction.
 
     Examples
     --------
-    >>> Peak(100.0, 0.0, 0.0).intensity
+    >>> Peak(100.0, 0.0, 0.0).value
     100.0
     """
 
-    intensity: float
+    value: float
     polar: float
     azimuth: float
 

@@ -41,6 +41,8 @@ class Formula:
         "v" where those are candelas, "e", "p"; empty, the default, where they are relative.
     unit : str, optional
         The unit of the values, for messages.
+    quantity : str, optional
+        What the values are, for messages: an intensity, or a radiance.
 
     Attributes
     ----------
@@ -62,10 +64,18 @@ class Formula:
     57.1199
     """
 
-    def __init__(self, text: str, factor: float = 1.0, kind: str = "", unit: str = "") -> None:
+    def __init__(
+        self,
+        text: str,
+        factor: float = 1.0,
+        kind: str = "",
+        unit: str = "",
+        quantity: str = "intensity",
+    ) -> None:
         self.text = text
         self.unit = unit
         self.kind = kind
+        self.quantity = quantity
         self.factor = factor
         self.expression = Expression(text)
         self.is_axial = self.expression.is_axial
@@ -97,14 +107,16 @@ class Formula:
             f"{name} = {math.degrees(angle[place]):.6g} deg"
             for name, angle in (("theta", theta), ("phi", phi))
         )
-        raise ConditionError(f"the intensity '{quote(self.text)}' has {what} at {angles}", hint)
+        raise ConditionError(
+            f"the {self.quantity} '{quote(self.text)}' has {what} at {angles}", hint
+        )
 
     @cached_property
     def finest(self) -> float:
         """The least width over which it is above half of its peak, at the azimuth of that."""
         peak, count = self.peak(), FIRST_OF_AXIAL[0]
         theta = numpy.linspace(*ALL_POLAR, count)
-        bright = self.intensity(theta, peak.azimuth) >= peak.intensity / 2
+        bright = self.intensity(theta, peak.azimuth) >= peak.value / 2
         ends = numpy.flatnonzero(numpy.diff(numpy.concatenate([[False], bright, [False]])))
         widths = ends[1::2] - ends[::2]
         return float(widths.min(initial=count)) * math.pi / (count - 1) or self.unseen
@@ -125,7 +137,7 @@ class Formula:
                 phi = phi[:1] * 0.0
             values = self.intensity(theta[:, None], phi)
             row, column = numpy.unravel_index(numpy.argmax(values), values.shape)
-            if values[row, column] > best.intensity:
+            if values[row, column] > best.value:
                 best = Peak(float(values[row, column]), float(theta[row]), float(phi[column]))
             steps = [
                 (high - low) / max(count - 1, 1)

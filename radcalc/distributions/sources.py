@@ -3,13 +3,14 @@
 import math
 import os
 import re
+from collections.abc import Mapping
 from typing import Any
 
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.quantities.light import KINDS, describe, light_dimension
 from radcalc.quantities.symbols import DISTRIBUTIONS
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import Dimension, Unit, resolve
 
 EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)^4 cd'"
 PATH = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(ies|ldt|csv|tsv|txt|dat)$", re.IGNORECASE)
@@ -63,28 +64,66 @@ def photometry(source: Any) -> Photometry:
 
 def _expression(text: str) -> Photometry:
     """An expression, and the unit behind it."""
-    from radcalc.distributions.formula import Formula
     from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
 
     if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
         near = nearest(text.lower(), DISTRIBUTIONS)
         problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
         raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
-    factor, kind, unit_text, said = 1.0, "", "", text
-    if parts := UNIT.match(text):
-        unit = _unit(parts[2], text)
-        if unit.dimension not in INTENSITIES:
-            raise ConditionError(
-                f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not an intensity",
-                f"an intensity behind it, '{quote(parts[1])} cd', or no unit",
-            )
-        factor, kind = unit.factor, INTENSITIES[unit.dimension]
-        text, unit_text = parts.groups()
-    formula = Formula(text, factor, kind, unit_text)
+    formula = formula_with_unit(text, "intensity", INTENSITIES, "cd")
+    return Photometry(formula, "expression", text, assumptions=unseen(formula))
+
+
+def unseen(formula: Any) -> tuple[str, ...]:
+    """What of an expression's values may be missed, as an assumption."""
     if not formula.expression.uses:
-        return Photometry(formula, "expression", said)
-    unseen = f"peaks narrower than {math.degrees(formula.unseen):.2g} deg may be missed"
-    return Photometry(formula, "expression", said, assumptions=(unseen,))
+        return ()
+    return (f"peaks narrower than {math.degrees(formula.unseen):.2g} deg may be missed",)
+
+
+def formula_with_unit(
+    text: str, quantity: str, kinds: Mapping[Dimension, str], example: str
+) -> Any:
+    """Read an expression, and the unit behind it.
+
+    Parameters
+    ----------
+    text : str
+        An expression, with a unit behind a blank, or relative without one.
+    quantity : str
+        What it is of: an intensity, or a radiance.
+    kinds : dict
+        The dimensions that its unit may have, and the kinds of light that these are.
+    example : str
+        Such a unit.
+
+    Returns
+    -------
+    Formula
+
+    Raises
+    ------
+    ConditionError, UnitError
+        If the text is no expression, or its unit is none of the quantity.
+
+    Examples
+    --------
+    >>> formula_with_unit("2*cos(theta/2) kcd", "intensity", INTENSITIES, "cd").factor
+    1000.0
+    """
+    from radcalc.distributions.formula import Formula
+
+    parts = UNIT.match(text)
+    if not parts:
+        return Formula(text, quantity=quantity)
+    unit = _unit(parts[2], text)
+    if unit.dimension not in kinds:
+        what = f"{'an' if quantity[0] in 'aeiou' else 'a'} {quantity}"
+        raise ConditionError(
+            f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not {what}",
+            f"{what} behind it, '{quote(parts[1])} {example}', or no unit",
+        )
+    return Formula(parts[1], unit.factor, kinds[unit.dimension], parts[2], quantity)
 
 
 def _unit(text: str, whole: str) -> Unit:

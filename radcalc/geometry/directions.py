@@ -8,6 +8,7 @@ and is not used here.  Angles are in radians; floats or NumPy arrays, broadcast 
 import math
 
 from radcalc.errors import ConditionError
+from radcalc.geometry.numerics.vectors import Vector
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
 
 TURN = 2 * math.pi  # [rad]
@@ -118,3 +119,38 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
         raise ConditionError("an endless azimuth is no direction", "any number of turns")
     across = sin(polar)
     return across * cos(azimuth), across * sin(azimuth), cos(polar)
+
+
+def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
+    """Axes of what faces in a direction and stands upright, as somebody who looks there.
+
+    Parameters
+    ----------
+    direction : tuple of 3 floats
+        Where it faces, a vector of any length but 0.
+
+    Returns
+    -------
+    forward, left, up : tuple of 3 floats [1]
+        Unit vectors at right angles: the direction, the horizontal one to the left of it, and the
+        one that is as near to +z as can be.  Straight up or down, left is +y.
+
+    Raises
+    ------
+    ConditionError
+        If the vector has the length 0.
+
+    Examples
+    --------
+    Who faces +x has +y to the left:
+
+    >>> from radcalc.geometry.directions import facing
+    >>> facing((2.0, 0.0, 0.0))
+    ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    """
+    x, y, z = direction
+    _, azimuth, size = spherical(x, y, z)
+    across, level = hypot(x, y) / size, z / size
+    c, s = cos(azimuth), sin(azimuth)
+    forward = (x / size, y / size, level)
+    return forward, (0.0 - s, c, 0.0), (0.0 - c * level, 0.0 - s * level, across)

@@ -50,8 +50,8 @@ def test_no_intensity_is_above_the_peak_and_one_is_at_it(name):
     member = MEMBERS[name]
     theta, phi = numpy.linspace(0, math.pi, 91)[:, None], numpy.linspace(0, 6.28, 91)
     peak = member.peak()
-    assert member.intensity(theta, phi).max() <= peak.intensity * (1 + 1e-12)
-    assert member.intensity(peak.polar, peak.azimuth) == pytest.approx(peak.intensity)
+    assert member.intensity(theta, phi).max() <= peak.value * (1 + 1e-12)
+    assert member.intensity(peak.polar, peak.azimuth) == pytest.approx(peak.value)
 
 
 def test_the_peak_of_a_formula_is_found_to_its_digits():
@@ -202,7 +202,7 @@ def test_an_upward_flux_of_planes_and_poses():
 def test_a_narrow_peak_of_a_formula_is_found():
     """1001 at 33.5 degrees, where a grid of whole degrees has 1."""
     peak = Formula("1+1000*exp(-((theta-33.5*deg)/(0.05*deg))^2)").peak()
-    assert peak.intensity == pytest.approx(1001)
+    assert peak.value == pytest.approx(1001)
     assert math.degrees(peak.polar) == pytest.approx(33.5)
 
 
@@ -237,5 +237,5 @@ def test_what_goes_up_and_what_goes_down_are_all_of_a_formula_with_steps(text, a
 
 
 def test_a_formula_of_phi_goes_round_once():
-    assert Formula("phi").peak().intensity <= 2 * math.pi
+    assert Formula("phi").peak().value <= 2 * math.pi
     assert Formula("phi").intensity(1.0, -0.5) == pytest.approx(2 * math.pi - 0.5)

@@ -114,7 +114,7 @@ def test_the_peak_is_where_the_intensity_is(system):
     values[1, 2] = 9.0
     lamp = Grid(numpy.linspace(0.2, 2.0, 7), numpy.linspace(0.3, 1.5, 5), values, system=system)
     peak = lamp.peak()
-    assert peak.intensity == 9
+    assert peak.value == 9
     assert lamp.intensity(peak.polar, peak.azimuth) == pytest.approx(9.0)
 
 

@@ -82,7 +82,7 @@ def test_lobes(system, power, step):
     assert abs(answer.value - true) <= answer.error
     assert answer.error < 0.1 * true
     peak = found.distribution.peak()
-    assert peak.intensity == pytest.approx(1)
+    assert peak.value == pytest.approx(1)
     assert peak.polar == pytest.approx(math.pi / 2 if system == "A" else 0, abs=1e-9)
 
 

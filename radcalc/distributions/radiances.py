@@ -1,0 +1,137 @@
+"""Radiance as a function of the direction that it comes from: what all such functions can do.
+
+A sky, a map, an expression: seen from a point, in the world's axes (+z up, azimuths from +x towards
++y).  Angles are in radians, radiances in coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
+"""
+
+import math
+from typing import Any, NamedTuple, Protocol
+
+from radcalc.distributions.distribution import ALL_AZIMUTHS, Peak, integrated
+from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
+from radcalc.geometry.directions import TURN, cartesian, facing, spherical
+from radcalc.geometry.numerics.cubature import Integral
+from radcalc.geometry.numerics.vectors import Vector, plus, times
+from radcalc.maths import Number
+
+
+class Radiances(Protocol):
+    """Radiance as a function of the direction that it comes from.
+
+    Attributes
+    ----------
+    kind : str
+        The kind of light: "v" where radiances are in cd/m2, "e" in W/m2/sr, "p" in
+        photon/s/m2/sr; empty where they are relative.
+    coverage : float [1]
+        The share of the sphere that it tells about, by solid angle; elsewhere it is dark.
+    """
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def coverage(self) -> float: ...
+
+    def radiance(self, polar: Number, azimuth: Number) -> Number:
+        """Radiance from directions.
+
+        Parameters
+        ----------
+        polar, azimuth : float or ndarray [rad]
+            Polar angle from +z, from 0 to pi, and azimuth from +x; broadcast together.
+
+        Returns
+        -------
+        float or ndarray [cd/m2, W/m2/sr, photon/s/m2/sr or 1]
+            0 or more.
+        """
+        ...
+
+    def irradiance(self, normal: Vector) -> Integral:
+        """Irradiance of a small plane receiver.
+
+        Parameters
+        ----------
+        normal : tuple of 3 floats
+            Where it faces; of any length but 0.
+
+        Returns
+        -------
+        Integral
+            Irradiance [lx, W/m2, photon/s/m2 or sr] and an estimate of its error.
+        """
+        ...
+
+    def mean(self) -> float:
+        """Mean radiance, by solid angle, of what is covered."""
+        ...
+
+    def peak(self) -> Peak:
+        """The greatest radiance, and where it is."""
+        ...
+
+
+class FormulaRadiances:
+    """Radiances by an expression in theta (polar angle from +z) and phi (azimuth from +x).
+
+    Parameters
+    ----------
+    formula : Formula
+        The expression; its values are radiances.
+
+    Examples
+    --------
+    A sky of 3000 cd/m2 gives pi 3000 lx on the ground, and half of it on a wall:
+
+    >>> sky = FormulaRadiances(Formula("3000*(theta < 90*deg)", kind="v"))
+    >>> [round(sky.irradiance(n).value, 2) for n in ((0, 0, 1), (1, 0, 0), (0, 0, -1))]
+    [9424.78, 4712.39, 0.0]
+    """
+
+    coverage = 1.0
+
+    def __init__(self, formula: Formula) -> None:
+        self.formula = formula
+        self.kind = formula.kind
+
+    def radiance(self, polar: Number, azimuth: Number) -> Number:
+        return self.formula.intensity(polar, azimuth)
+
+    def irradiance(self, normal: Vector) -> Integral:
+        forward, left, up = facing(normal)
+        is_level = not (forward[0] or forward[1])
+        down = times(up, -1.0)
+        received = _Received(
+            self.formula, (down, left, forward), self.formula.is_axial and is_level
+        )
+        steps = self._steps(forward[2] > 0) if is_level else ((), ())
+        accuracy = OF_AXIAL if received.is_axial else ACCURACY
+        return integrated(received, (0.0, math.pi / 2), ALL_AZIMUTHS, accuracy, steps)
+
+    def _steps(self, is_up: bool) -> tuple[list[float], list[float]]:
+        """Where it has steps, in the angles about the normal of a level receiver."""
+        polar = (0.0, math.pi / 2) if is_up else (math.pi / 2, math.pi)
+        thetas, phis = self.formula.expression.steps(polar, ALL_AZIMUTHS)
+        if is_up:
+            return thetas, phis
+        return [math.pi - theta for theta in thetas], [(math.pi - phi) % TURN for phi in phis]
+
+    def mean(self) -> float:
+        return self.formula.flux().value / (4 * math.pi)
+
+    def peak(self) -> Peak:
+        return self.formula.peak()
+
+
+class _Received(NamedTuple):
+    """What a receiver gets from each direction, about its normal: the radiance times the cosine."""
+
+    formula: Formula
+    axes: tuple[Vector, Vector, Vector]
+    is_axial: bool
+
+    def intensity(self, theta: Any, phi: Any) -> Any:
+        x, y, z = cartesian(theta, phi)
+        across, along, normal = self.axes
+        polar, azimuth, _ = spherical(*plus(plus(times(across, x), along, y), normal, z))
+        return self.formula.intensity(polar, azimuth) * z

@@ -1,0 +1,83 @@
+"""Radiances by expressions: what receivers get that face anywhere."""
+
+import math
+
+import numpy
+import pytest
+
+from radcalc.distributions.formula import Formula
+from radcalc.distributions.radiances import FormulaRadiances
+from radcalc.errors import ConditionError
+from radcalc.geometry.directions import facing
+
+OVERCAST = "(1 + 2*cos(theta))/3*(theta < 90*deg)"  # Moon and Spencer (1942), over the zenith's
+
+
+def radiances(text: str) -> FormulaRadiances:
+    return FormulaRadiances(Formula(text, quantity="radiance"))
+
+
+def plain_sum(function, normal, count=1200):
+    """The irradiance as a sum over the middles of equal cells."""
+    theta = (numpy.arange(count) + 0.5)[:, None] * math.pi / count
+    phi = (numpy.arange(2 * count) + 0.5) * math.pi / count
+    x, y, z = numpy.sin(theta) * numpy.cos(phi), numpy.sin(theta) * numpy.sin(phi), numpy.cos(theta)
+    a, b, c = numpy.array(normal) / math.dist(normal, (0, 0, 0))
+    cosine = numpy.maximum(a * x + b * y + c * z, 0)
+    cells = (math.pi / count) ** 2
+    return float((function(theta, phi) * cosine * numpy.sin(theta)).sum() * cells)
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0, 0, -1), (0.3, -0.8, 0.2)])
+def test_a_constant_gives_pi_times_it_wherever_the_receiver_faces(normal):
+    found = radiances("2 + 0*theta").irradiance(normal)
+    assert found.value == pytest.approx(2 * math.pi, rel=1e-9)
+
+
+def test_overcast_sky():
+    """7 pi/9 on the ground; on a wall the integral of (1 + 2 cos)/3 sin^2 cos phi, 1/6 pi + 4/9."""
+    sky = radiances(OVERCAST)
+    ground, wall = sky.irradiance((0, 0, 1)).value, sky.irradiance((0, -1, 0)).value
+    assert ground == pytest.approx(7 * math.pi / 9, rel=1e-9)
+    assert wall == pytest.approx(math.pi / 6 + 4 / 9, rel=2e-6)
+    assert sky.irradiance((0, 0, -1)).value == 0
+    assert sky.mean() == pytest.approx((2 * math.pi * 2 / 3) / (4 * math.pi), rel=1e-9)
+
+
+@pytest.mark.parametrize("normal", [(0, 0, -1), (1, 2, -2), (0, 1, 0), (-1, 0.2, 3)])
+def test_against_a_plain_sum(normal):
+    sky = radiances("exp(-3*acos(0.6*x + 0.8*z)) + max(y, 0)")
+
+    def function(theta, phi):
+        x, y = numpy.sin(theta) * numpy.cos(phi), numpy.sin(theta) * numpy.sin(phi)
+        cosine = numpy.clip(0.6 * x + 0.8 * numpy.cos(theta), -1, 1)
+        return numpy.exp(-3 * numpy.arccos(cosine)) + numpy.maximum(y, 0)
+
+    found = sky.irradiance(normal)
+    assert found.value == pytest.approx(plain_sum(function, normal), rel=2e-5)
+    assert found.error < 1e-4 * found.value
+
+
+def test_steps_in_theta_and_phi_seen_from_below():
+    """A quarter of a cone of 30 degrees about -z: pi sin^2(30 deg) / 4."""
+    found = radiances("(theta > 150*deg)*(phi < 90*deg)").irradiance((0, 0, -1))
+    assert found.value == pytest.approx(math.pi / 16, rel=1e-9)
+
+
+def test_peak_and_refusals():
+    peak = radiances("max(x, 0)").peak()
+    assert (peak.value, peak.polar) == pytest.approx((1, math.pi / 2))
+    with pytest.raises(ConditionError, match="the radiance 'x' has a negative value"):
+        radiances("x").irradiance((1, 0, 1))
+    with pytest.raises(ConditionError, match="0,0,0 has no direction"):
+        radiances("1").irradiance((0, 0, 0))
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 3), (0, 0, -1), (1, -2, 0.5), (-1, 0, 0)])
+def test_axes_of_what_faces_somewhere(direction):
+    forward, left, up = map(numpy.array, facing(direction))
+    assert forward == pytest.approx(numpy.array(direction) / math.dist(direction, (0, 0, 0)))
+    assert numpy.cross(forward, left) == pytest.approx(up)
+    assert left[2] == 0
+    assert up[2] >= 0
+    assert numpy.linalg.norm(left) == pytest.approx(1)
