@@ -7,12 +7,14 @@
 - `photometry`: what a file says of a luminaire, with its table
 - `sources`: what a user names, a file or an expression, as one of these
 - `files`, `ies`, `eulumdat`, `tables`: files, by format
+- `contents`: what a file holds, read safely
 - `planes`, `headings`: what tables of half planes share; what the titles over a table say
 - `beams`: beam angles and field angles in a plane through the axis
 - `places`: the light on places and discs under a source, and the places that get so much
 - `pose`: where a source stands, where it is aimed and how it is rotated
 - `radiances`: what radiances can do, as functions of the direction that they come from; an
   expression as one
+- `maps`: radiances as pictures of what surrounds a place
 
 A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
 of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).

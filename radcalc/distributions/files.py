@@ -1,4 +1,4 @@
-"""Files of distributions: opened safely, decoded, and told apart by what they contain.
+"""Files of distributions: decoded, and told apart by what they contain.
 
 An IES file has a line that begins with TILT= or its edition, an EULUMDAT file numbers alone in its
 lines 2 to 7, a table rows of numbers.  Where the content is none of them, the extension chooses the
@@ -7,18 +7,17 @@ reader that says what is wrong.
 
 import os
 import re
-import stat
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from itertools import islice
 from typing import Any
 
-from radcalc import columns, stdio
+from radcalc import columns
+from radcalc.distributions import contents
 from radcalc.distributions.photometry import Photometry
-from radcalc.errors import ConditionError, quote, quote_path
+from radcalc.errors import ConditionError, quote
 
 LARGEST = 1 << 26  # bytes of a file
-BLOCK = 1 << 20  # bytes that are read from a pipe at a time
 ROWS = 3  # that tell a table
 END_IN_DOS = "\x1a"  # of a text
 NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))  # bytes
@@ -80,45 +79,8 @@ def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
     ConditionError
         If it cannot be read, or is no text.
     """
-    name = "stdin" if path == "-" else quote_path(path)
-    data = _whole(stdio.read, name) if path == "-" else _from_file(path, name, expected)
+    name, data = contents.read_bytes(path, LARGEST, expected)
     return name, _lines(data, name, expected)
-
-
-def _from_file(path: str, name: str, expected: str) -> bytes:
-    """What a regular file holds; nothing else is waited for, or read without end."""
-    try:
-        with open(path, "rb", buffering=0, opener=_without_waiting) as file:
-            about = os.fstat(file.fileno())
-            if not stat.S_ISREG(about.st_mode):
-                raise ConditionError(
-                    f"cannot read {name}: a pipe or a device", "a file, or - for standard input"
-                )
-            if about.st_size > LARGEST:
-                raise _too_large(name)
-            return _whole(file.read, name)
-    except OSError as error:
-        raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
-    except ValueError:  # a null character
-        raise ConditionError(f"cannot read {name}: no name of a file", expected) from None
-
-
-def _without_waiting(path: str, flags: int) -> int:
-    """Open a file; a pipe that nobody writes to would else be waited for."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
-
-
-def _whole(read: Callable[[int], bytes], name: str) -> bytes:
-    data = b""
-    while block := read(BLOCK):
-        data += block
-        if len(data) > LARGEST:
-            raise _too_large(name)
-    return data
-
-
-def _too_large(name: str) -> ConditionError:
-    return ConditionError(f"{name} has more than {LARGEST >> 20} MiB", "a smaller file")
 
 
 def _lines(data: bytes, name: str, expected: str) -> list[str]:

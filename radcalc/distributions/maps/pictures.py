@@ -1,0 +1,268 @@
+"""Picture files: what they hold, told apart by their first bytes and written by their extension.
+
+Each format is a module of its own, loaded when it is needed: `rgbe` and `pfm` have
+`read(data, name)`, of the bytes of a file; `exr` has `read(path, name)`, since its library opens
+the file.  `name` is what messages call the file.  All three have `write(path, picture)`, which
+writes over an empty file.  What a file or a picture has wrong is a ConditionError; an OSError is
+left to this module.
+"""
+
+import errno
+import os
+import secrets
+import stat
+from collections.abc import Sequence
+from contextlib import suppress
+from importlib import import_module
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from radcalc.distributions import contents
+from radcalc.errors import SHOWN, ConditionError, OutputError, quote, quote_path
+
+KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
+LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
+FARTHEST = 10.0  # coordinate of a primary
+REC_709 = (0.2126, 0.7152, 0.0722)  # of the luminance of linear R, G, B, as the standard has them
+# A map of 16384x8192, the largest that is common, has 1.5 GiB as floats; twice that still fits into
+# the memory of a common computer.
+PIXELS = 1 << 28
+LARGEST = 16 * PIXELS  # bytes of a file: four floats a pixel
+WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
+READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
+POINTER = b"version https://git-lfs"  # of Git LFS
+OTHERS = {
+    b"\xff\xd8\xff": "JPEG",
+    b"\x89PNG": "PNG",
+    b"GIF8": "GIF",
+    b"BM": "BMP",
+    b"II*\0": "TIFF",
+    b"MM\0*": "TIFF",
+    b"\x1f\x8b": "gzip",
+    b"PK\x03\x04": "ZIP",
+}
+
+
+class Picture(NamedTuple):
+    """A picture as a file has it.
+
+    Attributes
+    ----------
+    pixels : array of float32, (height, width, channels)
+        In the file's unit (an exposure is undone); row 0 is the top.
+    channels : tuple of str
+        ("R", "G", "B"), ("X", "Y", "Z") or ("Y",).
+    weights : tuple of float
+        What gives the luminance of the channels: by the file's primaries, else those of Rec. 709.
+    format : str
+        "Radiance RGBE", "OpenEXR" or "PFM".
+    unit : str
+        In which the file says its pixels are; empty where it does not.
+    projection : str
+        That the file declares; empty where it does not.
+    frame : tuple of int, or None
+        Left, top, full width and full height, where the pixels are a part of a larger picture.
+    assumptions, notes : tuple of str
+        What was assumed in reading it, and what is odd.
+
+    Examples
+    --------
+    >>> grey = Picture(np.full((1, 2, 1), 0.18, np.float32), ("Y",), (1.0,), "PFM")
+    >>> grey.pixels.shape
+    (1, 2, 1)
+    """
+
+    pixels: Any
+    channels: tuple[str, ...]
+    weights: tuple[float, ...]
+    format: str
+    unit: str = ""
+    projection: str = ""
+    frame: tuple[int, int, int, int] | None = None
+    assumptions: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def read_picture(path: str) -> Picture:
+    """Read a picture: Radiance, OpenEXR or PFM, which its first bytes tell, not its name.
+
+    Parameters
+    ----------
+    path : str
+        A regular file of 4 GiB at most.
+
+    Returns
+    -------
+    Picture
+        At most 2^28 pixels.
+
+    Raises
+    ------
+    ConditionError
+        If it cannot be read, is none of the three, or has more pixels; else what the reader of
+        its format refuses.
+
+    Examples
+    --------
+    >>> read_picture("-")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: a picture is not read from standard input
+    try: its file
+    """
+    if path == "-":
+        raise ConditionError("a picture is not read from standard input", "its file")
+    name = quote_path(path)
+    with contents.opened(path, LARGEST, KNOWN) as file:
+        head = file.read(1000)
+        reader = next((READERS[magic] for magic in READERS if head.startswith(magic)), "")
+        file.seek(0)
+        data = contents.whole(file, LARGEST, path) if reader not in ("", "exr") else b""
+    if not reader:
+        raise _is_no_picture(head, name)
+    # only the one that is needed is loaded
+    module = import_module(f"radcalc.distributions.maps.{reader}")
+    found: Picture = module.read(path, name) if reader == "exr" else module.read(data, name)
+    return found
+
+
+def write_picture(path: str, picture: Picture) -> None:
+    """Write a picture in the format of the extension: whole, or not at all.
+
+    What was there is replaced when all is written; so a picture can take the place of the one
+    that it was made of.
+
+    Raises
+    ------
+    ConditionError
+        If the format cannot hold the picture, or the extension is of none.
+    OutputError
+        If it cannot be written.
+    """
+    check_target(path)
+    extension = _extension(path)
+    target = os.path.realpath(path)  # what a link leads to, and not the link
+    # in the same folder, for what is moved from elsewhere may be there by halves
+    made = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
+    try:
+        with open(made, "xb"):  # with the permissions of any new file
+            pass
+        import_module(f"radcalc.distributions.maps.{WRITERS[extension]}").write(made, picture)
+        if os.path.exists(target):
+            os.chmod(made, stat.S_IMODE(os.stat(target).st_mode))
+        os.replace(made, target)
+    except OSError as error:
+        raise _cannot_write(path, error.strerror or str(error)) from None
+    finally:
+        with suppress(OSError):  # it is there where something went wrong
+            os.remove(made)
+
+
+def check_target(path: str) -> None:
+    """Refuse a place to write to, before the work whose result would be lost.
+
+    Raises what `write_picture` raises, as far as it can be known before.
+
+    Examples
+    --------
+    >>> check_target("map.png")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: map.png: pictures are not written as .png
+    try: .hdr (Radiance), .exr (OpenEXR) or .pfm
+    """
+    extension = _extension(path)
+    if extension not in WRITERS:
+        what = f"as {quote(extension)}" if extension else "without an extension"
+        problem = f"{quote_path(path)}: pictures are not written {what}"
+        raise ConditionError(problem, ".hdr (Radiance), .exr (OpenEXR) or .pfm")
+    if "\0" in path:
+        raise _cannot_write(path, "no name of a file")
+    target = os.path.realpath(path)
+    folder = os.path.dirname(target)
+    if not os.path.isdir(folder):
+        raise _cannot_write(path, f"there is no folder {quote_path(folder)}")
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise _cannot_write(path, "a folder, a pipe or a device")
+    if not all(os.access(place, os.W_OK) for place in (folder, target) if os.path.exists(place)):
+        raise _cannot_write(path, os.strerror(errno.EACCES))
+
+
+def check_size(width: int, height: int, name: str) -> None:
+    """Refuse a picture that has no pixels or too many, before room is made for them.
+
+    Examples
+    --------
+    >>> check_size(65536, 65536, "sky.hdr")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: sky.hdr has 65536 x 65536 pixels, more than 268435456
+    try: a smaller picture
+    """
+    if width < 1 or height < 1:
+        raise ConditionError(f"{name} has {width} x {height} pixels", "a picture that has some")
+    if width * height > PIXELS:
+        problem = f"{name} has {width} x {height} pixels, more than {PIXELS}"
+        raise ConditionError(problem, "a smaller picture")
+
+
+def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:
+    """What gives the luminance of R, G, B, by the chromaticities of a file.
+
+    Parameters
+    ----------
+    chromaticities : sequence of eight floats
+        x and y of red, green, blue and white, which is R = G = B.
+    name : str
+        What messages call the file.
+
+    Returns
+    -------
+    tuple of float
+        Of R, G and B; their sum is 1.
+
+    Raises
+    ------
+    ConditionError
+        If no light can have them: where y is not positive, or the three are on a line.
+
+    Examples
+    --------
+    >>> of_709 = (0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329)
+    >>> [round(weight, 4) for weight in luminance_weights(of_709, "sky.hdr")]
+    [0.2126, 0.7152, 0.0722]
+    """
+    xy = np.array(chromaticities, float).reshape(4, 2)
+    xyz = np.column_stack([xy, 1 - xy.sum(1)]) if np.abs(xy).max() < FARTHEST else np.zeros((4, 3))
+    mixed, white = xyz[:3].T, xyz[3]
+    # three on a line have a determinant of 0, up to rounding
+    if white[1] < LEAST or abs(np.linalg.det(mixed)) < LEAST:
+        said = " ".join(f"{value:g}" for value in chromaticities)
+        problem = f"{name} has primaries of which no light can be mixed: {quote(said)}"
+        raise ConditionError(problem, "x and y of red, green, blue and white")
+    weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
+    return tuple(map(float, weights))
+
+
+def _extension(path: str) -> str:
+    return os.path.splitext(path)[1].lower()
+
+
+def _cannot_write(path: str, why: str) -> OutputError:
+    return OutputError(f"cannot write {quote_path(path)}: {why}", "another place for it")
+
+
+def _is_no_picture(head: bytes, name: str) -> ConditionError:
+    """What is wrong with a file that begins so, and what helps."""
+    if not head:
+        return ConditionError(f"{name} is empty", KNOWN)
+    if head.startswith(POINTER):
+        problem = f"{name} is a pointer of Git LFS, which stands for the picture"
+        return ConditionError(problem, "git lfs pull, which fetches it")
+    kind = next((OTHERS[magic] for magic in OTHERS if head.startswith(magic)), "")
+    if kind in ("gzip", "ZIP"):
+        return ConditionError(f"{name} is compressed ({kind})", "what is in it")
+    if kind:
+        return ConditionError(f"{name} is {kind}, and no picture of radiances", KNOWN)
+    if head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
+        return ConditionError(f"{name} is a web page (HTML) or XML", "the file it leads to")
+    text = quote(head[:SHOWN].decode("latin-1"))
+    return ConditionError(f"{name} is no picture that is read: it begins with '{text}'", KNOWN)
