@@ -12,6 +12,7 @@ from radcalc.geometry.numerics.vectors import Vector
 from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
 
 TURN = 2 * math.pi  # [rad]
+NO_DIRECTION = "0,0,0 has no direction", "a vector that is not zero"
 
 
 def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
@@ -63,7 +64,7 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     across = hypot(x, y)
     length = hypot(across, z)
     if any_true(length == 0):
-        raise ConditionError("0,0,0 has no direction", "a vector that is not zero")
+        raise ConditionError(*NO_DIRECTION)
     azimuth = atan2(y, x)
     azimuth = piecewise(azimuth < 0, lambda a: a + TURN, lambda a: a + 0.0, azimuth)
     # a hair below 0 would be rounded to a whole turn

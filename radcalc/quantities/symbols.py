@@ -184,6 +184,7 @@ def _interval(dimension: Dimension, name: str, example: str, help_: str) -> Symb
     return _symbol(dimension, name, "", example, help_, FROM_ZERO)._replace(form=INTERVAL)
 
 
+PROJECTIONS = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 

@@ -1,0 +1,390 @@
+"""Projections of the sphere of directions onto an image: latlong, mirror-ball and angular.
+
+A place in an image has the coordinates u (to the right) and v (up), both from -1 to 1 over the
+whole image; the pixel of column 0 and row 0 is at the top left.  A direction has the coordinates
+x, y, z in the map's own axes: x is what the middle of the image shows, z is up in the image, and
+y is to the left of whoever looks along +x.
+
+- "latlong": azimuth -pi u and elevation v pi/2.  The top and the bottom edge are the poles.
+- "mirror-ball": a ball, mirroring, in front of a camera that is far away; u^2 + v^2 <= 1.  The
+  ball shows what it reflects, so right and left are exchanged: +y is at the right.  The middle
+  shows the camera's own direction, the rim what is behind the ball.
+- "angular" (the light probe): the distance from the middle is in proportion to the angle from +x,
+  and is 1 at 180 degrees.
+
+These are the axes of OpenEXR's latitude-longitude maps [1]_ (whose z, x and y are x, y and z
+here), but for where the pixels are: there the centres of the first and of the last row are the
+poles, here the edges are.  Places and directions are floats or NumPy arrays, which are broadcast
+together; of floats nothing needs NumPy.
+
+References
+----------
+.. [1] OpenEXR, ImfEnvmap.h, "Latitude-Longitude Map".
+"""
+
+import math
+from typing import Any
+
+from radcalc.errors import ConditionError
+from radcalc.geometry.cones import refuse
+from radcalc.geometry.directions import NO_DIRECTION
+from radcalc.geometry.numerics.quadrature import gauss
+from radcalc.geometry.numerics.vectors import Vector
+from radcalc.maths import (
+    SLACK,
+    Number,
+    any_true,
+    asin,
+    atan2,
+    cos,
+    hypot,
+    is_array,
+    larger,
+    piecewise,
+    sin,
+    smaller,
+    sqrt,
+)
+from radcalc.quantities.symbols import LATLONG, MIRROR_BALL, PROJECTIONS
+
+FEW, MANY = 4, 16  # points of a rule each way over a pixel that is small beside the image, or not
+SMALL = 1 / 64  # of the image: by then 4 points leave 1e-16
+
+
+def is_outside(projection: str, u: Number, v: Number) -> Any:
+    """Whether an image shows nothing at a place: outside of it, or of the circle in it.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    u, v : float or ndarray [1]
+        The place.
+
+    Returns
+    -------
+    bool or ndarray of bool
+        A limit may be exceeded by a relative 1e-12; NaN is not outside.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such projection.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import is_outside
+    >>> is_outside("latlong", 0.9, 0.9), is_outside("angular", 0.9, 0.9)
+    (False, True)
+    """
+    if _is_latlong(projection):
+        return (abs(u) > 1 + SLACK) | (abs(v) > 1 + SLACK)
+    return hypot(u, v) > 1 + SLACK
+
+
+def _is_latlong(projection: str) -> bool:
+    """Whether it is the one projection that has no circle, if it is one at all."""
+    refuse(projection not in PROJECTIONS, "that is no projection", ", ".join(PROJECTIONS))
+    return projection == LATLONG
+
+
+def direction_at(projection: str, u: Number, v: Number) -> Vector:
+    """Direction that an image shows at a place.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    u, v : float or ndarray [1]
+        The place.
+
+    Returns
+    -------
+    x, y, z : float or ndarray [1]
+        A vector of length 1.  In arrays, places that are outside (`is_outside`) have NaN in all
+        three.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such projection, or a place that is no array is outside.
+
+    Notes
+    -----
+    ::
+
+        latlong      (cos(e) cos(a), cos(e) sin(a), sin(e)),  a = -pi u,  e = v pi/2
+        mirror-ball  (2 n^2 - 1, 2 n u, 2 n v),  n = sqrt(1 - u^2 - v^2)
+        angular      (cos(pi r), -sin(pi r) u / r, sin(pi r) v / r),  r = sqrt(u^2 + v^2)
+
+    (n, u, v) is the normal of the mirror ball, at which its camera's direction, +x, is reflected.
+
+    Examples
+    --------
+    A quarter of the image to the left of the middle of a latlong map is +y:
+
+    >>> from radcalc.geometry.projections import direction_at
+    >>> [round(x, 12) for x in direction_at("latlong", -0.5, 0.0)]
+    [0.0, 1.0, 0.0]
+
+    Where the normal of a mirror ball is (0.8, 0.6, 0), it shows (0.28, 0.96, 0):
+
+    >>> [round(x, 12) for x in direction_at("mirror-ball", 0.6, 0.0)]
+    [0.28, 0.96, 0.0]
+    """
+    outside = is_outside(projection, u, v)
+    if any_true(outside):
+        if not (is_array(u) or is_array(v)):
+            limit = "u and v from -1 to 1" if projection == LATLONG else "u^2 + v^2 of at most 1"
+            raise ConditionError("there is no image at that place", limit)
+        u, v = (piecewise(outside, lambda a: a * math.nan, lambda a: a, one) for one in (u, v))
+    if projection == LATLONG:
+        azimuth, elevation = -math.pi * u, math.pi / 2 * v
+        across = cos(elevation)
+        return across * cos(azimuth), across * sin(azimuth), sin(elevation)
+    r = hypot(u, v)
+    if projection == MIRROR_BALL:
+        normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
+        return 2 * normal**2 - 1, 2 * normal * u, 2 * normal * v
+    share = piecewise(r == 0, lambda a: a + math.pi, lambda a: sin(math.pi * a) / a, r)
+    return cos(math.pi * r), -share * u, share * v
+
+
+def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, Number]:
+    """Place at which an image shows a direction: the inverse of `direction_at`.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    x, y, z : float or ndarray
+        A vector of any length, not all 0, in the map's own axes.
+
+    Returns
+    -------
+    u, v : float or ndarray [1]
+        Where there are many places, one of them: of -x the left edge (-1, 0) of a latlong map,
+        and (1, 0) of the rim of the others; of a pole the middle of the edge, u = 0.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such projection, or a vector has the length 0, and so no direction.
+
+    Notes
+    -----
+    ::
+
+        latlong      u = -atan2(y, x) / pi,  v = atan2(z, sqrt(x^2 + y^2)) 2 / pi
+        the others   (u, v) = r (+-y, z) / sqrt(y^2 + z^2),  + of a mirror ball
+        mirror-ball  r = sin(theta/2),  theta = atan2(sqrt(y^2 + z^2), x)
+        angular      r = theta / pi
+
+    The arctangents keep their digits in all directions; the place of a mirror ball is as sharp as
+    the direction, also at its rim.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import place_of
+    >>> place_of("latlong", 0.0, 1.0, 0.0), place_of("latlong", 0.0, 0.0, 2.0)
+    ((-0.5, 0.0), (0.0, 1.0))
+    >>> [round(a, 12) for a in place_of("mirror-ball", 0.28, 0.96, 0.0)]
+    [0.6, 0.0]
+    """
+    zero = (x == 0) & (y == 0) & (z == 0)
+    refuse(zero, *NO_DIRECTION)
+    if _is_latlong(projection):
+        azimuth = atan2(y + 0.0, x + 0.0)  # no -0, which would be half a turn away
+        return 0.0 - azimuth / math.pi, atan2(z, hypot(x, y)) * (2 / math.pi)
+    across = hypot(y, z)
+    theta = atan2(across, x)
+    r, sign = (sin(theta / 2), 1.0) if projection == MIRROR_BALL else (theta / math.pi, -1.0)
+    on_axis = across == 0
+    u = piecewise(on_axis, lambda r, a, b: r, lambda r, a, b: sign * r * (a / b), r, y, across)
+    v = piecewise(on_axis, lambda r, a, b: 0 * r, lambda r, a, b: r * (a / b), r, z, across)
+    return u, v
+
+
+def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
+    """Place of the middle of a pixel.
+
+    Parameters
+    ----------
+    width, height : int
+        Size of the image [pixels].
+    column, row : int or ndarray of int
+        Counted from 0 at the top left.
+
+    Returns
+    -------
+    u, v : float or ndarray [1]
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import middle_of_pixel
+    >>> middle_of_pixel(4, 2, 0, 0), middle_of_pixel(5, 5, 2, 2)
+    ((-0.75, 0.5), (0.0, 0.0))
+    """
+    return (2 * column + 1 - width) / width, (height - 1 - 2 * row) / height
+
+
+def pixel_solid_angle(projection: str, width: int, height: int, column: int, row: int) -> float:
+    """Solid angle of what one pixel of an image shows.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    width, height : int
+        Size of the image [pixels], 1 or more.
+    column, row : int
+        Counted from 0 at the top left, below the width and the height.
+
+    Returns
+    -------
+    float [sr]
+        0 for a pixel that is outside the circle of a mirror ball or an angular map; of one that
+        the circle cuts, of the part inside.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such projection.
+
+    Notes
+    -----
+    ::
+
+        latlong      2 (2 pi / width) sin(t) sin(pi / (2 height)),  t = pi (row + 1/2) / height
+        mirror-ball  d omega = 4 du dv
+        angular      d omega = pi sin(pi r) / r du dv
+
+    That of a latlong map is the difference of two cosines as a product, which keeps its digits.
+    Over a pixel of the others the density is integrated by Gauss-Legendre rules, which are exact
+    to rounding: over the rectangle, or where the circle cuts it over the part in which all of its
+    width is inside, and over the rest up to the arc, whose angle is the variable.
+
+    Examples
+    --------
+    A pixel of 1024 x 512 at the equator, and one that a mirror ball's circle cuts:
+
+    >>> from radcalc.geometry.projections import pixel_solid_angle
+    >>> f"{pixel_solid_angle('latlong', 1024, 512, 0, 255):.6e}"
+    '3.764932e-05'
+    >>> round(pixel_solid_angle("mirror-ball", 2, 2, 0, 0), 12)
+    3.14159265359
+    """
+    if _is_latlong(projection):
+        return float(_latlong(width, height, row))
+    ball = projection == MIRROR_BALL
+    return float(_in_quadrant(ball, *_span(column, width), *_span(row, height)))
+
+
+def pixel_solid_angles(projection: str, width: int, height: int) -> Any:
+    """Solid angles of what the pixels of an image show: `pixel_solid_angle` of all.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    width, height : int
+        Size of the image [pixels], 1 or more.
+
+    Returns
+    -------
+    ndarray [sr]
+        Of shape (height, 1) for a latlong map, in which those of a row are equal, and of shape
+        (height, width) for the others.  Over all pixels the sum is 4 pi.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such projection.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry.projections import pixel_solid_angles
+    >>> round(float(pixel_solid_angles("angular", 63, 63).sum()) / (4 * math.pi), 12)
+    1.0
+    """
+    import numpy
+
+    if _is_latlong(projection):
+        return _latlong(width, height, numpy.arange(height)[:, None])
+    # The four quadrants are mirror images: what is right of the middle and below it serves all.
+    columns, rows = (numpy.arange(size // 2, size) for size in (width, height))
+    ball = projection == MIRROR_BALL
+    across, down = _span(columns, width), _span(rows, height)
+    quadrant = _in_quadrant(ball, *across, *(one[:, None] for one in down))
+    at = [abs(2 * numpy.arange(size) + 1 - size) // 2 for size in (height, width)]
+    return quadrant[numpy.ix_(*at)]
+
+
+def _latlong(width: int, height: int, row: Any) -> Any:
+    """Solid angle of a pixel of a latlong map, by its row."""
+    row = smaller(row, height - 1 - row)  # a sine next to pi would lose digits
+    middle = math.pi * (row + 0.5) / height
+    return 4 * math.pi / width * sin(middle) * sin(math.pi / (2 * height))
+
+
+def _span(pixel: Any, count: int) -> tuple[Any, Any, Any]:
+    """Middle and half width of a row's pixel on the positive side, and how many such it has.
+
+    The pixel in the middle of an odd number counts as two halves.
+    """
+    middle = abs(2 * pixel + 1 - count)
+    half = piecewise(middle == 0, lambda m: 0.5 + m, lambda m: 1.0 + 0 * m, middle)
+    return larger(middle, 0.5) / count, half / count, 1 / half
+
+
+def _in_quadrant(
+    ball: bool, x: Number, wide: Number, halves: Number, y: Number, high: Number, parts: Number
+) -> Number:
+    """Solid angle of a pixel of positive u and v, times how often it counts."""
+
+    def whole(x: Number, wide: Number, y: Number, high: Number) -> Number:
+        return _rectangle(ball, x, wide, y, high)
+
+    def cut(x: Number, wide: Number, y: Number, high: Number) -> Number:
+        return _cut(ball, x, wide, y, high)
+
+    def inside(x: Number, wide: Number, y: Number, high: Number) -> Number:
+        is_whole = hypot(x + wide, y + high) <= 1
+        return piecewise(is_whole, whole, cut, x, wide, y, high)
+
+    is_out = hypot(x - wide, y - high) >= 1
+    return halves * parts * piecewise(is_out, lambda *xs: 0 * xs[0], inside, x, wide, y, high)
+
+
+def _rectangle(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
+    """Solid angle of a rectangle within the circle, by its middle and half its sides."""
+    rule = zip(*gauss(_points(wide, high)), strict=True)
+    return high * sum(weight * _line(ball, x, wide, y + b * high) for b, weight in rule)
+
+
+def _points(wide: Number, high: Number) -> int:
+    return MANY if any_true(larger(wide, high) > SMALL) else FEW
+
+
+def _cut(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
+    """Solid angle of what the circle leaves of a rectangle."""
+    left, right, low, top = x - wide, x + wide, y - high, y + high
+    # up to here the circle is right of the rectangle; beyond the end it is left of it
+    full = smaller(top, larger(low, sqrt(larger(0.0, (1 - right) * (1 + right)))))
+    end = larger(full, smaller(top, sqrt((1 - left) * (1 + left))))
+    total = _rectangle(ball, x, wide, (full + low) / 2, (full - low) / 2)
+    first, last = asin(full), asin(end)
+    points = gauss(_points(wide, high))
+    for a, weight in zip(*points, strict=True):
+        angle = (first + last) / 2 + a * (last - first) / 2
+        strip = weight * cos(angle) * (last - first) / 2  # its height
+        half = (cos(angle) - left) / 2
+        total = total + strip * _line(ball, left + half, half, sin(angle))
+    return total
+
+
+def _line(ball: bool, x: Number, half: Number, y: Number) -> Number:
+    """Integral of the density along u, by the middle and half the length."""
+    if ball:
+        return 8 * half
+    total = 0.0 * x
+    for a, weight in zip(*gauss(_points(half, half)), strict=True):
+        r = hypot(x + a * half, y)
+        total = total + weight * (sin(math.pi * r) / r)
+    return math.pi * half * total
