@@ -79,8 +79,11 @@ class Decimals:
         return f"a decimal {own}, but line {min(self.point, comma)} has a decimal {other}"
 
     def doubt(self) -> tuple[int, str] | tuple[()]:
-        """The line and the text of a number that may be a thousand, unless others tell."""
-        return () if self.comma else self.doubtful
+        """The line of a number that may be a thousand, unless others tell; what is wrong there."""
+        if self.comma or not self.doubtful:
+            return ()
+        line, text = self.doubtful
+        return line, f"'{text}' may be a thousand or a decimal"
 
 
 def units_in(title: str) -> tuple[list[str], list[str]]:

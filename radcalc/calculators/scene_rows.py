@@ -62,8 +62,7 @@ COMMENT = "#"
 TEXTS = ("name", "distribution")
 KNOWN = (*TEXTS, *COLUMNS)
 NO_NAME = re.compile(r"[^\w.+-]+")  # what the name of a result has not
-# A comma in a number that parts no thousands: 0,75 or 12,5 or 0,125.
-DECIMAL_COMMA = re.compile(r"(?<![\d,.])(?:0,\d|\d+,(?!\d{3}(?!\d))\d)")
+MARKED = re.compile(r"[\d.,]*[.,]\d+(?:[eE][-+]?\d+)?")  # a number with a point or a comma
 
 
 class Row(NamedTuple):
@@ -122,6 +121,7 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
         )
     titles, units = _header(columns.cells(header, delimiter), f"{name}, line {number}")
     rows = []
+    decimals = columns.Decimals()
     for number, line in lines[1:]:
         cells = columns.cells(line, delimiter)
         where = f"{name}, line {number}"
@@ -131,7 +131,9 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
             raise ConditionError(f"{where}: {problem}", hint)
         filled = {column: cell for column, cell in zip(titles, cells, strict=True) if cell}
         rows.append(Row(where, filled, titles))
-    _read_numbers(rows, units, delimiter != ",")
+        if delimiter != ",":
+            _check_marks(rows[-1], number, decimals)
+    _read_numbers(rows, units, bool(decimals.comma))
     like_rows = [
         str(number)
         for number, line in comments
@@ -141,10 +143,18 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     return rows, notes if like_rows else []
 
 
-def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], may_have_commas: bool) -> None:
+def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
+    """Refuse a number whose decimal mark is not that of the rows before."""
+    for column, cell in row.cells.items():
+        for text in MARKED.findall(cell) if column in COLUMNS else ():
+            if problem := decimals.conflict(text, line):
+                raise row.error(column, problem, columns.MARKS)
+
+
+def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: bool) -> None:
     """Give decimal commas points, and numbers the units of their columns."""
     places = [(row.cells, column) for row in rows for column in row.cells if column in COLUMNS]
-    if may_have_commas and any(DECIMAL_COMMA.search(row[column]) for row, column in places):
+    if have_commas:
         for row, column in places:
             row[column] = row[column].replace(",", ".")
     for row, column in places:

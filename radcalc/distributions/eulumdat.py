@@ -197,7 +197,7 @@ class _Reader:
                 "a file that ends there; a line may be doubled, or Mc or Ng too small",
             )
         if doubt := self.decimals.doubt():
-            self.refuse(doubt[0], f"'{doubt[1]}' may be a thousand or a decimal", MARKS)
+            self.refuse(*doubt, MARKS)
         values *= factor * lumens / KILOLUMEN
         around, values = self.around(symmetry, azimuths, values, start)
         grid = Grid(numpy.radians(polar), numpy.radians(around), values)

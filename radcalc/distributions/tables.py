@@ -179,7 +179,7 @@ class _Reader:
             self.refuse(self.rows[0][0], "one row is no table", "two rows or more")
         table = numpy.array([self.row(number, line, width) for number, line in self.rows])
         if doubt := self.decimals.doubt():
-            self.refuse(doubt[0], f"'{doubt[1]}' may be a thousand or a decimal", columns.MARKS)
+            self.refuse(*doubt, columns.MARKS)
         angles, values = table[:, 0], table[:, 1:]
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
             if angle <= before:

@@ -45,7 +45,6 @@ class _Layout(NamedTuple):
     """Where the numbers of a file stand."""
 
     delimiter: str | None
-    comma: bool
     header: list[str]
     width: int
     place: int  # the column of the values
@@ -61,6 +60,7 @@ class _Reader:
         self.column = column
         self.notes: list[str] = []
         self.comments: list[str] = []
+        self.decimals = columns.Decimals()
         self.grid, self.values = array("d"), array("d")
         self.lines = array("q")  # of the rows
 
@@ -142,9 +142,9 @@ class _Reader:
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
         typical = rows[min(1, len(rows) - 1)][1]  # no header, unless it is alone
-        delimiter, comma = columns.dialect(typical)
+        delimiter, _ = columns.dialect(typical)
         header = columns.cells(rows[0][1], delimiter)
-        if columns.is_number(header[0], comma):
+        if columns.is_number(header[0], delimiter != ","):
             header = []
         else:
             del rows[0]
@@ -153,7 +153,7 @@ class _Reader:
         width = len(columns.cells(rows[0][1], delimiter))
         self.check_titles(header)
         place, title = self.value_column(header or self.commented(width), width, rows[0][0])
-        return _Layout(delimiter, comma, header, width, place, title)
+        return _Layout(delimiter, header, width, place, title)
 
     def commented(self, width: int) -> list[str]:
         """The titles of columns, where a comment has them."""
@@ -165,9 +165,15 @@ class _Reader:
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Take in rows that are numbers and nothing else; say whether they are."""
-        columns = None if layout.comma else _columns(lines, layout, len(self.grid) > MANY)
+        marks = self.decimals
+        if marks.comma or marks.doubtful:
+            return False
+        columns = _columns(lines, layout, len(self.grid) > MANY)
         if columns is None:
             return False
+        if not marks.point:
+            pointed = (n for n, line in enumerate(lines, number) if "." in line)
+            marks.point = next(pointed, 0)
         self.grid.extend(columns[0])
         self.values.extend(columns[1])
         self.lines.extend(range(number, number + len(lines)))
@@ -183,8 +189,9 @@ class _Reader:
                     f"{len(cells)} columns instead of {layout.width}",
                     "a value in every column",
                 )
-            self.grid.append(self.number(cells[0], layout.comma, number))
-            self.values.append(self.number(cells[layout.place], layout.comma, number))
+            comma = layout.delimiter != ","
+            self.grid.append(self.number(cells[0], comma, number))
+            self.values.append(self.number(cells[layout.place], comma, number))
             self.lines.append(number)
 
     def check_titles(self, header: list[str]) -> None:
@@ -197,6 +204,8 @@ class _Reader:
 
     def finish(self, layout: _Layout) -> Table:
         """Give the numbers their units, and say what was repaired or is odd."""
+        if doubt := self.decimals.doubt():
+            raise self.error(*doubt, columns.MARKS)
         grid, values = self.sorted()
         nanometres = self.wavelength_unit(layout.header, grid[0], grid[-1])
         low = min(values)
@@ -258,6 +267,8 @@ class _Reader:
             raise self.error(
                 line, f"'{quote(cell)}' is not a number", "a number, or # before a comment"
             )
+        if comma and (problem := self.decimals.conflict(cell, line)):
+            raise self.error(line, problem, columns.MARKS)
         return value
 
     def wavelength_unit(self, header: list[str], low: float, high: float) -> float:

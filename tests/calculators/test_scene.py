@@ -126,6 +126,10 @@ BAD = {
     "x,y,z,flux\n0,0,2,-8lm\n": ("flux -8lm is not possible", "more than 0"),
     "x,y,z,flux\n0,0,2,1,5lm\n": ("5 cells under 4", ""),
     "x;y;z;flux\n0;0;2;1,500lm\n": ("has a comma in its number", "1500lm"),
+    "x;y;z;flux\n0;0;2;0,5lm\n1;0;2;1.234lm\n": (
+        "line 3, column 'flux': a decimal point, but line 2 has a decimal comma", "in all"
+    ),
+    "x;y;z;flux\n0;0;2.5;8lm\n0;0;1;1,234lm\n": ("line 3, column 'flux': a decimal comma", "all"),
     "x,y,z,flux\n0,0,2,8lm\n0,0,1,8W\n": ("line 3, column 'flux': it is radiant", "--spectrum"),
     "x,y,z,flux,name\n0,0,2,8lm,a\n0,0,1,8lm,a\n": ("line 3, column 'name': 'a' is", "line 2"),
     "x,y,z,flux,name\n0,0,2,8lm,2\n0,0,1,8lm,\n": ("line 3, column 'name': '2' is", "line 2"),

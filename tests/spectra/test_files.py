@@ -18,6 +18,8 @@ FILES = {
     "blanks": "400 1\n500   3\n700 2\n",
     "tabs": "400\t1\n500\t3\n700\t2\n",
     "semicolons and decimal commas": "400,0;1,0\n500,0;3,0\n700,0;2,0\n",
+    "decimal commas from the second row on": "400;1\n500;3,0\n700;2,0\n",
+    "commas that others tell from thousands": "400;1,000\n500;3,00\n700;2,000\n",
     "a header": "wavelength,value\n400,1\n500,3\n700,2\n",
     "comments and blank lines": "# a lamp\n\n400 1\n500 3\n# more\n700 2\n",
     "a byte order mark and CRLF": "\ufeff400,1\r\n500,3\r\n700,2\r\n",
@@ -89,6 +91,18 @@ BROKEN = {
     "an underscore": ("400,1\n5_50,2\n700,1\n", "line 2: '5_50' is not a number"),
     "other digits": ("400,1\n٥٥٠,2\n700,1\n", "line 2"),
     "an unknown unit": ("4000 1\n7000 2\n", "not declared"),
+    "commas and points": (
+        "400;0,5\n500;1.234\n600;2\n",
+        "line 2: a decimal point, but line 1 has a decimal comma",
+    ),
+    "points and, far below, a comma": (
+        "".join(f"{400 + k / 1e6:.6f};1\n" for k in range(100_000)) + "600;0,5\n",
+        "line 100001: a decimal comma, but line 1 has a decimal point",
+    ),
+    "thousands or decimals": (
+        "400;1,000\n500;2,000\n",
+        "line 1: '1,000' may be a thousand or a decimal",
+    ),
     "no text": (b"400 1\n500 \xff\n", "line 2: not UTF-8"),
 }
 
