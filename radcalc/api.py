@@ -19,7 +19,7 @@ from radcalc.errors import (
 )
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_place
 from radcalc.maths import LARGEST, is_array
-from radcalc.quantities.symbols import DIRECTION, FLAG, INNER, NUMBERS, POINT, SYMBOLS
+from radcalc.quantities.symbols import DIRECTION, FLAG, INNER, NUMBERS, POINT, SYMBOLS, VECTOR
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import real
@@ -482,7 +482,7 @@ def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
     if value is None or value is False:
         return None
     if isinstance(value, (list, tuple)) and any(map(_is_quantity, value)):
-        if SYMBOLS[name].form not in (DIRECTION, POINT, NUMBERS):
+        if SYMBOLS[name].form not in (DIRECTION, POINT, VECTOR, NUMBERS):
             array = f"one quantity, {keyword}=radcalc.Quantity([1, 2], UNIT)"
             raise ConditionError(f"{keyword} is a list of quantities", array)
         value = ",".join(

@@ -33,6 +33,7 @@ from radcalc.quantities.symbols import (
     REFINEMENTS,
     SPECTRUM,
     SYMBOLS,
+    VECTOR,
     WAVELENGTHS,
     Limits,
     Symbol,
@@ -326,6 +327,16 @@ def read_point(text: str, what: str) -> Point:
     return x, y, z
 
 
+def read_vector(text: str, what: str) -> Point:
+    """Read X,Y,Z that are not all 0, as of a point."""
+    vector = read_point(text, what)
+    if not any(vector):
+        raise ConditionError(
+            f"{what} '{quote(text)}' has no direction", "a vector other than 0: 1,0,0.5"
+        )
+    return vector
+
+
 def read_direction(text: str, what: str) -> tuple[float, float]:
     """Read POLAR or POLAR,AZIMUTH, angles with their units, or a vector X,Y,Z of bare numbers.
 
@@ -336,7 +347,7 @@ def read_direction(text: str, what: str) -> tuple[float, float]:
 
     parts = text.split(",")
     if len(parts) > 2:
-        polar, azimuth, _ = spherical(*read_point(text, what))
+        polar, azimuth, _ = spherical(*read_vector(text, what))
         return polar, azimuth
     polar, azimuth = (*(_read_angle(part, text, what) for part in parts), 0.0)[:2]
     if not 0 <= polar <= math.pi * (1 + SLACK):
@@ -361,7 +372,11 @@ def _read_angle(text: str, whole: str, what: str) -> float:
         number, unit_text = split_quantity(text)
     except NumberError as error:
         raise NumberError(f"{what} '{quote(whole)}': {error.message}", AS_DIRECTION) from None
-    unit = resolve(unit_text) if unit_text else None
+    try:
+        unit = resolve(unit_text) if unit_text else None
+    except RadcalcError as error:
+        error.message = f"{what} '{quote(whole)}': {error.message}"
+        raise
     if unit is None or unit.dimension != ANGLE:
         found = describe(unit) if unit else "a bare number"
         raise ConditionError(
@@ -426,6 +441,11 @@ def _read_point(symbol: Symbol, value: Any) -> Given:
     return Given(symbol, text, read_point(text, option(symbol.name)))
 
 
+def _read_vector(symbol: Symbol, value: Any) -> Given:
+    text = _joined(value)
+    return Given(symbol, text, read_vector(text, option(symbol.name)))
+
+
 def _read_numbers(symbol: Symbol, value: Any) -> Given:
     text, count = _joined(value), len(symbol.example.split(","))
     hint = option(symbol.name, symbol.example)
@@ -464,10 +484,14 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
     return sizes, first
 
 
-def read_place(name: str, text: str) -> Given:
-    """Read X,Y,Z, the place [m] of a symbol: three lengths, or bare numbers of metres."""
+def read_place(name: str, text: str, said: str = "") -> Given:
+    """Read X,Y,Z, the place [m] of a symbol: three lengths, or bare numbers of metres.
+
+    `said` is what a message calls it; the name by default.
+    """
     parts = text.split(",")
-    what, hint = f"the {name} '{quote(text)}'", "X,Y,Z, as 1,0,2 in metres, or 1m,0m,2m"
+    what = f"{said or f'the {name}'} '{quote(text)}'"
+    hint = "X,Y,Z, as 1,0,2 in metres, or 1m,0m,2m"
     if len(parts) != 3:
         count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
         raise ConditionError(f"{what} has {count}, not three", hint)
@@ -485,6 +509,7 @@ _READERS = {
     SPECTRUM: _read_spectrum,
     WAVELENGTHS: _read_wavelengths,
     POINT: _read_point,
+    VECTOR: _read_vector,
     DIRECTION: _read_direction,
     INTERVAL: _read_interval,
     NUMBERS: _read_numbers,

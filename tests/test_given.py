@@ -4,16 +4,17 @@ import math
 
 import pytest
 
-from radcalc.errors import START, RadcalcError
+from radcalc.errors import START, RadcalcError, option
 from radcalc.given import (
     Given,
+    read,
     read_as,
     read_direction,
     read_interval,
     read_place,
     values_of,
 )
-from radcalc.quantities.symbols import DIRECTION, SYMBOLS
+from radcalc.quantities.symbols import DIRECTION, SYMBOLS, VECTOR
 from radcalc.units.table import resolve
 
 TOWARD = SYMBOLS["normal"]._replace(name="toward", form=DIRECTION)
@@ -69,6 +70,16 @@ def test_what_is_no_direction_is_refused(text):
     with pytest.raises(RadcalcError) as error:
         read_direction(text, "the direction")
     assert NO_DIRECTIONS[text] in error.value.message
+    assert error.value.message.startswith("the direction '")
+    assert error.value.hint
+
+
+@pytest.mark.parametrize("text", ["0,0,0", "0,-0,0.0", "1,2", "1,2,x", "nan,0,1", "1m,0m,2m", "up"])
+@pytest.mark.parametrize("name", [name for name, one in SYMBOLS.items() if one.form == VECTOR])
+def test_what_is_no_vector_is_refused_with_its_option(name, text):
+    with pytest.raises(RadcalcError) as error:
+        read(name, text)
+    assert error.value.message.startswith(f"{option(name)} '{text}'")
     assert error.value.hint
 
 

@@ -207,11 +207,7 @@ def _turn_receiver(sheet: Worksheet) -> None:
                 f"nothing follows from {option('normal', given['normal'].text)}",
                 f"with it, {options(('intensity', 'irradiance'))}",
             )
-        normal = given["normal"].value
-        if not any(normal):
-            told = option("normal", quote(given["normal"].text))
-            raise ConditionError(f"{told} has no direction", option("normal", "0,0,-1"))
-        normal = unit(normal)
+        normal = unit(given["normal"].value)
         to_light = times(given["point"].value, -1 / sheet.known["distance"].value)
         across = length(cross(normal, to_light))
         sheet.know("incidence", atan2(across, dot(normal, to_light)))

@@ -177,7 +177,7 @@ def _points(at: tuple[str, ...], grid: str | None) -> Points:
         raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
     if several := next((text for text in at if ":" in text), None):
         raise ConditionError(f"--at {quote(several)} is a range", f"--grid {AS_GRID}")
-    places = [read_place("point", text) for text in at]
+    places = [read_place("point", text, "--at") for text in at]
     bare = any(place.unit is None for place in places)
     every = [place.value for place in places]
     return Points(lambda: scene.blocks(every), len(at), at, (IN_METRES,) if bare else ())

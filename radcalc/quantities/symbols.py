@@ -65,7 +65,8 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no l
 # How the value of a symbol is written.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
-POINT, DIRECTION, DISTRIBUTION = "point", "direction", "distribution"
+POINT, VECTOR = "point", "vector"  # a vector has a direction
+DIRECTION, DISTRIBUTION = "direction", "distribution"
 NUMBERS = "numbers"  # as many as the example has
 
 
@@ -325,12 +326,12 @@ _ROWS = (
     _text(DIRECTION, "toward", "a direction", "60deg,90deg",
         "A direction from the source, in which the receiver is: POLAR from its axis, "
         "POLAR,AZIMUTH, or X,Y,Z with Z along the axis."),
-    _text(POINT, "aim", "a direction", "X,Y,Z",
+    _text(VECTOR, "aim", "a direction", "X,Y,Z",
         "Where the source's axis points; straight down is 0,0,-1."),
     _symbol(ANGLE, "rotate", "ψ", "90deg",
         "Angle by which the source is turned about its axis, C0 from +x towards +y.", ANY),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
-    _text(POINT, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
+    _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
         scene="Where the receivers face (0,0,1: up).",
         uberlight="Normal of the receiver (it faces the light)."),
     _symbol(NUMBER, "uniformity", "U_o", label="uniformity, minimum over mean"),

@@ -359,7 +359,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "1 cd", "offset": "9m"}, "height is missing beside offset"),
         ({"distribution": "lamp.ies"}, "there is no file 'lamp.ies'"),
         ({"distribution": "cone", "aim": "1,0,0", "flux": "1lm"}, "how wide the cone is"),
-        ({"distribution": "1 cd", "aim": "0,0,0", "height": "1m"}, "0,0,0 has no direction"),
+        ({"distribution": "1 cd", "aim": "0,0,0", "height": "1m"}, "aim '0,0,0' has no direction"),
         (
             {
                 "distribution": "(theta < 5*deg) cd",

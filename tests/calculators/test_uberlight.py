@@ -191,7 +191,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
         ("0,0,1 --omni --superellipse 1,1,1,1", "no use with a light", "the same without --omni"),
         ("0,0,1 --omni --beam-exponent 1", "no use with a light", "the same without --omni"),
         ("0,0,1 --normal 0,0,1", "nothing follows from --normal", "--intensity"),
-        ("0,0,1 --intensity 1cd --normal 0,0,0", "has no direction", "--normal 0,0,-1"),
+        ("0,0,1 --intensity 1cd --normal 0,0,0", "--normal '0,0,0' has no direction", "1,0,0.5"),
         ("0,0,1 --intensity 1cd --normal 0,0,1 --incidence 0deg", "both give", "one of them"),
         ("0,0,1 --intensity 1cd --illuminance 2lx", "contradicts the rest, which gives 1 lx", ""),
         ("0,0,-1 --illuminance 2lx", "no light arrives", ""),
