@@ -1,7 +1,8 @@
 """What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import index
 from typing import Any, NamedTuple
 
 from radcalc import maths
@@ -28,6 +29,7 @@ from radcalc.quantities.symbols import (
     INTERVAL,
     LINKS,
     NUMBERS,
+    PAIR,
     POINT,
     QUANTITY,
     REFINEMENTS,
@@ -413,14 +415,14 @@ def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[
     return numbers
 
 
-def _joined(value: Any) -> str:
+def _joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = float) -> str:
     """Numbers of Python's as they would be typed; what is none is refused by its reader."""
     if isinstance(value, str):
         return value
     if _has_unit(value):
         return f"{value[0]} {value[1].text}"
     try:
-        return ",".join(str(float(one)) for one in value)
+        return mark.join(str(number(one)) for one in value)
     except (TypeError, ValueError, OverflowError):
         return " ".join(str(value).split())
 
@@ -452,6 +454,22 @@ def _read_numbers(symbol: Symbol, value: Any) -> Given:
     return Given(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
 
 
+def _read_pair(symbol: Symbol, value: Any) -> Given:
+    """Two whole numbers, parted as in the example: 1024x512, or 0,0."""
+    mark = "x" if "x" in symbol.example else ","
+    text = _joined(value, mark, index)
+    parts = [part.strip() for part in text.lower().replace("×", "x").split(mark)]
+    told = option(symbol.name, quote(text))
+    if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
+        problem = f"{told} is not two whole numbers with '{mark}' between them"
+        raise ConditionError(problem, option(symbol.name, symbol.example))
+    low, high, said, *_ = symbol.limits
+    if not all(len(part) <= DIGITS and low <= int(part) <= high for part in parts):
+        raise Impossible(symbol.name, text, said)
+    return Given(symbol, text, (int(parts[0]), int(parts[1])))
+
+
+DIGITS = 18  # of a whole number that is read at all
 IN_METRES = "coordinates without a unit are in metres"
 TOO_FAR = "a coordinate is beyond what radcalc reckons with", "up to 1e100"
 
@@ -513,6 +531,7 @@ _READERS = {
     DIRECTION: _read_direction,
     INTERVAL: _read_interval,
     NUMBERS: _read_numbers,
+    PAIR: _read_pair,
     DISTRIBUTION: _read_distribution,
 }
 

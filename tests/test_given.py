@@ -108,3 +108,33 @@ def test_an_interval_without_a_unit_is_quoted_in_its_hint():
 def test_a_coordinate_of_0_needs_no_unit_beside_lengths():
     assert read_place("point", "0,0,100cm").value == (0.0, 0.0, 1.0)
     assert read_place("point", "1cm,0,0").unit.text == "cm"
+
+
+@pytest.mark.parametrize("size", ["1024x512", " 1024 X 512 ", "1024×512", (1024, 512)])
+def test_a_size_is_two_whole_numbers(size):
+    assert read("size", size).value == (1024, 512)
+    assert read("pixel", "0,7").value == (0, 7)
+
+
+# text, part of the message
+NO_SIZES = {
+    "1024,512": "is not two whole numbers with 'x' between them",
+    "1024x512x3": "is not two whole numbers",
+    "1e3x512": "is not two whole numbers",
+    "-1x512": "is not two whole numbers",
+    "²x512": "is not two whole numbers",
+    "x": "is not two whole numbers",
+    "0x512": "is not possible",
+    "1000001x1": "is not possible",
+    "1x" + "9" * 5000: "is not possible",
+    (2.0, 1.0): "is not two whole numbers",
+    5: "is not two whole numbers",
+}
+
+
+@pytest.mark.parametrize("size", NO_SIZES)
+def test_what_is_no_size_is_refused(size):
+    with pytest.raises(RadcalcError) as error:
+        read("size", size)
+    assert NO_SIZES[size] in error.value.message
+    assert error.value.hint

@@ -147,11 +147,11 @@ def _judge(sheet: Worksheet) -> None:
             "light leaves the reflector than reaches it",
             "less radiance, or more incident irradiance",
         )
-    if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("size"):
+    if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("extent"):
         far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
         if is_array(far) or is_array(exact) or not exact:
             return
-        nearest = 5 * sheet.known["size"].value
+        nearest = 5 * sheet.known["extent"].value
         times = format_number(far / exact)
         if times == "1":
             return

@@ -229,7 +229,7 @@ def _disc(sheet: Worksheet) -> list[AnyLaw]:
         centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
         _say_horizon(sheet, "disc", centre - half, centre + half)
         sheet.know("solid-angle", solid.disc(size, height, offset))
-        sheet.know("size", 2 * size)
+        sheet.know("extent", 2 * size)
         return laws
     if "incidence" in sheet.given:
         missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
@@ -274,7 +274,7 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
         shown = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
         _place(sheet, flat, shown)
         sheet.know("solid-angle", solid.sphere(size, away))
-        sheet.know("size", 2 * size)
+        sheet.know("extent", 2 * size)
         within = solid.angular_radius(size, away)
         up = math.pi / 2 - incidence
         _say_horizon(sheet, "sphere", up - within, up + within)
@@ -332,7 +332,7 @@ def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
     flat = projected.rectangle(width, length, height, x, y, normal)
     _place(sheet, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x)
     sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
-    sheet.know("size", hypot(width, length))
+    sheet.know("extent", hypot(width, length))
     return laws
 
 

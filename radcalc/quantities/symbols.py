@@ -68,6 +68,7 @@ SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
 POINT, VECTOR = "point", "vector"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
 NUMBERS = "numbers"  # as many as the example has
+PAIR = "pair"  # of whole numbers, within the limits
 
 
 NOWHERE: dict[str, tuple[str, str]] = {}
@@ -185,7 +186,12 @@ def _interval(dimension: Dimension, name: str, example: str, help_: str) -> Symb
     return _symbol(dimension, name, "", example, help_, FROM_ZERO)._replace(form=INTERVAL)
 
 
+def _pair(name: str, example: str, help_: str, limits: Limits) -> Symbol:
+    return _text(PAIR, name, "two whole numbers", example, help_)._replace(limits=limits)
+
+
 PROJECTIONS = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
+MOST_PIXELS = 1_000_000  # each way
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
@@ -387,6 +393,14 @@ _ROWS = (
     _symbol(NUMBER, "superellipse-attenuation", "a_s", label="attenuation by the superellipse"),
     _symbol(NUMBER, "beam-attenuation", "a_b", label="attenuation by the beam"),
     _symbol(NUMBER, "falloff-attenuation", "a_d", label="attenuation by the fall-off"),
+    # Maps of the sphere.
+    _text(CHOICE, "projection", "a projection", "latlong",
+        "How a map shows the sphere: latlong (2:1), or mirror-ball or angular, in a square.",
+        PROJECTIONS),
+    _pair("size", "1024x512", "Width and height of a map, in pixels.",
+        Limits(1, MOST_PIXELS, f"from 1 to {MOST_PIXELS} pixels each way")),
+    _pair("pixel", "0,0", "COLUMN,ROW of a pixel of a map; 0,0 is at the top left.",
+        Limits(0, MOST_PIXELS - 1, f"columns and rows from 0 to {MOST_PIXELS - 1}")),
     # Photons, spectra and what the eye makes of them.
     _symbol(FREQUENCY, "frequency", "ν", unit="THz"),
     _symbol(WAVENUMBER, "wavenumber", "σ", unit="cm-1"),
@@ -436,7 +450,7 @@ _INNER = (
     _symbol(LENGTH, "lateral", "x"),
     _symbol(AREA, "apparent-area", "A_p"),
     _symbol(FREQUENCY, "light", "b", unit="Hz"),
-    _symbol(LENGTH, "size", "s"),
+    _symbol(LENGTH, "extent", "s"),
 )
 INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
 
