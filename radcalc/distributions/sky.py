@@ -1,0 +1,87 @@
+"""The sky as a function of direction: the types of the CIE, and the traditional overcast one."""
+
+import math
+
+from radcalc.distributions.distribution import Peak
+from radcalc.errors import ConditionError, MissingInput, Unused, mention
+from radcalc.geometry import sky as geometry
+from radcalc.geometry.numerics.cubature import Integral
+from radcalc.geometry.numerics.vectors import Vector
+from radcalc.maths import Number
+
+
+class Sky:
+    """Radiances of a sky, which follow `radcalc.distributions.radiances.Radiances`.
+
+    The sun itself is no part of it, and below the horizon it is dark.
+
+    Parameters
+    ----------
+    name : str
+        A name or a number of `radcalc.geometry.sky.NAMES`.
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, above the horizon; for skies that follow it.
+    zenith : float [cd/m2, W/m2/sr, photon/s/m2/sr or 1], optional
+        Radiance of the zenith; 1 by default.
+    kind : str, optional
+        "v", "e" or "p"; empty, the default, where radiances are relative.
+
+    Attributes
+    ----------
+    coverage : float [1]
+        Half of the sphere.
+
+    Raises
+    ------
+    ConditionError
+        If there is no such sky, or the sun is below the horizon, or of no use to that sky.
+    MissingInput
+        If the sky follows the sun, and it is not told where that is.
+
+    Examples
+    --------
+    Under an overcast sky of 9000 cd/m2 in the zenith, the ground and a wall:
+
+    >>> sky = Sky("overcast", zenith=9000.0, kind="v")
+    >>> [round(sky.irradiance(normal).value, 2) for normal in ((0, 0, 1), (1, 0, 0))]
+    [21991.15, 8712.39]
+    >>> round(Sky("clear", (0.8, 0.0)).peak().value, 3)
+    7.504
+    """
+
+    coverage = 0.5
+
+    def __init__(
+        self,
+        name: str,
+        sun: tuple[float, float] | None = None,
+        zenith: float = 1.0,
+        kind: str = "",
+    ) -> None:
+        self.type = geometry.sky_type(name)
+        if self.type.follows_sun and sun is None:
+            raise MissingInput(
+                f"the sky {name} follows the sun, and where that is is missing",
+                mention("{sun-elevation=40deg}"),
+            )
+        if sun is not None and not self.type.follows_sun:
+            raise Unused(
+                ("sun-elevation",), f"with the sky {name}, which is the same at every azimuth"
+            )
+        if sun is not None and not 0 <= sun[0] <= math.pi / 2:
+            raise ConditionError("the sun is below the horizon", mention("{sun-elevation=40deg}"))
+        self.sun, self.zenith, self.kind = sun, zenith, kind
+
+    def radiance(self, polar: Number, azimuth: Number) -> Number:
+        return self.zenith * geometry.relative_luminance(self.type, polar, azimuth, self.sun)
+
+    def irradiance(self, normal: Vector) -> Integral:
+        value, error = geometry.projected_sky(self.type, normal, self.sun)
+        return Integral(self.zenith * value, self.zenith * error, 0)
+
+    def mean(self) -> float:
+        return self.zenith * geometry.mean_sky(self.type, self.sun)[0]
+
+    def peak(self) -> Peak:
+        value, polar, azimuth = geometry.brightest(self.type, self.sun)
+        return Peak(self.zenith * value, polar, azimuth)

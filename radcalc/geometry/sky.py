@@ -1,0 +1,475 @@
+"""The luminance of the sky by direction, relative to its zenith, and what a plane receives of it.
+
+The 15 types of the CIE standard general sky, and the traditional overcast sky.  Polar angles are
+counted from the zenith, azimuths from any one direction, in radians.  Below the horizon is
+nothing.  For floats no NumPy is imported.
+"""
+
+import math
+from itertools import pairwise
+from typing import NamedTuple
+
+from radcalc.errors import ConditionError, nearest, option, quote
+from radcalc.geometry.numerics.quadrature import gauss
+from radcalc.geometry.numerics.vectors import Vector, dot, unit
+from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt
+
+CIE = "CIE S 011:2003 (ISO 15469:2004)"
+ZENITH: Vector = (0.0, 0.0, 1.0)
+HALF_PI = math.pi / 2
+# Points across and around of rules that get finer, of which each is checked by the one before.
+POINTS = (24, 36), (48, 64), (96, 128), (144, 192)
+ACCURACY = 1e-9  # [1] at which to stop; what is left is a hundredth of it
+ROUNDING = 1e-13  # [1] error of the sums, relative to the integral
+FAINT = 1e-300  # keeps exp(b / 0) from a division by 0
+NO_WIDTH = 1e-15  # [rad]
+LOW = 1e-3  # [1] cosine below which exp(b / cosine) is nothing
+SAMPLES = 721  # of the meridian on which the peak is looked for
+
+
+class SkyType(NamedTuple):
+    """How the luminance of a sky is distributed.
+
+    Attributes
+    ----------
+    name : str
+        What the standard calls it.
+    a, b : float [1]
+        Of the gradation from zenith to horizon.
+    c, d, e : float [1]
+        Of the indicatrix, which brightens it about the sun.
+    is_linear : bool
+        Whether the gradation is that of the traditional overcast sky in their place, which is
+        linear in the cosine.
+
+    Examples
+    --------
+    >>> TYPES["12"].name
+    'CIE standard clear sky, low luminance turbidity'
+    """
+
+    name: str
+    a: float = 0.0
+    b: float = -1.0
+    c: float = 0.0
+    d: float = -1.0
+    e: float = 0.0
+    is_linear: bool = False
+
+    @property
+    def follows_sun(self) -> bool:
+        """Whether it matters where the sun is.
+
+        Examples
+        --------
+        >>> TYPES["1"].follows_sun, TYPES["2"].follows_sun
+        (False, True)
+        """
+        return self.c != 0
+
+    def gradation(self, height: Number) -> Number:
+        """How bright the sky is at a height, apart from the sun's influence.
+
+        Parameters
+        ----------
+        height : float or ndarray [1]
+            Cosine of the polar angle, from 0 to 1.
+
+        Returns
+        -------
+        float or ndarray [1]
+            phi(Z) = 1 + a exp(b / cos(Z)); of the linear one 1 + 2 cos(Z).  1 at the horizon.
+
+        Examples
+        --------
+        >>> OVERCAST.gradation(1.0) / OVERCAST.gradation(0.0)
+        3.0
+        """
+        if self.is_linear:
+            return 1 + 2 * height
+        return 1 + self.a * exp(self.b / (height + FAINT))
+
+    def indicatrix(self, away: Number) -> Number:
+        """How the sun brightens the sky at an angle from it.
+
+        Parameters
+        ----------
+        away : float or ndarray [rad]
+            Angle chi between a direction and the sun.
+
+        Returns
+        -------
+        float or ndarray [1]
+            f(chi) = 1 + c (exp(d chi) - exp(d pi / 2)) + e cos(chi)^2.
+
+        Examples
+        --------
+        >>> TYPES["12"].indicatrix(math.pi / 2)
+        1.0
+        """
+        return (
+            1
+            + self.c * (exp(self.d * away) - math.exp(self.d * HALF_PI))
+            + self.e * (cos(away) ** 2)
+        )
+
+
+OVERCAST = SkyType("traditional overcast sky (Moon and Spencer)", is_linear=True)
+TYPES = {
+    "overcast": OVERCAST,
+    "1": SkyType("CIE standard overcast sky, steep gradation", 4.0, -0.70),
+    "2": SkyType(
+        "overcast, steep gradation, slightly brighter towards the sun", 4.0, -0.70, 2, -1.5, 0.15
+    ),
+    "3": SkyType("overcast, moderate gradation", 1.1, -0.8),
+    "4": SkyType(
+        "overcast, moderate gradation, slightly brighter towards the sun", 1.1, -0.8, 2, -1.5, 0.15
+    ),
+    "5": SkyType("sky of uniform luminance"),
+    "6": SkyType(
+        "partly cloudy, no gradation, slightly brighter towards the sun", 0, -1.0, 2, -1.5, 0.15
+    ),
+    "7": SkyType("partly cloudy, no gradation, brighter about the sun", 0, -1.0, 5, -2.5, 0.30),
+    "8": SkyType("partly cloudy, no gradation, distinct solar corona", 0, -1.0, 10, -3.0, 0.45),
+    "9": SkyType("partly cloudy, with the sun obscured", -1.0, -0.55, 2, -1.5, 0.15),
+    "10": SkyType("partly cloudy, brighter about the sun", -1.0, -0.55, 5, -2.5, 0.30),
+    "11": SkyType("white-blue sky with distinct solar corona", -1.0, -0.55, 10, -3.0, 0.45),
+    "12": SkyType("CIE standard clear sky, low luminance turbidity", -1.0, -0.32, 10, -3.0, 0.45),
+    "13": SkyType("CIE standard clear sky, polluted atmosphere", -1.0, -0.32, 16, -3.0, 0.30),
+    "14": SkyType("cloudless turbid sky with broad solar corona", -1.0, -0.15, 16, -3.0, 0.30),
+    "15": SkyType("white-blue turbid sky with broad solar corona", -1.0, -0.15, 24, -2.8, 0.15),
+}
+
+# Other names of some of them.
+ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
+NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))
+
+
+def sky_type(name: str) -> SkyType:
+    """A sky by its name or number.
+
+    Parameters
+    ----------
+    name : str
+        overcast (the traditional one), uniform (5), intermediate (7), clear (12), turbid (13), or
+        the number of a type of the CIE standard general sky, "1" (the other overcast sky) to "15".
+
+    Returns
+    -------
+    SkyType
+
+    Raises
+    ------
+    ConditionError
+        If there is no such sky.
+
+    Examples
+    --------
+    >>> sky_type("clear") is TYPES["12"]
+    True
+    """
+    if name not in NAMES:
+        close = nearest(name, NAMES)
+        raise ConditionError(
+            f"'{quote(name)}' is no sky",
+            " or ".join(close) or f"overcast, {', '.join(ALSO)}, 1 to 15",
+        )
+    return TYPES[ALSO.get(name, name)]
+
+
+def angle_between(polar: Number, azimuth: Number, sun: tuple[Number, Number]) -> Number:
+    """Angle between directions and the sun.
+
+    Parameters
+    ----------
+    polar, azimuth : float or ndarray [rad]
+        The directions.
+    sun : tuple of 2 floats [rad]
+        Polar angle and azimuth of the sun.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to pi, with all its digits next to the sun.
+
+    Examples
+    --------
+    >>> angle_between(0.3, 1.0, (0.5, 1.0))
+    0.2
+    """
+    height, bearing = sun
+    half = (
+        sin((polar - height) / 2) ** 2
+        + sin(polar) * sin(height) * sin((azimuth - bearing) / 2) ** 2
+    )
+    return 2 * asin(sqrt(smaller(half, 1.0 + 0 * half)))
+
+
+def relative_luminance(
+    sky: SkyType, polar: Number, azimuth: Number, sun: tuple[Number, Number] | None = None
+) -> Number:
+    """Luminance of the sky over that of its zenith.
+
+    Parameters
+    ----------
+    sky : SkyType
+        One of `TYPES`.
+    polar, azimuth : float or ndarray [rad]
+        Where it is seen; broadcast together.
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, for a sky that follows it.
+
+    Returns
+    -------
+    float or ndarray [1]
+        L / Lz = f(chi) phi(Z) / (f(Zs) phi(0)); 0 below the horizon.
+
+    References
+    ----------
+    CIE S 011:2003 (ISO 15469:2004), Spatial distribution of daylight.
+
+    Examples
+    --------
+    >>> round(relative_luminance(OVERCAST, math.radians(60), 0.0), 12)
+    0.666666666667
+    """
+    height = cos(polar)
+    found = (polar <= HALF_PI) * sky.gradation((height + abs(height)) / 2) / sky.gradation(1.0)
+    if sky.follows_sun:
+        assert sun is not None
+        found = found * sky.indicatrix(angle_between(polar, azimuth, sun))
+        found = found / sky.indicatrix(sun[0])
+    return found + 0.0 * azimuth
+
+
+def projected_sky(
+    sky: SkyType, normal: Vector, sun: tuple[float, float] | None = None
+) -> tuple[float, float]:
+    """Irradiance of a plane over the radiance of the zenith: the sky's weighted solid angle.
+
+    Parameters
+    ----------
+    sky : SkyType
+        One of `TYPES`.
+    normal : tuple of 3 floats
+        Where the plane faces; of any length but 0.
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, for a sky that follows it.
+
+    Returns
+    -------
+    value, error : float [sr]
+        The integral of L / Lz times the cosine to the normal, over what is above both the horizon
+        and the plane, and an estimate of its error, at most 1e-9 of it and mostly far less.
+
+    Raises
+    ------
+    ConditionError
+        If the normal has no direction.
+
+    Notes
+    -----
+    With the tilt T of the plane from the horizontal, a uniform sky gives pi (1 + cos(T)) / 2, the
+    traditional overcast one a third of that and 4/9 ((pi - T) cos(T) + sin(T)) more.
+
+    The others are integrated in polar coordinates about the sun, as the luminance has a peak with
+    a kink there: for each angle from the sun along the one or two arcs of its circle that are above
+    both horizons.  The angles are cut where these arcs come and go.
+
+    Examples
+    --------
+    The ground, and a wall, under the traditional overcast sky, 7 pi / 9 and pi / 6 + 4 / 9:
+
+    >>> [round(projected_sky(OVERCAST, normal)[0], 6) for normal in ((0, 0, 1), (1, 0, 0))]
+    [2.443461, 0.968043]
+    """
+    if not any(normal):
+        raise ConditionError("a normal of length 0 has no direction", option("normal", "0,0,1"))
+    facing = unit(normal)
+    across = math.hypot(facing[0], facing[1])
+    if not sky.follows_sun and not sky.a:
+        even = HALF_PI * (1 + facing[2])
+        if not sky.is_linear:
+            return even, ROUNDING * even
+        tilt = math.atan2(across, facing[2])
+        found = even / 3 + 4 / 9 * ((math.pi - tilt) * facing[2] + across)
+        return found, ROUNDING
+    return _integrals(sky, sun, facing)
+
+
+def mean_sky(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[float, float]:
+    """Mean luminance of the sky, by solid angle, over that of its zenith.
+
+    Parameters
+    ----------
+    sky : SkyType
+        One of `TYPES`.
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, for a sky that follows it.
+
+    Returns
+    -------
+    value, error : float [1]
+        The mean over the hemisphere, and an estimate of its error.
+
+    Examples
+    --------
+    >>> round(mean_sky(OVERCAST)[0], 12)
+    0.666666666667
+    """
+    if sky.is_linear:
+        return 2 / 3, ROUNDING
+    value, error = _integrals(sky, sun, None)
+    return value / (2 * math.pi), error / (2 * math.pi)
+
+
+def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[float, float, float]:
+    """The greatest luminance of the sky over that of its zenith, and where it is.
+
+    Parameters
+    ----------
+    sky : SkyType
+        One of `TYPES`.
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, for a sky that follows it.
+
+    Returns
+    -------
+    value : float [1]
+        The greatest L / Lz.
+    polar, azimuth : float [rad]
+        A direction that has it: on the sun's meridian.
+
+    Examples
+    --------
+    >>> brightest(OVERCAST)
+    (1.0, 0.0, 0.0)
+    """
+    height, bearing = sun if sun and sky.follows_sun else (0.0, 0.0)
+
+    def along(angle: float) -> float:
+        """Luminance on the meridian, by the angle from the zenith towards the sun."""
+        return float(sky.gradation(cos(angle)) * sky.indicatrix(abs(angle - height)))
+
+    places = [HALF_PI * (2 * k / (SAMPLES - 1) - 1) for k in range(SAMPLES)]
+    best = max([0.0, height, *places], key=along)
+    step = HALF_PI / (SAMPLES - 1)
+    low, high = max(best - step, -HALF_PI), min(best + step, HALF_PI)
+    if low < best < high and best not in (0.0, height):
+        nudge = step * 1e-6
+        best = limit(lambda x: along(x + nudge) >= along(x - nudge), high, low)
+    value = along(best) / (sky.gradation(1.0) * sky.indicatrix(height))
+    return value, abs(best), (bearing + math.pi if best < 0 else bearing) % (2 * math.pi)
+
+
+def _integrals(
+    sky: SkyType, sun: tuple[float, float] | None, facing: Vector | None
+) -> tuple[float, float]:
+    """The integral of the luminance over that of the zenith, and an estimate of its error."""
+    polar, azimuth = sun if sun and sky.follows_sun else (0.0, 0.0)
+    turned = None
+    if facing:
+        x, y, z = facing
+        turned = (
+            x * math.cos(azimuth) + y * math.sin(azimuth),
+            y * math.cos(azimuth) - x * math.sin(azimuth),
+            z,
+        )
+    value, error = 0.0, math.inf
+    for count in POINTS:
+        before, value = value, _integral(sky, polar, turned, *count)
+        error = abs(value - before)
+        if error <= ACCURACY * value:
+            break
+    scale = sky.gradation(1.0) * sky.indicatrix(polar)
+    return value / scale, (error + ROUNDING * value) / scale
+
+
+def _integral(sky: SkyType, polar: float, facing: Vector | None, across: int, around: int) -> float:
+    """The integral of gradation and indicatrix, times the cosine to a normal if there is one.
+
+    The sun is at the azimuth 0.  At an angle chi from it, along psi from the direction of the
+    zenith, a cosine is that of its axis with the sun, times cos(chi), and more along psi.
+    """
+    sun = (math.sin(polar), 0.0, math.cos(polar))
+    upward, aside = (-sun[2], 0.0, sun[0]), (0.0, 1.0, 0.0)
+    cuts = [0.0, math.pi, HALF_PI - polar, HALF_PI + polar]
+    along, swing, bearing = 0.0, 0.0, 0.0
+    if facing:
+        along = dot(facing, sun)
+        swing = math.hypot(dot(facing, upward), facing[1])
+        bearing = math.atan2(dot(facing, aside), dot(facing, upward))
+        tilt = math.atan2(swing, along)
+        met = abs(HALF_PI - tilt)
+        cuts += [met, math.pi - met]
+        level = math.hypot(facing[0], facing[1])
+        if level:  # where the plane meets the horizon
+            meets = math.acos(max(-1.0, min(1.0, facing[1] / level * sun[0])))
+            cuts += [meets, math.pi - meets]
+    cuts.sort()
+    total = []
+    rule = _rule(around) if sky.a else []
+    for low, high in pairwise(cuts):
+        if high - low < NO_WIDTH:
+            continue
+        for place, weight in _rule(across):
+            away = low + (high - low) * place
+            near, far = math.cos(away), math.sin(away)
+            rise, lift = near * sun[2], far * sun[0]
+            level, turn = (near * along, far * swing) if facing else (1.0, 0.0)
+            inner = 0.0
+            for start, end in _arcs(_half_arc(rise, lift), _half_arc(level, turn), bearing):
+                inner += level * (end - start)
+                inner += turn * (math.sin(end - bearing) - math.sin(start - bearing))
+                part = 0.0
+                for where, share in rule:
+                    psi = start + (end - start) * where
+                    height = rise + lift * math.cos(psi)
+                    if height > LOW:
+                        part += (
+                            share
+                            * (level + turn * math.cos(psi - bearing))
+                            * math.exp(sky.b / height)
+                        )
+                inner += sky.a * part * (end - start)
+            total.append(weight * (high - low) * far * sky.indicatrix(away) * inner)
+    return math.fsum(total)
+
+
+def _half_arc(level: float, swing: float) -> float:
+    """How far from its top a circle is above a horizon [rad]."""
+    if abs(level) >= swing:
+        return math.pi if level > 0 else 0.0
+    return math.acos(-level / swing)
+
+
+def _arcs(half: float, other: float, bearing: float) -> list[tuple[float, float]]:
+    """The arcs that are within `half` of 0 and within `other` of `bearing`."""
+    if half == math.pi:
+        return [(bearing - other, bearing + other)] if other else []
+    found = []
+    for turn in (-2 * math.pi, 0.0, 2 * math.pi):
+        start, end = max(-half, bearing - other + turn), min(half, bearing + other + turn)
+        if other == math.pi:
+            start, end = -half, half
+        if start < end:
+            found.append((start, end))
+            if other == math.pi:
+                break
+    return found
+
+
+_RULES: dict[int, list[tuple[float, float]]] = {}
+
+
+def _rule(n: int) -> list[tuple[float, float]]:
+    """Places and weights on [0, 1], of Gauss and Legendre, drawn to the ends by a cubic.
+
+    A square root at an end becomes smooth by it, and what is flat there is seen closer.
+    """
+    if n not in _RULES:
+        _RULES[n] = [
+            ((2 - x) * (1 + x) ** 2 / 4, 0.75 * (1 - x) * (1 + x) * weight)
+            for x, weight in zip(*gauss(n), strict=True)
+        ]
+    return _RULES[n]

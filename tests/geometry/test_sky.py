@@ -1,0 +1,151 @@
+"""The skies of the CIE: luminances and irradiances, against closed forms and plain sums."""
+
+import math
+
+import numpy as np
+import pytest
+
+from radcalc.distributions.sky import Sky
+from radcalc.errors import ConditionError, MissingInput, Unused
+from radcalc.geometry.sky import NAMES, TYPES, projected_sky
+
+UP, DOWN = (0, 0, 1), (0, 0, -1)
+# CIE S 011:2003, table 1: a, b of the six gradations, c, d, e of the six indicatrices, and which
+# of them make the types 1 to 15.
+GRADATIONS = {
+    1: (4, -0.7),
+    2: (1.1, -0.8),
+    3: (0, -1),
+    4: (-1, -0.55),
+    5: (-1, -0.32),
+    6: (-1, -0.15),
+}
+INDICATRICES = {
+    1: (0, -1, 0),
+    2: (2, -1.5, 0.15),
+    3: (5, -2.5, 0.3),
+    4: (10, -3, 0.45),
+    5: (16, -3, 0.3),
+    6: (24, -2.8, 0.15),
+}
+GROUPS = (
+    *((1, 1), (1, 2), (2, 1), (2, 2), (3, 1), (3, 2), (3, 3), (3, 4)),
+    *((4, 2), (4, 3), (4, 4), (5, 4), (5, 5), (6, 5), (6, 6)),
+)
+ROOFS = (
+    UP,
+    (1, 0, 0),
+    (-1, 0, 0),
+    (0.3, 0.8, 0),
+    (1, 2, 3),
+    (-2, 0.5, 1),
+    (0.5, -0.5, -1),
+)
+SUNS = ((0.0, 0.0), (0.6, 0.0), (1.2, 2.0), (math.pi / 2, -1.0))
+
+
+def standard(number, polar, azimuth, sun):
+    """Luminance over that of the zenith, as the standard writes it."""
+    gradation, indicatrix = GROUPS[number - 1]
+    (a, b), (c, d, e) = GRADATIONS[gradation], INDICATRICES[indicatrix]
+    polar_sun, azimuth_sun = sun
+    cosine = np.cos(polar_sun) * np.cos(polar) + np.sin(polar_sun) * np.sin(polar) * np.cos(
+        abs(azimuth - azimuth_sun)
+    )
+
+    def f(chi):
+        return 1 + c * (np.exp(d * chi) - np.exp(d * np.pi / 2)) + e * np.cos(chi) ** 2
+
+    def phi(z):
+        return 1 + a * np.exp(b / np.cos(z))
+
+    return f(np.arccos(np.clip(cosine, -1, 1))) * phi(polar) / (f(polar_sun) * phi(0))
+
+
+def patches(rows):
+    """Middles and solid angles of patches of the upper hemisphere."""
+    edges = np.linspace(0, np.pi / 2, rows + 1)
+    polar = ((edges[1:] + edges[:-1]) / 2)[:, None]
+    azimuth = (np.arange(4 * rows) + 0.5) * np.pi / 2 / rows
+    solid = (np.cos(edges[:-1]) - np.cos(edges[1:]))[:, None] * np.pi / 2 / rows
+    return polar, azimuth, solid
+
+
+@pytest.mark.parametrize("number", range(1, 16))
+def test_every_type_is_the_standards(number):
+    polar, azimuth, solid = patches(200)
+    axes = np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)
+    for sun in SUNS:
+        expected = standard(number, polar, azimuth, sun)
+        sky = Sky(str(number), sun if TYPES[str(number)].follows_sun else None)
+        np.testing.assert_allclose(sky.radiance(polar, azimuth), expected, 1e-7)  # of the arccos
+        assert sky.radiance(0.0, 0.0) == pytest.approx(1, rel=1e-12)
+        assert sky.mean() == pytest.approx((expected * solid).sum() / (2 * math.pi), rel=1e-4)
+        for normal in ROOFS:
+            cosine = sum(n * x for n, x in zip(normal, axes, strict=True)) / np.linalg.norm(normal)
+            summed = (expected * np.maximum(cosine, 0) * solid).sum()
+            found = sky.irradiance(normal)
+            assert found.value == pytest.approx(summed, rel=2e-4), (sun, normal)
+            assert 0 < found.error < 1e-9 * found.value
+        peak = sky.peak()
+        assert peak.value == pytest.approx(sky.radiance(peak.polar, peak.azimuth), rel=1e-9)
+        assert expected.max() * (1 - 1e-12) <= peak.value < expected.max() * 1.05
+
+
+@pytest.mark.parametrize("degrees", [0, 10, 45, 90, 135, 170])
+def test_skies_without_a_sun_have_closed_forms(degrees):
+    """Of the uniform sky pi (1 + cos T)/2, of the traditional overcast one Moon and Spencer's."""
+    tilt = math.radians(degrees)
+    normal = (math.sin(tilt) * 0.6, math.sin(tilt) * 0.8, math.cos(tilt))
+    even = math.pi * (1 + math.cos(tilt)) / 2
+    assert Sky("uniform").irradiance(normal).value == pytest.approx(even, abs=1e-14)
+    polar, azimuth, solid = patches(400)
+    cosine = normal[2] * np.cos(polar) + np.hypot(*normal[:2]) * np.sin(polar) * np.cos(azimuth)
+    summed = ((1 + 2 * np.cos(polar)) / 3 * np.maximum(cosine, 0) * solid).sum()
+    assert Sky("overcast").irradiance(normal).value == pytest.approx(summed, rel=1e-4, abs=1e-7)
+
+
+def test_an_overcast_sky_of_9000_cd_per_m2():
+    """7 pi / 9 of it lies on the ground; a wall gets 3/14 + 4/(7 pi) of that."""
+    sky = Sky("overcast", zenith=9000.0, kind="v")
+    ground, wall = (sky.irradiance(normal).value for normal in (UP, (0, 5, 0)))
+    assert ground == pytest.approx(7000 * math.pi)
+    assert wall / ground == pytest.approx(3 / 14 + 4 / (7 * math.pi))
+    assert sky.mean() == pytest.approx(6000)
+    assert sky.irradiance(DOWN).value == pytest.approx(0, abs=1e-9)
+    assert sky.coverage == 0.5
+
+
+def test_below_the_horizon_is_nothing():
+    sky = Sky("12", (0.5, 0.0))
+    assert sky.radiance(np.array([1.0, 1.58, 3.0]), 0.0).tolist()[1:] == [0, 0]
+    assert sky.radiance(2.0, 0.0) == 0
+    assert sky.radiance(math.pi / 2, 0.0) > 1
+
+
+def test_names_of_skies():
+    assert len(NAMES) == 20
+    for name, number in {"uniform": 5, "clear": 12, "turbid": 13}.items():
+        sun = (0.5, 0.0) if TYPES[str(number)].follows_sun else None
+        assert Sky(name, sun).type == TYPES[str(number)]
+
+
+@pytest.mark.parametrize(
+    ("words", "error", "text"),
+    [
+        (("cleer",), ConditionError, "'cleer' is no sky\ntry: clear"),
+        (("16",), ConditionError, "'16' is no sky"),
+        (("clear",), MissingInput, "where that is is missing"),
+        (("overcast", (0.5, 0.0)), Unused, "no use with the sky overcast"),
+        (("clear", (1.6, 0.0)), ConditionError, "below the horizon"),
+    ],
+)
+def test_what_is_no_sky_is_refused(words, error, text):
+    with pytest.raises(error) as caught:
+        Sky(*words)
+    assert text in str(caught.value)
+
+
+def test_a_plane_without_a_direction_is_refused():
+    with pytest.raises(ConditionError, match="no direction"):
+        projected_sky(TYPES["1"], (0, 0, 0))
