@@ -367,6 +367,16 @@ _ROWS = (
     _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
         Limits(0.0, 1.0, PART.said, without_low=True), takes="a number from 0 to 1"),
     _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),
+    # The sky.
+    _symbol(ANGLE, "sun-elevation", "γ_s", "40deg", "Elevation of the sun above the horizon.",
+        Limits(0.0, math.pi / 2, "from 0 to 90 deg, above the horizon")),
+    _symbol(ANGLE, "sun-azimuth", "α_s", "180deg", "Azimuth of the sun, from +x towards +y.", ANY,
+        sky="Azimuth of the sun, counted as those of the plane and of directions."),
+    _symbol(ANGLE, "sun-radius", "r_s", "0.2666deg",
+        "Angular radius of the sun's disc (0.2666 deg).",
+        Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True)),
+    _symbol(NUMBER, "daylight-share", "E/E_h",
+        label="share of what the sky sends to the ground"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),
     _text(FLAG, "omni", "", "", "It shines everywhere, and depths are distances from it."),
@@ -477,6 +487,17 @@ _LIGHT = (
     ("mean-irradiance", (0, 1, 0), "E_mean", "", "mean-{}"),
     ("minimum-irradiance", (0, 1, 0), "E_min", "", "minimum-{}"),
     ("maximum-irradiance", (0, 1, 0), "E_max", "", "maximum-{}"),
+    ("zenith-radiance", (0, 1, 1), "L_z", "The radiance of the sky's zenith", "zenith-{}"),
+    ("horizontal-irradiance", (0, 1, 0), "E_h",
+     "The irradiance of the ground by the sky, without the sun", "horizontal-{}"),
+    ("global-irradiance", (0, 1, 0), "E_g", "The irradiance of the ground by sky and sun",
+     "global-{}"),
+    ("sun-irradiance", (0, 1, 0), "E_s", "The irradiance by the sun, perpendicular to its rays",
+     "sun-{}"),
+    ("sun-radiance", (0, 1, 1), "L_s", "The radiance of the sun's disc", "sun-{}"),
+    ("radiance-toward", (0, 1, 1), "L_w", "", "{}-toward"),
+    ("diffuse-irradiance", (0, 1, 0), "E_d", "", "diffuse-{}"),
+    ("direct-irradiance", (0, 1, 0), "E_b", "", "direct-{}"),
 )  # fmt: skip
 # geometry -> the unit to show of each kind, and the coherent one of a derivation
 LIGHT_UNITS = {
