@@ -23,6 +23,7 @@ KEEPERS = {
     "rich": ("radcalc.render.table",),
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.compile",),
+    "OpenEXR": ("radcalc.distributions.maps.exr",),
     "numpy": (
         "radcalc.maths",
         "radcalc.units.ranges",

@@ -1,10 +1,9 @@
 """Picture files: what they hold, told apart by their first bytes and written by their extension.
 
-Each format is a module of its own, loaded when it is needed: `rgbe` and `pfm` have
-`read(data, name)`, of the bytes of a file; `exr` has `read(path, name)`, since its library opens
-the file.  `name` is what messages call the file.  All three have `write(path, picture)`, which
-writes over an empty file.  What a file or a picture has wrong is a ConditionError; an OSError is
-left to this module.
+Each format is a module of its own, loaded when it is needed: `rgbe`, `pfm` and `exr` have
+`read(data, name)`, of the bytes of a file, where `name` is what messages call it, and
+`write(path, picture)`, which writes over an empty file.  What a file or a picture has wrong is a
+ConditionError; an OSError is left to this module.
 """
 
 import errno
@@ -117,12 +116,11 @@ def read_picture(path: str) -> Picture:
         head = file.read(1000)
         reader = next((READERS[magic] for magic in READERS if head.startswith(magic)), "")
         file.seek(0)
-        data = contents.whole(file, LARGEST, path) if reader not in ("", "exr") else b""
+        data = contents.whole(file, LARGEST, path) if reader else b""
     if not reader:
         raise _is_no_picture(head, name)
     # only the one that is needed is loaded
-    module = import_module(f"radcalc.distributions.maps.{reader}")
-    found: Picture = module.read(path, name) if reader == "exr" else module.read(data, name)
+    found: Picture = import_module(f"radcalc.distributions.maps.{reader}").read(data, name)
     return found
 
 

@@ -1,0 +1,411 @@
+"""OpenEXR pictures, through the package OpenEXR.
+
+Damaged files are found here, in the headers and the tables of where the chunks of pixels stand
+[1]_, before the library makes room for what they promise.  What it cannot decode it leaves out, and
+says so on the standard streams; that is caught.
+
+References
+----------
+.. [1] OpenEXR File Layout, https://openexr.com/en/latest/OpenEXRFileLayout.html
+.. [2] OpenEXR, Standard Optional Attributes (`whiteLuminance`, `chromaticities`, `envmap`),
+   https://openexr.com/en/latest/StandardOptionalAttributes.html
+.. [3] Technical Introduction to OpenEXR (windows, names of channels, luminance and chroma, alpha),
+   https://openexr.com/en/latest/TechnicalIntroduction.html
+"""
+
+import io
+import os
+import struct
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout, suppress
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from radcalc.distributions.maps import pictures
+from radcalc.distributions.maps.pictures import Picture
+from radcalc.errors import ConditionError, listed, quote
+
+FORMAT = "OpenEXR"
+VERSION = 2  # of the format; the flags of a file stand above it
+DEEP, SEVERAL_PARTS, TILED = 0x800, 0x1000, 0x200
+# Lines of a chunk, by the number of the compression; the last four as OpenEXR 3.5 writes them.
+LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256, 256, 32, 256, 1)
+TILE = 1 << 20  # pixels that a tile may have in a smaller picture: the library makes room for all
+RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)
+XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
+LATLONG, CUBE = 0, 1  # of envmap
+
+
+def read(data: bytes, name: str) -> Picture:
+    """Read an OpenEXR picture: its R, G and B, else its Y.
+
+    Parameters
+    ----------
+    data : bytes
+        What the file holds: scan lines or tiles (of levels the full one), of one or more parts.
+    name : str
+        The file, as errors name it.
+
+    Returns
+    -------
+    Picture
+        Half floats are widened.  Of several parts the first that has R, G and B, else the first
+        that has Y; of luminance and chroma the luminance.  Where the file has a `whiteLuminance`
+        its pixels are multiplied by it, and are in cd/m2.  A map with an `envmap` is all of its
+        data window; else the pixels are cut to the display window, and have a frame where they do
+        not fill it.
+
+    Raises
+    ------
+    ConditionError
+        If it is damaged, deep or a cube, or has neither R, G and B nor Y; if the package OpenEXR
+        is missing.
+
+    References
+    ----------
+    [1]_, [2]_, [3]_
+
+    Examples
+    --------
+    >>> read(b"v/1\\x01\\x02\\0\\0\\0", "sky.exr")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: sky.exr is damaged: its header ends early
+    try: another copy of it
+    """
+    parts = _parts(data, name)
+    number, channels = _main(parts, name)
+    part = parts[number]
+    planes = _planes(data, len(parts), number, channels, name)
+    pixels = np.empty((part.height, part.width, len(channels)), np.float32)
+    for k, channel in enumerate(channels):
+        pixels[..., k] = planes[channel]
+    assumptions, notes = [], []
+    if len(parts) > 1:
+        label = f" ('{quote(part.label)}')" if part.label else ""
+        notes.append(
+            f"of {len(parts)} parts, part {number + 1}{label} is read: the first with "
+            f"{', '.join(channels)}"
+        )
+    if channels == Y and "RY" in part.channels:
+        notes.append("of luminance and chroma, the luminance is read")
+    if "A" in planes and (clear := np.mean(planes["A"] < 1)):
+        notes.append(
+            f"{100 * clear:.3g} % of the pixels have an alpha below 1; their colours, which are "
+            "multiplied by it, count as they are"
+        )
+    unit = ""
+    if (white := part.white_luminance) is not None:
+        if 0 < white < np.inf:
+            pixels *= np.float32(white)
+            unit = "cd/m2"
+            assumptions.append(f"pixels in cd/m2, by the file's whiteLuminance of {white:g} cd/m2")
+        else:
+            notes.append(f"the file's whiteLuminance of {white:g} cd/m2 tells no unit")
+    projection, frame = "", None
+    if part.environment is None:
+        pixels, frame = _cut(pixels, part, name)
+    elif part.environment == LATLONG:
+        projection = "latlong"
+        assumptions.append(
+            "the edges of the map's first and last row are the poles (OpenEXR itself has the "
+            "centres of their pixels there)"
+        )
+    else:
+        what = "a cube" if part.environment == CUBE else f"of kind {part.environment}"
+        raise ConditionError(
+            f"{name} is an environment map that is {what}, which is not read",
+            "the same as latlong (exrenvmap -l converts it)",
+        )
+    if channels == Y:
+        weights: tuple[float, ...] = (1.0,)
+    elif part.chromaticities:
+        weights = pictures.luminance_weights(part.chromaticities, name)
+    else:
+        weights = pictures.REC_709
+    return Picture(
+        pixels, channels, weights, FORMAT, unit, projection, frame, tuple(assumptions), tuple(notes)
+    )
+
+
+def write(path: str, picture: Picture) -> None:
+    """Write an OpenEXR picture over an empty file: 32-bit floats, compressed without loss.
+
+    A latlong map is marked as one, cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as R, G,
+    B with the primaries that make them so.
+
+    Raises
+    ------
+    ConditionError
+        If the package OpenEXR is missing.
+    OSError
+        If it cannot be written.
+    """
+    openexr = library()
+    height, width, _ = picture.pixels.shape
+    left, top, full_width, full_height = picture.frame or (0, 0, width, height)
+    header = {
+        "compression": openexr.ZIP_COMPRESSION,
+        "type": openexr.scanlineimage,
+        "dataWindow": ((left, top), (left + width - 1, top + height - 1)),
+        "displayWindow": ((0, 0), (full_width - 1, full_height - 1)),
+    }
+    if picture.projection == "latlong" and not picture.frame:
+        header["envmap"] = openexr.ENVMAP_LATLONG
+    if picture.unit == "cd/m2":
+        header["whiteLuminance"] = 1.0
+    names = picture.channels
+    if names == XYZ:
+        header["chromaticities"], names = XYZ_PRIMARIES, RGB
+    planes = {
+        name: np.ascontiguousarray(picture.pixels[..., k], np.float32)
+        for k, name in enumerate(names)
+    }
+    made = io.BytesIO()
+    openexr.File(header, planes).write(made)
+    with open(path, "wb") as file:
+        file.write(made.getbuffer())
+
+
+def library() -> Any:
+    """The package OpenEXR; a ConditionError where it is missing."""
+    try:
+        return import_module("OpenEXR")
+    except ImportError:
+        raise ConditionError(
+            "OpenEXR pictures need the package OpenEXR, which is missing",
+            "pip install 'radcalc[maps]'",
+        ) from None
+
+
+class _Part:
+    """What the header of a part says; a ValueError or a KeyError where it is none."""
+
+    def __init__(self, attributes: dict[str, bytes], is_tiled: bool) -> None:
+        self._attributes = attributes
+        self.label = attributes.get("name", b"").decode("utf-8", "replace")
+        kind = attributes.get("type", b"tiledimage" if is_tiled else b"scanlineimage")
+        self.is_deep = kind.startswith(b"deep")
+        self.is_tiled = kind == b"tiledimage"
+        self.left, self.top, self.width, self.height = self._window("dataWindow")
+        shown = self._window("displayWindow")
+        self.shown_left, self.shown_top, self.shown_width, self.shown_height = shown
+        self.channels = dict(_channels(attributes["channels"]))
+        (self.compression,) = self._numbers("compression", "B")
+        self.environment = self._numbers("envmap", "B")[0] if "envmap" in attributes else None
+        self.white_luminance: float | None = None
+        if "whiteLuminance" in attributes:
+            (self.white_luminance,) = self._numbers("whiteLuminance", "f")
+        self.chromaticities: Sequence[float] = ()
+        if "chromaticities" in attributes:
+            self.chromaticities = self._numbers("chromaticities", "8f")
+        tile = self._numbers("tiles", "2IB") if self.is_tiled else (0, 0)
+        self.tile: tuple[int, int] = tile[:2]
+
+    def _numbers(self, attribute: str, layout: str) -> tuple[Any, ...]:
+        return struct.unpack(f"<{layout}", self._attributes[attribute])
+
+    def _window(self, attribute: str) -> tuple[int, int, int, int]:
+        """Left, top, width and height."""
+        left, top, right, bottom = self._numbers(attribute, "4i")
+        return left, top, right - left + 1, bottom - top + 1
+
+    def chunks(self) -> int:
+        """How many there are of the full level, whose chunks come first in the table."""
+        wide, high = self.tile
+        if self.is_tiled:
+            return -(-self.width // wide) * -(-self.height // high)
+        return -(-self.height // LINES[self.compression])
+
+    def entries(self) -> int:
+        """How many the table has, where the header says it."""
+        if "chunkCount" in self._attributes:
+            return int(self._numbers("chunkCount", "i")[0])
+        return self.chunks()
+
+
+def _parts(data: bytes, name: str) -> list[_Part]:
+    """The parts of a file that has all the pixels that they promise."""
+    try:
+        (flags,) = struct.unpack_from("<I", data, 4)
+        headers, place = _headers(data, bool(flags & SEVERAL_PARTS))
+        parts = [_Part(attributes, bool(flags & TILED)) for attributes in headers]
+    except (ValueError, struct.error):
+        raise _damaged(name, "its header ends early") from None
+    except KeyError as error:
+        raise _damaged(name, f"its header has no {error.args[0]}") from None
+    if flags & 0xFF != VERSION:
+        raise ConditionError(
+            f"{name} is of version {flags & 0xFF} of OpenEXR, which is not read", "version 2"
+        )
+    if flags & DEEP or any(part.is_deep for part in parts):
+        raise ConditionError(
+            f"{name} is deep: its pixels have several samples, in different distances",
+            "a flat picture",
+        )
+    for part in parts:
+        _check_size(part, name)
+        place = _check_chunks(data, place, part, 4 if len(parts) > 1 else 0, name)
+    room = sum(part.width * part.height * len(part.channels) * 4 for part in parts)
+    if room > pictures.LARGEST:
+        raise ConditionError(
+            f"{name} has {room >> 20} MiB of pixels, more than {pictures.LARGEST >> 20}",
+            "the part and the channels that are needed, in a file of their own",
+        )
+    return parts
+
+
+def _headers(data: bytes, several: bool) -> tuple[list[dict[str, bytes]], int]:
+    """The attributes of each part, and where the tables begin."""
+    place, headers = 8, list[dict[str, bytes]]()
+    while True:
+        attributes, place = _attributes(data, place)
+        if several and not attributes:
+            return headers, place
+        headers.append(attributes)
+        if not several:
+            return headers, place
+
+
+def _attributes(data: bytes, place: int) -> tuple[dict[str, bytes], int]:
+    """The attributes of one part by name, and where they end."""
+    found = {}
+    while data[place : place + 1] != b"\0":
+        label, place = _text(data, place)
+        _, place = _text(data, place)
+        (size,) = struct.unpack_from("<i", data, place)
+        place += 4
+        if not 0 <= size <= len(data) - place:
+            raise ValueError
+        found[label] = data[place : place + size]
+        place += size
+    return found, place + 1
+
+
+def _text(data: bytes, place: int) -> tuple[str, int]:
+    """A text of 255 bytes at most, and where it ends."""
+    end = data.index(b"\0", place, place + 256)
+    return data[place:end].decode("utf-8", "replace"), end + 1
+
+
+def _channels(data: bytes) -> Iterator[tuple[str, tuple[int, int]]]:
+    """The channels by name: of how many columns and rows they have one sample."""
+    place = 0
+    while data[place : place + 1] != b"\0":
+        label, place = _text(data, place)
+        yield label, struct.unpack_from("<8x2i", data, place)
+        place += 16
+
+
+def _check_size(part: _Part, name: str) -> None:
+    pictures.check_size(part.width, part.height, name)
+    if part.shown_width < 1 or part.shown_height < 1:
+        raise _damaged(name, "its display window is empty")
+    if part.compression >= len(LINES):
+        raise ConditionError(
+            f"{name} has pixels of compression {part.compression}, which is not known",
+            "the same with compression zip",
+        )
+    wide, high = part.tile
+    if part.is_tiled and not 0 < wide * high <= max(TILE, part.width * part.height):
+        raise _damaged(
+            name, f"tiles of {wide} x {high} pixels, in {part.width} x {part.height} pixels"
+        )
+
+
+def _check_chunks(data: bytes, place: int, part: _Part, extra: int, name: str) -> int:
+    """Refuse a part of which a chunk is missing; else where its table ends.
+
+    A chunk begins with its place (behind `extra` bytes) and the size of what follows.
+    """
+    count, entries = part.chunks(), part.entries()
+    if not count <= entries <= len(data) // 8 or place + 8 * entries > len(data):
+        raise _damaged(name, f"{len(data)} bytes, too few for {part.width} x {part.height} pixels")
+    starts = np.frombuffer(data, "<u8", count, place)
+    head = extra + (20 if part.is_tiled else 8)
+    is_there = (starts > 0) & (starts <= len(data) - head)
+    ends = starts[is_there].astype(np.int64) + head
+    sizes = np.frombuffer(data, np.uint8)[ends[:, None] + np.arange(-4, 0)].view("<i4")[:, 0]
+    whole = np.count_nonzero((sizes >= 0) & (sizes <= len(data) - ends))
+    if whole < count:
+        raise _damaged(name, f"{count - whole} of the {count} chunks of its pixels are missing")
+    return place + 8 * entries
+
+
+def _main(parts: Sequence[_Part], name: str) -> tuple[int, tuple[str, ...]]:
+    """The number of the part that is read, and its channels."""
+    for wanted in (RGB, Y):
+        for number, part in enumerate(parts):
+            if set(wanted) <= part.channels.keys():
+                if any(part.channels[channel] != (1, 1) for channel in wanted):
+                    raise ConditionError(
+                        f"{name} has no {', '.join(wanted)} for each of its pixels",
+                        "a picture that is not subsampled",
+                    )
+                return number, wanted
+    found = listed([channel for part in parts for channel in part.channels])
+    raise ConditionError(
+        f"{name} has neither R, G, B nor Y; it has {found or 'no channels'}",
+        "one of its layers as R, G and B",
+    )
+
+
+def _planes(
+    data: bytes, parts: int, number: int, channels: Sequence[str], name: str
+) -> dict[str, Any]:
+    """The pixels of the channels of a part, and of its alpha if there is one."""
+    openexr = library()
+    with _caught() as said:
+        try:
+            file = openexr.File(io.BytesIO(data), separate_channels=True)
+            # it leaves a part out of which it cannot decode a chunk
+            if len(file.parts) == parts:
+                found = file.parts[number].channels
+                return {key: found[key].pixels for key in (*channels, "A") if key in found}
+        except Exception as error:  # of many classes, by what is damaged
+            said.write(str(error))
+    problem = said.getvalue().strip().rpartition(" - ")[2].partition("\n")[0]
+    raise _damaged(name, f"its pixels cannot be read ({quote(problem)})")
+
+
+@contextmanager
+def _caught() -> Iterator[io.StringIO]:
+    """What is printed to standard output; what is written to standard error is lost.
+
+    The library writes to the descriptor of standard error, which only this keeps from the user.
+    """
+    said, kept = io.StringIO(), None
+    with suppress(OSError):  # it is closed
+        kept = os.dup(2)
+    try:
+        if kept is not None:
+            with open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), 2)
+        with redirect_stdout(said):
+            yield said
+    finally:
+        if kept is not None:
+            os.dup2(kept, 2)
+            os.close(kept)
+
+
+def _cut(pixels: Any, part: _Part, name: str) -> tuple[Any, tuple[int, int, int, int] | None]:
+    """The pixels within the display window, and their frame where they do not fill it."""
+    left, top = part.left - part.shown_left, part.top - part.shown_top
+    within = pixels[
+        max(0, -top) : max(0, part.shown_height - top),
+        max(0, -left) : max(0, part.shown_width - left),
+    ]
+    height, width, _ = within.shape
+    if not within.size:
+        raise ConditionError(
+            f"{name} has no pixels in its display window", "a picture whose windows overlap"
+        )
+    if (height, width) == (part.shown_height, part.shown_width):
+        return within, None
+    return within, (max(0, left), max(0, top), part.shown_width, part.shown_height)
+
+
+def _damaged(name: str, problem: str) -> ConditionError:
+    return ConditionError(f"{name} is damaged: {problem}", "another copy of it")
