@@ -32,10 +32,16 @@ VERSION = 2  # of the format; the flags of a file stand above it
 DEEP, SEVERAL_PARTS, TILED = 0x800, 0x1000, 0x200
 # Lines of a chunk, by the number of the compression; the last four as OpenEXR 3.5 writes them.
 LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256, 256, 32, 256, 1)
+DWAA = 8  # the first compression that is by transforms, and without a limit for an even picture
+# Samples that a byte holds at most in those before it: deflate, the closest, makes 1 of 1032 bytes,
+# and a sample has two of them or more.
+DENSEST = 516
 TILE = 1 << 20  # pixels that a tile may have in a smaller picture: the library makes room for all
 RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)
 XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
 LATLONG, CUBE = 0, 1  # of envmap
+# Attributes that radcalc writes for itself; other programs pass over them.
+UNIT, WEIGHTS = "radcalcUnit", "radcalcWeights"
 
 
 def read(data: bytes, name: str) -> Picture:
@@ -77,6 +83,7 @@ def read(data: bytes, name: str) -> Picture:
     parts = _parts(data, name)
     number, channels = _main(parts, name)
     part = parts[number]
+    _check_place(part, name)
     planes = _planes(data, len(parts), number, channels, name)
     pixels = np.empty((part.height, part.width, len(channels)), np.float32)
     for k, channel in enumerate(channels):
@@ -95,7 +102,7 @@ def read(data: bytes, name: str) -> Picture:
             f"{100 * clear:.3g} % of the pixels have an alpha below 1; their colours, which are "
             "multiplied by it, count as they are"
         )
-    unit = ""
+    unit = part.unit
     if (white := part.white_luminance) is not None:
         if 0 < white < np.inf:
             pixels *= np.float32(white)
@@ -105,21 +112,17 @@ def read(data: bytes, name: str) -> Picture:
             notes.append(f"the file's whiteLuminance of {white:g} cd/m2 tells no unit")
     projection, frame = "", None
     if part.environment is None:
-        pixels, frame = _cut(pixels, part, name)
-    elif part.environment == LATLONG:
+        pixels, frame = _cut(pixels, part)
+    else:
         projection = "latlong"
         assumptions.append(
             "the edges of the map's first and last row are the poles (OpenEXR itself has the "
             "centres of their pixels there)"
         )
-    else:
-        what = "a cube" if part.environment == CUBE else f"of kind {part.environment}"
-        raise ConditionError(
-            f"{name} is an environment map that is {what}, which is not read",
-            "the same as latlong (exrenvmap -l converts it)",
-        )
     if channels == Y:
         weights: tuple[float, ...] = (1.0,)
+    elif part.weights:
+        weights = part.weights
     elif part.chromaticities:
         weights = pictures.luminance_weights(part.chromaticities, name)
     else:
@@ -129,11 +132,11 @@ def read(data: bytes, name: str) -> Picture:
     )
 
 
-def write(path: str, picture: Picture) -> None:
+def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write an OpenEXR picture over an empty file: 32-bit floats, compressed without loss.
 
     A latlong map is marked as one, cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as R, G,
-    B with the primaries that make them so.
+    B with the primaries that make them so.  Returns what is to be told.
 
     Raises
     ------
@@ -145,7 +148,7 @@ def write(path: str, picture: Picture) -> None:
     openexr = library()
     height, width, _ = picture.pixels.shape
     left, top, full_width, full_height = picture.frame or (0, 0, width, height)
-    header = {
+    header: dict[str, Any] = {
         "compression": openexr.ZIP_COMPRESSION,
         "type": openexr.scanlineimage,
         "dataWindow": ((left, top), (left + width - 1, top + height - 1)),
@@ -155,7 +158,12 @@ def write(path: str, picture: Picture) -> None:
         header["envmap"] = openexr.ENVMAP_LATLONG
     if picture.unit == "cd/m2":
         header["whiteLuminance"] = 1.0
-    names = picture.channels
+    elif picture.unit:
+        header[UNIT] = picture.unit
+    names, notes = picture.channels, tuple[str, ...]()
+    if names == RGB and picture.weights != pictures.REC_709:
+        header[WEIGHTS] = np.array(picture.weights, np.float32)
+        notes = ("the primaries of R, G, B are not in the file, but what gives their luminance",)
     if names == XYZ:
         header["chromaticities"], names = XYZ_PRIMARIES, RGB
     planes = {
@@ -166,6 +174,7 @@ def write(path: str, picture: Picture) -> None:
     openexr.File(header, planes).write(made)
     with open(path, "wb") as file:
         file.write(made.getbuffer())
+    return notes
 
 
 def library() -> Any:
@@ -197,9 +206,13 @@ class _Part:
         self.white_luminance: float | None = None
         if "whiteLuminance" in attributes:
             (self.white_luminance,) = self._numbers("whiteLuminance", "f")
-        self.chromaticities: Sequence[float] = ()
+        self.chromaticities: tuple[float, ...] = ()
         if "chromaticities" in attributes:
             self.chromaticities = self._numbers("chromaticities", "8f")
+        self.unit = quote(attributes.get(UNIT, b"").decode("utf-8", "replace"))
+        self.weights: tuple[float, ...] = ()
+        if WEIGHTS in attributes:
+            self.weights = self._numbers(WEIGHTS, "3f")
         tile = self._numbers("tiles", "2IB") if self.is_tiled else (0, 0)
         self.tile: tuple[int, int] = tile[:2]
 
@@ -210,6 +223,17 @@ class _Part:
         """Left, top, width and height."""
         left, top, right, bottom = self._numbers(attribute, "4i")
         return left, top, right - left + 1, bottom - top + 1
+
+    def is_shown(self) -> bool:
+        """Whether the windows overlap."""
+        return (
+            -self.width < self.left - self.shown_left < self.shown_width
+            and -self.height < self.top - self.shown_top < self.shown_height
+        )
+
+    def samples(self) -> int:
+        """How many there are of all channels; of subsampled ones, those that they stand for."""
+        return self.width * self.height * len(self.channels)
 
     def chunks(self) -> int:
         """How many there are of the full level, whose chunks come first in the table."""
@@ -246,8 +270,8 @@ def _parts(data: bytes, name: str) -> list[_Part]:
         )
     for part in parts:
         _check_size(part, name)
-        place = _check_chunks(data, place, part, 4 if len(parts) > 1 else 0, name)
-    room = sum(part.width * part.height * len(part.channels) * 4 for part in parts)
+        place = _check_chunks(data, place, part, 4 if flags & SEVERAL_PARTS else 0, name)
+    room = 4 * sum(map(_Part.samples, parts))
     if room > pictures.LARGEST:
         raise ConditionError(
             f"{name} has {room >> 20} MiB of pixels, more than {pictures.LARGEST >> 20}",
@@ -300,8 +324,7 @@ def _channels(data: bytes) -> Iterator[tuple[str, tuple[int, int]]]:
 
 def _check_size(part: _Part, name: str) -> None:
     pictures.check_size(part.width, part.height, name)
-    if part.shown_width < 1 or part.shown_height < 1:
-        raise _damaged(name, "its display window is empty")
+    pictures.check_size(part.shown_width, part.shown_height, f"the display window of {name}")
     if part.compression >= len(LINES):
         raise ConditionError(
             f"{name} has pixels of compression {part.compression}, which is not known",
@@ -320,7 +343,8 @@ def _check_chunks(data: bytes, place: int, part: _Part, extra: int, name: str) -
     A chunk begins with its place (behind `extra` bytes) and the size of what follows.
     """
     count, entries = part.chunks(), part.entries()
-    if not count <= entries <= len(data) // 8 or place + 8 * entries > len(data):
+    is_too_dense = part.compression < DWAA and part.samples() > DENSEST * len(data)
+    if is_too_dense or entries < count or place + 8 * entries > len(data):
         raise _damaged(name, f"{len(data)} bytes, too few for {part.width} x {part.height} pixels")
     starts = np.frombuffer(data, "<u8", count, place)
     head = extra + (20 if part.is_tiled else 8)
@@ -349,6 +373,20 @@ def _main(parts: Sequence[_Part], name: str) -> tuple[int, tuple[str, ...]]:
         f"{name} has neither R, G, B nor Y; it has {found or 'no channels'}",
         "one of its layers as R, G and B",
     )
+
+
+def _check_place(part: _Part, name: str) -> None:
+    """Refuse pixels whose directions are not known."""
+    if part.environment is None and not part.is_shown():
+        raise ConditionError(
+            f"{name} has no pixels in its display window", "a picture whose windows overlap"
+        )
+    if part.environment not in (None, LATLONG):
+        kind = "a cube" if part.environment == CUBE else f"of kind {part.environment}"
+        raise ConditionError(
+            f"{name} is an environment map that is {kind}, which is not read",
+            "the same as latlong (exrenvmap -l converts it)",
+        )
 
 
 def _planes(
@@ -390,19 +428,12 @@ def _caught() -> Iterator[io.StringIO]:
             os.close(kept)
 
 
-def _cut(pixels: Any, part: _Part, name: str) -> tuple[Any, tuple[int, int, int, int] | None]:
+def _cut(pixels: Any, part: _Part) -> tuple[Any, tuple[int, int, int, int] | None]:
     """The pixels within the display window, and their frame where they do not fill it."""
     left, top = part.left - part.shown_left, part.top - part.shown_top
-    within = pixels[
-        max(0, -top) : max(0, part.shown_height - top),
-        max(0, -left) : max(0, part.shown_width - left),
-    ]
-    height, width, _ = within.shape
-    if not within.size:
-        raise ConditionError(
-            f"{name} has no pixels in its display window", "a picture whose windows overlap"
-        )
-    if (height, width) == (part.shown_height, part.shown_width):
+    rows = slice(max(0, -top), part.shown_height - top)
+    within = pixels[rows, max(0, -left) : part.shown_width - left]
+    if within.shape[:2] == (part.shown_height, part.shown_width):
         return within, None
     return within, (max(0, left), max(0, top), part.shown_width, part.shown_height)
 

@@ -1,0 +1,342 @@
+"""OpenEXR pictures: files made by the package OpenEXR itself, read and written."""
+
+import io
+import struct
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from radcalc.distributions.maps import exr
+from radcalc.distributions.maps.pictures import Picture, read_picture, write_picture
+from radcalc.errors import ConditionError
+
+OpenEXR = pytest.importorskip("OpenEXR")
+
+RGB = ("R", "G", "B")
+ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # SMPTE ST 2065-1, AP0
+ACES_WEIGHTS = (0.3439664498, 0.7281660966, -0.0721325464)  # SMPTE ST 2065-1, annex A
+
+
+def colours(height=4, width=8, kind=np.float32):
+    """Pixels that are all different and exact in half floats."""
+    count = 3 * height * width
+    return (np.arange(1, count + 1).reshape(height, width, 3) / 4).astype(kind)
+
+
+def planes(pixels, names=RGB):
+    return {name: np.ascontiguousarray(pixels[..., k]) for k, name in enumerate(names)}
+
+
+def made(channels, **header):
+    """The bytes of a file, as the package writes them."""
+    file = io.BytesIO()
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage, **header}
+    OpenEXR.File(header, channels).write(file)
+    return file.getvalue()
+
+
+def read(channels, **header):
+    return exr.read(made(channels, **header), "sky.exr")
+
+
+def tiles(wide, high):
+    found = OpenEXR.TileDescription()
+    found.xSize, found.ySize = wide, high
+    return {"type": OpenEXR.tiledimage, "tiles": found}
+
+
+def refused(data):
+    with pytest.raises(ConditionError) as caught:
+        exr.read(bytes(data), "sky.exr")
+    assert caught.value.hint
+    return caught.value.message
+
+
+def edited(data, attribute, value, at=0):
+    """A file with bytes of an attribute's value replaced."""
+    start = data.index(attribute.encode() + b"\0")
+    start = data.index(b"\0", start + len(attribute) + 1) + 5 + at
+    return data[:start] + value + data[start + len(value) :]
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32])
+@pytest.mark.parametrize("compression", ["NO", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "ZSTD"])
+def test_pixels_are_those_of_the_file(kind, compression):
+    pixels = colours(37, 21, kind)
+    packed = getattr(OpenEXR, f"{compression}_COMPRESSION")
+    found = read(planes(pixels), compression=packed)
+    assert found.pixels.dtype == np.float32
+    assert (found.pixels == pixels).all()
+    assert found[1:4] == (RGB, (0.2126, 0.7152, 0.0722), "OpenEXR")
+    assert found[4:] == ("", "", None, (), ())
+
+
+def test_half_floats_are_widened():
+    """65504 is the largest half float; a sum of two is infinite in half floats."""
+    found = read(planes(np.full((2, 4, 3), 65504, np.float16)))
+    assert found.pixels.sum() == 24 * 65504
+
+
+def test_tiles_are_read():
+    pixels = colours(70, 90)
+    assert (read(planes(pixels), **tiles(16, 32)).pixels == pixels).all()
+
+
+def test_a_latlong_map_is_known_and_a_cube_refused():
+    found = read(planes(colours()), envmap=OpenEXR.ENVMAP_LATLONG)
+    assert found.projection == "latlong"
+    assert "poles" in found.assumptions[0]
+    data = made(planes(colours(24, 4)), envmap=OpenEXR.ENVMAP_CUBE)
+    assert refused(data) == "sky.exr is an environment map that is a cube, which is not read"
+    assert "of kind 7" in refused(edited(data, "envmap", b"\7"))
+
+
+@pytest.mark.parametrize(
+    ("chromaticities", "weights"),
+    [
+        (ACES, ACES_WEIGHTS),
+        ((1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3), (0, 1, 0)),  # R, G, B are X, Y, Z
+    ],
+)
+def test_luminance_is_by_the_primaries_of_the_file(chromaticities, weights):
+    found = read(planes(colours()), chromaticities=chromaticities)
+    assert found.weights == pytest.approx(weights, abs=1e-6)
+
+
+def test_a_white_luminance_makes_cd_m2():
+    """By the standard attributes: the luminance of R = G = B = 1."""
+    found = read(planes(colours()), whiteLuminance=179.0)
+    assert found.unit == "cd/m2"
+    assert (found.pixels == colours() * 179).all()
+    assert found.assumptions == ("pixels in cd/m2, by the file's whiteLuminance of 179 cd/m2",)
+
+
+@pytest.mark.parametrize("white", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_white_luminance_that_cannot_be_tells_nothing(white):
+    found = read(planes(colours()), whiteLuminance=white)
+    assert found.unit == ""
+    assert (found.pixels == colours()).all()
+    assert "tells no unit" in found.notes[0]
+
+
+def test_a_data_window_within_the_display_window_is_a_frame():
+    window = {"dataWindow": ((10, 5), (17, 8)), "displayWindow": ((2, 1), (41, 20))}
+    found = read(planes(colours()), **window)
+    assert found.frame == (8, 4, 40, 20)
+    assert (found.pixels == colours()).all()
+    found = read(planes(colours()), envmap=OpenEXR.ENVMAP_LATLONG, **window)
+    assert found.frame is None  # a map is all of its data window: ImfEnvmap.h
+
+
+def test_a_data_window_is_cut_to_the_display_window():
+    found = read(planes(colours()), displayWindow=((2, 1), (5, 2)))
+    assert (found.pixels == colours()[1:3, 2:6]).all()
+    assert found.frame is None
+    found = read(planes(colours()), displayWindow=((-3, 2), (5, 9)))
+    assert (found.pixels == colours()[2:, :6]).all()
+    assert found.frame == (3, 0, 9, 8)
+    data = made(planes(colours()), displayWindow=((8, 0), (15, 3)))
+    assert "no pixels in its display window" in refused(data)
+
+
+def chroma_file(luminance):
+    """Luminance and chroma, of every other column and row, which the package cannot write."""
+    height, width = luminance.shape
+    sampled = (("BY", 2), ("RY", 2), ("Y", 1))
+    channels = b"".join(
+        label.encode() + b"\0" + struct.pack("<i4x2i", 2, each, each) for label, each in sampled
+    )
+    attributes = {
+        ("channels", "chlist"): channels + b"\0",
+        ("compression", "compression"): b"\0",
+        ("dataWindow", "box2i"): struct.pack("<4i", 0, 0, width - 1, height - 1),
+        ("displayWindow", "box2i"): struct.pack("<4i", 0, 0, width - 1, height - 1),
+        ("lineOrder", "lineOrder"): b"\0",
+        ("pixelAspectRatio", "float"): struct.pack("<f", 1),
+        ("screenWindowCenter", "v2f"): bytes(8),
+        ("screenWindowWidth", "float"): struct.pack("<f", 1),
+    }
+    header = b"v/1\x01\x02\0\0\0"
+    for (label, kind), value in attributes.items():
+        header += f"{label}\0{kind}\0".encode() + struct.pack("<i", len(value)) + value
+    header += b"\0"
+    rows = []
+    for y, row in enumerate(luminance):
+        chroma = b"" if y % 2 else bytes(2 * 4 * (width // 2))
+        data = chroma + row.astype("<f4").tobytes()
+        rows.append(struct.pack("<2i", y, len(data)) + data)
+    starts = np.cumsum([len(header) + 8 * height, *map(len, rows[:-1])])
+    return header + starts.astype("<u8").tobytes() + b"".join(rows)
+
+
+def test_luminance_and_chroma_give_the_luminance():
+    grey = colours()[..., 0]
+    found = exr.read(chroma_file(grey), "sky.exr")
+    assert found.channels == ("Y",)
+    assert found.weights == (1.0,)
+    assert (found.pixels[..., 0] == grey).all()
+    assert found.notes == ("of luminance and chroma, the luminance is read",)
+
+
+def test_a_grey_picture_has_one_channel():
+    found = read({"Y": colours()[..., 0].copy()})
+    assert found.pixels.shape == (4, 8, 1)
+    assert found.notes == ()
+
+
+def test_layers_beside_the_main_one_are_passed_over():
+    other = planes(colours() * 2, ("diffuse.R", "diffuse.G", "diffuse.B"))
+    assert (read({**planes(colours()), **other}).pixels == colours()).all()
+    assert refused(made(other)) == (
+        "sky.exr has neither R, G, B nor Y; it has diffuse.B, diffuse.G, diffuse.R"
+    )
+
+
+def test_alpha_is_said():
+    """Colours are premultiplied: Technical Introduction to OpenEXR, alpha."""
+    alpha = np.ones((4, 8), np.float32)
+    assert read({**planes(colours()), "A": alpha.copy()}).notes == ()
+    alpha[0] = 0.5
+    found = read({**planes(colours()), "A": alpha})
+    assert found.notes[0].startswith("25 % of the pixels have an alpha below 1")
+    assert (found.pixels == colours()).all()
+
+
+def test_of_several_parts_the_first_with_colour_is_read():
+    depth = np.zeros((4, 8), np.float32)
+    header = {"compression": OpenEXR.ZIPS_COMPRESSION, "type": OpenEXR.scanlineimage}
+    parts = [
+        OpenEXR.Part(dict(header), {"Y": depth}, "mask"),
+        OpenEXR.Part(dict(header), planes(colours()), "beauty"),
+        OpenEXR.Part(dict(header), planes(colours() * 2), "left"),
+    ]
+    file = io.BytesIO()
+    OpenEXR.File(parts).write(file)
+    data = file.getvalue()
+    found = exr.read(data, "sky.exr")
+    assert (found.pixels == colours()).all()
+    assert found.notes == ("of 3 parts, part 2 ('beauty') is read: the first with R, G, B",)
+    # a part that the library cannot decode, it leaves out, and the others move up
+    broken = bytearray(data)
+    start = struct.unpack_from("<Q", data, first_table(data, 3))[0]
+    broken[start + 8 : start + 12] = struct.pack("<i", 1)
+    assert "damaged" in refused(broken)
+
+
+def first_table(data, parts):
+    """Where the tables of chunks begin: behind the headers and a byte of 0."""
+    place = 8
+    for _ in range(parts):
+        while data[place]:
+            place = data.index(b"\0", data.index(b"\0", place) + 1) + 1
+            place += 4 + struct.unpack_from("<i", data, place)[0]
+        place += 1
+    return place + (parts > 1)
+
+
+def test_a_deep_picture_is_refused():
+    samples = np.empty((2, 2), object)
+    for place in np.ndindex(2, 2):
+        samples[place] = np.ones(2, np.float32)
+    data = made({"R": samples}, type=OpenEXR.deepscanline, compression=OpenEXR.ZIPS_COMPRESSION)
+    assert "is deep" in refused(data)
+
+
+def test_sizes_that_the_file_does_not_hold_are_refused():
+    data = made(planes(colours()))
+    wide = struct.pack("<4i", 0, 0, 65535, 3)
+    many = struct.pack("<4i", 0, 0, 65535, 65535)
+    high = struct.pack("<4i", 0, 0, 7, 65535)
+    assert "too few for 65536 x 4 pixels" in refused(edited(data, "dataWindow", wide))
+    assert "65536 x 65536 pixels, more than" in refused(edited(data, "dataWindow", many))
+    assert "too few for 8 x 65536 pixels" in refused(edited(data, "dataWindow", high))
+    assert "65536 x 65536" in refused(edited(data, "displayWindow", many))
+    assert "0 x 4 pixels" in refused(edited(data, "dataWindow", struct.pack("<i", -1), at=8))
+    data = made(planes(colours()), **tiles(16, 16))
+    for size in (0, 1 << 31):
+        assert "tiles of" in refused(edited(data, "tiles", struct.pack("<I", size)))
+
+
+def test_a_file_that_ends_early_is_refused():
+    data = made(planes(colours(40, 8)))
+    table = first_table(data, 1)
+    for end in range(8, len(data), 7):
+        assert "damaged" in refused(data[:end])
+    assert "1 of the 3 chunks of its pixels are missing" in refused(data[:-1])
+    unfinished = data[:table] + bytes(24) + data[table + 24 :]
+    assert "3 of the 3 chunks" in refused(unfinished)
+
+
+def test_what_the_library_cannot_decode_is_refused_and_nothing_printed(capfd):
+    data = bytearray(made(planes(colours(64, 64))))
+    data[len(data) // 2 : len(data) // 2 + 50] = bytes(50)
+    assert "its pixels cannot be read" in refused(data)
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_a_damaged_file_is_a_picture_or_refused(seed):
+    generator = np.random.default_rng(seed)
+    data = bytearray(made(planes(colours(20, 20)), envmap=OpenEXR.ENVMAP_LATLONG))
+    for _ in range(3):
+        data[generator.integers(8, 500)] = generator.integers(256)
+    try:
+        found = exr.read(bytes(data), "sky.exr")
+    except ConditionError:
+        return
+    assert found.pixels.size <= 1200
+
+
+@pytest.mark.parametrize(
+    "picture",
+    [
+        Picture(colours(), RGB, (0.2126, 0.7152, 0.0722), "PFM", "cd/m2", "latlong"),
+        Picture(colours(), RGB, (0.25, 0.5, 0.25), "PFM", "W/m2/sr"),
+        Picture(colours(), ("X", "Y", "Z"), (0.0, 1.0, 0.0), "Radiance RGBE"),
+        Picture(colours()[..., :1], ("Y",), (1.0,), "PFM", "lx", "latlong"),
+        Picture(colours(), RGB, (0.2126, 0.7152, 0.0722), "OpenEXR", frame=(3, 2, 40, 20)),
+    ],
+)
+def test_what_is_written_is_read_back(picture, tmp_path):
+    path = str(tmp_path / "map.exr")
+    write_picture(path, picture)
+    found = read_picture(path)
+    assert (found.pixels == picture.pixels).all()
+    assert found.weights == pytest.approx(picture.weights, abs=1e-7)
+    assert (found.unit, found.projection) == (picture.unit, picture.projection)
+    assert found.frame == picture.frame
+    as_read = RGB if picture.channels == ("X", "Y", "Z") else picture.channels
+    assert found.channels == as_read
+
+
+def test_the_package_reads_what_is_written(tmp_path):
+    path = str(tmp_path / "map.exr")
+    write_picture(
+        path, Picture(colours(), RGB, (0.2126, 0.7152, 0.0722), "PFM", "cd/m2", "latlong")
+    )
+    file = OpenEXR.File(path)
+    assert (file.channels()["RGB"].pixels == colours()).all()
+    assert file.header()["envmap"] == OpenEXR.ENVMAP_LATLONG
+    assert file.header()["whiteLuminance"] == 1
+
+
+def test_without_the_package_the_message_says_how_to_get_it(tmp_path):
+    """A process in which OpenEXR cannot be imported, as where it is not installed."""
+    path = tmp_path / "sky.exr"
+    path.write_bytes(made(planes(colours())))
+    program = (
+        "import sys; sys.modules['OpenEXR'] = None\n"
+        "from radcalc.distributions.maps.pictures import read_picture\n"
+        "from radcalc.errors import ConditionError\n"
+        "try: read_picture(sys.argv[1])\n"
+        "except ConditionError as error: print(error)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, path], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == (
+        "OpenEXR pictures need the package OpenEXR, which is missing\n"
+        "try: pip install 'radcalc[maps]'\n"
+    )
