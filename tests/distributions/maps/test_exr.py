@@ -15,8 +15,12 @@ from radcalc.errors import ConditionError
 OpenEXR = pytest.importorskip("OpenEXR")
 
 RGB = ("R", "G", "B")
-ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # SMPTE ST 2065-1, AP0
-ACES_WEIGHTS = (0.3439664498, 0.7281660966, -0.0721325464)  # SMPTE ST 2065-1, annex A
+ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # AP0
+ACES_WEIGHTS = (
+    0.3439664498,
+    0.7281660966,
+    -0.0721325464,
+)  # its luminance, as colour-science 0.4.7 has it
 
 
 def colours(height=4, width=8, kind=np.float32):
