@@ -41,7 +41,7 @@ OTHER = {
     "half-angle": "rad", "apex-angle": "rad", "beam-angle": "rad", "field-angle": "rad",
     "within": "rad", "off-axis": "rad", "incidence": "rad", "solid-angle": "sr",
     "projected-solid-angle": "sr", "received-solid-angle": "sr", "cosine": "1",
-    "cosine-of-source": "1", "share": "1",
+    "cosine-of-source": "1", "relative-intensity": "1",
     "part": "1", "beam-part": "1", "exponent": "1", "configuration-factor": "1",
     "reflectance": "1", "absorptance": "1", "mass": "kg", "specific-heat": "J/kg/K",
     "temperature-rise": "K", "heat": "J", "light": "cycle/s", "f-number": "1",
@@ -51,7 +51,8 @@ OTHER = {
     "receiver-radius": "m", "receiver-diameter": "m", "horizontal": "rad", "vertical": "rad",
     "wavelength": "m", "frequency": "cycle/s", "wavenumber": "cycle/m",
     "photon-energy": "J/photon", "mesopic-luminance": "cd/m2", "scotopic-luminance": "cd/m2",
-    "sp-ratio": "1", "adaptation": "1", "axial-share": "1", "peak-share": "1", "upward-part": "1",
+    "sp-ratio": "1", "adaptation": "1", "upward-part": "1",
+    "relative-axial-intensity": "1", "relative-peak-intensity": "1",
     "weighted-solid-angle": "sr", "azimuth": "rad", "beam-diameter": "m",
 }  # fmt: skip
 

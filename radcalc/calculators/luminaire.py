@@ -200,8 +200,8 @@ class _Luminaire:
     def _know_figures(self, laws: list[AnyLaw]) -> None:
         """The figures of the distribution, by the symbols of the laws."""
         sheet, flux = self.sheet, self.figures.flux
-        sheet.know("axial-share", self.figures.axial)
-        sheet.know("peak-share", self.figures.peak.value)
+        sheet.know("relative-axial-intensity", self.figures.axial)
+        sheet.know("relative-peak-intensity", self.figures.peak.value)
         if self.figures.axial == 0 and "intensity" in sheet.lit.values:
             name = option(sheet.lit.values["intensity"].name)
             raise ConditionError(
@@ -282,7 +282,7 @@ class _Luminaire:
         self.bearing = 0.0
         if "incidence" in given:
             sheet.know("incidence", angle_of(given, "incidence"), given["incidence"])
-        own: list[AnyLaw] = [laws_of.share(self.source)]
+        own: list[AnyLaw] = [laws_of.relative_intensity(self.source)]
         if self.is_aside or "height" in given:
             own += self._below()
         else:
@@ -369,7 +369,8 @@ class _Luminaire:
             sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
         if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
             sheet.notes.append("light from the side or behind does not reach the receiver")
-        if sheet.has("share") and sheet.has("irradiance") and any_true(sheet.at("share") == 0):
+        fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
+        if sheet.has("irradiance") and any_true(fall == 0):
             sheet.notes.append("the source is dark in the direction of the receiver")
         if sheet.has("received-flux"):
             self._judge_receiver(sheet)

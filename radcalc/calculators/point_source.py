@@ -172,7 +172,8 @@ def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
         _compare_cone(sheet)
     if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
         sheet.notes.append("light from the side or behind does not reach the receiver")
-    if shape == CONICAL and sheet.has("share") and any_true(sheet.at("share") == 0):
+    fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
+    if shape == CONICAL and any_true(fall == 0):
         reached = sheet.has("received-flux") and any_true(sheet.at("received-flux") > 0)
         centre = "'s centre" if reached else ""
         sheet.notes.append(f"the receiver{centre} is outside the cone")
@@ -296,7 +297,7 @@ def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
     if shape == CONICAL and "half-angle" not in known:
         sheet.assume("the receiver is inside the cone")
         own.remove(INSIDE)
-        sheet.know("share", 1.0)
+        sheet.know("relative-intensity", 1.0)
     return own
 
 

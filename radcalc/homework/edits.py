@@ -26,7 +26,7 @@ NO_FACTORS = (
 LABELS = {
     "cosine": "cosine of the incidence",
     "cosine-of-source": "cosine of the tilt",
-    "share": "fall from the axis",
+    "relative-intensity": "fall from the axis",
     "J": "factor between the densities",
 }
 NAMES = {  # of symbols in the names of mistakes
@@ -41,7 +41,7 @@ NAMES = {  # of symbols in the names of mistakes
 FORGOTTEN = {
     "cosine": 1,
     "cosine-of-source": 1,
-    "share": 1,
+    "relative-intensity": 1,
     "reflectance": 2,
     "gain": 2,
     "absorptance": 2,
@@ -69,7 +69,7 @@ WHY = {
     "distance": "light spreads over the square of it",
     "reflectance": "a reflector gives back rho of what it gets",
     "gain": "a perfect diffuser has a gain of 1",
-    "share": "off the axis there is less light",
+    "relative-intensity": "off the axis there is less light",
 }
 IN_ITS_UNIT = ("bandwidth", "efficacy")  # one reckons with these as they are written
 CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count them

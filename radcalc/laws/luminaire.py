@@ -10,8 +10,8 @@ table of candelas.
 - `part`: k, the part of the flux within an angle beta of the axis
 - `TOWARD`: E = I_gamma cos(theta) Omega0 / d^2; of an energy H = Q f cos(theta) Omega0 /
   (Omega_f d^2)
-- `share`: f of gamma and C; `direction`: gamma and C of a receiver, at the height h below the
-  source and x aside of it
+- `relative_intensity`: f of gamma and C; `direction`: gamma and C of a receiver, at the height h
+  below the source and x aside of it
 - `FLAT`: theta = atan(x / h) of a receiver that lies flat; `floor`: the heights and the offsets
   at which it gets so much light
 - flux on a receiver: Phi_r = I_1 Omega_r, with the integral Omega_r of f over the solid angle of a
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from radcalc.distributions.distribution import Distribution
     from radcalc.distributions.pose import Pose
 
-PEAK = law("peak intensity", "{peak-intensity} = {scale} {peak-share}")
+PEAK = law("peak intensity", "{peak-intensity} = {scale} {relative-peak-intensity}")
 FLUX = law("flux of a distribution", "{flux} = {scale} {weighted-solid-angle}")
 TOWARD = law(
     "inverse square law, in a direction",
@@ -45,12 +45,13 @@ TOWARD = law(
 )
 TOWARD_OF_ENERGY = law(
     "inverse square law, of an energy, in a direction",
-    "{exposure} = {energy} {share} {cosine} Omega0 / ({weighted-solid-angle} {distance}^2)",
+    "{exposure} = {energy} {relative-intensity} {cosine} Omega0 / "
+    "({weighted-solid-angle} {distance}^2)",
 )
 LAWS: list[AnyLaw] = [
-    law("intensity on the axis", "{intensity} = {scale} {axial-share}"),
+    law("intensity on the axis", "{intensity} = {scale} {relative-axial-intensity}"),
     PEAK,
-    law("intensity in a direction", "{intensity-toward} = {scale} {share}"),
+    law("intensity in a direction", "{intensity-toward} = {scale} {relative-intensity}"),
     FLUX,
     TOWARD,
     EXPOSURE,
@@ -73,7 +74,7 @@ FLAT = relation(
 )
 SMALL = law(
     "a small receiver that is turned",
-    "{received-solid-angle} = {share} {receiver-area} {cosine} Omega0 / {distance}^2",
+    "{received-solid-angle} = {relative-intensity} {receiver-area} {cosine} Omega0 / {distance}^2",
 )
 
 
@@ -117,7 +118,7 @@ def part(distribution: "Distribution", whole: float) -> Relation:
     )
 
 
-def share(distribution: "Distribution") -> Relation:
+def relative_intensity(distribution: "Distribution") -> Relation:
     """Make the law of a distribution's value in a direction.
 
     Parameters
@@ -133,14 +134,18 @@ def share(distribution: "Distribution") -> Relation:
     Examples
     --------
     >>> from radcalc.distributions.shapes import Lobe
-    >>> value = share(Lobe(2.0))
-    >>> round(value.solve("share", {"off-axis": math.pi / 4, "azimuth": 0.0}.get), 9)
+    >>> value = relative_intensity(Lobe(2.0))
+    >>> round(value.solve("relative-intensity", {"off-axis": math.pi / 4, "azimuth": 0.0}.get), 9)
     0.5
     """
     return relation(
         "distribution in a direction",
-        "{share} = f at {off-axis} and {azimuth}",
-        {"share": lambda at: _plain(distribution.intensity(at("off-axis"), at("azimuth")))},
+        "{relative-intensity} = f at {off-axis} and {azimuth}",
+        {
+            "relative-intensity": lambda at: _plain(
+                distribution.intensity(at("off-axis"), at("azimuth"))
+            )
+        },
     )
 
 

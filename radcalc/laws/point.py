@@ -245,11 +245,11 @@ INVERSE_SQUARE_OF_ENERGY = law(
 )
 OFF_AXIS_OF_ENERGY = law(
     "inverse square law, of an energy, off the source's axis",
-    "{exposure} = {energy} {share} {cosine} Omega0 / ({solid-angle} {distance}^2)",
+    "{exposure} = {energy} {relative-intensity} {cosine} Omega0 / ({solid-angle} {distance}^2)",
 )
 OFF_AXIS = law(
     "inverse square law, off the source's axis",
-    "{irradiance} = {intensity} {share} {cosine} Omega0 / {distance}^2",
+    "{irradiance} = {intensity} {relative-intensity} {cosine} Omega0 / {distance}^2",
     "ISO 80000-7, intensity and irradiance",
 )
 COSINE = relation(
@@ -302,9 +302,9 @@ def _side(distance: Any, other: Any, name: str) -> Any:
 
 INSIDE = relation(
     "inside the cone",
-    "{share} = 1 where {off-axis} is within {half-angle}, else 0",
+    "{relative-intensity} = 1 where {off-axis} is within {half-angle}, else 0",
     {
-        "share": lambda at: piecewise(
+        "relative-intensity": lambda at: piecewise(
             at("off-axis") <= at("half-angle") * (1 + SLACK),
             lambda a, b: 1.0 + 0 * (a + b),
             lambda a, b: 0.0 * (a + b),
@@ -315,10 +315,10 @@ INSIDE = relation(
 )
 FALL = relation(
     "fall of a lobe",
-    "{share} = cos({off-axis})^{exponent}",
+    "{relative-intensity} = cos({off-axis})^{exponent}",
     {
-        "share": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
-        "exponent": lambda at: _exponent_at(at("share"), at("off-axis")),
+        "relative-intensity": lambda at: exp(at("exponent") * lobes.ln_cos(at("off-axis"))),
+        "exponent": lambda at: _exponent_at(at("relative-intensity"), at("off-axis")),
     },
 )
 

@@ -49,7 +49,7 @@ def laws_of_a_distribution() -> list[AnyLaw]:
     lobe, pose = Lobe(EXPONENT), Pose(rotate=ROTATE)
     return [
         luminaire.part(lobe, lobe.flux().value),
-        luminaire.share(lobe),
+        luminaire.relative_intensity(lobe),
         *luminaire.direction(pose, BEARING),
         luminaire.floor(lobe, pose, BEARING),
         luminaire.lying_disc(lobe, pose, BEARING),

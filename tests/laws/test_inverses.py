@@ -109,11 +109,11 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("cosine of the incidence", "cosine"): ({"incidence": ANGLE}, "cosine", math.cos),
     ("straight line to the source", "distance"): (
         {"height": st.floats(0.1, 10), "lateral": st.floats(0.1, 10)}, "distance", math.hypot),
-    ("inside the cone", "share"): (
-        {"off-axis": ANGLE, "half-angle": ANGLE}, "share",
+    ("inside the cone", "relative-intensity"): (
+        {"off-axis": ANGLE, "half-angle": ANGLE}, "relative-intensity",
         lambda off, angle: 1.0 if off <= angle else 0.0),
-    ("fall of a lobe", "share"): (
-        {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "share",
+    ("fall of a lobe", "relative-intensity"): (
+        {"off-axis": ANGLE, "exponent": st.floats(0, 100)}, "relative-intensity",
         lambda off, n: math.cos(off) ** n),
     ("isotropic, a receiver in its light", "received-solid-angle"): (
         {**RECEIVER, "incidence": ANGLE}, "received-solid-angle", _on_disc),
@@ -192,8 +192,9 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         {"lateral": SIZE, "height": SIZE}, "incidence", math.atan2),
     ("part of a distribution", "part"): (
         {"within": ANGLE}, "part", lambda within: 1 - math.cos(within) ** (EXPONENT + 1)),
-    ("distribution in a direction", "share"): (
-        {"off-axis": ANGLE, "azimuth": ANGLE}, "share", lambda off, _: math.cos(off) ** EXPONENT),
+    ("distribution in a direction", "relative-intensity"): (
+        {"off-axis": ANGLE, "azimuth": ANGLE}, "relative-intensity",
+        lambda off, _: math.cos(off) ** EXPONENT),
     ("angle off the axis, of a receiver", "off-axis"): (
         {"lateral": SIZE, "height": SIZE}, "off-axis", math.atan2),
     ("azimuth about the axis, of a receiver", "azimuth"): (
