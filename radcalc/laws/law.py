@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError
-from radcalc.maths import any_true
+from radcalc.maths import any_true, is_array
 
 At = Callable[[str], Any]  # gives the value of a symbol
 
@@ -178,6 +178,32 @@ class Several(tuple[float, ...]):
     >>> Several((1.0, 4.0))[1]
     4.0
     """
+
+
+def refuse_arrays(what: str, *values: Any) -> None:
+    """Refuse arrays where there may be `Several` values, which are found one by one.
+
+    Parameters
+    ----------
+    what : str
+        What may be several, for the message.
+    values : float or ndarray
+        What they are found from.
+
+    Raises
+    ------
+    ConditionError
+        If one of the values is an array.
+
+    Examples
+    --------
+    >>> refuse_arrays("heights", 1.0, 2.0)
+    """
+    if any(map(is_array, values)):
+        raise ConditionError(
+            f"several {what} may fit, which are found for one set of values at a time",
+            "a list of at most 1000 values",
+        )
 
 
 class Relation(NamedTuple):

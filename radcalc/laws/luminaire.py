@@ -26,9 +26,8 @@ irradiance); the rest are integrals of the distribution.
 import math
 from typing import TYPE_CHECKING, Any
 
-from radcalc.errors import ConditionError
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, Several, law, relation
+from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.laws.point import COSINE, STRAIGHT, WITHIN
 from radcalc.maths import atan2, cos, each, is_array, sin, sqrt, tan
 
@@ -226,11 +225,7 @@ def floor(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
         from radcalc.distributions import places
 
         wanted, place = at("irradiance") / at("scale"), at(known)
-        if any(map(is_array, (wanted, place, bearing))):
-            raise ConditionError(
-                "several places may fit, which are found for one set of values at a time",
-                "a list of at most 1000 values",
-            )
+        refuse_arrays("places", wanted, place, bearing)
         if how == "heights" and place == 0:
             return sqrt(places.relative_irradiance(distribution, pose, 0.0, 0.0, 1.0) / wanted)
         return Several(getattr(places, how)(distribution, pose, place, bearing, wanted))

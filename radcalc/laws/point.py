@@ -65,7 +65,7 @@ from radcalc.errors import option
 from radcalc.geometry import cones, lobes
 from radcalc.laws.cones import APEX, CONE
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import AnyLaw, At, Relation, Several, law, relation
+from radcalc.laws.law import AnyLaw, At, Relation, Several, law, refuse_arrays, relation
 from radcalc.maths import (
     SLACK,
     acos,
@@ -75,7 +75,6 @@ from radcalc.maths import (
     exp,
     expm1,
     hypot,
-    is_array,
     limit,
     log,
     piecewise,
@@ -374,11 +373,7 @@ def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
 
 def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
     """The heights, up to two, at which E / I is so much: (cos^(n + 1) sin^2)(gamma) / x^2."""
-    cones.refuse(
-        any(map(is_array, (part, lateral, exponent))),
-        "several heights may fit, which are found for one set of values at a time",
-        "a list of at most 1000 values",
-    )
+    refuse_arrays("heights", part, lateral, exponent)
     if lateral == 0:
         return sqrt(1 / part)
 
@@ -421,11 +416,7 @@ def _exponents_of(at: At) -> Any:
     """The exponents, up to two, with which (n + 1) cos(gamma)^n is so much."""
     part = 2 * math.pi * at("irradiance") * at("distance") ** 2 / at("flux") / at("cosine")
     fall = -lobes.ln_cos(at("off-axis"))
-    cones.refuse(
-        is_array(part) or is_array(fall),
-        "several exponents may fit, which are found for one set of values at a time",
-        "a list of at most 1000 values",
-    )
+    refuse_arrays("exponents", part, fall)
     if fall == 0:
         return _exponent_of(2 * math.pi / part)
 

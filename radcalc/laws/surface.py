@@ -38,8 +38,8 @@ from typing import Any
 
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
-from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, relation
-from radcalc.maths import SLACK, each, is_array, limit, piecewise, sqrt
+from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
+from radcalc.maths import SLACK, each, limit, piecewise, sqrt
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -245,11 +245,7 @@ def _disc_heights(at: At) -> Any:
     radius, offset = at("radius"), at("lateral")
     half = _slope(at) * radius / 2
     rest = (offset - radius) * (offset + radius)
-    cones.refuse(
-        is_array(half) or is_array(rest),
-        "several heights may fit, which are found for one set of values at a time",
-        "a list of at most 1000 values",
-    )
+    refuse_arrays("heights", half, rest)
     square = half**2 - rest
     cones.refuse(
         square < 0 or (half <= 0 <= rest),
