@@ -214,10 +214,9 @@ class _Luminaire:
             sheet.notes.append(f"no flux: {flux.message}")
             return
         if not flux.value:
-            unseen = getattr(self.source, "unseen", 0.0)
+            dark = "the distribution has no intensity in any direction that was looked at"
             raise ConditionError(
-                "the distribution has no intensity in any direction that was looked at"
-                + f"; what is narrower than {format_angle(unseen)} may be missed" * bool(unseen),
+                "; ".join((dark, *self.photometry.assumptions)),
                 "a wider one, or a table of its angles and intensities",
             )
         sheet.know("weighted-solid-angle", flux.value)

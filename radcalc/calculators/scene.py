@@ -166,7 +166,7 @@ class Survey:
         source, normal = one.source, self.normal
         part = max(float(source.irradiance(point, normal)[0]), 0.0)
         if isinstance(source, Emitter):
-            law, reference = "E = I cos(epsilon) / d^2", "inverse square law"
+            law, reference = "E = I cos(theta) Omega0 / d^2", "inverse square law"
             intensity, cosine, distance = (float(x[0]) for x in source.terms(point, normal))
             numbers = (
                 f"{self._told(intensity, 'intensity')} * {format_number(max(cosine, 0.0))} "

@@ -89,7 +89,7 @@ class Emitter:
         -----
         ::
 
-            E = I(theta, phi) cos(epsilon) / d^2
+            E = I(gamma, C) cos(theta) Omega0 / d^2
         """
         intensity, cosine, distance = self.terms(points, normal)
         return intensity * cosine / (distance * distance)
