@@ -26,6 +26,7 @@ from radcalc.quantities.symbols import (
     DIRECTION,
     DISTRIBUTION,
     FLAG,
+    GRID,
     INTERVAL,
     LINKS,
     NUMBERS,
@@ -521,6 +522,43 @@ def read_place(name: str, text: str, said: str = "") -> Given:
     return Given(SYMBOLS[name], text, place, unit=resolve(unit) if unit else None)
 
 
+AS_GRID = "X0:X1:N,Y0:Y1:N,Z, as in 0:6:61,0:4:41,0.75"
+MOST_POINTS = 100_000_000  # of a grid
+
+
+def _read_grid(symbol: Symbol, value: Any) -> Given:
+    """X0:X1:N,Y0:Y1:N,Z, in which any of the three may be a range; start, end and count of each."""
+    text = _joined(value)
+    told = f"{option(symbol.name)} '{quote(text)}'"
+    parts = [part.split(":") for part in text.split(",")]
+    if len(parts) != 3 or any(len(part) not in (1, 3) for part in parts):
+        raise ConditionError(f"{told} is no grid", AS_GRID)
+    try:
+        ends, unit = read_coordinates([word for part in parts for word in part[:2]])
+    except RadcalcError as error:
+        raise ConditionError(f"{told}: {error.message}", AS_GRID) from None
+    axes, size, rest = [], 1, list(ends)
+    for part in parts:
+        start = end = rest.pop(0)
+        count = 1
+        if len(part) == 3:
+            end, count = rest.pop(0), _count(part[2].strip(), told)
+            if start == end:
+                raise ConditionError(f"{told}: '{quote(':'.join(part))}' has no width", AS_GRID)
+        axes.append((start, end, count))
+        size *= count
+    if size > MOST_POINTS:
+        raise ConditionError(f"{told} has {size} points", f"at most {MOST_POINTS}")
+    return Given(symbol, text, tuple(axes), unit=resolve(unit) if unit else None)
+
+
+def _count(text: str, told: str) -> int:
+    """How many points there are along an axis of a grid."""
+    if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST_POINTS):
+        raise ConditionError(f"{told}: '{quote(text)}' is no number of points from 2 on", AS_GRID)
+    return int(text)
+
+
 _READERS = {
     CHOICE: _read_choice,
     FLAG: _read_flag,
@@ -528,6 +566,7 @@ _READERS = {
     WAVELENGTHS: _read_wavelengths,
     POINT: _read_point,
     VECTOR: _read_vector,
+    GRID: _read_grid,
     DIRECTION: _read_direction,
     INTERVAL: _read_interval,
     NUMBERS: _read_numbers,

@@ -1,5 +1,6 @@
 """`radcalc scene FILE.csv`."""
 
+import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
@@ -11,13 +12,11 @@ from radcalc.calculators.results import element, pick
 from radcalc.cli.calculator import Asked, cases, formatted, lines, refuse_format, result, run
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
-from radcalc.errors import ConditionError, RadcalcError, UsageError, quote
+from radcalc.errors import ConditionError, UsageError, quote
 from radcalc.errors import command as call_of
-from radcalc.given import IN_METRES, Inputs, read_coordinates, read_place
+from radcalc.given import AS_GRID, IN_METRES, Given, Inputs, read_place
 from radcalc.render.formats import CSV
 
-AS_GRID = "X0:X1:N,Y0:Y1:N,Z, as in 0:6:61,0:4:41,0.75"
-MOST = 100_000_000  # points
 FEW = 12  # sources whose shares are shown unasked
 AT = click.Option(
     ["--at"],
@@ -25,23 +24,17 @@ AT = click.Option(
     metavar="X,Y,Z",
     help="A point that gets the light (repeatable), in metres or with units.",
 )
-GRID = click.Option(
-    ["--grid"],
-    metavar="X0:X1:N,Y0:Y1:N,Z",
-    help="A grid of such points: N along x from X0 to X1, N along y, at Z.",
-)
 
 
 @define(
     "scene",
-    {"The points": (AT, GRID, "normal"), "Kinds of light": LIGHT},
+    {"The points": (AT, "grid", "normal"), "Kinds of light": LIGHT},
     words="FILE.csv",
 )
 def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     at: tuple[str, ...],
-    grid: str | None,
     asked: Asked,
     shown: Output,
 ) -> int:
@@ -87,7 +80,7 @@ def command(
     if len(each) > 1:
         raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
     given = each[0][1]
-    points = _points(at, grid)
+    points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
     names = [name.partition(":")[0].strip() for name in asked.wanted]
     of_all = [name for name in names if page.is_of_all(name)]
@@ -165,14 +158,16 @@ class Points(NamedTuple):
         return not self.names
 
 
-def _points(at: tuple[str, ...], grid: str | None) -> Points:
+def _points(at: tuple[str, ...], grid: Given | None) -> Points:
     """The points that are typed one by one, or those of a grid."""
     from radcalc.distributions import scene
 
-    if at and grid is not None:
+    if at and grid:
         raise UsageError("--at and --grid contradict each other", "one of them")
-    if grid is not None:
-        return _grid(grid)
+    if grid:
+        axes = [scene.Axis(*axis) for axis in grid.value]
+        size = math.prod(axis.size for axis in axes)
+        return Points(lambda: scene.grid(*axes), size, (), () if grid.unit else (IN_METRES,))
     if not at:
         raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
     if several := next((text for text in at if ":" in text), None):
@@ -181,38 +176,3 @@ def _points(at: tuple[str, ...], grid: str | None) -> Points:
     bare = any(place.unit is None for place in places)
     every = [place.value for place in places]
     return Points(lambda: scene.blocks(every), len(at), at, (IN_METRES,) if bare else ())
-
-
-def _grid(text: str) -> Points:
-    """The points of X0:X1:N,Y0:Y1:N,Z, in which any of the three may be a range."""
-    from radcalc.distributions import scene
-
-    told = f"--grid '{quote(text)}'"
-    parts = [part.split(":") for part in text.split(",")]
-    if len(parts) != 3 or any(len(part) not in (1, 3) for part in parts):
-        raise ConditionError(f"{told} is no grid", AS_GRID)
-    try:
-        ends, unit = read_coordinates([word for part in parts for word in part[:2]])
-    except RadcalcError as error:
-        raise ConditionError(f"{told}: {error.message}", AS_GRID) from None
-    axes, size = [], 1
-    rest = list(ends)
-    for part in parts:
-        start = rest.pop(0)
-        end, count = start, 1
-        if len(part) == 3:
-            end, count = rest.pop(0), _count(part[2].strip(), told)
-            if start == end:
-                raise ConditionError(f"{told}: '{quote(':'.join(part))}' has no width", AS_GRID)
-        axes.append(scene.Axis(start, end, count))
-        size *= count
-    if size > MOST:
-        raise ConditionError(f"{told} has {size} points", f"at most {MOST}")
-    return Points(lambda: scene.grid(*axes), size, (), () if unit else (IN_METRES,))
-
-
-def _count(text: str, told: str) -> int:
-    """How many points there are along an axis."""
-    if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST):
-        raise ConditionError(f"{told}: '{quote(text)}' is no number of points from 2 on", AS_GRID)
-    return int(text)

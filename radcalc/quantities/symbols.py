@@ -65,7 +65,7 @@ EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no l
 # How the value of a symbol is written.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
-POINT, VECTOR = "point", "vector"  # a vector has a direction
+POINT, VECTOR, GRID = "point", "vector", "grid"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
 NUMBERS = "numbers"  # as many as the example has
 PAIR = "pair"  # of whole numbers, within the limits
@@ -379,6 +379,8 @@ _ROWS = (
         label="share of what the sky sends to the ground"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),
+    _text(GRID, "grid", "a grid of points", "X0:X1:N,Y0:Y1:N,Z",
+        "A grid of such points: N along x from X0 to X1, N along y, at Z."),
     _text(FLAG, "omni", "", "", "It shines everywhere, and depths are distances from it."),
     _interval(LENGTH, "near", "1m:2m", "Dark up to A, full from B on, smooth between."),
     _interval(LENGTH, "far", "5m:8m", "Full up to C, dark from D on, smooth between."),
