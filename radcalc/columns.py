@@ -86,6 +86,11 @@ class Decimals:
         return line, f"'{text}' may be a thousand or a decimal"
 
 
+def plain(title: str) -> str:
+    """A title in small letters, with one kind of micro and of degrees."""
+    return title.strip().lower().replace("µ", "u").replace("μ", "u").replace("º", "°")
+
+
 def units_in(title: str) -> tuple[list[str], list[str]]:
     """What may be the unit in a title: the texts in brackets, the last first; its last words."""
     brackets = ["".join(filter(None, found)) for found in IN_BRACKETS.findall(title)][::-1]

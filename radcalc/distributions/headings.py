@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from radcalc.columns import IN_BRACKETS, units_in
-from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.columns import IN_BRACKETS, plain, units_in
+from radcalc.errors import ConditionError, quote
 from radcalc.quantities.light import NONE, describe, read
 from radcalc.units.dimensions import ANGLE
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import Unit, unit_of
 
 INTENSITY = (0, 0, 1)  # the powers of time, 1/area and 1/solid angle
 SHORT = 6  # words of a comment that may be a title
@@ -82,11 +82,11 @@ def angles(title: str) -> Unit | None:
     Unit('rad')
     >>> angles("gamma")
     """
-    plain = title.lower().replace("º", "°")
+    text = plain(title)
     brackets, endings = units_in(title.replace("º", "°").replace("_", " "))
     slash = QUANTITY_OVER_UNIT.fullmatch(title)
     for part in [*brackets, *([slash[1]] if slash else []), *endings]:
-        unit = _resolved(part)
+        unit = unit_of(part)
         if unit and unit.dimension == ANGLE:
             break
         if part in brackets or (unit and unit.is_light):
@@ -95,7 +95,7 @@ def angles(title: str) -> Unit | None:
             )
     else:
         unit = None
-    if OTHER_ANGLES.search(plain) or not (unit or not plain or ANGLE_WORDS.search(plain)):
+    if OTHER_ANGLES.search(text) or not (unit or not text or ANGLE_WORDS.search(text)):
         raise ConditionError(
             f"'{quote(title)}' in the first column is no polar angle from the source's axis",
             "a title such as gamma, theta or angle (deg)",
@@ -129,19 +129,19 @@ def column(title: str) -> Column:
     found = PLANE.match(title)
     rest = title[found.end() :].strip().lstrip("/ ") if found else title
     is_bare = not rest or IN_BRACKETS.fullmatch(rest)
-    if found and not (is_bare or (found["letter"] and _resolved(rest))):  # 2 m from the lamp
+    if found and not (is_bare or (found["letter"] and unit_of(rest))):  # 2 m from the lamp
         found, rest = None, title
     plane, opposite = (_number(found[2]), _number(found[3])) if found else (None, None)
-    plain = rest.lower().replace("µ", "u").replace("μ", "u")
-    if PER_FLUX.search(plain):
+    text = plain(rest)
+    if PER_FLUX.search(text):
         raise ConditionError(
             f"'{quote(title)}' is relative to the flux of lamps that the table does not have",
             "the values times that flux, in cd",
         )
-    if SCALED.search(plain):
+    if SCALED.search(text):
         raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     unit = _intensity(rest)
-    if not unit and OTHER_WORDS.search(plain):
+    if not unit and OTHER_WORDS.search(text):
         raise ConditionError(f"'{quote(title)}' is no intensity", KNOWN)
     return Column(plane, opposite, unit)
 
@@ -187,7 +187,7 @@ def _intensity(title: str) -> Unit | None:
     brackets, endings = units_in(title)
     slash = QUANTITY_OVER_UNIT.fullmatch(title)
     for part in [*brackets, *endings[:1], *([slash[1]] if slash else []), *endings[1:]]:
-        unit = _resolved(part)
+        unit = unit_of(part)
         facts = read(unit) if unit else None
         if unit and facts and facts.geometry == INTENSITY and facts.axis == NONE:
             return unit
@@ -197,11 +197,3 @@ def _intensity(title: str) -> Unit | None:
         if unit and facts:
             raise ConditionError(f"values in {describe(unit)}", KNOWN)
     return None
-
-
-def _resolved(text: str) -> Unit | None:
-    """A text as a unit; None where it is none."""
-    try:
-        return resolve(text) if text else None
-    except RadcalcError:
-        return None

@@ -4,11 +4,11 @@ import unicodedata
 from collections.abc import Callable
 from typing import NamedTuple
 
-from radcalc.errors import RadcalcError, UsageError, command, nearest, quote
+from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import GEOMETRIES, NONE, is_per_length, name_of, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
-from radcalc.units.table import NUMBER, Unit, resolve
+from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
@@ -117,11 +117,8 @@ def _by_words(text: str, alike: Callable[[str, str], bool]) -> list[Found]:
 
 def _unit(text: str) -> Unit | None:
     """The text as a unit; None where it is none."""
-    try:
-        unit = resolve(text)
-    except RadcalcError:
-        return None
-    return None if unit.dimension == NUMBER else unit
+    unit = unit_of(text)
+    return unit if unit and unit.dimension != NUMBER else None
 
 
 def _by_unit(unit: Unit | None) -> list[Found]:

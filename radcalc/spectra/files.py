@@ -196,7 +196,7 @@ class _Reader:
 
     def check_titles(self, header: list[str]) -> None:
         """Refuse a first column that says it is something else than wavelengths."""
-        plain = [titles.plain(title) for title in header]
+        plain = [columns.plain(title) for title in header]
         if any(map(titles.is_wavelength, plain[1:])):
             raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
         if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):

@@ -4,10 +4,10 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from radcalc.columns import units_in
-from radcalc.errors import ConditionError, RadcalcError, quote
+from radcalc.columns import plain, units_in
+from radcalc.errors import ConditionError, quote
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
-from radcalc.units.table import resolve
+from radcalc.units.table import unit_of
 
 UNITS = {
     "nm": 1.0,
@@ -66,11 +66,6 @@ class Meaning(NamedTuple):
     are_photons: bool = False
     absolute: str = ""  # the radiant quantity, where there is a unit
     factor: float = 1.0  # to W/../nm or photon/s/../nm
-
-
-def plain(text: str) -> str:
-    """A title or a comment in small letters, with one kind of micro."""
-    return text.strip().lower().replace("µ", "u").replace("μ", "u")
 
 
 def is_wavelength(title: str) -> bool:
@@ -141,9 +136,6 @@ def _light(text: str, in_brackets: bool) -> tuple[Reading | None, float]:
     """What a text is as a unit of light, and its factor to SI; outside brackets W is a word."""
     if not text or not (in_brackets or "/" in text or "-" in text or "⁻" in text):
         return None, 1.0
-    try:
-        unit = resolve(text)
-    except RadcalcError:  # a title is free text: no unit, no absolute values
-        return None, 1.0
-    facts = read(unit)
-    return (facts if unit.is_light else None), float(unit.factor)
+    unit = unit_of(text)
+    facts = read(unit) if unit else None
+    return (facts, float(unit.factor)) if unit and facts else (None, 1.0)

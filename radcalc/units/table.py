@@ -5,7 +5,7 @@ The numbers come from `compiled.py`, which `compile.py` prints from what Pint sa
 is rounded once.
 """
 
-from radcalc.errors import UnitError, command, nearest, quote
+from radcalc.errors import RadcalcError, UnitError, command, nearest, quote
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -178,6 +178,14 @@ def resolve(text: str) -> Unit:
             f"{_with(text, loose, f'{loose}-1')} for one per length",
         )
     return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
+
+
+def unit_of(text: str) -> Unit | None:
+    """A text as a unit; None where it is none."""
+    try:
+        return resolve(text) if text else None
+    except RadcalcError:
+        return None
 
 
 def _with(text: str, old: str, new: str) -> str:
