@@ -2,8 +2,8 @@
 
 Each format is a module of its own, loaded when it is needed: `rgbe`, `pfm` and `exr` have
 `read(data, name)`, of the bytes of a file, where `name` is what messages call it, and
-`write(path, picture)`, which writes over an empty file.  What a file or a picture has wrong is a
-ConditionError; an OSError is left to this module.
+`write(path, picture)`, which writes over an empty file and returns what is to be told (a tuple of
+str).  What a file or a picture has wrong is a ConditionError; an OSError is left to this module.
 """
 
 import errno
@@ -23,6 +23,7 @@ from radcalc.errors import SHOWN, ConditionError, OutputError, quote, quote_path
 KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
 LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
 FARTHEST = 10.0  # coordinate of a primary
+BY_REC_709 = "luminance is by the primaries of Rec. 709, for the file names none"
 REC_709 = (0.2126, 0.7152, 0.0722)  # of the luminance of linear R, G, B, as the standard has them
 # A map of 16384x8192, the largest that is common, has 1.5 GiB as floats; twice that still fits into
 # the memory of a common computer.
@@ -120,12 +121,18 @@ def read_picture(path: str) -> Picture:
     if not reader:
         raise _is_no_picture(head, name)
     # only the one that is needed is loaded
-    found: Picture = import_module(f"radcalc.distributions.maps.{reader}").read(data, name)
+    module = import_module(f"radcalc.distributions.maps.{reader}")
+    try:
+        found: Picture = module.read(data, name)
+    except MemoryError:
+        raise ConditionError(f"{name} does not fit into memory", "a smaller picture") from None
     return found
 
 
-def write_picture(path: str, picture: Picture) -> None:
+def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a picture in the format of the extension: whole, or not at all.
+
+    Returns what the format loses of it, which is to be told.
 
     What was there is replaced when all is written; so a picture can take the place of the one
     that it was made of.
@@ -145,10 +152,12 @@ def write_picture(path: str, picture: Picture) -> None:
     try:
         with open(made, "xb"):  # with the permissions of any new file
             pass
-        import_module(f"radcalc.distributions.maps.{WRITERS[extension]}").write(made, picture)
+        module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
+        notes: tuple[str, ...] = module.write(made, picture)
         if os.path.exists(target):
             os.chmod(made, stat.S_IMODE(os.stat(target).st_mode))
         os.replace(made, target)
+        return notes
     except OSError as error:
         raise _cannot_write(path, error.strerror or str(error)) from None
     finally:

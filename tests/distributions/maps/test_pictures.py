@@ -1,14 +1,23 @@
 """Picture files: told apart, opened safely, written whole or not at all."""
 
+import os
+import stat
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
+from radcalc.distributions.maps import pfm
 from radcalc.distributions.maps.pictures import (
     PIXELS,
+    REC_709,
+    Picture,
     check_size,
     check_target,
     luminance_weights,
     read_picture,
+    write_picture,
 )
 from radcalc.errors import ConditionError, OutputError
 
@@ -108,3 +117,107 @@ def test_luminance_follows_the_primaries():
 def test_primaries_of_no_light_are_refused(primaries):
     with pytest.raises(ConditionError, match="primaries"), np.errstate(all="raise"):
         luminance_weights(primaries, "sky.hdr")
+
+
+GREY = Picture(np.full((2, 3, 1), 0.5, np.float32), ("Y",), (1.0,), "PFM")
+FORMATS = {".hdr": "Radiance RGBE", ".pic": "Radiance RGBE", ".HDR": "Radiance RGBE", ".pfm": "PFM"}
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_the_extension_chooses_what_is_written_and_the_content_what_is_read(extension, tmp_path):
+    path = str(tmp_path / f"sky{extension}")
+    write_picture(path, GREY)
+    other = str(tmp_path / "no extension")
+    os.rename(path, other)
+    found = read_picture(other)
+    assert found.format == FORMATS[extension]
+    assert (found.pixels == 0.5).all()
+    assert os.listdir(tmp_path) == ["no extension"]
+
+
+def test_a_radiance_picture_keeps_unit_weights_and_channels(tmp_path):
+    path = str(tmp_path / "sky.hdr")
+    pixels = np.array([[[0.5, 1, 2], [0, 0, 3]]], np.float32)
+    for unit, weights, channels in (
+        ("W/(m2 sr)", (0.265, 0.670, 0.065), ("R", "G", "B")),
+        ("", REC_709, ("R", "G", "B")),
+        ("lx", (0.0, 1.0, 0.0), ("X", "Y", "Z")),
+        ("", (0.0, 1.0, 0.0), ("X", "Y", "Z")),
+    ):
+        write_picture(path, Picture(pixels, channels, weights, "OpenEXR", unit))
+        found = read_picture(path)
+        assert (found.unit, found.weights, found.channels) == (unit, weights, channels)
+        assert (found.pixels == pixels).all()
+
+
+@pytest.mark.parametrize("value", [-1e-9, np.nan, np.inf, 1.7e38])
+def test_what_a_format_cannot_hold_is_refused_and_leaves_nothing(value, tmp_path):
+    path = tmp_path / "sky.hdr"
+    pixels = np.array([[[1], [value]]], np.float32)
+    with pytest.raises(ConditionError, match="RGBE holds no pixels that are negative, NaN or"):
+        write_picture(str(path), GREY._replace(pixels=pixels))
+    assert not os.listdir(tmp_path)
+
+
+def test_a_picture_takes_the_place_of_another_as_a_whole(tmp_path):
+    """Its permissions stay, and a link still leads to it."""
+    path, link = tmp_path / "sky.pfm", tmp_path / "link.pfm"
+    link.symlink_to(path)
+    write_picture(str(path), GREY)
+    path.chmod(0o640)
+    for _ in range(2):
+        found = read_picture(str(link))
+        write_picture(str(link), found._replace(pixels=found.pixels * 2))
+    assert (read_picture(str(path)).pixels == 2).all()
+    assert link.is_symlink()
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert sorted(os.listdir(tmp_path)) == ["link.pfm", "sky.pfm"]
+
+
+def test_a_new_file_has_the_permissions_of_any_other(tmp_path):
+    (tmp_path / "other").touch()
+    write_picture(str(tmp_path / "sky.pfm"), GREY)
+    modes = [path.stat().st_mode for path in tmp_path.iterdir()]
+    assert modes[0] == modes[1]
+
+
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), KeyboardInterrupt()])
+def test_what_cannot_be_written_leaves_what_was_there(error, tmp_path, monkeypatch):
+    path = tmp_path / "sky.pfm"
+    write_picture(str(path), GREY)
+
+    def write(path, picture):
+        with open(path, "wb") as file:
+            file.write(b"PF\n")
+        raise error
+
+    monkeypatch.setattr(pfm, "write", write)
+    with pytest.raises((OutputError, KeyboardInterrupt)) as caught:
+        write_picture(str(path), GREY._replace(pixels=GREY.pixels * 2))
+    if isinstance(error, OSError):
+        assert "No space left on device" in str(caught.value)
+    assert os.listdir(tmp_path) == ["sky.pfm"]
+    assert (read_picture(str(path)).pixels == 0.5).all()
+
+
+LIMITED = """
+import resource, sys
+import numpy as np
+from radcalc.distributions.maps.pictures import Picture, write_picture
+resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
+pixels = np.random.default_rng(1).random((200, 300, 3)).astype(np.float32)
+try:
+    write_picture(sys.argv[1], Picture(pixels, ("R", "G", "B"), (1, 1, 1), ""))
+except Exception as error:
+    print(type(error).__name__, error)
+"""
+
+
+@pytest.mark.parametrize("name", ["sky.hdr", "sky.pfm"])
+def test_a_full_disk_leaves_nothing(name, tmp_path):
+    pytest.importorskip("resource")
+    command = [sys.executable, "-c", LIMITED, str(tmp_path / name)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("OutputError cannot write")
+    assert "File too large" in done.stdout
+    assert not os.listdir(tmp_path)

@@ -1,0 +1,437 @@
+"""Radiance pictures (.hdr): a byte each for red, green and blue, or X, Y, Z, and one exponent.
+
+Read as Radiance's "File Formats" has them: what EXPOSURE and COLORCORR multiplied is undone, the
+eight orientations, scanlines that are flat or run-length encoded in the old or the new way.
+
+A channel is mantissa * 2^(exponent - 136), as OpenImageIO, stb_image and most programs read it.
+Radiance's own read (mantissa + 0.5) * 2^(exponent - 136), for their writers cut off what they do
+not keep: all that they read is half a step brighter, 0.2 % to 0.4 % in the brightest channel.
+`write` rounds to the nearest, so that what is read here is right on the average.
+"""
+
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from radcalc import columns
+from radcalc._version import __version__
+from radcalc.distributions.maps.pictures import (
+    BY_REC_709,
+    REC_709,
+    Picture,
+    check_size,
+    luminance_weights,
+)
+from radcalc.errors import ConditionError, quote
+
+FORMAT = "Radiance RGBE"
+RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
+# What radcalc writes into headers for itself; other programs pass over it.
+UNIT, WEIGHTS, SOFTWARE = "RADCALC_UNIT", "RADCALC_WEIGHTS", "radcalc"
+VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARIES": 8, WEIGHTS: 3}
+CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
+HEADER = 1 << 20  # bytes that a header may have
+RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
+FARTHEST = 1e20  # a multiplier from 1, and 1 from it
+BIAS = 136  # of the exponent, with the 8 bits of a mantissa
+BLOCK = 1 << 17  # pixels that are decoded at a time, so that they stay in a cache
+MARK = 2  # R and G before a scanline of the new run-length encoding
+LITERAL = 128  # the largest code of bytes that stand as they are; others are runs
+NEW = range(8, 1 << 15)  # pixels of a scanline that programs encode in the new way
+REPEAT = 0x010101  # R, G and B of a repetition in the old run-length encoding
+LEAST_RUN, LONGEST_RUN = 4, 127  # bytes that are worth a run; what its code can say
+BRIGHTEST = 1.69e38  # what the exponent 255 can hold
+HALF_STEP = (
+    "RGBE is read as most programs do; Radiance's own read half a step, 0.2 % to 0.4 %, more"
+)
+STEPS = "RGBE holds 1 part in 256 of the brightest channel of a pixel"
+MENDED = "the file again, whole"
+
+
+class _Header(NamedTuple):
+    """What stands before the scanlines, which begin at byte `start`.
+
+    `scanlines` of them have `length` pixels each.  `order` has sign and letter of the axis along
+    which they follow each other, and of the axis along each.
+    """
+
+    channels: tuple[str, ...]
+    exposure: float
+    correction: tuple[float, ...]
+    weights: tuple[float, ...]
+    unit: str
+    order: tuple[str, str]
+    scanlines: int
+    length: int
+    start: int
+    assumptions: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def read(data: bytes, name: str) -> Picture:
+    """Read a Radiance picture.
+
+    Parameters
+    ----------
+    data : bytes
+        The whole file.
+    name : str
+        What messages call it.
+
+    Returns
+    -------
+    Picture
+        R, G, B; or X, Y, Z, of which Y is luminance in cd/m2.
+
+    Raises
+    ------
+    ConditionError
+        If there is no header of a picture, the data end before the picture does, or a scanline is
+        damaged; with its number and the byte.
+
+    Examples
+    --------
+    >>> head = b"#?RADIANCE\\nEXPOSURE=2\\nFORMAT=32-bit_rle_rgbe\\n\\n-Y 1 +X 1\\n"
+    >>> read(head + bytes([128, 64, 0, 129]), "sky.hdr").pixels.tolist()
+    [[[0.5, 0.25, 0.0]]]
+    """
+    header = _header(data, name)
+    pixels = np.empty((header.scanlines, header.length, 3), np.float32)
+    done, end = 0, header.start
+    with np.errstate(all="ignore"):  # what is too large becomes infinite, and is refused below
+        scales = (np.ldexp(1.0, np.arange(256) - BIAS) / header.exposure).astype(np.float32)
+        scales[0] = 0
+        for parts, at in _scanlines(data, header, name):
+            here = pixels[done : done + len(parts)]
+            scale = scales[parts[:, 3]]
+            for channel in range(3):
+                np.multiply(parts[:, channel], scale, out=here[:, :, channel])
+            if header.correction != (1.0, 1.0, 1.0):
+                here /= np.array(header.correction, np.float32)
+            done, end = done + len(parts), at
+    if min(header.exposure, *header.correction) < 1 and not np.isfinite(pixels).all():
+        problem = f"{name}: without their EXPOSURE, pixels are too large for 32 bits"
+        raise ConditionError(problem, "the EXPOSURE by which they were multiplied")
+    notes = header.notes
+    if end < len(data):
+        notes += (f"{name} has {len(data) - end} bytes behind the picture",)
+    return Picture(
+        _upright(pixels, header.order),
+        header.channels,
+        header.weights,
+        FORMAT,
+        header.unit,
+        assumptions=header.assumptions,
+        notes=notes,
+    )
+
+
+def write(path: str, picture: Picture) -> tuple[str, ...]:
+    """Write a Radiance picture, its rows run-length encoded in the new way where they can be.
+
+    A grey picture becomes R = G = B.  Returns what is lost, which is to be told.
+
+    Raises
+    ------
+    ConditionError
+        If a pixel is negative, not finite, or beyond the largest exponent.
+    """
+    height, width = picture.pixels.shape[:2]
+    pixels = np.broadcast_to(picture.pixels, (height, width, 3))
+    if not (pixels.min() >= 0 and pixels.max() < BRIGHTEST):
+        problem = "RGBE holds no pixels that are negative, NaN or larger than 1.69e38"
+        raise ConditionError(problem, "an OpenEXR (.exr) or PFM (.pfm) picture")
+    is_xyz = picture.channels == ("X", "Y", "Z")
+    weights = " ".join(map(repr, picture.weights))
+    header = [
+        "#?RADIANCE",
+        f"SOFTWARE={SOFTWARE} {__version__}",
+        f"{UNIT}={picture.unit}",
+        *([f"{WEIGHTS}={weights}"] if len(picture.weights) == 3 and not is_xyz else []),
+        f"FORMAT={XYZE if is_xyz else RGBE}",
+        "",
+        f"-Y {height} +X {width}",
+        "",
+    ]
+    step = max(1, BLOCK // width)
+    with open(path, "wb") as file:
+        file.write("\n".join(header).encode())
+        for top in range(0, height, step):
+            rgbe = _rgbe(pixels[top : top + step])
+            if width in NEW:
+                mark = bytes([MARK, MARK, *divmod(width, 256)])
+                rows = (b"".join([mark, *map(_encoded, row.T)]) for row in rgbe)
+                file.write(b"".join(rows))
+            else:
+                file.write(rgbe.tobytes())
+    return (STEPS,)
+
+
+def _header(data: bytes, name: str) -> _Header:
+    """What the lines before the scanlines say."""
+    lines, start = _header_lines(data, name)
+    said = dict(line.split("=", 1) for line in lines if "=" in line)
+    form = said.get("FORMAT", "").strip()
+    if form not in (RGBE, XYZE):
+        problem = f"is in the format '{quote(form)}'" if form else "has no line FORMAT="
+        raise ConditionError(f"{name} {problem}", f"a Radiance picture: FORMAT={RGBE} or {XYZE}")
+    is_xyz = form == XYZE
+    numbers = _numbers(lines, name)
+    (exposure,), (aspect,) = numbers.get("EXPOSURE", [1.0]), numbers.get("PIXASPECT", [1.0])
+    if numbers.get("GAMMA", [1.0]) != [1.0]:
+        problem = f"{name} has GAMMA={quote(said['GAMMA'])}: its pixels are encoded for display"
+        raise ConditionError(problem, "a picture of which the pixels are proportional to radiance")
+    unit = quote(said.get(UNIT, "cd/m2" if is_xyz else "").strip())
+    assumptions = []
+    weights: tuple[float, ...] = REC_709
+    if is_xyz:
+        weights = (0.0, 1.0, 0.0)
+        if UNIT not in said:
+            assumptions.append("Y of an XYZE picture is luminance in cd/m2, as Radiance writes it")
+    elif WEIGHTS in numbers:
+        weights = tuple(numbers[WEIGHTS])
+    elif "PRIMARIES" in numbers:
+        weights = luminance_weights(numbers["PRIMARIES"], name)
+    else:
+        assumptions.append(BY_REC_709)
+    if not said.get("SOFTWARE", "").startswith(SOFTWARE):
+        assumptions.append(HALF_STEP)
+    notes = []
+    if aspect != 1:
+        notes.append(f"{name} says PIXASPECT={aspect:g}, and all pixels are taken to be square")
+    order, count, length, start = _resolution(data, start, name)
+    return _Header(
+        ("X", "Y", "Z") if is_xyz else ("R", "G", "B"),
+        exposure,
+        tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0))),
+        weights,
+        unit,
+        order,
+        count,
+        length,
+        start,
+        tuple(assumptions),
+        tuple(notes),
+    )
+
+
+def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
+    """The lines before the empty one, and where it ends."""
+    start = 0
+    lines: list[str] = []
+    while (end := data.find(b"\n", start, HEADER)) >= 0:
+        line = data[start:end].decode("latin-1").removesuffix("\r")
+        start = end + 1
+        if not line:
+            return lines, start
+        lines.append(line)
+    raise ConditionError(f"{name}: the header has no end (an empty line)", MENDED)
+
+
+def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
+    """The values of variables that are numbers: products of those that are cumulative."""
+    found: dict[str, list[float]] = {}
+    for line in lines:
+        key, _, text = line.partition("=")
+        if key not in VARIABLES:
+            continue
+        values = [columns.finite(cell, False) for cell in text.split()]
+        numbers = [value for value in values if value is not None]
+        if len(numbers) != len(values) or len(values) != VARIABLES[key]:
+            raise _wrong_line(line, name)
+        if key in CUMULATIVE:
+            before = found.get(key, [1.0] * len(numbers))
+            numbers = [one * other for one, other in zip(before, numbers, strict=True)]
+            if not all(1 / FARTHEST < number < FARTHEST for number in numbers):
+                raise _wrong_line(line, name)
+        found[key] = numbers
+    return found
+
+
+def _wrong_line(line: str, name: str) -> ConditionError:
+    key = line.partition("=")[0]
+    what = "positive numbers" if key in CUMULATIVE else "numbers"
+    few = f"{VARIABLES[key]} {what}" if VARIABLES[key] > 1 else f"a {what[:-1]}"
+    return ConditionError(f"{name}: its header has '{quote(line)}'", f"{key}= and {few}")
+
+
+def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], int, int, int]:
+    """The order, count and length of scanlines, and where they begin; that they fit is checked."""
+    end = data.find(b"\n", start, start + 100)
+    line = data[start : max(start, end)].decode("latin-1")
+    match = RESOLUTION.fullmatch(line)
+    if not match or match[2] == match[5]:
+        problem = f"{name} has no size at byte {start}: '{quote(line)}'"
+        raise ConditionError(problem, "-Y HEIGHT +X WIDTH, or another order of the axes")
+    order = (match[1] + match[2], match[4] + match[5])
+    count, length = int(match[3]), int(match[6])
+    check_size(*((length, count) if match[2] == "Y" else (count, length)), name)
+    # a pixel, and as many bytes of a count of repetitions as they need
+    least = count * 4 * (1 + ((length - 1).bit_length() + 7) // 8)
+    if len(data) - end - 1 < least:
+        problem = f"{name} is cut off: {count} scanlines of {length} pixels have {least} bytes or "
+        raise ConditionError(f"{problem}more, and it has {len(data) - end - 1}", MENDED)
+    return order, count, length, end + 1
+
+
+def _upright(pixels: Any, order: tuple[str, str]) -> Any:
+    """Pixels by rows from the top and columns from the left: a view."""
+    if order[0][1] == "X":
+        pixels = pixels.transpose(1, 0, 2)
+    if "+Y" in order:
+        pixels = pixels[::-1]
+    return pixels[:, ::-1] if "-X" in order else pixels
+
+
+def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, int]]:
+    """Scanlines, some at a time: bytes by scanline, channel (the exponent last) and place.
+
+    And the byte at which they end.  Each scanline is encoded in its own way.
+    """
+    length, done, at = header.length, 0, header.start
+    most = max(1, BLOCK // length)
+    flat = 1  # scanlines that are likely to be flat
+    while done < header.scanlines:
+        left = min(most, header.scanlines - done)
+        if _is_new(data, at):
+            parts, at = _new(data, at, left, length, done, name)
+        else:
+            parts = _flat(data, at, min(flat, left), length)
+            flat = min(2 * flat, most) if len(parts) else 1
+            at += 4 * length * len(parts)
+            if not len(parts):
+                parts, at = _old(data, at, length, done, name)
+        done += len(parts)
+        yield parts, at
+
+
+def _is_new(data: bytes, at: int) -> bool:
+    """Whether a scanline is in the new run-length encoding."""
+    return data[at : at + 2] == bytes([MARK, MARK]) and data[at + 2 : at + 3] < b"\x80"
+
+
+def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> tuple[Any, int]:
+    """Scanlines in the new run-length encoding, as many as follow each other, and their end."""
+    start = at
+    marks: list[int] = []
+    codes: list[int] = []
+    add = codes.append
+    try:
+        while len(marks) < most and _is_new(data, at):
+            if (found := data[at + 2] * 256 + data[at + 3]) != length:
+                what = f"has {found} pixels instead of {length}"
+                raise _damaged(what, done + len(marks), at, name)
+            marks.append(at)
+            at += 4
+            for _ in range(4):
+                left = length
+                while left > 0:
+                    add(at)
+                    code = data[at]
+                    if code > LITERAL:
+                        left -= code - LITERAL
+                        at += 2
+                    elif code:
+                        left -= code
+                        at += code + 1
+                    else:
+                        raise _damaged("has a run of nothing", done + len(marks) - 1, at, name)
+                if left:
+                    what = "has a run that is longer than the rest"
+                    raise _damaged(what, done + len(marks) - 1, codes[-1], name)
+    except IndexError:
+        at = len(data) + 1
+    if at > len(data):
+        raise _damaged("is cut off", done + max(0, len(marks) - 1), len(data), name)
+    # How often each byte of the file occurs in the scanlines: codes and marks never, what a run
+    # repeats as often as its code says.
+    bytes_here = np.frombuffer(data, np.uint8, at - start, start)
+    times = np.ones(len(bytes_here), np.intp)
+    places = np.array(codes) - start
+    read = bytes_here[places]
+    runs = read > LITERAL
+    times[places[runs] + 1] = read[runs] - LITERAL
+    times[places] = 0
+    times[(np.array(marks) - start)[:, None] + np.arange(4)] = 0
+    return np.repeat(bytes_here, times).reshape(len(marks), 4, length), at
+
+
+def _flat(data: bytes, at: int, most: int, length: int) -> Any:
+    """Scanlines that are not encoded, as many as follow each other, at most so many."""
+    count = min(most, (len(data) - at) // (4 * length))
+    pixels = np.frombuffer(data, "<u4", count * length, at).reshape(count, length)
+    encoded = ((pixels & 0xFFFFFF) == REPEAT).any(1)
+    encoded |= (pixels[:, 0] & 0x80FFFF) == MARK * 0x0101
+    if encoded.any():
+        count = int(encoded.argmax())
+    return pixels[:count].view(np.uint8).reshape(count, length, 4).transpose(0, 2, 1)
+
+
+def _old(data: bytes, at: int, length: int, done: int, name: str) -> tuple[Any, int]:
+    """A scanline in the old run-length encoding, and its end.
+
+    A repetition of the pixel before is told by R = G = B = 1, its count by the exponent; others
+    that follow it have the higher bytes of the count.
+    """
+    # no scanline needs more: to repeat 256 times takes two places, and so on
+    count = min(length, (len(data) - at) // 4)
+    pixels = np.frombuffer(data, "<u4", count, at)
+    repeats = (pixels & 0xFFFFFF) == REPEAT
+    if count and repeats[0]:
+        raise _damaged("begins with a repetition", done, at, name)
+    places = np.arange(count)
+    last = np.maximum.accumulate(np.where(repeats, 0, places))  # the pixel that is repeated
+    digits = 8 * np.minimum(places - last - 1, 4)
+    counts = np.where(repeats, np.minimum((pixels >> 24).astype(int) << digits, length + 1), 1)
+    ends = np.cumsum(counts)
+    stop = int(np.searchsorted(ends, length)) + 1
+    if stop > count:
+        what = "is cut off" if count < length else "has repetitions of nothing"
+        raise _damaged(what, done, at + 4 * count, name)
+    if ends[stop - 1] > length:
+        what = "has a repetition that is longer than the rest"
+        raise _damaged(what, done, at + 4 * (stop - 1), name)
+    found = np.repeat(pixels[last[:stop]], counts[:stop])
+    return found.view(np.uint8).reshape(1, length, 4).transpose(0, 2, 1), at + 4 * stop
+
+
+def _damaged(what: str, scanline: int, at: int, name: str) -> ConditionError:
+    problem = f"{name} is damaged: scanline {scanline + 1} {what}, at byte {at}"
+    return ConditionError(problem, MENDED)
+
+
+def _rgbe(pixels: Any) -> Any:
+    """The bytes of rows of pixels, rounded to the nearest."""
+    largest = pixels.max(2)
+    # from 255.5 on a mantissa is rounded to 256, which is 128 of the next exponent
+    exponents = np.frexp(largest * (256 / 255.5))[1]
+    exponents[exponents <= -128] = -128  # black
+    scaled = np.ldexp(pixels, 8 - exponents[..., None])
+    found = np.empty((*largest.shape, 4), np.uint8)
+    found[..., :3] = np.minimum(np.rint(scaled), 255) * (exponents > -128)[..., None]
+    found[..., 3] = exponents + 128
+    return found
+
+
+def _encoded(values: Any) -> bytes:
+    """Bytes of a scanline in the new run-length encoding."""
+    starts = np.flatnonzero(values[1:] != values[:-1]) + 1
+    starts = np.concatenate([[0], starts, [len(values)]])
+    runs = np.flatnonzero(np.diff(starts) >= LEAST_RUN)
+    data, at = values.tobytes(), 0
+    parts: list[bytes] = []
+    for start, end in zip(starts[runs].tolist(), starts[runs + 1].tolist(), strict=True):
+        parts += _literals(data[at:start])
+        for left in range(end - start, 0, -LONGEST_RUN):
+            parts.append(bytes([LITERAL + min(LONGEST_RUN, left), data[start]]))
+        at = end
+    return b"".join([*parts, *_literals(data[at:])])
+
+
+def _literals(data: bytes) -> Iterator[bytes]:
+    """Bytes that stand as they are, with their codes."""
+    for start in range(0, len(data), LITERAL):
+        part = data[start : start + LITERAL]
+        yield bytes([len(part)]) + part

@@ -1,0 +1,122 @@
+"""Portable float maps, against OpenImageIO and the description of Netpbm, pfm(5)."""
+
+import struct
+
+import numpy as np
+import OpenImageIO
+import pytest
+
+from radcalc.distributions.maps.pfm import read
+from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
+from radcalc.errors import ConditionError
+
+NAME = "sky.pfm"
+SIX = (1.5, -2.25, 3e38, 0.0, 1e-40, 7.0)
+
+
+@pytest.mark.parametrize("order", "<>")
+def test_rows_begin_at_the_bottom_and_the_sign_is_the_byte_order(order):
+    scale = b"-1.0" if order == "<" else b"1"
+    grey = read(b"Pf\n2 3\n" + scale + b"\n" + struct.pack(order + "6f", *SIX), NAME)
+    upwards = np.array(SIX, np.float32).reshape(3, 2)
+    assert grey.pixels.tolist() == [[[value] for value in row] for row in upwards[::-1].tolist()]
+    assert (grey.channels, grey.weights, grey.format, grey.unit) == (("Y",), (1.0,), "PFM", "")
+    assert (grey.assumptions, grey.notes) == ((), ())
+    colour = read(b"PF 1 2 " + scale + b" " + struct.pack(order + "6f", *SIX), NAME)
+    assert colour.pixels.reshape(2, 3).tolist() == upwards.reshape(2, 3)[::-1].tolist()
+    assert (colour.channels, colour.weights) == (("R", "G", "B"), REC_709)
+    assert len(colour.assumptions) == 1
+    for found in (grey, colour):
+        assert found.pixels.dtype == np.dtype("=f4")
+
+
+def test_what_is_no_number_is_passed_on():
+    values = struct.pack("<3f", float("nan"), float("inf"), -1)
+    found = read(b"PF\n1 1\n-1\n" + values, NAME).pixels
+    np.testing.assert_array_equal(found, [[[np.nan, np.inf, -1]]])
+
+
+def test_the_scale_multiplies_and_is_told():
+    found = read(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3), NAME)
+    assert found.pixels.tolist() == [[[7.5]]]
+    assert found.notes == ("all pixels are multiplied by 2.5, the scale of sky.pfm",)
+    too_large = read(b"Pf\n1 1\n-2.5\n" + struct.pack("<f", 3e38), NAME)
+    assert too_large.pixels.tolist() == [[[np.inf]]]
+
+
+def test_lines_may_end_as_in_windows():
+    data = struct.pack("<f", 3)
+    assert read(b"Pf\r\n1 1\r\n-1\r\n" + data, NAME).pixels.tolist() == [[[3]]]
+    # a blank ends the header, and what looks like the end of a line is a part of a pixel
+    data = b"\n\0\0\x40"
+    expected = [[[struct.unpack("<f", data)[0]]]]
+    assert read(b"Pf\n1 1\n-1\r" + data, NAME).pixels.tolist() == expected
+
+
+PIXEL = struct.pack("<f", 3)
+REFUSED = {
+    "nothing else": (b"PF", "is no PFM picture: it begins with 'PF'"),
+    "four channels": (b"PF4\n1 1\n-1\n" + 4 * PIXEL, "is no PFM picture: it begins with 'PF4 1 1"),
+    "no scale": (b"Pf\n1 1\n", "is no PFM picture"),
+    "a scale of 0": (b"Pf\n1 1\n0\n" + PIXEL, "is no PFM picture"),
+    "a scale of nan": (b"Pf\n1 1\nnan\n" + PIXEL, "is no PFM picture"),
+    "a word": (b"Pf\n1 1\n-1_0\n" + PIXEL, "is no PFM picture"),
+    "no end of the header": (b"Pf\n1 1\n-1.0", "is no PFM picture"),
+    "no width": (b"Pf\n0 1\n-1\n" + PIXEL, "has 0 x 1 pixels"),
+    "a negative height": (b"Pf\n1 -1\n-1\n" + PIXEL, "has 1 x -1 pixels"),
+    "too large": (b"Pf\n65536 65536\n-1\n" + PIXEL, "more than 268435456"),
+    "cut off": (b"Pf\n1 2\n-1\n" + PIXEL, "has 4 bytes of pixels, and its size makes it 8"),
+    "a byte more": (b"Pf\n1 1\n-1\n" + PIXEL + b"x", "has 5 bytes of pixels"),
+    "grey and not colour": (b"PF\n1 1\n-1\n" + PIXEL, "its size makes it 12"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_is_no_map_is_refused(case):
+    data, said = REFUSED[case]
+    with pytest.raises(ConditionError) as caught:
+        read(data, NAME)
+    assert caught.value.message.startswith(NAME)
+    assert said in caught.value.message
+    assert caught.value.hint
+
+
+def openimageio(path):
+    """Pixels as OpenImageIO reads them with its documented default, which it has to be told."""
+    wish = OpenImageIO.ImageSpec()
+    wish.attribute("pnm:pfmflip", 1)
+    file = OpenImageIO.ImageInput.open(str(path), wish)
+    found = file.read_image("float")
+    file.close()
+    return found
+
+
+@pytest.mark.parametrize("channels", [("Y",), ("R", "G", "B")])
+@pytest.mark.parametrize(("height", "width"), [(1, 1), (3, 5), (700, 1000)])
+def test_what_is_written_is_read_again_and_by_openimageio(channels, height, width, tmp_path):
+    path = tmp_path / NAME
+    shape = height, width, len(channels)
+    pixels = np.random.default_rng(1).normal(0, 1e3, shape).astype(np.float32)
+    weights = (1.0,) if len(channels) == 1 else REC_709
+    assert write_picture(str(path), Picture(pixels, channels, weights, "OpenEXR")) == ()
+    found = read_picture(str(path))
+    assert found.channels == channels
+    np.testing.assert_array_equal(found.pixels, pixels)
+    np.testing.assert_array_equal(openimageio(path).reshape(shape), pixels)
+
+
+def test_a_scale_is_that_of_openimageio(tmp_path):
+    path = tmp_path / NAME
+    stored = np.random.default_rng(1).normal(0, 1e3, (4, 5, 3))
+    path.write_bytes(b"PF\n5 4\n0.37\n" + stored.astype(">f4").tobytes())
+    np.testing.assert_array_equal(openimageio(path), read_picture(str(path)).pixels)
+
+
+def test_what_it_cannot_say_is_told(tmp_path):
+    path = str(tmp_path / NAME)
+    pixels = np.ones((1, 2, 3), np.float32)
+    picture = Picture(pixels, ("R", "G", "B"), (0.3, 0.6, 0.1), "OpenEXR", "cd/m2")
+    told = ("a PFM file does not say the unit (cd/m2) and the primaries",)
+    assert write_picture(path, picture) == told
+    with pytest.raises(ConditionError, match="PFM has no X, Y, Z"):
+        write_picture(path, picture._replace(channels=("X", "Y", "Z")))
