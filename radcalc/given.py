@@ -36,8 +36,10 @@ from radcalc.quantities.symbols import (
     REFINEMENTS,
     SPECTRUM,
     SYMBOLS,
+    UNIT,
     VECTOR,
     WAVELENGTHS,
+    WORD,
     Limits,
     Symbol,
 )
@@ -471,6 +473,17 @@ def _read_pair(symbol: Symbol, value: Any) -> Given:
 
 
 DIGITS = 18  # of a whole number that is read at all
+
+
+def _read_unit(symbol: Symbol, value: Any) -> Given:
+    unit = value if isinstance(value, Unit) else resolve(str(value))
+    return Given(symbol, unit.text, unit, unit.dimension)
+
+
+def _read_word(symbol: Symbol, value: Any) -> Given:
+    return Given(symbol, str(value), str(value))
+
+
 IN_METRES = "coordinates without a unit are in metres"
 TOO_FAR = "a coordinate is beyond what radcalc reckons with", "up to 1e100"
 
@@ -571,6 +584,8 @@ _READERS = {
     INTERVAL: _read_interval,
     NUMBERS: _read_numbers,
     PAIR: _read_pair,
+    UNIT: _read_unit,
+    WORD: _read_word,
     DISTRIBUTION: _read_distribution,
 }
 

@@ -34,6 +34,9 @@ LIGHT = {
     "far-field-irradiance": "{0}/m2", "scale": "{0}/sr", "peak-intensity": "{0}/sr",
     "intensity-toward": "{0}/sr", "upward-flux": "{0}", "downward-flux": "{0}",
     "mean-irradiance": "{0}/m2", "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
+    "mean-radiance": "{0}/m2/sr", "minimum-radiance": "{0}/m2/sr", "peak-radiance": "{0}/m2/sr",
+    "radiance-toward": "{0}/m2/sr", "zenith-radiance": "{0}/m2/sr",
+    "horizontal-irradiance": "{0}/m2",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",

@@ -411,6 +411,27 @@ COMMANDS = {
         "convert 130 cd/m2 --check 5", "--check needs a unit to convert to"),
     "a conversion to check lacks its distance": (
         "convert 130 cd lx --check 5lx", "a distance is missing"),
+    # what surrounds a place
+    "no surroundings are none": (
+        "environment", "a sky or an expression is missing", "sky:overcast"),
+    "a word is no surroundings": (
+        "environment lightprobe", "'lightprobe' is no sky or expression", "sky:overcast"),
+    "an intensity comes from no direction": (
+        "environment cos(theta/2) cd", "not a radiance", "'cos(theta/2) cd/m2'"),
+    "there are fifteen types of sky and some names": (
+        "environment sky:cloudy", "'cloudy' is no sky", "overcast"),
+    "a clear sky is bright about the sun": ("environment sky:clear", "--sun-elevation 40deg"),
+    "which has an azimuth as well": (
+        "environment sky:clear --sun-elevation 40deg", "the sun's azimuth", "--sun-azimuth 180deg"),
+    "an overcast sky hides the sun": (
+        "environment sky:overcast --sun-elevation 30deg", "--sun-elevation has no use"),
+    "one value scales a sky": (
+        "environment sky:5 --zenith-luminance 9cd/m2 --horizontal-illuminance 9lx",
+        "--zenith-luminance and --horizontal-illuminance contradict", "one of them"),
+    "an expression has no sun": (
+        "environment 2 --sun-elevation 30deg", "--sun-elevation has no use with an expression"),
+    "relative radiances are of no kind": (
+        "environment sky:overcast --spectrum D65", "--spectrum has no use with relative"),
 }  # fmt: skip
 
 

@@ -32,6 +32,7 @@ COMMANDS = {
     "direction": "Spherical coordinates and unit vectors.",
     "etendue": "Etendues, and the flux of a radiance.",
     "point-source": "Sources that are small beside their distance.",
+    "environment": "What surrounds a place: maps, skies, expressions.",
     "scene": "Many sources, summed at points or over a grid.",
     "lambertian": "Diffuse sources and reflectors.",
     "uberlight": "The cinematographer's light of computer graphics.",

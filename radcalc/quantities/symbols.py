@@ -69,6 +69,7 @@ POINT, VECTOR, GRID = "point", "vector", "grid"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
 NUMBERS = "numbers"  # as many as the example has
 PAIR = "pair"  # of whole numbers, within the limits
+UNIT, WORD = "unit", "word"
 
 
 NOWHERE: dict[str, tuple[str, str]] = {}
@@ -331,15 +332,18 @@ _ROWS = (
         DISTRIBUTIONS),
     _text(DIRECTION, "toward", "a direction", "60deg,90deg",
         "A direction from the source, in which the receiver is: POLAR from its axis, "
-        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis."),
+        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis.",
+        environment="A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z."),
     _text(VECTOR, "aim", "a direction", "X,Y,Z",
-        "Where the source's axis points; straight down is 0,0,-1."),
+        "Where the source's axis points; straight down is 0,0,-1.",
+        environment="What the middle of the map shows (1,0,0)."),
     _symbol(ANGLE, "rotate", "ψ", "90deg",
         "Angle by which the source is turned about its axis, C0 from +x towards +y.", ANY),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
     _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
         scene="Where the receivers face (0,0,1: up).",
-        uberlight="Normal of the receiver (it faces the light)."),
+        uberlight="Normal of the receiver (it faces the light).",
+        environment="Where the receiver faces (0,0,1: up)."),
     _symbol(NUMBER, "uniformity", "U_o", label="uniformity, minimum over mean"),
     _symbol(NUMBER, "minimum-to-maximum", "U_d", label="minimum over maximum"),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
@@ -377,6 +381,12 @@ _ROWS = (
         Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True)),
     _symbol(NUMBER, "daylight-share", "E/E_h",
         label="share of what the sky sends to the ground"),
+    # What surrounds a place.
+    _text(UNIT, "unit", "a unit of radiance", "cd/m2",
+        "What the map's values are in: cd/m2, W/m2/sr ...; 1 where they are relative."),
+    _text(WORD, "channel", "the name of a channel", "Y",
+        "One channel of the map (its luminance, of all of them)."),
+    _symbol(NUMBER, "coverage", "", label="covered share of the sphere"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),
     _text(GRID, "grid", "a grid of points", "X0:X1:N,Y0:Y1:N,Z",
@@ -500,6 +510,9 @@ _LIGHT = (
     ("radiance-toward", (0, 1, 1), "L_w", "", "{}-toward"),
     ("diffuse-irradiance", (0, 1, 0), "E_d", "", "diffuse-{}"),
     ("direct-irradiance", (0, 1, 0), "E_b", "", "direct-{}"),
+    ("mean-radiance", (0, 1, 1), "L_mean", "", "mean-{}"),
+    ("minimum-radiance", (0, 1, 1), "L_min", "", "minimum-{}"),
+    ("peak-radiance", (0, 1, 1), "L_max", "", "peak-{}"),
 )  # fmt: skip
 # geometry -> the unit to show of each kind, and the coherent one of a derivation
 LIGHT_UNITS = {
