@@ -64,7 +64,7 @@ def read(data: bytes, name: str) -> Picture:
     pixels = np.array(stored.reshape(height, width, -1)[::-1], np.float32)
     notes: tuple[str, ...] = ()
     if abs(scale) != 1:
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):
             pixels *= np.float32(abs(scale))
         notes = (f"all pixels are multiplied by {abs(scale):g}, the scale of {name}",)
     if len(channels) == 1:
@@ -92,4 +92,6 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     lost = [f"the unit ({quote(picture.unit)})"] if picture.unit else []
     if count == 3 and picture.weights != REC_709:
         lost.append("the primaries")
-    return (f"a PFM file does not say {' and '.join(lost)}",) if lost else ()
+    if picture.projection:
+        lost.append(f"the projection ({quote(picture.projection)})")
+    return (f"a PFM file does not say {', '.join(lost)}",) if lost else ()

@@ -146,6 +146,8 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     """
     check_target(path)
     extension = _extension(path)
+    if picture.frame and extension != ".exr":
+        raise ConditionError("a part of a picture is kept in OpenEXR alone", "an .exr file")
     target = os.path.realpath(path)  # what a link leads to, and not the link
     # in the same folder, for what is moved from elsewhere may be there by halves
     made = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")

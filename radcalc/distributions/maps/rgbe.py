@@ -29,7 +29,8 @@ from radcalc.errors import ConditionError, quote
 FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
 # What radcalc writes into headers for itself; other programs pass over it.
-UNIT, WEIGHTS, SOFTWARE = "RADCALC_UNIT", "RADCALC_WEIGHTS", "radcalc"
+UNIT, WEIGHTS, PROJECTION = "RADCALC_UNIT", "RADCALC_WEIGHTS", "RADCALC_PROJECTION"
+SOFTWARE = "radcalc"
 VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARIES": 8, WEIGHTS: 3}
 CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
 HEADER = 1 << 20  # bytes that a header may have
@@ -62,6 +63,7 @@ class _Header(NamedTuple):
     correction: tuple[float, ...]
     weights: tuple[float, ...]
     unit: str
+    projection: str
     order: tuple[str, str]
     scanlines: int
     length: int
@@ -123,6 +125,7 @@ def read(data: bytes, name: str) -> Picture:
         header.weights,
         FORMAT,
         header.unit,
+        header.projection,
         assumptions=header.assumptions,
         notes=notes,
     )
@@ -149,6 +152,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
         "#?RADIANCE",
         f"SOFTWARE={SOFTWARE} {__version__}",
         f"{UNIT}={picture.unit}",
+        f"{PROJECTION}={picture.projection}",
         *([f"{WEIGHTS}={weights}"] if len(picture.weights) == 3 and not is_xyz else []),
         f"FORMAT={XYZE if is_xyz else RGBE}",
         "",
@@ -208,6 +212,7 @@ def _header(data: bytes, name: str) -> _Header:
         tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0))),
         weights,
         unit,
+        quote(said.get(PROJECTION, "").strip()),
         order,
         count,
         length,

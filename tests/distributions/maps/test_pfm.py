@@ -115,8 +115,8 @@ def test_a_scale_is_that_of_openimageio(tmp_path):
 def test_what_it_cannot_say_is_told(tmp_path):
     path = str(tmp_path / NAME)
     pixels = np.ones((1, 2, 3), np.float32)
-    picture = Picture(pixels, ("R", "G", "B"), (0.3, 0.6, 0.1), "OpenEXR", "cd/m2")
-    told = ("a PFM file does not say the unit (cd/m2) and the primaries",)
+    picture = Picture(pixels, ("R", "G", "B"), (0.3, 0.6, 0.1), "OpenEXR", "cd/m2", "latlong")
+    told = ("a PFM file does not say the unit (cd/m2), the primaries, the projection (latlong)",)
     assert write_picture(path, picture) == told
     with pytest.raises(ConditionError, match="PFM has no X, Y, Z"):
         write_picture(path, picture._replace(channels=("X", "Y", "Z")))

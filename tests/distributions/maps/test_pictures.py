@@ -135,19 +135,27 @@ def test_the_extension_chooses_what_is_written_and_the_content_what_is_read(exte
     assert os.listdir(tmp_path) == ["no extension"]
 
 
-def test_a_radiance_picture_keeps_unit_weights_and_channels(tmp_path):
+def test_a_radiance_picture_keeps_unit_weights_channels_and_projection(tmp_path):
     path = str(tmp_path / "sky.hdr")
     pixels = np.array([[[0.5, 1, 2], [0, 0, 3]]], np.float32)
-    for unit, weights, channels in (
-        ("W/(m2 sr)", (0.265, 0.670, 0.065), ("R", "G", "B")),
-        ("", REC_709, ("R", "G", "B")),
-        ("lx", (0.0, 1.0, 0.0), ("X", "Y", "Z")),
-        ("", (0.0, 1.0, 0.0), ("X", "Y", "Z")),
+    for unit, weights, channels, projection in (
+        ("W/(m2 sr)", (0.265, 0.670, 0.065), ("R", "G", "B"), "mirror-ball"),
+        ("", REC_709, ("R", "G", "B"), ""),
+        ("lx", (0.0, 1.0, 0.0), ("X", "Y", "Z"), "latlong"),
+        ("", (0.0, 1.0, 0.0), ("X", "Y", "Z"), "angular"),
     ):
-        write_picture(path, Picture(pixels, channels, weights, "OpenEXR", unit))
+        write_picture(path, Picture(pixels, channels, weights, "OpenEXR", unit, projection))
         found = read_picture(path)
         assert (found.unit, found.weights, found.channels) == (unit, weights, channels)
+        assert found.projection == projection
         assert (found.pixels == pixels).all()
+
+
+@pytest.mark.parametrize("name", ["sky.hdr", "sky.pfm"])
+def test_a_part_of_a_picture_is_not_written_as_a_whole_one(name, tmp_path):
+    with pytest.raises(ConditionError, match="a part of a picture is kept in OpenEXR alone"):
+        write_picture(str(tmp_path / name), GREY._replace(frame=(1, 0, 8, 4)))
+    assert not os.listdir(tmp_path)
 
 
 @pytest.mark.parametrize("value", [-1e-9, np.nan, np.inf, 1.7e38])

@@ -1,0 +1,95 @@
+"""Picture files: what is read is what was drawn, and no damage brings more than a refusal.
+
+Drawn are a size, pixels, an orientation, how each scanline is encoded and multipliers in the
+header, or a portable float map; then bytes are changed, dropped and added, after which a file is
+refused or has pixels that are numbers.
+"""
+
+import random
+from typing import Any
+
+import numpy as np
+from distributions.maps import hdr
+
+from radcalc.distributions.maps import pfm, rgbe
+from radcalc.errors import ConditionError
+
+SHORT, LONG = 150, 50_000
+ORDERS = ["-Y +X", "-Y -X", "+Y -X", "+Y +X", "+X +Y", "-X +Y", "-X -Y", "+X -Y"]
+LINES = [(), ("EXPOSURE=2",), ("EXPOSURE=0.5", "COLORCORR=1 2 4", "EXPOSURE=0.25")]
+FACTORS = [(1, 1, 1), (2, 2, 2), (0.125, 0.25, 0.5)]
+
+
+def radiance(height: int, width: int) -> tuple[bytes, np.ndarray]:
+    """A Radiance picture, and its pixels with row 0 at the top."""
+    rows = hdr.noise(height, width, random.randrange(10**6), random.choice([4, 40]))
+    kind = random.randrange(3)
+    order = random.choice(ORDERS)
+    turned = rows if order[1] == "Y" else rows.transpose(1, 0, 2)
+    # where the axis of the file goes the other way than rows and columns do
+    for axis, word in enumerate(order.split()):
+        if word in ("+Y", "-X"):
+            turned = np.flip(turned, axis)
+    encodings = random.choice(
+        [[*hdr.ENCODINGS.values()], *([one] for one in hdr.ENCODINGS.values())]
+    )
+    size = f"{order[:2]} {turned.shape[0]} {order[3:]} {turned.shape[1]}"
+    lines = b"".join(random.choice(encodings)(line) for line in turned)
+    return hdr.head(*LINES[kind], size=size) + lines, hdr.values(rows) / FACTORS[kind]
+
+
+def float_map(height: int, width: int) -> tuple[bytes, np.ndarray]:
+    """A portable float map, and its pixels with row 0 at the top."""
+    channels = random.choice([1, 3])
+    pixels = np.random.default_rng(random.randrange(10**6)).lognormal(
+        0, 9, (height, width, channels)
+    )
+    sign, order = random.choice([("-", "<f4"), ("", ">f4")])
+    scale = random.choice(["1", "1.0", "0.5"])
+    head = f"P{'F' if channels == 3 else 'f'}\n{width} {height}\n{sign}{scale}\n".encode()
+    return head + pixels[::-1].astype(order).tobytes(), pixels * float(scale)
+
+
+def damaged(data: bytes) -> bytes:
+    """The same with bytes changed, dropped, added or doubled."""
+    found = bytearray(data)
+    for _ in range(random.choice([1, 1, 2, 5])):
+        place = random.randrange(len(found) + 1)
+        end = place + random.choice([0, 1, 1, 5, 100])
+        found[place:end] = random.choice(
+            [b"", random.randbytes(1), random.randbytes(end - place), 2 * found[place:end]]
+        )
+    return bytes(found)
+
+
+def pixels_or_refusal(module: Any, data: bytes) -> np.ndarray | str:
+    """What a file has, or why it is refused."""
+    try:
+        return module.read(data, "sky").pixels
+    except ConditionError as error:
+        return error.message
+
+
+def sweep(count: int, seed: int) -> str:
+    """Read a file in order and a damaged one in each case."""
+    random.seed(seed)
+    refused = 0
+    for _ in range(count):
+        height, width = (random.choice([1, 2, 7, 8, 30, 200]) for _ in range(2))
+        draw, module = random.choice([(radiance, rgbe), (radiance, rgbe), (float_map, pfm)])
+        data, expected = draw(height, width)
+        assert np.allclose(pixels_or_refusal(module, data), expected, rtol=2e-7, atol=0), data
+        other = damaged(data)
+        found = pixels_or_refusal(module, other)
+        if isinstance(found, str):
+            assert found.startswith("sky"), (found, other)
+            refused += 1
+        else:
+            assert module is pfm or np.isfinite(found).all(), other
+    return f"{count} pictures as drawn; {refused} damaged ones were refused"
+
+
+if __name__ == "__main__":
+    from fuzz.command import main
+
+    main(sweep, LONG)
