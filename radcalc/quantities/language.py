@@ -18,15 +18,21 @@ def language() -> str:
 def translate(label: str, language: str) -> str:
     """A quantity's English name in a language; as it is where there is no other.
 
-    What stands in brackets, the axis of a spectral density, is translated by itself.
+    What stands in brackets, the axis of a spectral density, is translated by itself; so is the
+    quantity of which a mean, a part or the like is told.
     """
     if language == ENGLISH:
         return label
     stem, bracket, rest = label.partition(" (")
     if bracket:
         return f"{translate(stem, language)} ({translate(rest.removesuffix(')'), language)})"
-    from radcalc.quantities.names import LABELS, QUANTITIES
+    from radcalc.quantities.names import LABELS, PARTS, QUANTITIES
 
+    place = LANGUAGES.index(language) - 1
     if label in LABELS:
-        return LABELS[label][LANGUAGES.index(language) - 1]
+        return LABELS[label][place]
+    for part, names in PARTS.items():
+        whole = f" {label} ".replace(f" {part} ", " ").strip()
+        if whole != label and (name := translate(whole, language)) != whole:
+            return names[place].format(name)
     return next((q.name(language) for q in QUANTITIES if q.name(ENGLISH) == label), label)

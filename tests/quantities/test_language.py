@@ -3,7 +3,8 @@
 import pytest
 
 from radcalc.quantities.language import LANGUAGES, language, translate
-from radcalc.quantities.names import LABELS, QUANTITIES
+from radcalc.quantities.names import LABELS, PARTS, QUANTITIES
+from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS
 
 
 @pytest.mark.parametrize(
@@ -52,6 +53,14 @@ def test_the_language_is_that_of_the_locales_messages(variables, expected, monke
         ),
         ("photon exitance", "photon exitance", "photon exitance"),
         ("sphere fraction", "sphere fraction", "sphere fraction"),
+        ("light output ratio", "účinnost svítidla", "КПД светильника"),
+        (
+            "downward luminous flux",
+            "světelný tok do dolního poloprostoru",
+            "световой поток в нижнюю полусферу",
+        ),
+        ("mean illuminance", "průměrná osvětlenost", "средняя освещённость"),
+        ("mean photon exitance", "mean photon exitance", "mean photon exitance"),
         ("", "", ""),
     ],
 )
@@ -59,8 +68,24 @@ def test_a_label_is_translated_where_there_is_a_name(label, cs, ru):
     assert [translate(label, one) for one in LANGUAGES] == [label, cs, ru]
 
 
+# Letters, and quantities that have no settled name.
+IN_ENGLISH = {"x", "y", "z", "photon exitance", "photon exposure"}
+SHOWN = sorted(
+    {
+        symbol.label
+        for symbol in SYMBOLS.values()
+        if symbol.form == QUANTITY and symbol.name not in INNER and symbol.name != symbol.generic
+    }
+)
+
+
+@pytest.mark.parametrize("label", SHOWN)
+def test_what_is_shown_has_a_name_in_every_language(label):
+    assert (translate(label, "ru") == label) == (label in IN_ENGLISH)
+
+
 def test_every_label_has_both_translations():
-    for label, names in LABELS.items():
+    for label, names in (LABELS | PARTS).items():
         assert len(names) == 2
         assert all(names), label
         assert label not in {name for q in QUANTITIES for name in q.names("en")}
