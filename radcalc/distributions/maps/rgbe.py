@@ -177,10 +177,10 @@ def _header(data: bytes, name: str) -> _Header:
     """What the lines before the scanlines say."""
     lines, start = _header_lines(data, name)
     said = dict(line.split("=", 1) for line in lines if "=" in line)
-    form = said.get("FORMAT", "").strip()
+    form = said.get("FORMAT", RGBE).strip()
     if form not in (RGBE, XYZE):
-        problem = f"is in the format '{quote(form)}'" if form else "has no line FORMAT="
-        raise ConditionError(f"{name} {problem}", f"a Radiance picture: FORMAT={RGBE} or {XYZE}")
+        problem = f"{name} is in the format '{quote(form)}'"
+        raise ConditionError(problem, f"a Radiance picture: FORMAT={RGBE} or {XYZE}")
     is_xyz = form == XYZE
     numbers = _numbers(lines, name)
     (exposure,), (aspect,) = numbers.get("EXPOSURE", [1.0]), numbers.get("PIXASPECT", [1.0])
@@ -188,7 +188,8 @@ def _header(data: bytes, name: str) -> _Header:
         problem = f"{name} has GAMMA={quote(said['GAMMA'])}: its pixels are encoded for display"
         raise ConditionError(problem, "a picture of which the pixels are proportional to radiance")
     unit = quote(said.get(UNIT, "cd/m2" if is_xyz else "").strip())
-    assumptions = []
+    # as Radiance's own programs take it
+    assumptions = [] if "FORMAT" in said else ["the pixels are RGBE, for the file has no FORMAT="]
     weights: tuple[float, ...] = REC_709
     if is_xyz:
         weights = (0.0, 1.0, 0.0)
@@ -196,7 +197,7 @@ def _header(data: bytes, name: str) -> _Header:
             assumptions.append("Y of an XYZE picture is luminance in cd/m2, as Radiance writes it")
     elif WEIGHTS in numbers:
         weights = tuple(numbers[WEIGHTS])
-    elif "PRIMARIES" in numbers:
+    elif any(numbers.get("PRIMARIES", [])):  # some programs write eight zeros
         weights = luminance_weights(numbers["PRIMARIES"], name)
     else:
         assumptions.append(BY_REC_709)
@@ -293,14 +294,19 @@ def _upright(pixels: Any, order: tuple[str, str]) -> Any:
 def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, int]]:
     """Scanlines, some at a time: bytes by scanline, channel (the exponent last) and place.
 
-    And the byte at which they end.  Each scanline is encoded in its own way.
+    And the byte at which they end.  Each scanline is encoded in its own way, but where there are
+    four bytes for each pixel, none is, and 1, 1, 1 is no repetition.
     """
     length, done, at = header.length, 0, header.start
     most = max(1, BLOCK // length)
+    is_flat = len(data) - at == 4 * header.scanlines * length and not _is_new(data, at)
     flat = 1  # scanlines that are likely to be flat
     while done < header.scanlines:
         left = min(most, header.scanlines - done)
-        if _is_new(data, at):
+        if is_flat:
+            parts = _rows(data, at, left, length)
+            at += 4 * length * left
+        elif _is_new(data, at):
             parts, at = _new(data, at, left, length, done, name)
         else:
             parts = _flat(data, at, min(flat, left), length)
@@ -369,9 +375,13 @@ def _flat(data: bytes, at: int, most: int, length: int) -> Any:
     pixels = np.frombuffer(data, "<u4", count * length, at).reshape(count, length)
     encoded = ((pixels & 0xFFFFFF) == REPEAT).any(1)
     encoded |= (pixels[:, 0] & 0x80FFFF) == MARK * 0x0101
-    if encoded.any():
-        count = int(encoded.argmax())
-    return pixels[:count].view(np.uint8).reshape(count, length, 4).transpose(0, 2, 1)
+    return _rows(data, at, int(encoded.argmax()) if encoded.any() else count, length)
+
+
+def _rows(data: bytes, at: int, count: int, length: int) -> Any:
+    """So many scanlines that are not encoded."""
+    pixels = np.frombuffer(data, np.uint8, 4 * count * length, at)
+    return pixels.reshape(count, length, 4).transpose(0, 2, 1)
 
 
 def _old(data: bytes, at: int, length: int, done: int, name: str) -> tuple[Any, int]:

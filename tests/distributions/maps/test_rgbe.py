@@ -157,6 +157,29 @@ def test_primaries_give_the_weights():
     assert not any("Rec. 709" in text for text in found.assumptions)
 
 
+def test_eight_zeros_are_no_primaries():
+    """As Photoshop and some panorama programs write them."""
+    line = "PRIMARIES=0 0 0 0 0 0 0 0"
+    found = read(hdr.picture(hdr.noise(1, 1), hdr.flat, line), NAME)
+    assert found.weights == (0.2126, 0.7152, 0.0722)
+    assert "luminance is by the primaries of Rec. 709, for the file names none" in found.assumptions
+
+
+def test_a_picture_without_a_format_is_rgbe():
+    """As Radiance's checkheader() takes it, which refuses another format, but not none."""
+    rows = hdr.noise(1, 9)
+    data = hdr.picture(rows, hdr.new).replace(b"FORMAT=32-bit_rle_rgbe\n", b"")
+    found = read(data, NAME)
+    np.testing.assert_array_equal(found.pixels, hdr.values(rows).astype(np.float32))
+    assert found.assumptions[0] == "the pixels are RGBE, for the file has no FORMAT="
+
+
+def test_four_bytes_for_each_pixel_have_no_repetitions():
+    rows = np.array([[(1, 1, 1, 9), (128, 64, 2, 129)], [(1, 1, 1, 0), (1, 1, 1, 2)]])
+    found = pixels(hdr.head(size="-Y 2 +X 2") + rows.astype(np.uint8).tobytes())
+    np.testing.assert_array_equal(found, hdr.values(rows).astype(np.float32))
+
+
 def test_what_is_odd_is_told():
     data = hdr.picture(hdr.noise(1, 9), hdr.new, "PIXASPECT=1.25", "PIXASPECT=0.5") + b"abc"
     assert read(data, NAME).notes == (
@@ -180,7 +203,6 @@ def changed(at, byte, data=GOOD, start=START):
 
 
 REFUSED = {
-    "no format": (GOOD.replace(b"FORMAT", b"FOMRAT"), "has no line FORMAT="),
     "an octree": (
         hdr.head(form="Radiance_octree"),
         "is in the format 'Radiance_octree'",
@@ -206,7 +228,7 @@ REFUSED = {
     "a word": (hdr.head("EXPOSURE=1_0"), "its header has 'EXPOSURE=1_0'"),
     "exposures too far": (hdr.head(*["EXPOSURE=1e-9"] * 3), "its header has 'EXPOSURE=1e-9'"),
     "two corrections": (hdr.head("COLORCORR=1 1"), "its header has 'COLORCORR=1 1'"),
-    "primaries": (hdr.head("PRIMARIES=0 0 0 0 0 0 0 0"), "primaries of which no light"),
+    "primaries": (hdr.head("PRIMARIES=0 0 0 0 0 0 .3 .3"), "primaries of which no light"),
     "seven": (hdr.head("PRIMARIES=0 0 0 0 0 0 0"), "its header has 'PRIMARIES=0"),
     "a gamma": (hdr.head("GAMMA=2.2"), "has GAMMA=2.2: its pixels are encoded for display"),
     "too bright": (
@@ -220,15 +242,15 @@ REFUSED = {
     "a long run": (changed(4, 255), "scanline 1 has a run that is longer than the rest, at byte"),
     "a run of nothing": (changed(4, 0), f"scanline 1 has a run of nothing, at byte {START + 4}"),
     "a repetition first": (
-        hdr.head(size="-Y 1 +X 3") + bytes([1, 1, 1, 2] + [128] * 8),
+        hdr.head(size="-Y 1 +X 3") + bytes([1, 1, 1, 2] + [128] * 9),
         "scanline 1 begins with a repetition",
     ),
     "a long repetition": (
-        hdr.head(size="-Y 2 +X 3") + bytes([128] * 12 + [128] * 4 + [1, 1, 1, 3] + [128] * 4),
+        hdr.head(size="-Y 2 +X 3") + bytes([128] * 12 + [128] * 4 + [1, 1, 1, 3] + [128] * 5),
         "scanline 2 has a repetition that is longer than the rest, at byte 61",
     ),
     "a repetition without end": (
-        hdr.head(size="-Y 1 +X 9") + bytes([128] * 4 + [1, 1, 1, 0] * 7 + [1, 1, 1, 1]),
+        hdr.head(size="-Y 1 +X 9") + bytes([128] * 4 + [1, 1, 1, 0] * 7 + [1, 1, 1, 1, 0]),
         "longer than the rest",
     ),
     "repetitions of nothing": (
