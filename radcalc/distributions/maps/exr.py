@@ -127,6 +127,7 @@ def read(data: bytes, name: str) -> Picture:
         weights = pictures.luminance_weights(part.chromaticities, name)
     else:
         weights = pictures.REC_709
+        assumptions.append(pictures.BY_REC_709)
     return Picture(
         pixels, channels, weights, FORMAT, unit, projection, frame, tuple(assumptions), tuple(notes)
     )

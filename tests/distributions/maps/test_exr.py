@@ -74,7 +74,8 @@ def test_pixels_are_those_of_the_file(kind, compression):
     assert found.pixels.dtype == np.float32
     assert (found.pixels == pixels).all()
     assert found[1:4] == (RGB, (0.2126, 0.7152, 0.0722), "OpenEXR")
-    assert found[4:] == ("", "", None, (), ())
+    by_709 = "luminance is by the primaries of Rec. 709, for the file names none"
+    assert found[4:] == ("", "", None, (by_709,), ())
 
 
 def test_half_floats_are_widened():
@@ -114,7 +115,7 @@ def test_a_white_luminance_makes_cd_m2():
     found = read(planes(colours()), whiteLuminance=179.0)
     assert found.unit == "cd/m2"
     assert (found.pixels == colours() * 179).all()
-    assert found.assumptions == ("pixels in cd/m2, by the file's whiteLuminance of 179 cd/m2",)
+    assert found.assumptions[0] == "pixels in cd/m2, by the file's whiteLuminance of 179 cd/m2"
 
 
 @pytest.mark.parametrize("white", [0.0, -1.0, float("nan"), float("inf")])
