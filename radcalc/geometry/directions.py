@@ -3,16 +3,30 @@
 As in ISO 80000-2, the polar angle theta is counted from +z, from 0 to pi, and the azimuth phi
 from +x towards +y, from 0 to 2 pi.  Elevation (altitude over the plane z = 0) is pi/2 - theta,
 and is not used here.  Angles are in radians; floats or NumPy arrays, broadcast together.
+
+Where a mirror reflects, both directions and its normal point away from it: to where the light
+comes from, and to where it goes.
 """
 
 import math
 
 from radcalc.errors import ConditionError
-from radcalc.geometry.numerics.vectors import Vector
-from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
+from radcalc.geometry.cones import refuse
+from radcalc.geometry.numerics.vectors import Vector, dot, length, minus, plus, scaled, times, unit
+from radcalc.maths import (
+    SLACK,
+    Number,
+    any_true,
+    atan2,
+    cos,
+    hypot,
+    piecewise,
+    sin,
+)
 
 TURN = 2 * math.pi  # [rad]
 NO_DIRECTION = "0,0,0 has no direction", "a vector that is not zero"
+OPPOSITE = "opposite directions are reflected by every mirror along them", "another direction"
 
 
 def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
@@ -62,14 +76,13 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     (45.0, 45.0, 2.0)
     """
     across = hypot(x, y)
-    length = hypot(across, z)
-    if any_true(length == 0):
-        raise ConditionError(*NO_DIRECTION)
+    size = hypot(across, z)
+    refuse(size == 0, *NO_DIRECTION)
     azimuth = atan2(y, x)
     azimuth = piecewise(azimuth < 0, lambda a: a + TURN, lambda a: a + 0.0, azimuth)
     # a hair below 0 would be rounded to a whole turn
     azimuth = piecewise((azimuth >= TURN) | (across == 0), lambda a: 0.0 * a, lambda a: a, azimuth)
-    return atan2(across, z), azimuth, length
+    return atan2(across, z), azimuth, size
 
 
 def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
@@ -155,3 +168,84 @@ def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
     c, s = cos(azimuth), sin(azimuth)
     forward = (x / size, y / size, level)
     return forward, (0.0 - s, c, 0.0), (0.0 - c * level, 0.0 - s * level, across)
+
+
+def reflected(direction: Vector, normal: Vector) -> Vector:
+    """Reflection of a direction at a mirror.
+
+    Parameters
+    ----------
+    direction : tuple of 3 floats or ndarrays
+        A vector d of any length, away from the mirror.
+    normal : tuple of 3 floats or ndarrays
+        The mirror's normal n, of any length but 0.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        The vector r, as long as d, away from the mirror too.  On the mirror's back it is on the
+        back as well.
+
+    Raises
+    ------
+    ConditionError
+        If a normal has the length 0, and so no direction.
+
+    Notes
+    -----
+    ::
+
+        r = 2 (n . d) / (n . n) n - d
+
+    Renderers often count d towards the mirror; their d - 2 (n . d) n is the same reflection.
+
+    Examples
+    --------
+    At 45 degrees, from straight up to +x:
+
+    >>> from radcalc.geometry.directions import reflected
+    >>> reflected((0.0, 0.0, 1.0), (1.0, 0.0, 1.0))
+    (1.0, 0.0, 0.0)
+    """
+    n = scaled(normal)
+    square = dot(n, n)
+    refuse(square == 0, *NO_DIRECTION)
+    return minus(times(n, 2 * dot(n, direction) / square), direction)
+
+
+def mirror_normal(direction: Vector, reflection: Vector) -> Vector:
+    """Normal of the mirror that reflects one direction into another.
+
+    Parameters
+    ----------
+    direction, reflection : tuple of 3 floats or ndarrays
+        Vectors d and r of any lengths but 0, away from the mirror.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        The normal, of length 1: the bisector of the two.
+
+    Raises
+    ------
+    ConditionError
+        If a vector has the length 0, or the two are opposite to each other, to 1e-12: then every
+        mirror along them would do.
+
+    Notes
+    -----
+    ::
+
+        n = (d / |d| + r / |r|) / |d / |d| + r / |r||
+
+    Examples
+    --------
+    >>> from radcalc.geometry.directions import mirror_normal
+    >>> [round(x, 6) for x in mirror_normal((0.0, 0.0, 1.0), (1.0, 0.0, 0.0))]
+    [0.707107, 0.0, 0.707107]
+    """
+    d, r = scaled(direction), scaled(reflection)
+    both, sizes = plus(times(d, length(r)), r, length(d)), length(d) * length(r)
+    refuse(sizes == 0, *NO_DIRECTION)
+    refuse(length(both) <= SLACK * sizes, *OPPOSITE)
+    return unit(both)

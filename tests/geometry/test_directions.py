@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radcalc.errors import ConditionError
 from radcalc.geometry import directions
 
 PI = math.pi
@@ -47,3 +48,58 @@ def test_azimuths_are_within_one_turn(x, y, z):
     polar, azimuth, _ = directions.spherical(x, y, z)
     assert 0 <= polar <= PI
     assert 0 <= azimuth < 2 * PI
+
+
+# direction, normal, reflection; by hand, the second a Householder matrix of (1, 1, 1)
+REFLECTIONS = [
+    ((0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 0.0, 0.0)),
+    ((0.0, 0.0, 3.0), (1.0, 1.0, 1.0), (2.0, 2.0, -1.0)),
+    ((0.6, 0.0, 0.8), (0.0, 0.0, 1e100), (-0.6, 0.0, 0.8)),
+    ((0.0, 0.0, 1.0), (0.6e-200, 0.0, 0.8e-200), (0.96, 0.0, 0.28)),
+    ((1.0, 2.0, 0.0), (0.0, 0.0, 1.0), (-1.0, -2.0, 0.0)),
+    ((0.0, 0.0, -1.0), (1.0, 0.0, 1.0), (-1.0, 0.0, 0.0)),  # the mirror's back
+]
+
+
+@pytest.mark.parametrize(("direction", "normal", "reflection"), REFLECTIONS)
+def test_reflections_by_hand(direction, normal, reflection):
+    assert directions.reflected(direction, normal) == pytest.approx(reflection, abs=1e-15)
+    arrays = directions.reflected(tuple(np.array([x, -x]) for x in direction), normal)
+    assert [float(x[1]) for x in arrays] == pytest.approx([-x for x in reflection], abs=1e-15)
+
+
+VECTORS = st.tuples(*[st.floats(-1e3, 1e3)] * 3).filter(lambda v: math.hypot(*v) > 1e-3)
+
+
+@given(VECTORS, VECTORS)
+def test_a_reflection_keeps_the_length_and_is_its_own_inverse(direction, normal):
+    there = directions.reflected(direction, normal)
+    assert math.hypot(*there) == pytest.approx(math.hypot(*direction), rel=1e-14)
+    back = directions.reflected(there, normal)
+    assert back == pytest.approx(direction, abs=1e-14 * math.hypot(*direction))
+
+
+@given(VECTORS, VECTORS)
+def test_the_normal_of_a_mirror_reflects_one_direction_into_the_other(direction, reflection):
+    one, other = math.hypot(*direction), math.hypot(*reflection)
+    apart = [a / one + b / other for a, b in zip(direction, reflection, strict=True)]
+    if math.hypot(*apart) < 1e-3:  # a grazing mirror, whose normal is as unsure
+        return
+    normal = directions.mirror_normal(direction, reflection)
+    assert math.hypot(*normal) == pytest.approx(1, rel=1e-15 * 4)
+    expected = [x * one / other for x in reflection]
+    assert directions.reflected(direction, normal) == pytest.approx(expected, abs=1e-11 * one)
+
+
+@pytest.mark.parametrize(
+    ("function", "vectors", "message"),
+    [
+        (directions.reflected, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (directions.mirror_normal, ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (directions.mirror_normal, ((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "0,0,0 has no direction"),
+        (directions.mirror_normal, ((1.0, 2.0, 0.0), (-2.0, -4.0, 0.0)), "opposite directions"),
+    ],
+)
+def test_mirrors_without_a_direction_are_refused(function, vectors, message):
+    with pytest.raises(ConditionError, match=message):
+        function(*vectors)

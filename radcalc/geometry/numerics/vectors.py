@@ -181,6 +181,30 @@ def length(a: Vector) -> Number:
     return sqrt(dot(a, a))
 
 
+def scaled(a: Vector) -> Vector:
+    """Multiple of a vector, of which no square is too large or too small for a float.
+
+    Parameters
+    ----------
+    a : tuple of 3 floats or ndarrays
+        Of any size.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+        a times a power of two, by which nothing is rounded: the largest coordinate is below 1,
+        and not below 1/2 unless all are 0.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import scaled
+    >>> scaled((0.0, 3.0, -8.0))
+    (0.0, 0.1875, -0.5)
+    """
+    largest = larger(larger(abs(a[0]), abs(a[1])), abs(a[2]))
+    return times(a, 1 / power_of_two(largest))
+
+
 def unit(a: Vector) -> Vector:
     """Vector of length 1 in the direction of another.
 
@@ -200,7 +224,6 @@ def unit(a: Vector) -> Vector:
     >>> unit((0.0, 0.0, 5e300))
     (0.0, 0.0, 1.0)
     """
-    largest = larger(larger(abs(a[0]), abs(a[1])), abs(a[2]))
-    scaled = times(a, 1 / power_of_two(largest))
-    size = length(scaled)
-    return (scaled[0] / size, scaled[1] / size, scaled[2] / size)
+    near_one = scaled(a)
+    size = length(near_one)
+    return (near_one[0] / size, near_one[1] / size, near_one[2] / size)
