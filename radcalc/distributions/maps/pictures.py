@@ -31,6 +31,7 @@ PIXELS = 1 << 28
 LARGEST = 16 * PIXELS  # bytes of a file: four floats a pixel
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
+OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture that begins otherwise
 POINTER = b"version https://git-lfs"  # of Git LFS
 OTHERS = {
     b"\xff\xd8\xff": "JPEG",
@@ -116,6 +117,8 @@ def read_picture(path: str) -> Picture:
     with contents.opened(path, LARGEST, KNOWN) as file:
         head = file.read(1000)
         reader = next((READERS[magic] for magic in READERS if head.startswith(magic)), "")
+        if not reader and OLD_RADIANCE in head:
+            reader = "rgbe"
         file.seek(0)
         data = contents.whole(file, LARGEST, path) if reader else b""
     if not reader:

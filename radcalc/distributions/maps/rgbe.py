@@ -35,6 +35,7 @@ VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARI
 CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
 HEADER = 1 << 20  # bytes that a header may have
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
+VIEW = re.compile(r"-v([thv])\s*(\S+)")  # its type, and how wide and high it is
 FARTHEST = 1e20  # a multiplier from 1, and 1 from it
 BIAS = 136  # of the exponent, with the 8 bits of a mantissa
 BLOCK = 1 << 17  # pixels that are decoded at a time, so that they stay in a cache
@@ -206,6 +207,8 @@ def _header(data: bytes, name: str) -> _Header:
     notes = []
     if aspect != 1:
         notes.append(f"{name} says PIXASPECT={aspect:g}, and all pixels are taken to be square")
+    if view := _view(lines):
+        notes.append(f"{name} says VIEW={view}, which is not the whole sphere")
     order, count, length, start = _resolution(data, start, name)
     return _Header(
         ("X", "Y", "Z") if is_xyz else ("R", "G", "B"),
@@ -256,6 +259,16 @@ def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
     return found
 
 
+def _view(lines: list[str]) -> str:
+    """The view that Radiance declares, if it is not an angular map of the whole sphere."""
+    views = " ".join(line for line in lines if line.startswith("VIEW="))
+    found = dict(VIEW.findall(views))  # the last of each counts
+    angles = [found.get(letter, "45") for letter in "hv"]
+    if "t" not in found or (found["t"] == "a" and angles == ["360", "360"]):
+        return ""
+    return quote("-vt{} -vh {} -vv {}".format(found["t"], *angles))
+
+
 def _wrong_line(line: str, name: str) -> ConditionError:
     key = line.partition("=")[0]
     what = "positive numbers" if key in CUMULATIVE else "numbers"
@@ -294,12 +307,11 @@ def _upright(pixels: Any, order: tuple[str, str]) -> Any:
 def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, int]]:
     """Scanlines, some at a time: bytes by scanline, channel (the exponent last) and place.
 
-    And the byte at which they end.  Each scanline is encoded in its own way, but where there are
-    four bytes for each pixel, none is, and 1, 1, 1 is no repetition.
+    And the byte at which they end.  Each scanline is encoded in its own way.
     """
     length, done, at = header.length, 0, header.start
     most = max(1, BLOCK // length)
-    is_flat = len(data) - at == 4 * header.scanlines * length and not _is_new(data, at)
+    is_flat = _is_flat(data, header)
     flat = 1  # scanlines that are likely to be flat
     while done < header.scanlines:
         left = min(most, header.scanlines - done)
@@ -316,6 +328,19 @@ def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, i
                 parts, at = _old(data, at, length, done, name)
         done += len(parts)
         yield parts, at
+
+
+def _is_flat(data: bytes, header: _Header) -> bool:
+    """Whether no scanline is encoded, whatever its pixels look like: each pixel has its four bytes.
+
+    The old encoding has as many only if it repeats pixels once at most.
+    """
+    count = header.scanlines * header.length
+    if len(data) - header.start != 4 * count or _is_new(data, header.start):
+        return False
+    pixels = np.frombuffer(data, "<u4", count, header.start)
+    times = pixels[(pixels & 0xFFFFFF) == REPEAT] >> 24
+    return not len(times) or bool((times != 1).any())
 
 
 def _is_new(data: bytes, at: int) -> bool:

@@ -135,6 +135,14 @@ def test_the_extension_chooses_what_is_written_and_the_content_what_is_read(exte
     assert os.listdir(tmp_path) == ["no extension"]
 
 
+def test_a_radiance_picture_may_begin_without_its_mark(tmp_path):
+    """As those of old versions do; then the format is in the header all the same."""
+    path = tmp_path / "sky.pic"
+    size = b"\n-Y 1 +X 1\n" + bytes([128, 64, 0, 129])
+    path.write_bytes(b"pfilt -1 -e .2\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=0.5\n" + size)
+    assert read_picture(str(path)).pixels.tolist() == [[[2, 1, 0]]]
+
+
 def test_a_radiance_picture_keeps_unit_weights_channels_and_projection(tmp_path):
     path = str(tmp_path / "sky.hdr")
     pixels = np.array([[[0.5, 1, 2], [0, 0, 3]]], np.float32)

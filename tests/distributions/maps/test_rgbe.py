@@ -180,6 +180,46 @@ def test_four_bytes_for_each_pixel_have_no_repetitions():
     np.testing.assert_array_equal(found, hdr.values(rows).astype(np.float32))
 
 
+@pytest.mark.parametrize(("height", "width"), [(6, 9), (2, 3), (300, 700)])
+def test_a_picture_that_is_not_encoded_may_have_pixels_that_look_so(height, width):
+    """Where all exponents are 128, as in pictures made of bytes, dark pixels are not normalized."""
+    rows = np.random.default_rng(1).integers(0, 4, (height, width, 4))
+    rows[..., 3] = 128
+    rows[0, :3] = [(1, 1, 1, 128), (2, 2, 1, 128), (1, 1, 1, 1)]
+    rows[-1, 0] = (2, 2, 2, 128)
+    found = read(hdr.picture(rows, hdr.flat), NAME)
+    np.testing.assert_array_equal(found.pixels, hdr.values(rows).astype(np.float32))
+    assert found.notes == ()
+
+
+def test_repetitions_of_one_pixel_are_none_the_less():
+    """Each takes the place of the pixel that it repeats, so the size is that without encoding."""
+    rows = [[(200, 100, 50, 130), (200, 100, 50, 130), (9, 8, 140, 131), (9, 8, 140, 131)]]
+    data = hdr.picture(rows, hdr.old)
+    assert len(data) == len(hdr.picture(rows, hdr.flat))
+    found = read(data, NAME)
+    np.testing.assert_array_equal(found.pixels, hdr.values(rows).astype(np.float32))
+    assert found.notes == ()
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (
+            ["VIEW= -vta -vp 0 0 1 -vd 0 1 0 -vu 0 0 1 -vh 180 -vv 175 -vo 0"],
+            "-vta -vh 180 -vv 175",
+        ),
+        (["VIEW= -vtv", "VIEW= -vh 30"], "-vtv -vh 30 -vv 45"),
+        (["VIEW= -vta -vv 360 -vh 360"], ""),
+        (["VIEW= -vp 0 0 1"], ""),
+        (["\tVIEW= -vtv -vh 30"], ""),
+    ],
+)
+def test_a_view_of_a_part_of_the_sphere_is_told(lines, told):
+    notes = read(hdr.picture(hdr.noise(1, 9), hdr.new, *lines), NAME).notes
+    assert notes == ((f"sky.hdr says VIEW={told}, which is not the whole sphere",) if told else ())
+
+
 def test_what_is_odd_is_told():
     data = hdr.picture(hdr.noise(1, 9), hdr.new, "PIXASPECT=1.25", "PIXASPECT=0.5") + b"abc"
     assert read(data, NAME).notes == (
