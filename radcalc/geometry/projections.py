@@ -276,7 +276,7 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
     return float(_in_quadrant(ball, *_span(column, width), *_span(row, height)))
 
 
-def pixel_solid_angles(projection: str, width: int, height: int) -> Any:
+def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = slice(None)) -> Any:
     """Solid angles of what the pixels of an image show: `pixel_solid_angle` of all.
 
     Parameters
@@ -284,12 +284,14 @@ def pixel_solid_angles(projection: str, width: int, height: int) -> Any:
     projection : {"latlong", "mirror-ball", "angular"}
     width, height : int
         Size of the image [pixels], 1 or more.
+    rows : slice, optional
+        Of which rows; of all by default.
 
     Returns
     -------
     ndarray [sr]
-        Of shape (height, 1) for a latlong map, in which those of a row are equal, and of shape
-        (height, width) for the others.  Over all pixels the sum is 4 pi.
+        Of shape (rows, 1) for a latlong map, in which those of a row are equal, and of shape
+        (rows, width) for the others.  Over all pixels the sum is 4 pi.
 
     Raises
     ------
@@ -305,15 +307,16 @@ def pixel_solid_angles(projection: str, width: int, height: int) -> Any:
     """
     import numpy
 
+    row = numpy.arange(height)[rows]
     if _is_latlong(projection):
-        return _latlong(width, height, numpy.arange(height)[:, None])
-    # The four quadrants are mirror images: what is right of the middle and below it serves all.
-    columns, rows = (numpy.arange(size // 2, size) for size in (width, height))
-    ball = projection == MIRROR_BALL
-    across, down = _span(columns, width), _span(rows, height)
-    quadrant = _in_quadrant(ball, *across, *(one[:, None] for one in down))
-    at = [abs(2 * numpy.arange(size) + 1 - size) // 2 for size in (height, width)]
-    return quadrant[numpy.ix_(*at)]
+        return _latlong(width, height, row[:, None])
+    # Left and right, top and bottom are mirror images: what is right of the middle and below it
+    # serves all.
+    below, down = numpy.unique(abs(2 * row + 1 - height) // 2, return_inverse=True)
+    high = (one[:, None] for one in _span(height // 2 + below, height))
+    across = _span(numpy.arange(width // 2, width), width)
+    quadrant = _in_quadrant(projection == MIRROR_BALL, *across, *high)
+    return quadrant[numpy.ix_(down, abs(2 * numpy.arange(width) + 1 - width) // 2)]
 
 
 def _latlong(width: int, height: int, row: Any) -> Any:
