@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         lambertian,
         point_source,
         scene,
+        sky,
         uberlight,
     )
 
@@ -35,6 +36,7 @@ __all__ = [
     "lambertian",
     "point_source",
     "scene",
+    "sky",
     "uberlight",
 ]
 

@@ -35,6 +35,7 @@ FUNCTIONS = (
     "scene",
     "lambertian",
     "uberlight",
+    "sky",
     "ev",
     "calorimeter",
 )
@@ -400,6 +401,41 @@ def _place(point: Any) -> Given:
         raise ConditionError(*TOO_FAR)
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
     return Given(SYMBOLS["point"], "the points", place, unit=unit)
+
+
+@in_python
+def sky(kind: str | int = "overcast", **given: Any) -> dict[str, Any]:
+    """The light of the sky, toward a direction, on the ground and on a plane.
+
+    Parameters
+    ----------
+    kind : str or int
+        ``"overcast"`` (the traditional one), ``"uniform"``, ``"intermediate"``, ``"clear"``,
+        ``"turbid"``, or a type of the CIE standard general sky, 1 to 15.
+    **given : str, Quantity or float
+        As the options of ``radcalc sky``, with underscores: ``sun_elevation="40 deg"``,
+        ``horizontal_illuminance="12 klx"``, ``tilt="90 deg"``, ``toward="60deg,90deg"``.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> found = sky("overcast", zenith_luminance="9000 cd/m2", tilt="90 deg")
+    >>> print(found["irradiance"].round(2))
+    8712.39 lux
+    """
+    from radcalc.calculators.sky import sky as work_out
+
+    inputs = _inputs(given)
+    return _results(lambda: work_out(str(kind), inputs))
 
 
 @in_python

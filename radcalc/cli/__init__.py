@@ -35,6 +35,7 @@ COMMANDS = {
     "environment": "What surrounds a place: maps, skies, expressions.",
     "scene": "Many sources, summed at points or over a grid.",
     "lambertian": "Diffuse sources and reflectors.",
+    "sky": "The light of the sky, and of the sun beside it.",
     "uberlight": "The cinematographer's light of computer graphics.",
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat it leaves.",

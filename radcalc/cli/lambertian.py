@@ -53,7 +53,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       sphere           --radius or --diameter, --distance to its centre
       rectangle        --width, --length, --height, --offset, --offset-y or --corner
       plane            endless
-      hemisphere       the whole sky, or a cone of it (--half-angle)
+      hemisphere       a uniform sky, or a cone of it (--half-angle); radcalc sky has others
 
     \b
            source  ___________ length      The receiver faces the source's plane, as in (1).

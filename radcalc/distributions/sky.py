@@ -60,10 +60,7 @@ class Sky:
     ) -> None:
         self.type = geometry.sky_type(name)
         if self.type.follows_sun and sun is None:
-            raise MissingInput(
-                f"the sky {name} follows the sun, and where that is is missing",
-                mention("{sun-elevation=40deg}"),
-            )
+            raise MissingInput(*geometry.MISSING_SUN)
         if sun is not None and not self.type.follows_sun:
             raise Unused(
                 ("sun-elevation",), f"with the sky {name}, which is the same at every azimuth"

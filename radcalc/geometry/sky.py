@@ -9,7 +9,7 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
-from radcalc.errors import ConditionError, nearest, option, quote
+from radcalc.errors import ConditionError, mention, nearest, option, quote
 from radcalc.geometry.numerics.quadrature import gauss
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
 from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt
@@ -34,6 +34,8 @@ class SkyType(NamedTuple):
     ----------
     name : str
         What the standard calls it.
+    number : int
+        Of its type in the standard; 0 of the traditional overcast sky.
     a, b : float [1]
         Of the gradation from zenith to horizon.
     c, d, e : float [1]
@@ -49,6 +51,7 @@ class SkyType(NamedTuple):
     """
 
     name: str
+    number: int = 0
     a: float = 0.0
     b: float = -1.0
     c: float = 0.0
@@ -115,31 +118,31 @@ class SkyType(NamedTuple):
 
 
 OVERCAST = SkyType("traditional overcast sky (Moon and Spencer)", is_linear=True)
+# a, b, c, d, e of the types 1 to 15, and what they are
+_TABLE = (
+    (4.0, -0.70, 0, -1.0, 0.00, "CIE standard overcast sky"),
+    (4.0, -0.70, 2, -1.5, 0.15, "overcast, steeply graded, slightly brighter towards the sun"),
+    (1.1, -0.80, 0, -1.0, 0.00, "overcast, moderately graded"),
+    (1.1, -0.80, 2, -1.5, 0.15, "overcast, moderately graded, slightly brighter towards the sun"),
+    (0.0, -1.00, 0, -1.0, 0.00, "sky of uniform luminance"),
+    (0.0, -1.00, 2, -1.5, 0.15, "partly cloudy, not graded, slightly brighter towards the sun"),
+    (0.0, -1.00, 5, -2.5, 0.30, "partly cloudy, not graded, brighter about the sun"),
+    (0.0, -1.00, 10, -3.0, 0.45, "partly cloudy, not graded, with a distinct solar corona"),
+    (-1.0, -0.55, 2, -1.5, 0.15, "partly cloudy, with the sun obscured"),
+    (-1.0, -0.55, 5, -2.5, 0.30, "partly cloudy, brighter about the sun"),
+    (-1.0, -0.55, 10, -3.0, 0.45, "white-blue sky with a distinct solar corona"),
+    (-1.0, -0.32, 10, -3.0, 0.45, "CIE standard clear sky, low luminance turbidity"),
+    (-1.0, -0.32, 16, -3.0, 0.30, "CIE standard clear sky, polluted atmosphere"),
+    (-1.0, -0.15, 16, -3.0, 0.30, "cloudless turbid sky with a broad solar corona"),
+    (-1.0, -0.15, 24, -2.8, 0.15, "white-blue turbid sky with a broad solar corona"),
+)
 TYPES = {
     "overcast": OVERCAST,
-    "1": SkyType("CIE standard overcast sky, steep gradation", 4.0, -0.70),
-    "2": SkyType(
-        "overcast, steep gradation, slightly brighter towards the sun", 4.0, -0.70, 2, -1.5, 0.15
-    ),
-    "3": SkyType("overcast, moderate gradation", 1.1, -0.8),
-    "4": SkyType(
-        "overcast, moderate gradation, slightly brighter towards the sun", 1.1, -0.8, 2, -1.5, 0.15
-    ),
-    "5": SkyType("sky of uniform luminance"),
-    "6": SkyType(
-        "partly cloudy, no gradation, slightly brighter towards the sun", 0, -1.0, 2, -1.5, 0.15
-    ),
-    "7": SkyType("partly cloudy, no gradation, brighter about the sun", 0, -1.0, 5, -2.5, 0.30),
-    "8": SkyType("partly cloudy, no gradation, distinct solar corona", 0, -1.0, 10, -3.0, 0.45),
-    "9": SkyType("partly cloudy, with the sun obscured", -1.0, -0.55, 2, -1.5, 0.15),
-    "10": SkyType("partly cloudy, brighter about the sun", -1.0, -0.55, 5, -2.5, 0.30),
-    "11": SkyType("white-blue sky with distinct solar corona", -1.0, -0.55, 10, -3.0, 0.45),
-    "12": SkyType("CIE standard clear sky, low luminance turbidity", -1.0, -0.32, 10, -3.0, 0.45),
-    "13": SkyType("CIE standard clear sky, polluted atmosphere", -1.0, -0.32, 16, -3.0, 0.30),
-    "14": SkyType("cloudless turbid sky with broad solar corona", -1.0, -0.15, 16, -3.0, 0.30),
-    "15": SkyType("white-blue turbid sky with broad solar corona", -1.0, -0.15, 24, -2.8, 0.15),
+    **{str(k): SkyType(row[-1], k, *row[:-1]) for k, row in enumerate(_TABLE, start=1)},
 }
 
+# What is said where a sky, or the light of its sun, depends on the sun's place.
+MISSING_SUN = "where the sun is is missing", mention("{sun-elevation=40deg}")
 # Other names of some of them.
 ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
 NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))
@@ -287,6 +290,8 @@ def projected_sky(
         raise ConditionError("a normal of length 0 has no direction", option("normal", "0,0,1"))
     facing = unit(normal)
     across = math.hypot(facing[0], facing[1])
+    if 1 + facing[2] < ROUNDING:  # it faces the ground
+        return 0.0, 0.0
     if not sky.follows_sun and not sky.a:
         even = HALF_PI * (1 + facing[2])
         if not sky.is_linear:
