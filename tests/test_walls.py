@@ -219,7 +219,13 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("solid-angle", "zone", "--polar", "30deg:60deg"),
         ("solid-angle", "disc", "--radius", "1m", "--height", "1m", "--offset", "0m:2m:0.5m"),
         ("solid-angle", "polygon", "1,0,0", "0,1,0", "0,0,1", "--normal", "0,1,-1"),
+        (
+            *("solid-angle", "pixel", "--size", "64x64", "--pixel", "9,9"),
+            *("--projection", "angular"),
+        ),
         ("direction", "1", "1", "1"),
+        ("direction", "--mirror-ball", "0.6,0"),
+        ("direction", "0", "0", "1", "--reflect-at", "1,0,1"),
         ("etendue", "--area", "1mm2", "--half-angle", "90deg"),
         ("point-source", "--flux", "800lm", "--distance", "2m"),
         ("point-source", "--beam-angle", "30deg"),

@@ -109,7 +109,7 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
     half = sheet.at("half-angle") if sheet.has("half-angle") else cones.cone_of(omega)
     sheet.assumptions.insert(0, f"projected onto {seen.onto}")
     found = (omega, flat, omega / cones.FULL, half, 2 * half)
-    results = [_result(given, name, size) for name, size in zip(RESULTS, found, strict=True)]
+    results = [result(given, name, size) for name, size in zip(RESULTS, found, strict=True)]
     return _in_units_given(sheet.answer(seen.laws, results), given)
 
 
@@ -132,7 +132,7 @@ def _in_units_given(answer: Answer, given: Inputs) -> Answer:
     return answer._replace(values=values)
 
 
-def _result(given: Inputs, name: str, size: Any) -> Value:
+def result(given: Inputs, name: str, size: Any) -> Value:
     """One of the results of every shape."""
     more = ("sr", "deg2") if name == "solid-angle" else ()
     if name in given:
@@ -399,3 +399,4 @@ SHAPES = {
     "polygon": Shape(("viewpoint", "normal"), lambda sheet: _polygon(sheet, ())),
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}
+NAMES = (*SHAPES, "pixel", *ALIASES)  # a pixel has a page of its own

@@ -33,9 +33,9 @@ def meant(args: list[str]) -> str:
         return call_of("convert", *args)
     if near := nearest(word, COMMANDS, 1, 0.75):
         return f"{near[0]} (see radcalc --help)"
-    from radcalc.calculators.solid_angle import ALIASES, SHAPES
+    from radcalc.calculators.solid_angle import NAMES
 
-    if word in SHAPES or word in ALIASES:
+    if word in NAMES:
         return f"{call_of('solid-angle', word)} (see {help_of('solid-angle')})"
     names = [name for name, others in MEANT.items() if word in others.split()]
     return f"{names[0]} (see {help_of(names[0])})" if names else "radcalc --help"

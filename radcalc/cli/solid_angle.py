@@ -1,12 +1,14 @@
 """`radcalc solid-angle SHAPE`."""
 
-from radcalc.calculators.solid_angle import ALIASES, SHAPES, solid_angle
+from radcalc.answer import Answer
+from radcalc.calculators.pixel import pixel
+from radcalc.calculators.solid_angle import ALIASES, NAMES, solid_angle
 from radcalc.cli import calculator
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
-from radcalc.given import read_point
+from radcalc.given import Inputs, read_point
 
 
 @define(
@@ -29,6 +31,7 @@ from radcalc.given import read_point
         ),
         "Pyramid": ("horizontal", "vertical"),
         "Polygon": ("viewpoint", "normal"),
+        "Pixel": ("size", "pixel", "projection"),
     },
     words="SHAPE [X,Y,Z ...]",
 )
@@ -46,6 +49,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc solid-angle pyramid --horizontal 60deg --vertical 40deg
       radcalc solid-angle patch --area 1cm2 --distance 2m --tilt 60deg
       radcalc solid-angle polygon 1,0,0 0,1,0 0,0,1 -g solid-angle:deg2
+      radcalc solid-angle pixel --size 1024x512 --pixel 0,255
 
     \b
     SHAPE is one of:
@@ -58,6 +62,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       pyramid            --horizontal and --vertical, full angles
       patch              --area (or --radius, --diameter), --distance, --tilt: small and flat
       polygon (triangle) X,Y,Z of each vertex in order, --viewpoint, --normal
+      pixel              --size, --pixel, --projection: of a map of all directions
 
     One of the quantities may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
     """
@@ -66,15 +71,16 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     if shape != "polygon" and words:
         raise UsageError(f"too many words: '{quote(' '.join(words))}'", "options, as in --help")
     points = [read_point(word, "the vertex") for word in words]
-    return run(
-        each, lambda given: solid_angle(shape, given, points), asked, shown, "solid-angle", shape
-    )
+
+    def work_out(given: Inputs) -> Answer:
+        return pixel(given) if shape == "pixel" else solid_angle(shape, given, points)
+
+    return run(each, work_out, asked, shown, "solid-angle", shape)
 
 
 def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:
     """The shape by its own name, and the words after it."""
-    names = [*SHAPES, *ALIASES]
     if not words:
-        raise UsageError("a shape is missing", ", ".join(names))
-    name = calculator.shape(words[0], names)
+        raise UsageError("a shape is missing", ", ".join(NAMES))
+    name = calculator.shape(words[0], NAMES)
     return ALIASES.get(name, name), words[1:]

@@ -1,0 +1,120 @@
+"""The solid angle of a pixel of a map of the sphere, and the direction of its middle."""
+
+import math
+
+from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.direction import CONVENTION
+from radcalc.calculators.results import absent, value
+from radcalc.calculators.solid_angle import result
+from radcalc.calculators.worksheet import refuse_foreign
+from radcalc.derivation import Formula, format_angle, format_number
+from radcalc.errors import ConditionError, mention, option, quote
+from radcalc.geometry import cones
+from radcalc.geometry.directions import spherical
+from radcalc.geometry.projections import (
+    direction_at,
+    is_outside,
+    middle_of_pixel,
+    pixel_solid_angle,
+)
+from radcalc.given import Given, Inputs, one_of
+from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL
+
+TAKES = ("size", "pixel", "projection")
+RESULTS = ("solid-angle", "sphere-fraction", "half-angle", "apex-angle")
+AXES = {
+    LATLONG: "the middle of the map shows +x, its top +z, and +y is to the left of the middle",
+    MIRROR_BALL: "the middle of the map shows +x, the camera's own direction; +z is up, and +y to "
+    "the right, as in a mirror",
+    ANGULAR: "the middle of the map shows +x; +z is up, and +y to the left",
+}
+FORMULAS = {
+    LATLONG: Formula(
+        "pixel of a latlong map",
+        "{solid-angle} = 4 pi / width sin(t) sin(pi / (2 height)) Omega0, "
+        "t = pi (row + 1/2) / height",
+    ),
+    MIRROR_BALL: Formula(
+        "pixel of a mirror ball",
+        "{solid-angle} = integral of 4 du dv Omega0, sqrt(u^2 + v^2) up to 1",
+    ),
+    ANGULAR: Formula(
+        "pixel of an angular map",
+        "{solid-angle} = integral of pi sin(pi r) / r du dv Omega0, r = sqrt(u^2 + v^2) up to 1",
+    ),
+}
+
+
+def pixel(given: Inputs) -> Answer:
+    """The solid angle of a pixel of a map.
+
+    `given` are the map's size, the pixel, and the projection unless it is latlong.
+    """
+    refuse_foreign(given, TAKES, "a pixel")
+    size = one_of(given, "the size of the map", "size")
+    place = one_of(given, "the pixel", "pixel")
+    projection = given["projection"].value if "projection" in given else LATLONG
+    (width, height), (column, row) = size.value, place.value
+    _refuse_shape(size, projection, "projection" in given)
+    if column >= width or row >= height:
+        raise ConditionError(
+            f"{option('pixel', quote(place.text))} is beside the map",
+            f"columns from 0 to {width - 1}, rows from 0 to {height - 1}",
+        )
+    omega = pixel_solid_angle(projection, width, height, column, row)
+    u, v = middle_of_pixel(width, height, column, row)
+    half = cones.cone_of(omega)
+    found = (omega, omega / cones.FULL, half, 2 * half)
+    results = [result(given, name, one) for name, one in zip(RESULTS, found, strict=True)]
+    assumptions = ["the pixel 0,0 is at the top left"]
+    if "projection" not in given:
+        assumptions.insert(0, mention("a latlong map ({projection})"))
+    if not is_outside(projection, u, v):
+        assumptions += [AXES[projection], f"of the pixel's middle: {CONVENTION}"]
+    notes = []
+    if not omega:
+        notes = ["the pixel shows nothing: it is outside the circle of the map"]
+    elif is_outside(projection, abs(u) + 1 / width, abs(v) + 1 / height):  # its outer corner
+        notes = ["the circle of the map cuts the pixel: the part inside counts"]
+    step = _step(projection, size, place, omega, (u, v))
+    return Answer([*results, *_middle(projection, u, v)], assumptions, notes, [step])
+
+
+def _refuse_shape(size: Given, projection: str, is_given: bool) -> None:
+    """Refuse a map that has another shape than its projection."""
+    width, height = size.value
+    if width == (2 * height if projection == LATLONG else height):
+        return
+    told = option("size", quote(size.text))
+    if projection == LATLONG:
+        hint = option("size", f"{2 * height}x{height}")
+        if not is_given:
+            others = (option("projection", name) for name in (MIRROR_BALL, ANGULAR))
+            hint = f"{hint}, or, of a square map, {' or '.join(others)}"
+        raise ConditionError(f"{told} is not twice as wide as high, as a latlong map is", hint)
+    hint = option("size", f"{height}x{height}")
+    a_map = "a mirror ball" if projection == MIRROR_BALL else "an angular map"
+    raise ConditionError(f"{told} is not square, as {a_map} is", hint)
+
+
+def _middle(projection: str, u: float, v: float) -> list[Value]:
+    """The direction of a place, as far as there is one."""
+    if is_outside(projection, u, v):
+        problem = "the middle of the pixel is outside the circle of the map"
+        return [absent(name, problem, "a pixel further inside") for name in ("polar", "azimuth")]
+    polar, azimuth, _ = spherical(*direction_at(projection, u, v))
+    return [value("polar", polar), value("azimuth", azimuth)]
+
+
+def _step(
+    projection: str, size: Given, place: Given, omega: float, middle: tuple[float, float]
+) -> Step:
+    (width, height), (_, row) = size.value, place.value
+    found = f"Omega = {format_number(omega)} sr"
+    if projection == LATLONG:
+        t = format_angle(math.pi * (row + 0.5) / height)
+        told = f"width = {width}, height = {height}, row = {row}: t = {t}; {found}"
+    else:
+        u, v = map(format_number, middle)
+        told = f"{2 / width:g} by {2 / height:g} about u = {u}, v = {v}; {found}"
+    return FORMULAS[projection].told(told)
