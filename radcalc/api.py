@@ -33,6 +33,7 @@ FUNCTIONS = (
     "explain",
     "point_source",
     "scene",
+    "environment",
     "lambertian",
     "uberlight",
     "sky",
@@ -295,6 +296,68 @@ def scene(
         if name not in ("x", "y", "z")
     }
     return {**found, **_quantities(survey.remarks(with_values=True))}
+
+
+@in_python
+def environment(source: Any, **given: Any) -> dict[str, Any]:
+    """What a receiver gets of all that surrounds it: of a map, a sky or an expression.
+
+    Parameters
+    ----------
+    source : str, path, array or Quantity
+        The path of a map (.hdr, .exr, .pfm), ``"sky:overcast"`` or another type, or an expression
+        in theta and phi, with a unit of radiance behind a blank.  An array is a map, of the shape
+        (height, width) or (height, width, 3), row 0 at the top; of NumPy, or of Dask, which is
+        computed a strip of rows at a time.
+    **given : str, Quantity or sequence of floats
+        As the options of ``radcalc environment``, with underscores: ``unit="cd/m2"``, which a
+        Quantity has itself, ``projection="mirror-ball"``, ``aim=(0, 0, 1)``, ``normal=(1, 0, 0)``,
+        ``toward="60deg,90deg"``, ``zenith_luminance="9 kcd/m2"``, ``spectrum="D65"``.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        What is no map or cannot be read, and what is missing, contradictory, impossible or without
+        use.
+
+    Examples
+    --------
+    >>> print(environment("sky:overcast", zenith_luminance="9000 cd/m2")["irradiance"].round(2))
+    21991.15 lux
+    >>> import numpy
+    >>> room = environment(numpy.full((32, 64), 3000.0), unit="cd/m2", normal=(1, 0, 0))
+    >>> print(room["irradiance"].round(2))
+    9424.78 lux
+    """
+    from radcalc.calculators.environment import environment as work_out
+
+    named, given = _surroundings(source, given)
+    return _results(lambda: work_out(named, _inputs(given)))
+
+
+def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+    """What surrounds a place, and what is given with it."""
+    import os
+
+    from radcalc.calculators.environment import Source
+    from radcalc.distributions.environments import picture_of
+    from radcalc.distributions.maps.pictures import read_picture
+
+    if isinstance(source, str):
+        return Source(source), given
+    if isinstance(source, os.PathLike):
+        return Source(read_picture(os.fspath(source))), given
+    if _is_quantity(source):
+        if given.get("unit") is not None:
+            raise ConditionError("unit is given, and the map has its own", "the same without unit")
+        given = {**given, "unit": from_container(source._units)}
+        source = source.magnitude
+    return Source(picture_of(source)), given
 
 
 def _row(source: Any) -> Any:

@@ -413,9 +413,9 @@ COMMANDS = {
         "convert 130 cd lx --check 5lx", "a distance is missing"),
     # what surrounds a place
     "no surroundings are none": (
-        "environment", "a sky or an expression is missing", "sky:overcast"),
+        "environment", "a map, a sky or an expression is missing", "sky:overcast"),
     "a word is no surroundings": (
-        "environment lightprobe", "'lightprobe' is no sky or expression", "sky:overcast"),
+        "environment lightprobe", "'lightprobe' is no file, sky or expression", "sky:overcast"),
     "an intensity comes from no direction": (
         "environment cos(theta/2) cd", "not a radiance", "'cos(theta/2) cd/m2'"),
     "there are fifteen types of sky and some names": (
@@ -428,6 +428,12 @@ COMMANDS = {
     "one value scales a sky": (
         "environment sky:5 --zenith-luminance 9cd/m2 --horizontal-illuminance 9lx",
         "--zenith-luminance and --horizontal-illuminance contradict", "one of them"),
+    "a map that is not there is not read": (
+        "environment none/lit.hdr --unit 1", "cannot read none/lit.hdr", "a Radiance (.hdr)"),
+    "a sky is no map": ("environment sky:5 --unit cd/m2", "--unit has no use with a sky"),
+    "an expression is no map": (
+        "environment cos(theta/2) --projection angular --aim 0,0,1",
+        "--projection and --aim have no use with an expression"),
     "an expression has no sun": (
         "environment 2 --sun-elevation 30deg", "--sun-elevation has no use with an expression"),
     "relative radiances are of no kind": (

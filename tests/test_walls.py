@@ -276,6 +276,23 @@ def test_a_file_of_a_luminaire_loads_its_own_reader_alone():
     assert not loaded & (others | HEAVY - {"click", "numpy"})
 
 
+@pytest.mark.parametrize(
+    ("words", "readers"),
+    [
+        (["environment", "max(cos(theta), 0) cd/m2"], set()),
+        (["environment", "sky:overcast", "--zenith-luminance", "9000cd/m2"], set()),
+        (["environment", "{map}", "--unit", "cd/m2"], {"pfm"}),
+    ],
+)
+def test_what_surrounds_a_place_loads_numpy_and_the_reader_of_its_format(tmp_path, words, readers):
+    path = tmp_path / "around.pfm"
+    path.write_bytes(b"Pf\n8 4\n-1\n" + bytes(8 * 4 * 4))
+    loaded = loaded_by(*[word.format(map=path) for word in words])
+    formats = {"rgbe", "exr", "pfm"}
+    assert {one for one in formats if f"radcalc.distributions.maps.{one}" in loaded} == readers
+    assert not loaded & (HEAVY - {"click", "numpy"})
+
+
 def test_no_start_looks_for_translations_of_clicks_own_texts():
     assert "locale" not in loaded_by("point-source", "--flux", "800lm", "--distance", "2m")
 

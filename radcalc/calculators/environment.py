@@ -18,9 +18,11 @@ from radcalc.units.table import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.distributions.environments import Environment
+    from radcalc.distributions.maps.pictures import Picture
 
 UP = (0.0, 0.0, 1.0)
 SKY = "sky:"  # before the type of a sky
+OF_MAP = ("unit", "projection", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
@@ -33,10 +35,10 @@ IS_RELATIVE = (
 class Source:
     """What a user named, read once for all answers about it.
 
-    `named` is sky:TYPE, or an expression with its unit.
+    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture.
     """
 
-    def __init__(self, named: str) -> None:
+    def __init__(self, named: "str | Picture") -> None:
         self.named = named
         self.found: dict[tuple[Any, ...], Environment] = {}
 
@@ -52,11 +54,31 @@ class Source:
     def _read(self, own: Inputs, lit: light.Lit) -> "Environment":
         from radcalc.distributions import environments
 
-        if self.named.startswith(SKY):
-            return _sky(self.named.removeprefix(SKY).strip(), own, lit)
-        if own:
-            raise Unused([one.name for one in own.values()], "with an expression")
-        return environments.expression(self.named)
+        named = self.named
+        if isinstance(named, str) and named.startswith(SKY):
+            _refuse_others(own, (*OF_SKY, *SCALES), "a sky")
+            return _sky(named.removeprefix(SKY).strip().lower(), own, lit)
+        if isinstance(named, str) and not environments.is_map(named):
+            _refuse_others(own, (), "an expression")
+            return environments.expression(named)
+        _refuse_others(own, OF_MAP, "a map")
+        given = {name: one.value for name, one in own.items()}
+        return environments.of_picture(self.picture(), **given)
+
+    def picture(self) -> "Picture":
+        """The picture of a map, which is read once."""
+        from radcalc.distributions.maps.pictures import read_picture
+
+        if isinstance(self.named, str):
+            self.named = read_picture(self.named)
+        return self.named
+
+
+def _refuse_others(own: Inputs, takes: tuple[str, ...], what: str) -> None:
+    """Refuse what is about another source."""
+    others = [one.name for name, one in own.items() if name not in takes]
+    if others:
+        raise Unused(others, f"with {what}")
 
 
 def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
@@ -88,11 +110,11 @@ def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
 def environment(source: Source, given: Inputs) -> Answer:
     """What a receiver gets of its surroundings, and what they are like.
 
-    `given` are what tells how bright the sky is and where the sun, where the receiver faces, a
-    direction, and what links the kinds.
+    `given` are what tells how a map is to be read, how bright a sky is and where the sun, where the
+    receiver faces, a direction, and what links the kinds.
     """
     quantities, links, rest = sort(given)
-    takes = (*OF_SKY, *SCALES, *RECEIVER)
+    takes = (*OF_MAP, *OF_SKY, *SCALES, *RECEIVER)
     refuse_foreign(rest, takes, "an environment")
     lit = light.read_light(quantities, links)
     refuse_foreign(lit.values, takes, "an environment")
@@ -131,6 +153,10 @@ class _Surroundings:
             found["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
         shown = self._shown(found)
         ends = [value("peak-polar", peak.polar), value("peak-azimuth", peak.azimuth)]
+        if not peak.value:
+            self.notes.append("there is no light from any direction that was looked at")
+            dark = "there is no light", "a map, a sky or an expression that has some"
+            ends = [absent("peak-polar", *dark), absent("peak-azimuth", *dark)]
         values = [*shown.values["irradiance"], *shown.values["mean-radiance"]]
         values += [*shown.values["peak-radiance"], *ends]
         values += shown.values.get("radiance-toward") or [
@@ -155,8 +181,8 @@ class _Surroundings:
         shown = light.show_light(self.lit, found)
         if self.counts:
             said = (
-                f"{self.found.efficacy:g} lm in each W, as Radiance counts it "
-                f"({options(LINKS)} for others)"
+                f"a watt counts as {self.found.efficacy:g} lm, as in Radiance "
+                f"({options(LINKS)} for another light)"
             )
             return shown._replace(assumptions=(said,), notes=())
         return shown
@@ -177,7 +203,7 @@ class _Surroundings:
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
         """How the numbers follow."""
         if self.found.luminance:
-            yield Step("radiance of a pixel", self.found.luminance, "", self.found.reference)
+            yield Step("radiance of a pixel", "", self.found.luminance, self.found.reference)
         facing = ",".join(map(format_number, normal))
         yield Step(
             "irradiance of a receiver",

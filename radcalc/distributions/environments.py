@@ -1,13 +1,31 @@
 """How a user names what surrounds a place: a map, a sky or an expression."""
 
-from typing import NamedTuple
+import os
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import WORD, formula_with_unit, unseen
-from radcalc.errors import ConditionError, quote
-from radcalc.quantities.light import KINDS, light_dimension
+from radcalc.errors import ConditionError, MissingInput, mention, option, quote
+from radcalc.geometry.numerics.vectors import Vector
+from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
+from radcalc.units.table import NUMBER, Unit, resolve
 
-EXAMPLE = "sky:overcast, or 'max(cos(theta), 0) cd/m2'"
+if TYPE_CHECKING:
+    from radcalc.distributions.maps.pictures import Picture
+
+EXAMPLE = "a map (.hdr, .exr, .pfm), sky:overcast, or 'max(cos(theta), 0) cd/m2'"
+MAP = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(hdr|pic|rgbe|exr|pfm)$", re.IGNORECASE)
+# Radiance's three channels are in watts; color.h has the part of each in a brightness, and how many
+# lumens a watt of "uniform white light" over the visible spectrum has.
+RADIANCE = "Radiance, src/common/color.h"
+BRIGHTNESS = (0.265, 0.670, 0.065)
+EFFICACY = 179.0  # [lm/W]
+COLOURED = ("R", "G", "B")
+AHEAD: Vector = (1.0, 0.0, 0.0)
 RADIANCES = {light_dimension(kind, (0, 1, 1), ""): kind for kind in KINDS}
 
 
@@ -36,6 +54,11 @@ class Environment(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
+def is_map(source: str) -> bool:
+    """Whether a text names a file, which need not be there."""
+    return bool(MAP.search(source)) or os.path.exists(source)
+
+
 def expression(text: str) -> Environment:
     """An expression in theta (polar angle from +z) and phi (azimuth from +x), and its unit.
 
@@ -61,6 +84,261 @@ def expression(text: str) -> Environment:
     from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
 
     if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
-        raise ConditionError(f"'{quote(text)}' is no sky or expression", EXAMPLE)
+        raise ConditionError(f"'{quote(text)}' is no file, sky or expression", EXAMPLE)
     found = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
-    return Environment(FormulaRadiances(found), assumptions=unseen(found))
+    said = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
+    return Environment(FormulaRadiances(found), assumptions=(said, *unseen(found)))
+
+
+def of_picture(
+    picture: "Picture",
+    unit: Unit | None = None,
+    projection: str = "",
+    aim: Vector | None = None,
+    channel: str = "",
+) -> Environment:
+    """A map.
+
+    Parameters
+    ----------
+    picture : Picture
+        Its pixels, and what its file says of them.
+    unit, projection, channel : optional
+        What the user says: `unit_of`, `projection_of` and `weighted` have them.
+    aim : tuple of 3 floats, optional
+        Where in the world its middle is; +x by default.
+
+    Returns
+    -------
+    Environment
+
+    Raises
+    ------
+    ConditionError, MissingInput
+        What cannot be, or is missing, of these; and if the pixels are no map of that projection.
+    """
+    from radcalc.distributions.maps.pictures import BY_REC_709
+    from radcalc.distributions.maps.radiance_map import RadianceMap
+
+    shown = projection_of(picture, projection)
+    factor, kind, note = unit_of(picture, unit)
+    sums = weighted(picture, kind, channel)
+    pixels = RadianceMap(
+        picture.pixels, shown, aim or AHEAD, sums.weights, factor, kind, picture.frame
+    )
+    width, height = pixels.size
+    said = [f"a {shown} map of {width} x {height} pixels"]
+    said[0] += "" if aim else mention(", whose middle shows +x ({aim})")
+    said += [one for one in picture.assumptions if one != BY_REC_709]
+    notes = [*picture.notes, *([note] if note else [])]
+    if pixels.coverage < 1:
+        covered = f"{100 * pixels.coverage:.3g} % of the sphere"
+        notes.append(f"the map covers {covered}, and the rest counts as dark")
+    return Environment(
+        pixels,
+        sums.efficacy,
+        sums.formula,
+        sums.reference,
+        (*said, *([sums.said] if sums.said else [])),
+        tuple(notes),
+    )
+
+
+def picture_of(pixels: Any) -> "Picture":
+    """An array, as a picture that says nothing of itself.
+
+    Parameters
+    ----------
+    pixels : array of shape (height, width), (height, width, 1) or (height, width, 3)
+        Of NumPy or Dask; three channels are R, G and B.
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    ConditionError
+        If it has another shape.
+    """
+    from radcalc.distributions.maps.pictures import REC_709, Picture
+
+    shape = tuple(getattr(pixels, "shape", ()))
+    if len(shape) == 2:
+        pixels = pixels[:, :, None]
+    elif len(shape) != 3 or shape[2] not in (1, 3):
+        raise ConditionError(
+            f"pixels of the shape {quote(str(shape))} are no map",
+            "an array of the shape (height, width) or (height, width, 3)",
+        )
+    if len(shape) == 3 and shape[2] == 3:
+        return Picture(pixels, COLOURED, REC_709, "array")
+    return Picture(pixels, ("Y",), (1.0,), "array")
+
+
+def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
+    """In what the values of a picture are.
+
+    Parameters
+    ----------
+    picture : Picture
+        Which may say it.
+    given : Unit, optional
+        What the user says; it goes before what the picture does.
+
+    Returns
+    -------
+    factor : float
+        What they are multiplied by to be in coherent SI.
+    kind : str
+        "v", "e" or "p"; empty where they are relative.
+    note : str
+        Where the two differ, what is odd.
+
+    Raises
+    ------
+    ConditionError
+        If the unit is none of a radiance.
+    MissingInput
+        If nobody says it.
+    """
+    own = resolve(picture.unit) if picture.unit else None
+    unit = given or own
+    if unit is None:
+        raise MissingInput(
+            "the map does not say in which unit it is",
+            mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results"),
+        )
+    if unit.dimension == NUMBER:
+        if unit.factor != 1:
+            raise ConditionError(f"{_told(unit)} is no unit", mention("{unit=1}"))
+        return 1.0, "", ""
+    if unit.dimension not in RADIANCES:
+        raise ConditionError(
+            f"{_told(unit)}: a map has radiances, and that is {describe(unit)}", _radiance_for(unit)
+        )
+    note = ""
+    if given and own and (given.factor, given.dimension) != (own.factor, own.dimension):
+        note = f"the map says that it is in {quote(own.text)}, and is taken as in {given.text}"
+    return unit.factor, RADIANCES[unit.dimension], note
+
+
+def _told(unit: Unit) -> str:
+    return option("unit", quote(unit.text))
+
+
+def _radiance_for(unit: Unit) -> str:
+    """A unit of radiance in place of one of the same kind, or those that there are."""
+    reading = read_light(unit)
+    if reading is None or reading.kind not in KINDS:
+        return mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results")
+    return option("unit", light_unit("radiance", reading.kind).replace(" ", "."))
+
+
+class Weighted(NamedTuple):
+    """How radiances follow from the channels of a picture.
+
+    Attributes
+    ----------
+    weights : tuple of float [1]
+        Of each channel.
+    said, formula, reference : str
+        For an assumption and a derivation.
+    efficacy : float [lm/W]
+        What a watt of them counts; 0 where nothing says it.
+    """
+
+    weights: tuple[float, ...]
+    said: str = ""
+    formula: str = ""
+    reference: str = ""
+    efficacy: float = 0.0
+
+
+def weighted(picture: "Picture", kind: str, channel: str = "") -> Weighted:
+    """The weights of the channels: of one channel alone, or those that give a luminance.
+
+    Parameters
+    ----------
+    picture : Picture
+    kind : str
+        That of its unit; empty where it is relative.
+    channel : str, optional
+        The name of a channel, in any case.
+
+    Returns
+    -------
+    Weighted
+
+    Raises
+    ------
+    ConditionError
+        If there is no such channel.
+    MissingInput
+        If the channels of that kind have no common sum.
+    """
+    from radcalc.distributions.maps.pictures import REC_709
+
+    names = picture.channels
+    if channel:
+        lower = [name.lower() for name in names]
+        if channel.lower() not in lower:
+            raise ConditionError(
+                f"the map has no channel '{quote(channel)}'",
+                " or ".join(option("channel", quote(name)) for name in names),
+            )
+        alone = tuple(float(name == channel.lower()) for name in lower)
+        name = names[lower.index(channel.lower())]
+        return Weighted(alone, f"the channel {name} alone" if len(names) > 1 else "")
+    if len(names) == 1:
+        return Weighted((1.0,))
+    if kind in ("", LUMINOUS):
+        sums = _sum(picture.weights, names)
+        said, reference = f"the luminance is {sums}", ""
+        if picture.weights == REC_709:
+            said, reference = f"{said}, of Rec. 709's primaries", "ITU-R BT.709"
+        elif names == COLOURED:
+            said += ", of the map's primaries"
+        return Weighted(picture.weights, said, f"L = {sums}", reference)
+    if kind == RADIANT and names == COLOURED:
+        weights = BRIGHTNESS if picture.weights == REC_709 else picture.weights
+        sums = _sum(weights, names)
+        told = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
+        said = f"the radiance is {sums}, {told}"
+        return Weighted(weights, said, f"L = {sums}", RADIANCE, EFFICACY)
+    raise MissingInput(
+        f"{', '.join(names)} have no sum that is a radiance in that unit",
+        " or ".join(option("channel", name) for name in names),
+    )
+
+
+def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
+    """The weighted sum of channels, in words."""
+    return " + ".join(
+        f"{weight:.4g} {name}" for weight, name in zip(weights, names, strict=True) if weight
+    )
+
+
+def projection_of(picture: "Picture", given: str) -> str:
+    """The projection of a picture: what the user says, else the picture, else by its shape.
+
+    Raises
+    ------
+    MissingInput
+        If it is not told, and not 2:1.
+    """
+    height, width = picture.pixels.shape[:2]
+    if picture.frame:
+        width, height = picture.frame[2:]
+    if given or picture.projection:
+        return given or picture.projection
+    if width == 2 * height:
+        return LATLONG
+    round_ones = [name for name in PROJECTIONS if name != LATLONG]
+    square = width == height
+    raise MissingInput(
+        f"the map of {width} x {height} pixels may have several projections"
+        if square
+        else f"the map of {width} x {height} pixels is neither 2:1 nor square",
+        " or ".join(option("projection", name) for name in (round_ones if square else PROJECTIONS)),
+    )

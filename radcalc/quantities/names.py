@@ -226,6 +226,11 @@ LABELS = {
     "sun luminance": ("jas Slunce", "яркость Солнца"),
     "sun radiance": ("zář Slunce", "энергетическая яркость Солнца"),
     "sun photon radiance": ("fotonová zář Slunce", "яркость фотонов Солнца"),
+    "covered share of the sphere": ("pokrytá část koule", "охваченная доля сферы"),
+    "estimate of the irradiance's error": (
+        "odhad chyby ozářenosti",
+        "оценка погрешности облучённости",
+    ),
     "fall-off exponent": ("exponent poklesu", "показатель спада"),
     "fall-off distance": ("vzdálenost poklesu", "расстояние спада"),
     "maximum of the fall-off": ("maximum poklesu", "максимум спада"),
@@ -281,6 +286,7 @@ PARTS = {
     "global": ("globální {}", "суммарная {}"),
     "diffuse": ("difuzní {}", "рассеянная {}"),
     "direct": ("přímá {}", "прямая {}"),
+    "relative": ("poměrná {}", "относительная {}"),
     "sun": ("{} od Slunce", "{} от Солнца"),
 }
 

@@ -3,8 +3,13 @@
 import json
 import math
 
+import numpy
 import pytest
 from conftest import run
+
+import radcalc
+from radcalc.distributions.maps.pictures import REC_709, Picture, write_picture
+from radcalc.geometry.projections import direction_at, middle_of_pixel
 
 LIT = 9424.77796076938  # lx: pi times 3000 cd/m2
 
@@ -14,6 +19,24 @@ def asked(*words: str) -> list[float]:
     done = run("environment", *words, "-q", "--precision", "15")
     assert not done.stderr, done.stderr
     return [float(number) for number in done.stdout.split()]
+
+
+def written(path, pixels, weights=REC_709, unit=""):
+    """The path of a map's file, of one channel or of R, G and B."""
+    pixels = numpy.asarray(pixels, numpy.float32)
+    channels = ("Y",) if pixels.ndim == 2 else ("R", "G", "B")
+    pixels = pixels.reshape(*pixels.shape[:2], -1)
+    weights = weights if len(channels) == 3 else (1.0,)
+    write_picture(str(path), Picture(pixels, channels, weights, "", unit))
+    return str(path)
+
+
+def overcast(projection, width, height):
+    """An overcast sky of 9000 cd/m2 in its zenith, as an image; below the horizon it is dark."""
+    rows, columns = numpy.mgrid[:height, :width]
+    places = middle_of_pixel(width, height, columns, rows)
+    up = direction_at(projection, *places)[2]
+    return numpy.where(up > 0, 3000 * (1 + 2 * up), 0.0)  # NaN, outside of a circle, is not above
 
 
 # -- expressions ----------------------------------------------------------------------------------
@@ -76,6 +99,204 @@ def test_a_number_is_checked():
     done = run("environment", "3000*max(cos(theta), 0) cd/m2", "--check", "illuminance=6283lx")
     assert done.returncode == 0
     assert done.stdout.startswith("right")
+
+
+# -- maps -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "shape", "projection"),
+    [
+        ("around.exr", (128, 256), ()),
+        ("around.pfm", (128, 256), ("--projection", "latlong")),
+        ("around.exr", (256, 256), ("--projection", "mirror-ball")),
+        ("around.pfm", (256, 256), ("--projection", "angular")),
+    ],
+)
+@pytest.mark.parametrize("normal", ["0,0,1", "3,-1,-2"])
+def test_a_constant_map_gives_pi_of_it_in_every_projection(
+    tmp_path, name, shape, projection, normal
+):
+    path = written(tmp_path / name, numpy.full(shape, 3000.0))
+    words = [path, *projection, "--unit", "cd/m2", "--normal", normal]
+    found = asked(*words, "-g", "irradiance:lx", "-g", "mean-radiance", "-g", "coverage")
+    assert found == pytest.approx([LIT, 3000, 1], rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("projection", "shape"),
+    [("latlong", (256, 512)), ("mirror-ball", (512, 512)), ("angular", (512, 512))],
+)
+def test_an_overcast_sky_is_the_same_in_every_projection(tmp_path, projection, shape):
+    """7 pi Lz/9 on the ground, 0.39618 of it on a wall, half of that mean: by its closed forms."""
+    height, width = shape
+    path = written(tmp_path / "sky.pfm", overcast(projection, width, height))
+    words = [path, "--projection", projection, "--unit", "cd/m2", "--toward", "0deg"]
+    up = asked(*words, "-g", "irradiance:lx", "-g", "mean-radiance", "-g", "radiance-toward")
+    assert up == pytest.approx([7000 * math.pi, 3000, 9000], rel=2e-3)
+    (wall,) = asked(*words, "--normal", "0,-1,0", "-g", "irradiance:lx")
+    assert wall == pytest.approx(0.39618 * up[0], rel=2e-3)
+
+
+def test_the_middle_of_a_map_is_where_it_is_aimed(tmp_path):
+    """A bright pixel left of the middle is towards +y, or left of the aim; in a ball right."""
+    pixels = numpy.zeros((32, 64))
+    pixels[15:17, 15:17] = 1.0
+    path = written(tmp_path / "left.pfm", pixels)
+    names = ("-g", "peak-polar:deg", "-g", "peak-azimuth:deg")
+    near = {"abs": 4}  # of the middle of a pixel beside the place
+    assert asked(path, "--unit", "1", *names) == pytest.approx([90, 90], **near)
+    aimed = asked(path, "--unit", "1", "--aim", "0,1,0", *names)
+    assert aimed == pytest.approx([90, 180], **near)
+    ball = numpy.zeros((65, 65))
+    ball[32, 32 + 23] = 1.0  # u of 23 (2/65), about sin(45 deg), at which the view is turned by 90
+    path = written(tmp_path / "ball.pfm", ball)
+    words = [path, "--unit", "1", "--projection", "mirror-ball"]
+    assert asked(*words, *names) == pytest.approx([90, 90], **near)
+    assert asked(*words, "--aim", "-1,0,0", *names) == pytest.approx([90, 270], **near)
+
+
+def test_the_luminance_of_colours_is_by_their_primaries(tmp_path):
+    """Of Rec. 709 in cd/m2; of Radiance's in W/m2/sr, which counts 179 lm in a watt."""
+    colours = numpy.full((16, 32, 3), [1.0, 2.0, 3.0])
+    path = written(tmp_path / "colours.pfm", colours)
+    luminance = 0.2126 + 2 * 0.7152 + 3 * 0.0722
+    brightness = 0.265 + 2 * 0.670 + 3 * 0.065
+    assert asked(path, "--unit", "kcd/m2", "-g", "mean-radiance:cd/m2") == (
+        pytest.approx([1000 * luminance])
+    )
+    assert asked(path, "--unit", "1", "-g", "mean-radiance") == pytest.approx([luminance])
+    words = [path, "--unit", "W/m2/sr"]
+    found = asked(
+        *words, "-g", "mean-radiance", "-g", "mean-luminance:cd/m2", "-g", "illuminance:lx"
+    )
+    assert found == pytest.approx([brightness, 179 * brightness, 179 * math.pi * brightness])
+    assert "179 lm" in run("environment", *words).stderr
+    given = [*words, "--efficacy", "100lm/W"]
+    assert asked(*given, "-g", "mean-luminance:cd/m2") == pytest.approx([100 * brightness])
+    assert "179 lm" not in run("environment", *given).stderr
+    assert asked(*words, "--channel", "b", "-g", "mean-radiance") == pytest.approx([3])
+    own = written(tmp_path / "own.exr", colours, weights=(0.5, 0.25, 0.25))
+    assert asked(own, "--unit", "cd/m2", "-g", "mean-radiance") == pytest.approx([1.75])
+    assert asked(own, "--unit", "W/m2/sr", "-g", "mean-luminance") == pytest.approx([1.75 * 179])
+
+
+def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
+    ones = numpy.ones((16, 32))
+    said = written(tmp_path / "said.exr", ones, unit="cd/m2")
+    assert asked(said, "-g", "irradiance:lx") == pytest.approx([math.pi])
+    done = run("environment", said, "--unit", "W/m2/sr", "-g", "irradiance:W/m2")
+    assert float(done.stdout) == pytest.approx(math.pi)
+    assert "says that it is in cd/m2" in done.stderr
+    assert asked(said, "--unit", "umol/m2/s/sr", "-g", "irradiance:umol/m2/s") == (
+        pytest.approx([math.pi])
+    )
+
+
+def test_a_map_is_read_once_for_a_list_of_directions(tmp_path):
+    path = written(tmp_path / "sky.pfm", overcast("latlong", 64, 32))
+    found = asked(path, "--unit", "cd/m2", "--toward", "0deg:180deg:90deg", "-g", "radiance-toward")
+    assert found == pytest.approx([9000, 0, 0], rel=0.01)
+
+
+def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
+    path = written(tmp_path / "grey.pfm", numpy.ones((16, 32, 3)))
+    done = run("environment", path, "--unit", "W/m2/sr", "--steps", "-q")
+    assert "L = 0.265 R + 0.67 G + 0.065 B" in done.stderr
+    assert "color.h" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("shape", "words", "message", "hint"),
+    [
+        ((16, 32), "", "does not say in which unit", "--unit cd/m2, --unit W/m2/sr, or --unit 1"),
+        ((16, 32), "--unit lx", "a map has radiances, and that is illuminance", "--unit cd/m2"),
+        ((16, 32), "--unit W/m2", "that is irradiance (W/m2)", "--unit W/m2/sr"),
+        ((16, 32), "--unit umol/m2/s", "photon irradiance", "--unit umol/m2/s/sr"),
+        ((16, 32), "--unit m", "that is length", "--unit cd/m2"),
+        ((16, 32), "--unit 3", "has a number in it", ""),
+        ((16, 16), "--unit 1", "may have several", "--projection mirror-ball or"),
+        ((16, 20), "--unit 1", "neither 2:1 nor square", "--projection latlong or"),
+        ((16, 16), "--unit 1 --projection latlong", "no latlong map", "twice as wide"),
+        ((16, 32), "--unit 1 --projection angular", "no angular map", "square"),
+        ((16, 32), "--unit 1 --channel R", "no channel 'R'", "--channel Y"),
+        ((16, 32, 3), "--unit umol/m2/s/sr", "R, G, B have no sum", "--channel R or --channel G"),
+        ((16, 32), "--unit 1 --sun-elevation 9deg", "--sun-elevation has no use with a map", ""),
+        ((16, 32), "--unit 1 --spectrum D65", "--spectrum has no use with relative", ""),
+        ((16, 32), "--unit 1 --aim 0,0,0", "--aim '0,0,0'", ""),
+        ((1, 1), "--unit 1 --projection angular", "too few", "4 rows or more"),
+    ],
+)
+def test_what_a_map_lacks_is_asked_for(tmp_path, shape, words, message, hint):
+    path = written(tmp_path / "ones.pfm", numpy.ones(shape))
+    done = run("environment", path, *words.split())
+    assert (done.returncode, done.stdout) == (2, "")
+    said, told = done.stderr.splitlines()
+    assert message in said
+    assert told.startswith("try: ")
+    assert hint in told
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (b"", "is empty"),
+        (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"),
+        (b"\x89PNG\r\n\x1a\n", "PNG"),
+        (b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n\x02\x02", "environment.hdr"),
+        (b"PF\n65536 32768\n-1\n" + bytes(10), "more than"),
+        (
+            b"Pf\n8 4\n-1\n" + b"\0\0\x80\xbf" * 32,
+            "column 0 of row 0, from 0 at the top left, is -1",
+        ),
+        (b"Pf\n8 4\n-1\n" + b"\0\0\xc0\x7f" * 32, "nan"),
+    ],
+)
+def test_a_file_that_is_no_map_is_refused_in_two_lines(tmp_path, data, message):
+    path = tmp_path / "environment.hdr"
+    path.write_bytes(data)
+    done = run("environment", str(path), "--unit", "1")
+    assert (done.returncode, done.stdout) == (2, "")
+    said, told = done.stderr.splitlines()
+    assert message in said
+    assert told.startswith("try: ")
+
+
+# -- arrays ---------------------------------------------------------------------------------------
+
+
+def test_arrays_are_maps_of_numpy_and_of_dask():
+    import dask.array
+
+    pixels = numpy.random.default_rng(1).uniform(0, 5, (64, 128, 3))
+    whole = radcalc.environment(pixels, unit="cd/m2", normal=(1, 1, 1))
+    parts = dask.array.from_array(pixels, chunks=(10, 128, 3))
+    again = radcalc.environment(parts, unit="cd/m2", normal=(1, 1, 1))
+    assert again["irradiance"].to("lx").m == pytest.approx(
+        whole["irradiance"].to("lx").m, rel=1e-12
+    )
+    own = radcalc.environment(radcalc.Quantity(pixels, "kcd/m2"), normal=(1, 1, 1))
+    assert own["irradiance"].to("klx").m == pytest.approx(whole["irradiance"].to("lx").m)
+    grey = radcalc.environment(numpy.full((8, 16), 2.0), unit="1")
+    assert grey["irradiance"].units == radcalc.Quantity(1, "sr").units
+
+
+@pytest.mark.parametrize(
+    ("source", "given", "message"),
+    [
+        (numpy.ones((16, 32)), {}, "does not say in which unit"),
+        (numpy.ones((16, 32, 4)), {"unit": "1"}, "are no map"),
+        (7, {"unit": "1"}, "are no map"),
+        (numpy.ones((16, 16)), {"unit": "1"}, "may have several projections"),
+        (radcalc.Quantity(numpy.ones((16, 32)), "lx"), {}, "a map has radiances"),
+        (radcalc.Quantity(numpy.ones((16, 32)), "cd/m2"), {"unit": "cd/m2"}, "has its own"),
+        (numpy.full((16, 32), -1.0), {"unit": "1"}, "column 0 of row 0"),
+        ("sky:5", {"zenith_luminance": radcalc.Quantity([1.0, 2.0], "cd/m2")}, "is an array"),
+    ],
+)
+def test_what_is_no_map_is_refused(source, given, message):
+    with pytest.raises(radcalc.errors.RadcalcError, match=message):
+        radcalc.environment(source, **given)
 
 
 # -- skies ----------------------------------------------------------------------------------------
