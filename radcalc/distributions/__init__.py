@@ -6,7 +6,7 @@
 - `grid`: a table of angles and intensities
 - `photometry`: what a file says of a luminaire, with its table
 - `sources`: what a user names, a file or an expression, as one of these
-- `files`, `ies`, `eulumdat`, `tables`: files, by format
+- `files`, `ies` (with `ies_numbers`), `eulumdat`, `tables`: files, by format
 - `contents`: what a file holds, read safely
 - `planes`, `headings`: what tables of half planes share; what the titles over a table say
 - `beams`: beam angles and field angles in a plane through the axis

@@ -16,21 +16,19 @@ Horizontal angles of types A and B are counted clockwise.
 """
 
 import re
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple, NoReturn
 
 import numpy
 
-from radcalc.columns import is_number
 from radcalc.distributions.grid import Grid
+from radcalc.distributions.ies_numbers import Numbers, error_of
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 
 NEAR = 0.01  # [deg] by which an angle is taken for another
-LARGEST = 1e18  # of any number, so that products of them can be held
 # kind of light and SI value of the units that intensities are met in
 UNITS = {
     "cd": ("v", 1.0),
@@ -40,7 +38,6 @@ UNITS = {
     "uw/sr": ("e", 1e-6),
 }
 UNITS_ARE = "_INTENSITYUNITS"  # the keyword
-END_IN_DOS = "\x1a"  # of a file
 YEARS = (1986, 1991, 1995, 2002, 2019)
 EDITIONS = {text: year for year in YEARS for text in (str(year), str(year)[2:])}
 SYSTEMS = {1: "C", 2: "B", 3: "A"}
@@ -89,7 +86,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     """
     label = _Label(lines, name)
     kind, unit, assumptions = _unit(label)
-    numbers = _Numbers(lines, label.end, name)
+    numbers = Numbers(lines, label.end, name)
     if label.tilt != "NONE":
         assumptions.append(_tilt(label.tilt, numbers))
     header = _header(numbers, label.edition, assumptions)
@@ -160,11 +157,7 @@ class _Label:
             self.title = "" if self.keywords or _TAG.search(first) else first.strip()
 
     def error(self, line: int, problem: str, hint: str) -> ConditionError:
-        return _error(self.name, line, problem, hint)
-
-
-def _error(name: str, line: int, problem: str, hint: str) -> ConditionError:
-    return ConditionError(f"{name}, line {line}: {problem}", hint)
+        return error_of(self.name, line, problem, hint)
 
 
 def _unit(label: _Label) -> tuple[str, float, list[str]]:
@@ -195,105 +188,7 @@ def _unit(label: _Label) -> tuple[str, float, list[str]]:
     return *meant, [f"intensities in {quote(spelled.pop())}, by {where}"]
 
 
-class _Numbers:
-    """The numbers behind the label, in order, and the lines they stand in."""
-
-    def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
-        self.name = name
-        self.start = start
-        values: list[float] = []
-        self.ends: list[int] = []  # how many numbers there are up to the end of each line
-        self.place = 0
-        body = list(lines[start:])
-        while body and body[-1].strip(f" \t\r\n{END_IN_DOS}").upper() in ("", "END"):
-            body.pop()
-        if body:
-            body[-1] = body[-1].rstrip(f"\r\n{END_IN_DOS}")
-        for number, line in enumerate(body, start + 1):
-            values += self.numbers(line, number)
-            self.ends.append(len(values))
-        self.values = numpy.array(values)
-        are_sound = numpy.abs(self.values) < LARGEST
-        if not are_sound.all():
-            place = int(numpy.argmin(are_sound))
-            problem = f"{self.values[place]:g} is no number below {LARGEST:g}"
-            raise self.error(place, problem, "a finite number")
-
-    def numbers(self, line: str, number: int) -> list[float]:
-        """Those of a line; float() reads more than numbers in ASCII."""
-        if line.isascii() and "_" not in line and "," not in line:
-            try:
-                return list(map(float, line.split()))
-            except ValueError:
-                pass
-        words = line.split()
-        if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
-            raise _error(
-                self.name, number, "a decimal comma", "decimal points: commas separate numbers"
-            )
-        if re.search(r",\s*,", line):
-            raise _error(self.name, number, "nothing between two commas", "a number")
-        words = " ".join(words).replace(",", " ").split()
-        for word in words:
-            if not is_number(word, False):
-                raise _error(
-                    self.name,
-                    number,
-                    f"'{quote(word)}' is not a number",
-                    "numbers alone behind TILT",
-                )
-        return list(map(float, words))
-
-    def error(self, place: int, problem: str, hint: str) -> ConditionError:
-        """The error of the number in a place."""
-        line = bisect_right(self.ends, min(place, len(self.values) - 1))
-        return _error(self.name, self.start + line + (1 if len(self.values) else 0), problem, hint)
-
-    def take(self, count: int) -> Any:
-        """The next numbers, of which there are enough."""
-        self.place += count
-        return self.values[self.place - count : self.place]
-
-    def one(self) -> float:
-        return float(self.take(1)[0])
-
-    def left(self) -> int:
-        return len(self.values) - self.place
-
-    def whole(self, what: str, least: int) -> int:
-        """The next number, which counts."""
-        value = self.one()
-        if value != int(value) or value < least:
-            raise self.error(
-                self.place - 1, f"the {what} is {value:g}", f"a whole number, {least} or more"
-            )
-        return int(value)
-
-    def one_of(self, what: str, codes: dict[int, str]) -> int:
-        """The next number, which stands for something."""
-        value = self.one()
-        if value not in codes:
-            meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
-            raise self.error(self.place - 1, f"the {what} is {value:g}", f"one of: {meanings}")
-        return int(value)
-
-    def factor(self, what: str) -> float:
-        """The next number, which multiplies."""
-        value = self.one()
-        if value <= 0:
-            raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")
-        return value
-
-    def need(self, count: int, what: str) -> None:
-        if self.left() < count:
-            raise self.error(
-                len(self.values),
-                f"the file ends after {self.left()} of {what}",
-                f"{count} numbers, and what follows them",
-            )
-
-
-def _tilt(tilt: str, numbers: _Numbers) -> str:
+def _tilt(tilt: str, numbers: Numbers) -> str:
     """Read past the factors of a tilted lamp, and say that they are not applied."""
     if tilt != "INCLUDE":
         return f"the lamp burns as it was measured: its factors in {quote(tilt)} are not applied"
@@ -321,7 +216,7 @@ class _Header(NamedTuple):
     size: float  # [m] the longest of width, length and height
 
 
-def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
+def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
     """Read the thirteen numbers, and hold the counts against what follows."""
     numbers.need(13, "the 13 numbers of the lamps and the table")
     lumens = numbers.whole("number of lamps", 0) * numbers.one()
@@ -341,7 +236,7 @@ def _header(numbers: _Numbers, edition: int, assumptions: list[str]) -> _Header:
     return _Header(lumens, factor, vertical, horizontal, system, watts, size)
 
 
-def _ballast_lamp_factor(numbers: _Numbers, edition: int, assumptions: list[str]) -> float:
+def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str]) -> float:
     """The factor of 1986 and 1991; later editions have no factor in its place."""
     if edition in (1986, 1991):
         value = numbers.factor("ballast-lamp factor")
@@ -358,7 +253,7 @@ def _ballast_lamp_factor(numbers: _Numbers, edition: int, assumptions: list[str]
     return 1.0
 
 
-def _check_counts(numbers: _Numbers, vertical: int, horizontal: int) -> None:
+def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
     """Refuse numbers that are fewer or more than the table has by its counts of angles.
 
     Records end with a line, so that the first that does not is wrong.
@@ -391,7 +286,7 @@ def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
         yield vertical, f"the {vertical} intensities of plane {plane}"
 
 
-def _angles(numbers: _Numbers, what: str, count: int) -> Any:
+def _angles(numbers: Numbers, what: str, count: int) -> Any:
     """The next angles [deg], which rise; those near right angles are right ones."""
     start = numbers.place
     angles = numbers.take(count)
@@ -407,7 +302,7 @@ def _angles(numbers: _Numbers, what: str, count: int) -> Any:
 class _Table:
     """Intensities at horizontal and vertical angles [deg], and what is said of them."""
 
-    def __init__(self, numbers: _Numbers, vertical: Any, horizontal: Any) -> None:
+    def __init__(self, numbers: Numbers, vertical: Any, horizontal: Any) -> None:
         self.numbers, self.start = numbers, numbers.place
         self.vertical, self.horizontal = vertical, horizontal
         shape = len(horizontal), len(vertical)

@@ -1,0 +1,119 @@
+"""The numbers of a file of IES LM-63, which follow its label: one by one, with their lines."""
+
+import re
+from bisect import bisect_right
+from collections.abc import Sequence
+from typing import Any
+
+import numpy
+
+from radcalc.columns import is_number
+from radcalc.errors import ConditionError, quote
+
+LARGEST = 1e18  # of any number, so that products of them can be held
+END_IN_DOS = "\x1a"  # of a file
+
+
+def error_of(name: str, line: int, problem: str, hint: str) -> ConditionError:
+    """The error of a line of a file."""
+    return ConditionError(f"{name}, line {line}: {problem}", hint)
+
+
+class Numbers:
+    """The numbers behind the label, in order, and the lines they stand in."""
+
+    def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
+        self.name = name
+        self.start = start
+        values: list[float] = []
+        self.ends: list[int] = []  # how many numbers there are up to the end of each line
+        self.place = 0
+        body = list(lines[start:])
+        while body and body[-1].strip(f" \t\r\n{END_IN_DOS}").upper() in ("", "END"):
+            body.pop()
+        if body:
+            body[-1] = body[-1].rstrip(f"\r\n{END_IN_DOS}")
+        for number, line in enumerate(body, start + 1):
+            values += self.numbers(line, number)
+            self.ends.append(len(values))
+        self.values = numpy.array(values)
+        are_sound = numpy.abs(self.values) < LARGEST
+        if not are_sound.all():
+            place = int(numpy.argmin(are_sound))
+            problem = f"{self.values[place]:g} is no number below {LARGEST:g}"
+            raise self.error(place, problem, "a finite number")
+
+    def numbers(self, line: str, number: int) -> list[float]:
+        """Those of a line; float() reads more than numbers in ASCII."""
+        if line.isascii() and "_" not in line and "," not in line:
+            try:
+                return list(map(float, line.split()))
+            except ValueError:
+                pass
+        words = line.split()
+        if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
+            raise error_of(
+                self.name, number, "a decimal comma", "decimal points: commas separate numbers"
+            )
+        if re.search(r",\s*,", line):
+            raise error_of(self.name, number, "nothing between two commas", "a number")
+        words = " ".join(words).replace(",", " ").split()
+        for word in words:
+            if not is_number(word, False):
+                raise error_of(
+                    self.name,
+                    number,
+                    f"'{quote(word)}' is not a number",
+                    "numbers alone behind TILT",
+                )
+        return list(map(float, words))
+
+    def error(self, place: int, problem: str, hint: str) -> ConditionError:
+        """The error of the number in a place."""
+        line = bisect_right(self.ends, min(place, len(self.values) - 1))
+        return error_of(
+            self.name, self.start + line + (1 if len(self.values) else 0), problem, hint
+        )
+
+    def take(self, count: int) -> Any:
+        """The next numbers, of which there are enough."""
+        self.place += count
+        return self.values[self.place - count : self.place]
+
+    def one(self) -> float:
+        return float(self.take(1)[0])
+
+    def left(self) -> int:
+        return len(self.values) - self.place
+
+    def whole(self, what: str, least: int) -> int:
+        """The next number, which counts."""
+        value = self.one()
+        if value != int(value) or value < least:
+            raise self.error(
+                self.place - 1, f"the {what} is {value:g}", f"a whole number, {least} or more"
+            )
+        return int(value)
+
+    def one_of(self, what: str, codes: dict[int, str]) -> int:
+        """The next number, which stands for something."""
+        value = self.one()
+        if value not in codes:
+            meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
+            raise self.error(self.place - 1, f"the {what} is {value:g}", f"one of: {meanings}")
+        return int(value)
+
+    def factor(self, what: str) -> float:
+        """The next number, which multiplies."""
+        value = self.one()
+        if value <= 0:
+            raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")
+        return value
+
+    def need(self, count: int, what: str) -> None:
+        if self.left() < count:
+            raise self.error(
+                len(self.values),
+                f"the file ends after {self.left()} of {what}",
+                f"{count} numbers, and what follows them",
+            )
