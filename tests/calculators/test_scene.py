@@ -68,6 +68,9 @@ def test_the_sum_is_that_of_point_source_for_each(tmp_path):
             "x,y,z,direction_x,direction_y,direction_z,exponent,intensity\n2,0,2,-1,0,-1,5,100cd\n",
             100 / 8 / math.sqrt(2),
         ),
+        # tabs, and a blank cell at the end
+        ("x\ty\tz\tintensity\texponent\n0\t0\t2\t100cd\t\n", 25),
+        ("x\ty\tz\tintensity\texponent\r\n0\t0\t2\t100cd\t\r\n \r\n\x1a", 25),
         # an expression, which is scaled, quoted where it has a comma
         ('x,y,z,distribution,intensity\n0,0,2,"max(z, 0)",100cd\n', 25),
         ("x,y,z,distribution\n0,0,2,50*(1 + z) cd\n", 25),
