@@ -20,6 +20,7 @@ from radcalc.maths import Number, in_chunks
 TURN = 2 * math.pi
 SLACK = 1e-9  # [rad] beyond the ends of a table, where rounding leads
 SEAM = 0.02  # of the peak: what two values of one direction may differ by
+NARROW = 0.1  # [rad] half a cell: up to there four terms of a series are exact
 MANY = 9  # azimuths of which half still tell the shape
 ACCURACY = 1e-4  # [1] of the flux through a part that cuts across a table's cells
 # Which of the source's coordinates x, y, z are those of the table: its azimuth is counted from the
@@ -284,8 +285,11 @@ def _even(middle: Any, half: Any) -> Any:
 
 def _sine(middle: Any, half: Any) -> Any:
     """Of a linear function times the sine: A, and B without the width."""
-    sine = numpy.sin(half)
-    return 2 * numpy.sin(middle) * sine, 2 * numpy.cos(middle) * (sine - half * numpy.cos(half))
+    sine, square = numpy.sin(half), half * half
+    # sin(h) - h cos(h), of narrow cells by its series: the difference loses digits
+    series = half * square * (1 / 3 - square * (1 / 30 - square * (1 / 840 - square / 45360)))
+    rest = numpy.where(half < NARROW, series, sine - half * numpy.cos(half))
+    return 2 * numpy.sin(middle) * sine, 2 * numpy.cos(middle) * rest
 
 
 def _zonal(middle: Any, half: Any) -> Any:

@@ -56,6 +56,17 @@ def test_a_sphere_and_its_parts(system, planes):
     assert lamp.intensity(2.0, 1.0) == pytest.approx(7.0, rel=1e-15)
 
 
+@pytest.mark.parametrize("width", [1e-7, 2e-4, 0.05, 0.19, 0.21, 1.0])
+def test_a_narrow_table_is_exact(width):
+    """A straight fall to 0, integrated by mpmath: cosines of near angles differ by few digits."""
+    with mpmath.workdps(50):
+        w = mpmath.mpf(width)
+        true = 2 * mpmath.pi * (1 - mpmath.sin(w) / w)  # of (1 - theta/w) sin(theta)
+    assert Grid([0.0, width], [0.0], [[1.0, 0.0]]).flux().value == pytest.approx(
+        float(true), rel=2e-14
+    )
+
+
 def test_a_part_between_angles_is_exact():
     """The integral of a bilinear table over a part, by mpmath, piece by piece."""
     polar, azimuth = [0.1, 0.5, 1.2, 2.0], [0.2, 1.0, 3.0]
