@@ -42,7 +42,7 @@ from radcalc.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import CONICAL, LAWS, LOBED, OFFSET
-from radcalc.laws.solver import reached
+from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, hypot, is_array
 from radcalc.quantities.light import LUMINOUS
@@ -166,7 +166,10 @@ class _Luminaire:
         known = dict(self.sheet.known)
         if "peak-intensity" in known:
             known.setdefault("intensity", known["peak-intensity"])
-        found = follow(LAWS[shape], known).values
+        try:
+            found = follow(LAWS[shape], known).values
+        except Disagreement as error:
+            raise self.sheet.contradiction(error, {}) from None
         if name not in found:
             raise MissingInput(f"how wide the {shape} is, is missing", options(SHAPED[shape]))
         width = found[name].value

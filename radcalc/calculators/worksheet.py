@@ -179,7 +179,7 @@ class Worksheet:
             self.solutions = solve_all(laws, self.known, steps)
             self.solution = self.solutions[0]
         except Disagreement as error:
-            raise self._contradiction(error, steps or {}) from None
+            raise self.contradiction(error, steps or {}) from None
 
     def each(self) -> Iterator["Worksheet"]:
         """Give a sheet for each set of values that fits what is given."""
@@ -297,7 +297,7 @@ class Worksheet:
             )
         return rows
 
-    def _contradiction(self, error: Disagreement, steps: dict[str, float]) -> ConditionError:
+    def contradiction(self, error: Disagreement, steps: dict[str, float]) -> ConditionError:
         """Both values, with their unit, and the ratio."""
         everything = self._quantities()
         names = [one.name for one in everything.values()]

@@ -358,6 +358,10 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "1 cd", "illuminance": "3lx", "offset": "9m"}, "no height gives just"),
         ({"distribution": "1 cd", "offset": "9m"}, "height is missing beside offset"),
         ({"distribution": "lamp.ies"}, "there is no file 'lamp.ies'"),
+        (
+            {"exponent": "1", "beam-angle": "30deg", "peak-intensity": "9cd"},
+            "contradicts the rest, which gives 19.9937",
+        ),
         ({"distribution": "9*(theta < 0) cd", "distance": "1m"}, "looked at; peaks narrower than"),
         ({"distribution": "cone", "aim": "1,0,0", "flux": "1lm"}, "how wide the cone is"),
         ({"distribution": "1 cd", "aim": "0,0,0", "height": "1m"}, "aim '0,0,0' has no direction"),
