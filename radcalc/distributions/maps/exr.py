@@ -42,6 +42,8 @@ XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B
 LATLONG, CUBE = 0, 1  # of envmap
 # Attributes that radcalc writes for itself; other programs pass over them.
 UNIT, WEIGHTS = "radcalcUnit", "radcalcWeights"
+ASCII = bytes(range(128)) + b"?" * 128  # of each byte
+_Places = dict[str, tuple[str, slice]]  # type and place of the value of each attribute
 
 
 def read(data: bytes, name: str) -> Picture:
@@ -84,7 +86,7 @@ def read(data: bytes, name: str) -> Picture:
     number, channels = _main(parts, name)
     part = parts[number]
     _check_place(part, name)
-    planes = _planes(data, len(parts), number, channels, name)
+    planes = _planes(data, parts, number, channels, name)
     pixels = np.empty((part.height, part.width, len(channels)), np.float32)
     for k, channel in enumerate(channels):
         pixels[..., k] = planes[channel]
@@ -192,8 +194,10 @@ def library() -> Any:
 class _Part:
     """What the header of a part says; a ValueError or a KeyError where it is none."""
 
-    def __init__(self, attributes: dict[str, bytes], is_tiled: bool) -> None:
+    def __init__(self, data: bytes, places: _Places, is_tiled: bool) -> None:
+        attributes = {name: data[place] for name, (_, place) in places.items()}
         self._attributes = attributes
+        self.texts = [place for kind, place in places.values() if kind == "string"]
         self.label = attributes.get("name", b"").decode("utf-8", "replace")
         kind = attributes.get("type", b"tiledimage" if is_tiled else b"scanlineimage")
         self.is_deep = kind.startswith(b"deep")
@@ -233,8 +237,9 @@ class _Part:
         )
 
     def samples(self) -> int:
-        """How many there are of all channels; of subsampled ones, those that they stand for."""
-        return self.width * self.height * len(self.channels)
+        """How many there are of all channels."""
+        pixels = self.width * self.height
+        return sum(pixels // max(1, across * down) for across, down in self.channels.values())
 
     def chunks(self) -> int:
         """How many there are of the full level, whose chunks come first in the table."""
@@ -255,7 +260,7 @@ def _parts(data: bytes, name: str) -> list[_Part]:
     try:
         (flags,) = struct.unpack_from("<I", data, 4)
         headers, place = _headers(data, bool(flags & SEVERAL_PARTS))
-        parts = [_Part(attributes, bool(flags & TILED)) for attributes in headers]
+        parts = [_Part(data, places, bool(flags & TILED)) for places in headers]
     except (ValueError, struct.error):
         raise _damaged(name, "its header ends early") from None
     except KeyError as error:
@@ -281,29 +286,29 @@ def _parts(data: bytes, name: str) -> list[_Part]:
     return parts
 
 
-def _headers(data: bytes, several: bool) -> tuple[list[dict[str, bytes]], int]:
-    """The attributes of each part, and where the tables begin."""
-    place, headers = 8, list[dict[str, bytes]]()
+def _headers(data: bytes, several: bool) -> tuple[list[_Places], int]:
+    """Where the attributes of each part stand, and where the tables begin."""
+    place, headers = 8, list[_Places]()
     while True:
-        attributes, place = _attributes(data, place)
-        if several and not attributes:
+        places, place = _attributes(data, place)
+        if several and not places:
             return headers, place
-        headers.append(attributes)
+        headers.append(places)
         if not several:
             return headers, place
 
 
-def _attributes(data: bytes, place: int) -> tuple[dict[str, bytes], int]:
-    """The attributes of one part by name, and where they end."""
-    found = {}
+def _attributes(data: bytes, place: int) -> tuple[_Places, int]:
+    """Where the attributes of one part stand, and where they end."""
+    found: _Places = {}
     while data[place : place + 1] != b"\0":
         label, place = _text(data, place)
-        _, place = _text(data, place)
+        kind, place = _text(data, place)
         (size,) = struct.unpack_from("<i", data, place)
         place += 4
         if not 0 <= size <= len(data) - place:
             raise ValueError
-        found[label] = data[place : place + size]
+        found[label] = kind, slice(place, place + size)
         place += size
     return found, place + 1
 
@@ -390,16 +395,33 @@ def _check_place(part: _Part, name: str) -> None:
         )
 
 
+def _with_utf8(data: bytes, parts: Sequence[_Part]) -> bytes:
+    """A file with ? in those of its texts that are not UTF-8, which the library refuses."""
+    places = [place for part in parts for place in part.texts]
+    wrong = [place for place in places if not _is_utf8(data[place])]
+    if not wrong:
+        return data
+    mended = bytearray(data)
+    for place in wrong:
+        mended[place] = data[place].translate(ASCII)
+    return bytes(mended)
+
+
+def _is_utf8(text: bytes) -> bool:
+    return text.decode("utf-8", "ignore").encode() == text
+
+
 def _planes(
-    data: bytes, parts: int, number: int, channels: Sequence[str], name: str
+    data: bytes, parts: Sequence[_Part], number: int, channels: Sequence[str], name: str
 ) -> dict[str, Any]:
     """The pixels of the channels of a part, and of its alpha if there is one."""
     openexr = library()
     with _caught() as said:
         try:
-            file = openexr.File(io.BytesIO(data), separate_channels=True)
+            whole = io.BytesIO(_with_utf8(data, parts))
+            file = openexr.File(whole, separate_channels=True)
             # it leaves a part out of which it cannot decode a chunk
-            if len(file.parts) == parts:
+            if len(file.parts) == len(parts):
                 found = file.parts[number].channels
                 return {key: found[key].pixels for key in (*channels, "A") if key in found}
         except Exception as error:  # of many classes, by what is damaged

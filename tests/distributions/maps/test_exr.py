@@ -241,6 +241,12 @@ def first_table(data, parts):
     return place + (parts > 1)
 
 
+def test_a_text_need_not_be_utf_8():
+    """Which the package refuses; an owner's name in Latin-1 says nothing of the pixels."""
+    data = made(planes(colours()), owner="J. Muller").replace(b"J. Muller", b"J. M\xfcller")
+    assert (exr.read(data, "sky.exr").pixels == colours()).all()
+
+
 def test_a_deep_picture_is_refused():
     samples = np.empty((2, 2), object)
     for place in np.ndindex(2, 2):
