@@ -136,7 +136,8 @@ class RadianceMap:
 
     def luminances(self, first: int, last: int) -> Any:
         """Weighted sums of the channels, of a single channel; else the same as of `channels`."""
-        return (self._inside(first, last) @ self._weights)[..., None]
+        with numpy.errstate(invalid="ignore"):  # NaN and infinity, which are refused then
+            return (self._inside(first, last) @ self._weights)[..., None]
 
     def _inside(self, first: int, last: int) -> Any:
         """Pixels as they are, but for those of which nothing is in the circle."""

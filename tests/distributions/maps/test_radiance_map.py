@@ -268,6 +268,14 @@ def test_dask_arrays():
     assert (around.irradiances(TILTS, True) == same.irradiances(TILTS, True)).all()
 
 
+def test_a_signalling_nan_is_refused_without_a_warning():
+    """As a half float is widened to, and of which NumPy warns when it computes."""
+    pixels = numpy.ones((4, 8, 3), numpy.float32)
+    pixels.view(numpy.uint32)[1, 2, 1] = 0x7F800001
+    with pytest.raises(ConditionError, match=r"column 2 of row 1, .* is nan"):
+        RadianceMap(pixels, "latlong", weights=(0.2, 0.7, 0.1))
+
+
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, -1e-30])
 def test_pixels_that_are_no_radiances(bad):
     values = numpy.ones((64, 128, 3), numpy.float32)
