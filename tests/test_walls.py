@@ -230,6 +230,8 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
         ("point-source", "--flux", "800lm", "--distance", "2m"),
         ("point-source", "--beam-angle", "30deg"),
         ("uberlight", "0,0,4", "--intensity", "100cd"),
+        ("sky", "overcast", "--zenith-luminance", "9000cd/m2", "--tilt", "90deg"),
+        ("sky", "clear", "--sun-elevation", "40deg", "--horizontal-illuminance", "12klx"),
         ("convert", "1", "W/sr", "W", "--area", "20mm2", "--distance", "1m"),
         ("lambertian", "--luminance", "1e4cd/m2", "--area", "1cm2", "--height", "1m"),
         (

@@ -5,12 +5,22 @@ integrals over the ground and over the plane, goes into laws by which all the li
 """
 
 import math
+from typing import TYPE_CHECKING
 
 from radcalc.answer import Answer, Step
 from radcalc.calculators.results import absent
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import Exclusive, MissingInput, Unused, mention, option, quote
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    MissingInput,
+    Unused,
+    mention,
+    option,
+    quote,
+    quote_path,
+)
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
@@ -24,11 +34,14 @@ from radcalc.geometry.sky import (
 )
 from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import Number, any_true, cos, each, sin
+from radcalc.maths import Number, any_true, cos, each, is_array, sin
 from radcalc.quantities.symbols import specific_name
 
+if TYPE_CHECKING:
+    from radcalc.distributions.maps.pictures import Picture
+
 SUN_RADIUS = math.radians(0.2666)  # at its mean distance
-MOON = "P. Moon, D. E. Spencer, Illum. Eng. 37 (1942) 707"
+MOON = f"{CIE}, traditional overcast sky (Moon and Spencer)"
 ISO = "ISO 80000-7, illuminance"
 OF_SUN = ("sun-irradiance", "sun-radiance", "global-irradiance")
 OF_PLACE = ("sun-elevation", "sun-azimuth", "sun-radius")
@@ -120,17 +133,34 @@ SUN_COSINE = Formula(
     "incidence of the sun",
     "{cosine} = max(n . s, 0), of the plane's normal and the sun's direction",
 )
+BRIGHT = mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
+SIZE = (1024, 512)  # of a map [pixels]
 NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")
 NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
 
-def sky(name: str, given: Inputs) -> Answer:
+def sky(name: str, given: Inputs, path: str = "") -> Answer:
     """The light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
 
     `given` are light quantities by whichever name, where the sun is, a direction, a plane, and
-    what links the kinds.
+    what links the kinds; with a path, to which a map of the sky is written, also the map's size.
     """
-    return _Sky(name, given).answer()
+    if not path:
+        if "size" in given:
+            raise Unused(("size",), "without a map to write")
+        return _Sky(name, given).answer()
+    from radcalc.distributions.maps.pictures import check_target, write_picture
+
+    check_target(path)
+    found = _Sky(name, {key: one for key, one in given.items() if key != "size"}, for_map=True)
+    answer = found.answer()
+    picture = found.picture(*(given["size"].value if "size" in given else SIZE))
+    write_picture(path, picture)
+    height, width, _ = picture.pixels.shape
+    said = f"{quote_path(path)}: a latlong map of {width} x {height} pixels in {picture.unit}, "
+    said += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
+    said += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
+    return answer._replace(assumptions=(*answer.assumptions, said))
 
 
 class _Sky:
@@ -170,7 +200,7 @@ class _Sky:
         if not (self.lit or self.has_plane):
             raise MissingInput(
                 "a light quantity is missing",
-                mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}"),
+                BRIGHT,
             )
         if self.is_sunlit and "sun-radius" not in self.given:
             sheet.know("sun-radius", SUN_RADIUS)
@@ -185,6 +215,27 @@ class _Sky:
         sheet.takes = ()
         sheet.solve(self.laws)
         return sheet
+
+    def picture(self, width: int, height: int) -> "Picture":
+        """The map of the sky, once it is solved."""
+        from radcalc.distributions.maps.sky_map import Sun, sky_map
+        from radcalc.distributions.sky import Sky
+
+        sheet = self.sheet
+        if not sheet.has("zenith-radiance"):
+            raise MissingInput("how bright the sky is is missing", BRIGHT)
+        zenith = sheet.at("zenith-radiance")
+        place = _sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
+        if is_array(zenith) or any(map(is_array, place)):
+            raise ConditionError("a map is of one sky", "one value of each quantity")
+        sky = Sky(self.name, place if self.type.follows_sun else None, zenith, sheet.lit.kind)
+        disc = None
+        if self.is_sunlit:
+            if not sheet.has("sun-irradiance"):
+                raise MissingInput("how bright the sun is is missing", mention("{sun-irradiance}"))
+            polar, azimuth = place
+            disc = Sun(polar, azimuth, sheet.at("sun-radius"), sheet.at("sun-irradiance"))
+        return sky_map(sky, width, height, disc)
 
     def _laws(self) -> list[AnyLaw]:
         """The laws of what is asked."""

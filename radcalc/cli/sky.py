@@ -1,10 +1,19 @@
 """`radcalc sky [TYPE]`."""
 
+import click
+
 from radcalc.calculators.sky import sky
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
+
+SAVE = click.Option(
+    ["--save"],
+    metavar="FILE.hdr",
+    help="Write a latlong map of the sky (.hdr, .exr or .pfm; 1024x512), with the sun's disc if "
+    "the sun has light.",
+)
 
 
 @define(
@@ -25,11 +34,18 @@ from radcalc.errors import UsageError, quote
             "sun-radius",
         ),
         "Plane and direction": ("tilt", "azimuth", "normal", "toward"),
+        "Map": (SAVE, "size"),
         "Kinds of light": LIGHT,
     },
     words="[TYPE]",
 )
-def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
+def command(
+    words: tuple[str, ...],
+    typed: dict[str, str],
+    save: str | None,
+    asked: Asked,
+    shown: Output,
+) -> int:
     """Give the light of the sky, toward a direction, on the ground and on a plane.
 
     \b
@@ -45,6 +61,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc sky clear --sun-elevation 40deg --horizontal-illuminance 12klx --spectrum D65 \\
         -g horizontal-photon-irradiance:umol/m2/s
       radcalc sky overcast --illuminance 4klx --tilt 90deg -g zenith-luminance
+      radcalc sky clear --sun-elevation 40deg --sun-azimuth 0deg --horizontal-illuminance 12klx \\
+        --save clear.hdr --size 2048x1024
 
     \b
     TYPE is one of:
@@ -69,4 +87,6 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one type of sky")
     name = words[0].lower() if words else "overcast"
     each = cases(typed, arrays=True)
-    return run(each, lambda given: sky(name, given), asked, shown, "sky", name)
+    if save and (len(each) > 1 or asked.check is not None):
+        raise UsageError("a map is of one sky, and of no check", "one value of each quantity")
+    return run(each, lambda given: sky(name, given, save or ""), asked, shown, "sky", name)

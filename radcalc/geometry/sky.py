@@ -142,7 +142,7 @@ TYPES = {
 }
 
 # What is said where a sky, or the light of its sun, depends on the sun's place.
-MISSING_SUN = "where the sun is is missing", mention("{sun-elevation=40deg}")
+MISSING_SUN = "the sun's elevation is missing", mention("{sun-elevation=40deg}")
 # Other names of some of them.
 ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
 NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))

@@ -163,9 +163,9 @@ def test_what_it_assumes_is_said():
     [
         ("", "a light quantity is missing", "--horizontal-irradiance"),
         ("cleer --zenith-luminance 1cd/m2", "'cleer' is no sky", "clear"),
-        ("clear --zenith-luminance 1cd/m2", "where the sun is is missing", "--sun-elevation"),
+        ("clear --zenith-luminance 1cd/m2", "the sun's elevation is missing", "--sun-elevation"),
         ("clear clear", "too many words", "one type of sky"),
-        ("5 --sun-illuminance 1klx", "where the sun is is missing", "--sun-elevation"),
+        ("5 --sun-illuminance 1klx", "the sun's elevation is missing", "--sun-elevation"),
         ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "no use with the sky 3", "without"),
         ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "without --azimuth"),
         ("clear --sun-elevation -1deg", "not possible", "above the horizon"),
