@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from radcalc.geometry import cones
+from radcalc.geometry.numerics import vectors
 from radcalc.homework.chain import FAILURES
 from radcalc.homework.edits import text_of
 from radcalc.homework.problem import Candidate, Problem, usual
@@ -284,6 +285,21 @@ def _direction(p: Problem) -> Found:
             yield usual("degrees-as-radians", math.sin(math.degrees(polar)) * turned)
     if p.asks("length"):
         yield usual("root-forgotten", p.right**2)
+    if p.asks("x", "y", "z") and "reflect-at" in p.given:
+        normal = vectors.unit(p.given["reflect-at"].value)
+        yield usual("normal-for-reflection", normal["xyz".index(p.target.name)])
+        yield usual("towards-for-away", -p.right)
+    if p.asks("x", "y", "z") and "mirror-ball" in p.given:
+        normals = {"x": "mirror-ball-u", "y": "mirror-ball-v", "z": "mirror-ball-w"}
+        yield usual("normal-for-reflection", p.amount(normals[p.target.name]))
+
+
+def _pixel(p: Problem) -> Found:
+    """The solid angle of a pixel."""
+    if p.question.shape == "pixel" and p.asks("solid-angle"):
+        width, height = p.given["size"].value
+        yield usual("pixels-alike", 4 * PI / (width * height))
+        yield usual("sine-forgotten", 2 * PI * PI / (width * height))
 
 
 # ---------------------------------------------------------------------------------------------
@@ -375,6 +391,7 @@ OUTSIDE = (
     _zone,
     _integral,
     _direction,
+    _pixel,
     _eyes,
     _beam,
     _swapped,

@@ -29,6 +29,12 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "wrong-quadrant": (2, "the arc tangent of y/x was taken without looking at the quadrant",
         "phi = atan2(y, x), which knows the signs of both"),
     "x-for-y": (3, "x and y were exchanged", "x = sin(theta) cos(phi), y = sin(theta) sin(phi)"),
+    "normal-for-reflection": (1, "the mirror's normal was taken for the reflected direction",
+        "r = 2 (n.d) n - d, which is as far from the normal n as d, on the other side"),
+    "towards-for-away": (2, "the direction was counted towards the mirror, not away from it",
+        "r = 2 (n.d) n - d where both point away from the mirror"),
+    "pixels-alike": (2, "the sphere was divided by the number of pixels",
+        "the pixels of a latlong map become smaller towards the poles, with sin(t)"),
     "root-forgotten": (3, "the square root was not taken",
         "the length of a vector is sqrt(x^2 + y^2 + z^2)"),
     # --- sizes and places

@@ -14,7 +14,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from radcalc.errors import RadcalcError
-from radcalc.geometry import outline, polygons, projected
+from radcalc.geometry import directions, outline, polygons, projected, projections
+from radcalc.quantities.symbols import PROJECTIONS
 
 SHORT, LONG = 20, 2_000  # calls of each function
 RIGHT = math.pi / 2
@@ -35,6 +36,7 @@ MODULES = (
 )
 # What takes no numbers alone, and is swept below or by its own tests.
 OTHERS = {"refuse", "bounded", "percent", "size", "reach", "is_near", "polygon"}
+OTHERS |= {"facing", "reflected", "mirror_normal"}
 SECONDS = 20
 
 
@@ -92,11 +94,17 @@ def sweep(count: int, seed: int) -> str:
     for _ in range(count):
         points = [tuple(dice.choice(size) for _ in range(3)) for _ in range(3)]
         toward = tuple(dice.choice(size) for _ in range(3))
-        calls += 4
+        calls += 9
+        projection = dice.choice(PROJECTIONS)
         answers += held(polygons.polygon, points, clean=True)
         answers += held(polygons.triangle, *points, clean=True)
         answers += held(projected.polygon, points, toward, clean=True)
         answers += held(outline.read, points, toward, clean=False)
+        answers += held(directions.facing, toward, clean=True)
+        answers += held(directions.reflected, points[0], toward, clean=True)
+        answers += held(directions.mirror_normal, points[0], toward, clean=True)
+        answers += held(projections.direction_at, projection, *toward[:2], clean=True)
+        answers += held(projections.place_of, projection, *toward, clean=True)
     return f"{answers} of {calls} calls are answered"
 
 

@@ -40,7 +40,7 @@ def calculation(draw: random.Random) -> list[str]:
     name = draw.choice(CALCULATORS)
     command = commands.get_command(click.Context(commands), name)
     assert command is not None
-    shapes = {"solid-angle": list(SHAPES)[:-1], "lambertian": FLAT}.get(name, ("",))
+    shapes = {"solid-angle": [*list(SHAPES)[:-1], "pixel"], "lambertian": FLAT}.get(name, ("",))
     options = [
         option
         for option in command.params

@@ -248,6 +248,16 @@ HELD_OUT = [
     Wrong("direction 1.3 2.9 0.8", "azimuth", "deg", degrees(atan(1.3 / 2.9)), "x-for-y"),
     Wrong("direction --polar 35deg --azimuth 130deg", "x", "", s(35) * s(130), "x-for-y"),
     Wrong("direction 1.3 2.9 0.8", "length", "", 1.3**2 + 2.9**2 + 0.8**2, "root-forgotten"),
+    # --- mirrors: a normal of 36.87 degrees, and a ball's of the same
+    Wrong("direction 0 0.2 1 --reflect-at 0.6,0,0.8", "x", "", 0.6, "normal-for-reflection"),
+    Wrong("direction 0 0 1 --reflect-at 0.6,0,0.8", "z", "", -0.28, "towards-for-away"),
+    Wrong("direction --mirror-ball 0.6,0", "z", "", 0.8, "normal-for-reflection"),
+    Wrong("direction --mirror-ball 0.35,0.2", "x", "", 0.35, "normal-for-reflection"),
+    # --- pixels, of which those near a pole are small
+    Wrong(f"{SA} pixel --size 64x32 --pixel 0,4", "solid-angle", "sr", 2 * pi**2 / (64 * 32),
+          "sine-forgotten"),
+    Wrong(f"{SA} pixel --size 64x32 --pixel 0,4", "solid-angle", "sr", 4 * pi / (64 * 32),
+          "pixels-alike"),
     # --- heat
     Wrong(HEAT, "flux", "W", 0.045 * 450 * 3.7 * 240, "time-upside-down"),
     Wrong(f"{HEAT} --absorptance 0.83", "flux", "W", 0.83 * 0.045 * 450 * 3.7 / 240,
