@@ -9,7 +9,7 @@ from io import FileIO
 from radcalc import stdio
 from radcalc.errors import ConditionError, quote_path
 
-BLOCK = 1 << 20  # bytes that are read from a pipe at a time
+BLOCK = 1 << 20  # bytes that are read at a time where nobody says how many there are
 
 
 def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
@@ -75,7 +75,7 @@ def opened(path: str, largest: int, expected: str, instead: str = "a file") -> I
 def whole(file: FileIO, largest: int, path: str) -> bytes:
     """What is left of an open file: that much memory, and no copy."""
     size = os.fstat(file.fileno()).st_size
-    return _whole(file.read, size + 1, largest, quote_path(path))
+    return _whole(file.read, max(BLOCK, size + 1), largest, quote_path(path))
 
 
 def _without_waiting(path: str, flags: int) -> int:

@@ -49,7 +49,17 @@ HALF_STEP = (
     "RGBE is read as most programs do; Radiance's own read half a step, 0.2 % to 0.4 %, more"
 )
 STEPS = "RGBE holds 1 part in 256 of the brightest channel of a pixel"
+CUT_OFF = "is cut off"
 MENDED = "the file again, whole"
+
+
+class _Damaged(ConditionError):
+    """A scanline that cannot be read, or that the file does not have."""
+
+    def __init__(self, what: str, scanline: int, at: int, name: str) -> None:
+        problem = f"{name} is damaged: scanline {scanline + 1} {what}, at byte {at}"
+        super().__init__(problem, MENDED)
+        self.is_cut_off = what == CUT_OFF
 
 
 class _Header(NamedTuple):
@@ -101,19 +111,17 @@ def read(data: bytes, name: str) -> Picture:
     [[[0.5, 0.25, 0.0]]]
     """
     header = _header(data, name)
-    pixels = np.empty((header.scanlines, header.length, 3), np.float32)
-    done, end = 0, header.start
-    with np.errstate(all="ignore"):  # what is too large becomes infinite, and is refused below
-        scales = (np.ldexp(1.0, np.arange(256) - BIAS) / header.exposure).astype(np.float32)
-        scales[0] = 0
-        for parts, at in _scanlines(data, header, name):
-            here = pixels[done : done + len(parts)]
-            scale = scales.take(parts[:, 3])  # faster than [ ]
-            for channel in range(3):
-                np.multiply(parts[:, channel], scale, out=here[:, :, channel])
-            if header.correction != (1.0, 1.0, 1.0):
-                here /= np.array(header.correction, np.float32)
-            done, end = done + len(parts), at
+    # Without any encoding, pixels that are not normalized look as if there were one.  Taken so,
+    # scanlines end too early, and the data never do.
+    may_be_flat = len(data) - header.start == 4 * header.scanlines * header.length
+    try:
+        pixels, end = _decoded(_scanlines(data, header, name), header)
+    except _Damaged as error:
+        if error.is_cut_off or not may_be_flat:
+            raise
+        end = header.start
+    if may_be_flat and end < len(data):
+        pixels, end = _decoded(_unencoded(data, header), header)
     if min(header.exposure, *header.correction) < 1 and not np.isfinite(pixels).all():
         problem = f"{name}: without their EXPOSURE, pixels are too large for 32 bits"
         raise ConditionError(problem, "the EXPOSURE by which they were multiplied")
@@ -295,6 +303,27 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
     return order, count, length, end + 1
 
 
+def _decoded(scanlines: Iterator[tuple[Any, int]], header: _Header) -> tuple[Any, int]:
+    """Pixels by scanline and place, and the byte at which they end.
+
+    Those that are too large without their exposure become infinite.
+    """
+    pixels = np.empty((header.scanlines, header.length, 3), np.float32)
+    done, end = 0, header.start
+    with np.errstate(all="ignore"):
+        scales = (np.ldexp(1.0, np.arange(256) - BIAS) / header.exposure).astype(np.float32)
+        scales[0] = 0
+        for parts, at in scanlines:
+            here = pixels[done : done + len(parts)]
+            scale = scales.take(parts[:, 3])  # faster than [ ]
+            for channel in range(3):
+                np.multiply(parts[:, channel], scale, out=here[:, :, channel])
+            if header.correction != (1.0, 1.0, 1.0):
+                here /= np.array(header.correction, np.float32)
+            done, end = done + len(parts), at
+    return pixels, end
+
+
 def _upright(pixels: Any, order: tuple[str, str]) -> Any:
     """Pixels by rows from the top and columns from the left: a view."""
     if order[0][1] == "X":
@@ -311,36 +340,25 @@ def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, i
     """
     length, done, at = header.length, 0, header.start
     most = max(1, BLOCK // length)
-    is_flat = _is_flat(data, header)
-    flat = 1  # scanlines that are likely to be flat
+    likely = 1  # scanlines that may follow each other without the new encoding
     while done < header.scanlines:
         left = min(most, header.scanlines - done)
-        if is_flat:
-            parts = _rows(data, at, left, length)
-            at += 4 * length * left
-        elif _is_new(data, at):
+        if _is_new(data, at):
             parts, at = _new(data, at, left, length, done, name)
         else:
-            parts = _flat(data, at, min(flat, left), length)
-            flat = min(2 * flat, most) if len(parts) else 1
-            at += 4 * length * len(parts)
-            if not len(parts):
-                parts, at = _old(data, at, length, done, name)
+            parts, at = _old(data, at, min(likely, left), length, done, name)
+            likely = 2 * likely if len(parts) == likely else 1
         done += len(parts)
         yield parts, at
 
 
-def _is_flat(data: bytes, header: _Header) -> bool:
-    """Whether no scanline is encoded, whatever its pixels look like: each pixel has its four bytes.
-
-    The old encoding has as many only if it repeats pixels once at most.
-    """
-    count = header.scanlines * header.length
-    if len(data) - header.start != 4 * count or _is_new(data, header.start):
-        return False
-    pixels = np.frombuffer(data, "<u4", count, header.start)
-    times = pixels[(pixels & 0xFFFFFF) == REPEAT] >> 24
-    return not len(times) or bool((times != 1).any())
+def _unencoded(data: bytes, header: _Header) -> Iterator[tuple[Any, int]]:
+    """Scanlines, as of `_scanlines`, of a picture of which none is encoded."""
+    shape = header.scanlines, header.length, 4
+    parts = np.frombuffer(data, np.uint8, offset=header.start).reshape(shape).transpose(0, 2, 1)
+    step = max(1, BLOCK // header.length)
+    for first in range(0, header.scanlines, step):
+        yield parts[first : first + step], len(data)
 
 
 def _is_new(data: bytes, at: int) -> bool:
@@ -358,7 +376,7 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
         while len(marks) < most and _is_new(data, at):
             if (found := data[at + 2] * 256 + data[at + 3]) != length:
                 what = f"has {found} pixels instead of {length}"
-                raise _damaged(what, done + len(marks), at, name)
+                raise _Damaged(what, done + len(marks), at, name)
             marks.append(at)
             at += 4
             for _ in range(4):
@@ -373,14 +391,14 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
                         left -= code
                         at += code + 1
                     else:
-                        raise _damaged("has a run of nothing", done + len(marks) - 1, at, name)
+                        raise _Damaged("has a run of nothing", done + len(marks) - 1, at, name)
                 if left:
                     what = "has a run that is longer than the rest"
-                    raise _damaged(what, done + len(marks) - 1, codes[-1], name)
+                    raise _Damaged(what, done + len(marks) - 1, codes[-1], name)
     except IndexError:
         at = len(data) + 1
     if at > len(data):
-        raise _damaged("is cut off", done + max(0, len(marks) - 1), len(data), name)
+        raise _Damaged(CUT_OFF, done + max(0, len(marks) - 1), len(data), name)
     # How often each byte of the file occurs in the scanlines: codes and marks never, what a run
     # repeats as often as its code says.
     bytes_here = np.frombuffer(data, np.uint8, at - start, start)
@@ -394,52 +412,40 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
     return np.repeat(bytes_here, times).reshape(len(marks), 4, length), at
 
 
-def _flat(data: bytes, at: int, most: int, length: int) -> Any:
-    """Scanlines that are not encoded, as many as follow each other, at most so many."""
-    count = min(most, (len(data) - at) // (4 * length))
-    pixels = np.frombuffer(data, "<u4", count * length, at).reshape(count, length)
-    encoded = ((pixels & 0xFFFFFF) == REPEAT).any(1)
-    encoded |= (pixels[:, 0] & 0x80FFFF) == MARK * 0x0101
-    return _rows(data, at, int(encoded.argmax()) if encoded.any() else count, length)
-
-
-def _rows(data: bytes, at: int, count: int, length: int) -> Any:
-    """So many scanlines that are not encoded."""
-    pixels = np.frombuffer(data, np.uint8, 4 * count * length, at)
-    return pixels.reshape(count, length, 4).transpose(0, 2, 1)
-
-
-def _old(data: bytes, at: int, length: int, done: int, name: str) -> tuple[Any, int]:
-    """A scanline in the old run-length encoding, and its end.
+def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> tuple[Any, int]:
+    """Scanlines in the old run-length encoding, or in none, and the end of the last.
 
     A repetition of the pixel before is told by R = G = B = 1, its count by the exponent; others
     that follow it have the higher bytes of the count.
     """
-    # no scanline needs more: to repeat 256 times takes two places, and so on
-    count = min(length, (len(data) - at) // 4)
+    # no scanline has more places than pixels: to repeat 256 times takes two, and so on
+    count = min(most * length, (len(data) - at) // 4)
+    if not count:
+        raise _Damaged(CUT_OFF, done, at, name)
     pixels = np.frombuffer(data, "<u4", count, at)
     repeats = (pixels & 0xFFFFFF) == REPEAT
-    if count and repeats[0]:
-        raise _damaged("begins with a repetition", done, at, name)
     places = np.arange(count)
     last = np.maximum.accumulate(np.where(repeats, 0, places))  # the pixel that is repeated
     digits = 8 * np.minimum(places - last - 1, 4)
-    counts = np.where(repeats, np.minimum((pixels >> 24).astype(int) << digits, length + 1), 1)
-    ends = np.cumsum(counts)
-    stop = int(np.searchsorted(ends, length)) + 1
-    if stop > count:
-        what = "is cut off" if count < length else "has repetitions of nothing"
-        raise _damaged(what, done, at + 4 * count, name)
-    if ends[stop - 1] > length:
+    times = np.where(repeats, np.minimum((pixels >> 24).astype(int) << digits, length + 1), 1)
+    filled = np.cumsum(times)
+    ends = length * np.arange(1, most + 1)
+    stops = np.searchsorted(filled, ends) + 1  # where the places of each scanline end
+    starts = np.concatenate([[0], stops[:-1]]).clip(max=count - 1)
+    is_whole = filled[stops.clip(max=count) - 1] == ends
+    is_whole &= ~repeats[starts] & ((pixels[starts] & 0x80FFFF) != MARK * 0x0101)
+    lines = most if is_whole.all() else int(is_whole.argmin())
+    if lines:
+        stop = stops[lines - 1]
+        found = np.repeat(pixels[last[:stop]], times[:stop]).view(np.uint8)
+        return found.reshape(lines, length, 4).transpose(0, 2, 1), at + 4 * int(stop)
+    if repeats[0]:
+        raise _Damaged("begins with a repetition", done, at, name)
+    if stops[0] <= count:
         what = "has a repetition that is longer than the rest"
-        raise _damaged(what, done, at + 4 * (stop - 1), name)
-    found = np.repeat(pixels[last[:stop]], counts[:stop])
-    return found.view(np.uint8).reshape(1, length, 4).transpose(0, 2, 1), at + 4 * stop
-
-
-def _damaged(what: str, scanline: int, at: int, name: str) -> ConditionError:
-    problem = f"{name} is damaged: scanline {scanline + 1} {what}, at byte {at}"
-    return ConditionError(problem, MENDED)
+        raise _Damaged(what, done, at + 4 * int(stops[0] - 1), name)
+    what = CUT_OFF if count < most * length else "has repetitions of nothing"
+    raise _Damaged(what, done, at + 4 * count, name)
 
 
 def _rgbe(pixels: Any) -> Any:
