@@ -340,8 +340,9 @@ class Reader:
         toward = self.point(row, given, aims[0])
         direction = minus(toward, place) if aims[0] == AIM else toward
         if not any(direction):
-            problem = "it is aimed at its own place" if aims[0] == AIM else "0,0,0 is no direction"
-            raise row.error(aims[0][0], problem, "another point")
+            if aims[0] == AIM:
+                raise row.error(AIM[0], "it is aimed at its own place", "another point")
+            raise row.error(DIRECTION[0], "0,0,0 has no direction", "a vector other than 0")
         return Pose(direction, rotate)
 
     def shape(self, row: Row, given: Inputs) -> tuple[str, Photometry]:

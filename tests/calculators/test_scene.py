@@ -118,6 +118,9 @@ BAD = {
     "x,y,flux\n0,0,8lm\n": ("line 2: z is missing", "x, y, z"),
     "x,y,z,aim_x,flux\n0,0,2,1,8lm\n": ("line 2: aim_y is missing", "aim_x, aim_y, aim_z"),
     "x,y,z,aim_x,aim_y,aim_z,flux\n0,0,2,0,0,2,8lm\n": ("aimed at its own place", "another"),
+    "x,y,z,direction_x,direction_y,direction_z,exponent,flux\n0,0,2,0,0,0,1,8lm\n": (
+        "line 2, column 'direction_x': 0,0,0 has no direction", "a vector other than 0"
+    ),
     "x,y,z,distribution,flux\n0,0,2,lob,8lm\n": ("line 2, column 'distribution': 'lob'", "lobe"),
     "x,y,z,distribution,flux\n0,0,2,lamp.ies,8lm\n": ("there is no file", "path"),
     "x,y,z,distribution,flux\n0,0,2,lobe,8lm\n": ("line 2: a lobe has no width", "exponent or"),
