@@ -36,7 +36,8 @@ LIGHT = {
     "mean-irradiance": "{0}/m2", "minimum-irradiance": "{0}/m2", "maximum-irradiance": "{0}/m2",
     "mean-radiance": "{0}/m2/sr", "minimum-radiance": "{0}/m2/sr", "peak-radiance": "{0}/m2/sr",
     "radiance-toward": "{0}/m2/sr", "zenith-radiance": "{0}/m2/sr",
-    "horizontal-irradiance": "{0}/m2",
+    "horizontal-irradiance": "{0}/m2", "sun-irradiance": "{0}/m2", "diffuse-irradiance": "{0}/m2",
+    "direct-irradiance": "{0}/m2",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",

@@ -77,16 +77,16 @@ BOTH = relation(
 )
 GLOBAL = relation(
     "irradiance of the ground by sky and sun",
-    "{global-irradiance} = {horizontal-irradiance} + {sun-irradiance} sin({sun-elevation})",
+    "{global-irradiance} = {horizontal-irradiance} + {sun-irradiance} {sun-height}",
     {
         "global-irradiance": lambda at: (
-            at("horizontal-irradiance") + at("sun-irradiance") * sin(at("sun-elevation"))
+            at("horizontal-irradiance") + at("sun-irradiance") * at("sun-height")
         ),
         "horizontal-irradiance": lambda at: _rest(
-            at("global-irradiance"), at("sun-irradiance") * sin(at("sun-elevation"))
+            at("global-irradiance"), at("sun-irradiance") * at("sun-height")
         ),
         "sun-irradiance": lambda at: (
-            _rest(at("global-irradiance"), at("horizontal-irradiance")) / sin(at("sun-elevation"))
+            _rest(at("global-irradiance"), at("horizontal-irradiance")) / at("sun-height")
         ),
     },
 )
@@ -316,6 +316,8 @@ class _Sky:
             before = each(lambda x, y, z, *at: projected_sky(sky, (x, y, z), at)[0], *facing, *sun)
             sheet.know("plane-sky", before)
             sheet.placed.append(PLANE_SKY.step({}, _solid(before)))
+        if self.is_sunlit:
+            sheet.know("sun-height", sin(given["sun-elevation"].value))
         if self.has_plane and self.is_sunlit:
             cosine = dot(facing, cartesian(*sun))
             cosine = cosine * (cosine > LEAST)

@@ -487,6 +487,7 @@ _INNER = (
     _symbol(LENGTH, "extent", "s"),
     _symbol(SOLID_ANGLE, "horizontal-sky", "Ω_h"),
     _symbol(SOLID_ANGLE, "plane-sky", "Ω_n"),
+    _symbol(NUMBER, "sun-height", "sin(γ_s)"),
     _symbol(NUMBER, "relative-radiance", "l_w"),
 )
 INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
