@@ -175,7 +175,7 @@ HELD_OUT = [
     Wrong(f"{PS} --intensity 370cd --exponent 5", "flux", "lm", 4 * pi * 370 / 6,
           "wrong-sphere"),
     Wrong(f"{PS} --intensity 340cd --exponent 3 --height 2.7m --offset 1.9m", "illuminance", "lx",
-          340 * 2.7 / (2.7**2 + 1.9**2) ** 1.5, "share-forgotten"),
+          340 * 2.7 / (2.7**2 + 1.9**2) ** 1.5, "relative-intensity-forgotten"),
     Wrong(f"{PS} --flux 870lm --within 40deg", "flux-within", "lm", 870 * s(10) ** 2,
           "full-for-half"),
     Wrong(f"{PS} --flux 870lm --distance 2.3m --time 5min", "exposure", "lx.s",
