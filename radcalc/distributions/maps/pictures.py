@@ -20,6 +20,8 @@ import numpy as np
 from radcalc.distributions import contents
 from radcalc.errors import SHOWN, ConditionError, OutputError, quote, quote_path
 
+# Of the sum of all values: those below 0 that are less of it are what lossy encoding left.
+NOISE = 1e-6
 KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
 LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
 FARTHEST = 10.0  # coordinate of a primary
@@ -96,7 +98,8 @@ def read_picture(path: str) -> Picture:
     Returns
     -------
     Picture
-        At most 2^28 pixels.
+        At most 2^28 pixels.  Values below 0 of which the sum is less than a millionth of all are
+        what lossy encoding left, and become 0; others stay.
 
     Raises
     ------
@@ -126,10 +129,9 @@ def read_picture(path: str) -> Picture:
     # only the one that is needed is loaded
     module = import_module(f"radcalc.distributions.maps.{reader}")
     try:
-        found: Picture = module.read(data, name)
+        return _without_noise(module.read(data, name))
     except MemoryError:
         raise ConditionError(f"{name} does not fit into memory", "a smaller picture") from None
-    return found
 
 
 def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
@@ -214,6 +216,20 @@ def check_size(width: int, height: int, name: str) -> None:
     if width * height > PIXELS:
         problem = f"{name} has {width} x {height} pixels, more than {PIXELS}"
         raise ConditionError(problem, "a smaller picture")
+
+
+def _without_noise(picture: Picture) -> Picture:
+    """A picture whose values below 0 are 0, where they are too few and small to count."""
+    pixels = picture.pixels
+    with np.errstate(invalid="ignore"):  # NaN and infinite values, which are no noise
+        if not pixels.min() < 0:
+            return picture
+        below = pixels[pixels < 0]
+        share = -below.sum(dtype=float) / np.abs(pixels).sum(dtype=float)
+    if not share < NOISE:
+        return picture
+    told = f"{below.size} values below 0, by {-below.min():.2g} at most, count as 0"
+    return picture._replace(pixels=np.maximum(pixels, 0), notes=(*picture.notes, told))
 
 
 def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:

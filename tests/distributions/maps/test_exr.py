@@ -115,7 +115,8 @@ def test_a_white_luminance_makes_cd_m2():
     found = read(planes(colours()), whiteLuminance=179.0)
     assert found.unit == "cd/m2"
     assert (found.pixels == colours() * 179).all()
-    assert found.assumptions[0] == "pixels in cd/m2, by the file's whiteLuminance of 179 cd/m2"
+    said = "pixels are times the file's whiteLuminance of 179 cd/m2, and so in cd/m2"
+    assert found.assumptions[0] == said
 
 
 @pytest.mark.parametrize("white", [0.0, -1.0, float("nan"), float("inf")])

@@ -237,3 +237,25 @@ def test_a_full_disk_leaves_nothing(name, tmp_path):
     assert done.stdout.startswith("OutputError cannot write")
     assert "File too large" in done.stdout
     assert not os.listdir(tmp_path)
+
+
+def test_what_lossy_encoding_left_below_0_counts_as_0(tmp_path):
+    """As in real maps: three of two million values down to -6.6e-7, beside a sun of 224."""
+    path = str(tmp_path / "sky.pfm")
+    pixels = np.ones((4, 8, 3), np.float32)
+    pixels[1, 2, 0], pixels[3, 4, 1] = -6.6e-7, -6e-8
+    write_picture(path, Picture(pixels, ("R", "G", "B"), REC_709, "PFM"))
+    found = read_picture(path)
+    assert (found.pixels == np.maximum(pixels, 0)).all()
+    assert found.notes == ("2 values below 0, by 6.6e-07 at most, count as 0",)
+
+
+@pytest.mark.parametrize("value", [-1e-3, -np.inf, np.nan])
+def test_what_is_more_than_noise_stays(value, tmp_path):
+    path = str(tmp_path / "sky.pfm")
+    pixels = np.ones((4, 8, 3), np.float32)
+    pixels[1, 2, 0] = value
+    write_picture(path, Picture(pixels, ("R", "G", "B"), REC_709, "PFM"))
+    found = read_picture(path)
+    np.testing.assert_array_equal(found.pixels, pixels)
+    assert found.notes == ()
