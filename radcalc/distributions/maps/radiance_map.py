@@ -117,13 +117,13 @@ class RadianceMap:
         self.size, self.part = (width, height), (left, top, columns, rows)
         self.axes = facing(aim)
         self._weights = factor * numpy.array(weights or (1.0,), float)
-        self._factor = factor
-        self._raster = Raster(projection, self.size, self.part)
-        self._strip = _rows_of_a_strip(self.pixels, self._raster.side)
+        self.factor = factor
+        self.raster = Raster(projection, self.size, self.part)
+        self._strip = _rows_of_a_strip(self.pixels, self.raster.side)
         self._read = self._angles = (-1, numpy.empty(0))  # what was read or worked out last
         self.solid_angle = self._flux = 0.0
         self._peak = (-1.0, 0, 0)  # value, column and row in the whole image
-        self._sums = LightSums(self._raster, self.luminances, self._survey)
+        self._sums = LightSums(self.raster, self.luminances, self._survey)
         is_whole = (columns, rows) == self.size
         self.coverage = 1.0 if is_whole else self.solid_angle / (4 * math.pi)
 
@@ -132,7 +132,7 @@ class RadianceMap:
 
         Both in the same strip; what is outside of the circle is 0.
         """
-        return numpy.multiply(self._inside(first, last), self._factor, dtype=float)
+        return numpy.multiply(self._inside(first, last), self.factor, dtype=float)
 
     def luminances(self, first: int, last: int) -> Any:
         """Weighted sums of the channels, of a single channel; else the same as of `channels`."""
@@ -157,9 +157,10 @@ class RadianceMap:
             self._read = (strip, numpy.asarray(rows))
         return self._read[1]
 
-    def _solid_angles(self, first: int, last: int) -> Any:
-        """Those of rows of pixels; many rows are worked out at a time, and kept."""
-        (left, top, columns, rows), side = self.part, self._raster.side
+    def solid_angles(self, first: int, last: int) -> Any:
+        """Solid angles [sr] of the pixels from a row to before another."""
+        # many rows are worked out at a time, and kept
+        (left, top, columns, rows), side = self.part, self.raster.side
         many = -(-GROUP // (self.size[0] * side)) * side
         group, start = divmod(first, many)
         if group != self._angles[0]:
@@ -181,7 +182,7 @@ class RadianceMap:
                 f"top left, is {pixels[row, column, channel]:g}",
                 "a map of radiances, which are 0 or more",
             )
-        solid_angles = self._solid_angles(first, last)
+        solid_angles = self.solid_angles(first, last)
         self.solid_angle += float(solid_angles.sum())
         self._flux += float(numpy.vdot(values[..., 0], solid_angles))
         row, column, _ = numpy.unravel_index(numpy.argmax(values), values.shape)
@@ -192,17 +193,31 @@ class RadianceMap:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         """As of `Radiances`: that of the pixel that shows a direction, 0 where none does."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
-        own = self._own(cartesian(polar.ravel(), azimuth.ravel()))
+        own = self.own(cartesian(polar.ravel(), azimuth.ravel()))
+        return (self.toward(own) @ self._weights).reshape(polar.shape)[()]
+
+    def toward(self, own: Vector) -> Any:
+        """Values, as the channels have them, of the pixels that show directions in its own axes.
+
+        Parameters
+        ----------
+        own : tuple of 3 ndarrays of shape (n,)
+
+        Returns
+        -------
+        ndarray of shape (n, channels)
+            0 where none does; not times the factor.
+        """
         column, row = self._pixel_of(own)
-        found = numpy.zeros(column.shape)
-        is_shown = column >= 0
-        for strip in numpy.unique(row[is_shown] // self._strip):
-            here = is_shown & (row // self._strip == strip)
-            found[here] = self._rows(strip)[row[here] % self._strip, column[here]] @ self._weights
-        return found.reshape(polar.shape)[()]
+        found = numpy.zeros((len(column), self.pixels.shape[2]))
+        is_there = column >= 0
+        for strip in numpy.unique(row[is_there] // self._strip):
+            here = is_there & (row // self._strip == strip)
+            found[here] = self._rows(strip)[row[here] % self._strip, column[here]]
+        return found
 
     def irradiance(self, normal: Vector) -> Integral:
-        own = numpy.array([self._own(_unit(normal))])
+        own = numpy.array([self.own(_unit(normal))])
         values, cut = self._sums.irradiances(own)
         value = float(values[0, 0])
         return Integral(value, float(cut[0, 0]) + ROUNDING * value, self.part[2] * self.part[3])
@@ -231,12 +246,12 @@ class RadianceMap:
         >>> above.irradiances([(0, 0, 1), (1, 0, 0), (0, 0, -1)]).round(6).tolist()
         [3.141593, 1.570796, 0.0]
         """
-        x, y, z = self._own(_unit(vector(numpy.asarray(normals, float))))
+        x, y, z = self.own(_unit(vector(numpy.asarray(normals, float))))
         own = numpy.stack([numpy.ravel(one) for one in (x, y, z)], -1)
         if not is_each:
             values, _ = self._sums.irradiances(own, progress)
             return values.reshape(numpy.shape(x))[()]
-        sums = LightSums(self._raster, self.channels)
+        sums = LightSums(self.raster, self.channels)
         values, _ = sums.irradiances(own, progress)
         return values.reshape(*numpy.shape(x), -1)
 
@@ -247,7 +262,7 @@ class RadianceMap:
         """As of `Radiances`: the first pixel that has it, and the direction of its middle."""
         value, column, row = self._peak
         u, v = middle_of_pixel(*self.size, column, row)
-        polar, azimuth, _ = spherical(*self._world(shown(self.projection, u, v)))
+        polar, azimuth, _ = spherical(*self.world(shown(self.projection, u, v)))
         return Peak(value, float(polar), float(azimuth))
 
     @property
@@ -255,11 +270,13 @@ class RadianceMap:
         """Column and row of the pixel with the peak, from 0 at the image's top left."""
         return self._peak[1:]
 
-    def _own(self, direction: Vector) -> Vector:
+    def own(self, direction: Vector) -> Vector:
+        """A direction of the world in the map's own axes."""
         x, y, z = (dot(axis, direction) for axis in self.axes)
         return x, y, z
 
-    def _world(self, own: Vector) -> Vector:
+    def world(self, own: Vector) -> Vector:
+        """A direction in the map's own axes as one of the world."""
         forward, left, up = self.axes
         return plus(plus(times(forward, own[0]), left, own[1]), up, own[2])
 

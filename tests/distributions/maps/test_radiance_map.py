@@ -4,69 +4,10 @@ import math
 
 import numpy
 import pytest
+from distributions.maps.images import SIZES, TILTS, directions, image, solid_angles, unit
 
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.errors import ConditionError
-
-SIZES = {"latlong": (1024, 512), "mirror-ball": (1024, 1024), "angular": (1024, 1024)}
-TILTS = [
-    (0, 0, 1),
-    (1, 0, 0),
-    (-1, 0, 0),
-    (0, -1, 0),
-    (1, 2, 3),
-    (-0.2, 0.7, -0.1),
-    (1, 0, 0.1),
-    (0.1, 0, 1),  # its horizon passes next to -x, the rim of a mirror ball
-    (0.02, 1, 0.01),
-]
-
-
-def directions(projection, width, height, count=1):
-    """What pixels show, in the map's axes and by SOURCES 2, not by radcalc; NaN outside.
-
-    With a count, of so many places each way in every pixel, as rows of places.
-    """
-    u = (numpy.arange(width * count) + 0.5) / (width * count) * 2 - 1
-    v = 1 - (numpy.arange(height * count) + 0.5) / (height * count) * 2
-    u, v = numpy.meshgrid(u, v)
-    if projection == "latlong":
-        azimuth, polar = -math.pi * u, math.pi / 2 * (1 - v)
-        x, y = numpy.sin(polar) * numpy.cos(azimuth), numpy.sin(polar) * numpy.sin(azimuth)
-        return numpy.array([x, y, numpy.cos(polar)])
-    r = numpy.hypot(u, v)
-    inside = numpy.where(r < 1, 1.0, math.nan)
-    if projection == "mirror-ball":
-        n = numpy.sqrt(numpy.maximum(1 - r * r, 0))
-        return inside * numpy.array([2 * n * n - 1, 2 * n * u, 2 * n * v])
-    share = numpy.sin(math.pi * r) / numpy.where(r > 0, r, 1)
-    return inside * numpy.array([numpy.cos(math.pi * r), -share * u, share * v])
-
-
-def solid_angles(projection, width, height):
-    """Densities of SOURCES 2 at the pixels' middles, times their areas; 0 outside."""
-    x, _, z = directions(projection, width, height)
-    area = 4 / width / height
-    if projection == "latlong":
-        return area * math.pi**2 / 2 * numpy.sqrt(1 - z * z)
-    if projection == "mirror-ball":
-        return numpy.where(numpy.isnan(x), 0, 4 * area)
-    angle = numpy.arccos(x)
-    return numpy.nan_to_num(area * math.pi**2 * numpy.sin(angle) / angle)
-
-
-def image(projection, function, size=None, count=1):
-    """An image of a function of direction: of means over places in each pixel."""
-    width, height = size or SIZES[projection]
-    values = function(*directions(projection, width, height, count))
-    parts = values.reshape(height, count, width, count)
-    here = ~numpy.isnan(parts)
-    total = numpy.where(here, parts, 0).sum((1, 3))
-    return total / numpy.maximum(here.sum((1, 3)), 1)
-
-
-def unit(vector):
-    return numpy.array(vector) / numpy.linalg.norm(vector)
 
 
 @pytest.mark.parametrize("projection", SIZES)

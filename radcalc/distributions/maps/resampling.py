@@ -1,0 +1,227 @@
+"""Maps in another projection, size or orientation, by the areas that pixels have in common."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy
+
+from radcalc.distributions.maps.light_sums import Progress
+from radcalc.distributions.maps.radiance_map import FORWARD, RadianceMap, check_shape
+from radcalc.geometry.directions import facing
+from radcalc.geometry.light_vectors import is_shown, shown
+from radcalc.geometry.numerics.vectors import Vector, dot
+from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles, place_of
+from radcalc.quantities.symbols import ANGULAR, LATLONG
+
+FINER = 3.0  # parts of a pixel along the side of one of the new ones
+MOST = 256  # parts along a side, next to a pole
+IN_ALL = 2048  # parts of a pixel
+PARTS = 1 << 19  # at a time
+NOTHING = 1e-12
+
+
+def reproject(
+    around: RadianceMap,
+    projection: str,
+    width: int,
+    height: int,
+    aim: Vector = FORWARD,
+    progress: Progress | None = None,
+) -> Any:
+    """Pixels of a map in another projection: each the mean of what it shows, by solid angle.
+
+    Parameters
+    ----------
+    around : RadianceMap
+        Where it tells nothing, it is dark.
+    projection : {"latlong", "mirror-ball", "angular"}
+        The new one.
+    width, height : int
+        Size of the new image [pixels], in its shape.
+    aim : tuple of 3 floats, optional
+        Where in the world the middle of the new image is.
+    progress : callable, optional
+        Is called with how much is done, and all there is, each time when more is done.
+
+    Returns
+    -------
+    ndarray of shape (height, width, channels) [cd/m2, W/m2/sr, photon/s/m2/sr or 1]
+        0 outside of the circle of a mirror ball or an angular map.
+
+    Raises
+    ------
+    ConditionError
+        If the size is not the projection's, or the aim is 0.
+
+    Notes
+    -----
+    Each pixel is cut into parts, at least three along the side of a new pixel.  The solid angle of
+    a part goes to the new pixels that it covers, four at most, by area, as if it was an upright
+    rectangle there.  These areas are right to about 1 %; so that neither a constant map changes
+    nor the light of a single bright pixel, a new pixel is::
+
+        least + (light - least * covered) / size
+
+    of the least radiance that came to it, the light and the solid angle that came, and its own
+    solid angle; and not above the greatest radiance that came.
+
+    Examples
+    --------
+    >>> sky = RadianceMap(numpy.repeat([3000.0, 0.0], 32)[:, None] + numpy.zeros(128), "latlong")
+    >>> ball = reproject(sky, "mirror-ball", 64, 64)
+    >>> round(RadianceMap(ball[..., 0], "mirror-ball").irradiance((0.0, 0.0, 1.0)).value, 1)
+    9424.8
+    """
+    target = _Target(projection, width, height, aim, around.pixels.shape[2])
+    rows = around.size[1]
+    done = 0
+    for edges, sizes, values in _bands(around):
+        _deposit(around, target, edges, sizes, values)
+        done += len(values)
+        if progress:
+            progress(done, rows)
+    return target.finished(around)
+
+
+class _Target:
+    """The new image, and what came to its pixels."""
+
+    def __init__(
+        self, projection: str, width: int, height: int, aim: Vector, channels: int
+    ) -> None:
+        check_shape(projection, width, height)
+        self.projection, self.width, self.height = projection, width, height
+        self.axes = facing(aim)
+        edges = numpy.linspace(-1, 1, width + 1), numpy.linspace(1, -1, height + 1)
+        self.is_shown = numpy.broadcast_to(is_shown(projection, *edges), (height, width)).ravel()
+        self.light = numpy.zeros((channels, height * width))
+        self.least, self.most = numpy.full_like(self.light, math.inf), numpy.zeros_like(self.light)
+        self.size = numpy.zeros(height * width)
+
+    def places(self, around: RadianceMap, u: Any, v: Any) -> tuple[Any, Any]:
+        """Places in the new image, in its pixels from the top left, of places in the old one."""
+        world = around.world(shown(around.projection, u, v))
+        x, y, z = (dot(axis, world) for axis in self.axes)
+        u, v = place_of(self.projection, x, y, z)
+        return (u + 1) / 2 * self.width, (1 - v) / 2 * self.height
+
+    def step(self, x: Any, axis: int) -> Any:
+        """The larger of the ways along both edges of pixels, by the places of their corners."""
+        steps = numpy.diff(x, axis=axis)
+        if self.projection == LATLONG:  # across the seam is no way at all
+            steps = steps - self.width * numpy.round(steps / self.width)
+        steps = abs(steps)
+        return numpy.maximum(*(numpy.delete(steps, k, 1 - axis) for k in (0, -1)))
+
+    def add(self, x: Any, y: Any, wide: Any, high: Any, size: Any, values: Any) -> None:
+        """Spread solid angles over the pixels that upright rectangles cover: 2 each way."""
+        middle = self._cell(numpy.floor(x), numpy.floor(y))
+        across, down = numpy.floor(x - wide), numpy.floor(y - high)
+        right = numpy.clip((x + wide - across - 1) / (2 * wide), 0, 1)
+        below = numpy.clip((y + high - down - 1) / (2 * high), 0, 1)
+        for column, row, share in [
+            (across, down, (1 - right) * (1 - below)),
+            (across + 1, down, right * (1 - below)),
+            (across, down + 1, (1 - right) * below),
+            (across + 1, down + 1, right * below),
+        ]:
+            cell = self._cell(column, row)
+            cell = numpy.where(self.is_shown[cell], cell, middle)  # nothing leaves the circle
+            numpy.add.at(self.size, cell, share * size)
+            for k, value in enumerate(values.T):
+                numpy.add.at(self.light[k], cell, share * size * value)
+                numpy.minimum.at(self.least[k], cell, value)
+                numpy.maximum.at(self.most[k], cell, value)
+
+    def _cell(self, column: Any, row: Any) -> Any:
+        if self.projection == LATLONG:
+            column = column % self.width
+        column = numpy.clip(column, 0, self.width - 1).astype(numpy.intp)
+        return numpy.clip(row, 0, self.height - 1).astype(numpy.intp) * self.width + column
+
+    def finished(self, around: RadianceMap) -> Any:
+        """Means; a pixel so small that nothing came to it has what is at its middle."""
+        sizes = pixel_solid_angles(self.projection, self.width, self.height)
+        sizes = numpy.broadcast_to(sizes, (self.height, self.width)).ravel()
+        is_lit = self.is_shown & (self.size > 0) & (sizes > 0)
+        found = numpy.zeros_like(self.light)
+        least = self.least[:, is_lit]
+        more = (self.light[:, is_lit] - least * self.size[is_lit]) / sizes[is_lit]
+        found[:, is_lit] = numpy.clip(least + more, least, self.most[:, is_lit])
+        row, column = numpy.divmod(numpy.flatnonzero(self.is_shown & ~is_lit), self.width)
+        if len(row):
+            u, v = middle_of_pixel(self.width, self.height, column, row)
+            own = shown(self.projection, u, v)
+            world = tuple(
+                sum(axis[k] * own[i] for i, axis in enumerate(self.axes)) for k in range(3)
+            )
+            values = around.toward(around.own(world)) * around.factor
+            found[:, row * self.width + column] = values.T
+        return numpy.moveaxis(found.reshape(-1, self.height, self.width), 0, -1)
+
+
+def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
+    """Edges, solid angles and radiances of rows of the whole image, which is dark where it is not.
+
+    Edges as u and v of (columns + 1) and (rows + 1).
+    """
+    (width, height), (left, top, columns, rows) = around.size, around.part
+    u = 2 * numpy.arange(width + 1) / width - 1
+    parts = [around.raster.rows(down) for down in range(around.raster.down)]
+    bands = [(top + first, top + last, True) for first, last in parts]
+    bands += [(row, row + 1, False) for row in range(height) if not top <= row < top + rows]
+    for first, last, is_told in bands:
+        v = 1 - 2 * numpy.arange(first, last + 1) / height
+        values = numpy.zeros((last - first, width, around.pixels.shape[2]))
+        if is_told:
+            values[:, left : left + columns] = around.channels(first - top, last - top)
+        sizes = pixel_solid_angles(around.projection, width, height, slice(first, last))
+        yield (u, v), numpy.broadcast_to(sizes, values.shape[:2]), values
+
+
+def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, values: Any) -> None:
+    """Cut pixels into parts, and spread these over the new image."""
+    u, v = edges
+    corners = target.places(around, *numpy.broadcast_arrays(u, v[:, None]))
+    # how far a pixel reaches in the new image along u, and along v: (2, rows, columns)
+    along, down = ([target.step(one, axis) for one in corners] for axis in (1, 0))
+    columns, rows = (
+        numpy.clip(numpy.ceil(FINER * numpy.hypot(*way)), 1, MOST).astype(int)
+        for way in (along, down)
+    )
+    # next to a rim both are large, since all azimuths meet there
+    less = numpy.minimum(1.0, numpy.sqrt(IN_ALL / (columns * rows)))
+    columns, rows = (numpy.maximum(1, count * less).astype(int) for count in (columns, rows))
+    wide, high = (
+        numpy.clip(numpy.hypot(a / columns, b / rows) / 2, 1e-9, 0.5)
+        for a, b in zip(along, down, strict=True)
+    )
+    ends = numpy.cumsum(columns * rows)
+    # what rounding leaves of a pixel outside of the circle has no radiance
+    is_used = sizes.ravel() > NOTHING / sizes.size
+    for chosen in numpy.split(
+        numpy.arange(sizes.size), numpy.flatnonzero(numpy.diff(ends // PARTS)) + 1
+    ):
+        chosen = chosen[is_used[chosen]]
+        if not len(chosen):
+            continue
+        i, j = numpy.unravel_index(chosen, sizes.shape)
+        counts = columns[i, j] * rows[i, j]
+        starts = numpy.cumsum(counts) - counts
+        of = numpy.repeat(numpy.arange(len(chosen)), counts)
+        down_, across = numpy.divmod(numpy.arange(len(of)) - starts[of], columns[i, j][of])
+        part_u = u[j][of] + (u[j + 1] - u[j])[of] * (across + 0.5) / columns[i, j][of]
+        part_v = v[i][of] + (v[i + 1] - v[i])[of] * (down_ + 0.5) / rows[i, j][of]
+        density = _density(around.projection, part_u, part_v)
+        share = density / numpy.add.reduceat(density, starts)[of]
+        x, y = target.places(around, part_u, part_v)
+        target.add(x, y, wide[i, j][of], high[i, j][of], share * sizes[i, j][of], values[i, j][of])
+
+
+def _density(projection: str, u: Any, v: Any) -> Any:
+    """Solid angle by area in an image, in any unit; next to nothing outside of the circle."""
+    if projection == LATLONG:
+        return numpy.cos(math.pi / 2 * v)
+    r = numpy.hypot(u, v)
+    return numpy.where(r < 1, numpy.sinc(r) if projection == ANGULAR else 1.0, 0.0) + NOTHING

@@ -1,0 +1,76 @@
+"""Maps of radiances: irradiances against reading the pixels, and what many cost; see README.md."""
+
+import math
+import resource
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+from measure import report
+
+from radcalc.distributions.maps.irradiance_map import irradiance_map
+from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
+from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.maps.resampling import reproject
+
+WIDTH, HEIGHT = 4096, 2048
+NORMAL = (1.0, 2.0, 3.0)
+
+
+def picture() -> Picture:
+    """A sky with clouds of all sizes, and a sun."""
+    v, u = (np.linspace(0, size, count) for size, count in ((3, HEIGHT), (6, WIDTH)))
+    clouds = sum(np.sin(2**k * u + k) * np.cos(2**k * v[:, None] - k) / 1.5**k for k in range(10))
+    pixels = np.exp(clouds)[..., None] * [1.0, 1.1, 1.4]
+    pixels[400:412, 1000:1012] = 5e4
+    return Picture(pixels.astype(np.float32), ("R", "G", "B"), REC_709, "PFM")
+
+
+def one(path: str) -> bool:
+    """One irradiance of a file, against reading it and one weighted sum."""
+    weights = np.array(REC_709, np.float32)
+    sines = np.sin((np.arange(HEIGHT) + 0.5) * math.pi / HEIGHT)
+
+    def ours() -> float:
+        read = read_picture(path)
+        return RadianceMap(read.pixels, "latlong", weights=REC_709).irradiance(NORMAL).value
+
+    def theirs() -> float:
+        return float((read_picture(path).pixels @ weights).sum(1) @ sines)
+
+    name = f"{WIDTH}x{HEIGHT} {Path(path).suffix} to an irradiance / reading and a weighted sum"
+    return report(name, ours, theirs, 1.5, 5)
+
+
+def megabytes() -> float:
+    """The most that was resident so far."""
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most / (2**20 if sys.platform == "darwin" else 2**10)
+
+
+def main() -> int:
+    """Print every figure; the exit status says whether all aims are met."""
+    pixels = picture()
+    around = RadianceMap(pixels.pixels, "latlong", weights=REC_709)
+    before = megabytes()
+    for name, action in {
+        "irradiance map 64x32": lambda: irradiance_map(around, 64, 32),
+        "to a mirror ball of 1024x1024": lambda: reproject(around, "mirror-ball", 1024, 1024),
+    }.items():
+        start = time.perf_counter()
+        action()
+        took = time.perf_counter() - start
+        print(f"{name}: {took:.1f} s, {megabytes() - before:.0f} MB more at most")
+    with tempfile.TemporaryDirectory() as folder:
+        met = True
+        for extension in (".hdr", ".pfm"):
+            path = str(Path(folder) / f"map{extension}")
+            write_picture(path, pixels)
+            met &= one(path)
+    return 0 if met else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
