@@ -93,8 +93,8 @@ def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
     >>> along.ravel().round(3).tolist(), down.ravel().round(3).tolist()
     ([0.0, -0.294, 0.0], [0.0, 0.0, -0.309])
     """
-    across, down = numpy.broadcast_arrays(u[..., None, :], v[..., :, None])
-    corner = numpy.stack(shown(projection, across, down))
+    corners = shown(projection, u[..., None, :], v[..., :, None])
+    corner = numpy.stack(numpy.broadcast_arrays(*corners))
     left, right = corner[..., :-1], corner[..., 1:]
     along, step = right - left, left + right
     return (

@@ -40,8 +40,8 @@ def one(path: str) -> bool:
     def theirs() -> float:
         return float((read_picture(path).pixels @ weights).sum(1) @ sines)
 
-    name = f"{WIDTH}x{HEIGHT} {Path(path).suffix} to an irradiance / reading and a weighted sum"
-    return report(name, ours, theirs, 1.5, 5)
+    name = f"{WIDTH}x{HEIGHT} .hdr to an irradiance / reading and a weighted sum"
+    return report(name, ours, theirs, 1.5, 9)
 
 
 def megabytes() -> float:
@@ -64,11 +64,9 @@ def main() -> int:
         took = time.perf_counter() - start
         print(f"{name}: {took:.1f} s, {megabytes() - before:.0f} MB more at most")
     with tempfile.TemporaryDirectory() as folder:
-        met = True
-        for extension in (".hdr", ".pfm"):
-            path = str(Path(folder) / f"map{extension}")
-            write_picture(path, pixels)
-            met &= one(path)
+        path = str(Path(folder) / "map.hdr")
+        write_picture(path, pixels)
+        met = one(path)
     return 0 if met else 1
 
 
