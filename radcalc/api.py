@@ -19,7 +19,16 @@ from radcalc.errors import (
 )
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_place
 from radcalc.maths import LARGEST, is_array
-from radcalc.quantities.symbols import DIRECTION, FLAG, INNER, NUMBERS, POINT, SYMBOLS, VECTOR
+from radcalc.quantities.symbols import (
+    DIRECTION,
+    FLAG,
+    INNER,
+    NUMBERS,
+    POINT,
+    PROJECTIONS,
+    SYMBOLS,
+    VECTOR,
+)
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import real
@@ -338,6 +347,88 @@ def environment(source: Any, **given: Any) -> dict[str, Any]:
 
     named, given = _surroundings(source, given)
     return _results(lambda: work_out(named, _inputs(given)))
+
+
+@in_python
+def irradiance_map(
+    source: Any, size: Any = (64, 32), *, order: int | None = None, **given: Any
+) -> Any:
+    """The irradiances of receivers that face in all directions, as a latlong map.
+
+    Parameters
+    ----------
+    source : str, path, array or Quantity
+        As of `environment`.  Skies and expressions are sampled, at 1024 x 512 pixels.
+    size : sequence of 2 ints, optional
+        Width and height of the map that is made, 2:1.
+    order : int, optional
+        2 for spherical harmonics up to that order; the exact sum over all pixels by default.
+    **given : str, Quantity or sequence of floats
+        What `environment` takes of the source: ``unit``, ``projection``, ``aim``, ``channel``,
+        ``zenith_luminance`` ...
+
+    Returns
+    -------
+    Quantity
+        Of the shape (height, width, channels), in lx, W/m2, umol/m2/s or sr; row 0 is the top, and
+        the middle the receiver that faces 1,0,0.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `environment`.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> lit = irradiance_map(numpy.full((32, 64), 3000.0), (16, 8), unit="cd/m2")
+    >>> print(lit.shape, lit[0, 0, 0].round(1))
+    (8, 16, 1) 9424.8 lux
+    """
+    from radcalc.calculators.environment import irradiance_map as work_out
+
+    named, given = _surroundings(source, given)
+    made = work_out(named, _inputs({**given, "size": size}), order)
+    return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
+
+
+@in_python
+def reproject(source: Any, to: str, size: Any = None, **given: Any) -> Any:
+    """A map in another projection: each pixel the mean of what it shows, by solid angle.
+
+    Parameters
+    ----------
+    source : str, path, array or Quantity
+        As of `irradiance_map`.
+    to : {"latlong", "mirror-ball", "angular"}
+        The new projection; its middle shows +x.
+    size : sequence of 2 ints, optional
+        Width and height of the new map; as high as the source's by default.
+    **given : str, Quantity or sequence of floats
+        As of `irradiance_map`.
+
+    Returns
+    -------
+    Quantity
+        Of the shape (height, width, channels), in cd/m2, W/m2/sr, umol/m2/s/sr or 1.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `environment`.
+
+    Examples
+    --------
+    >>> print(reproject("sky:uniform", "angular", (64, 64), zenith_luminance="9 cd/m2").max())
+    9.0 candela / metre ** 2
+    """
+    from radcalc.calculators.environment import reprojection as work_out
+
+    if to not in PROJECTIONS:
+        raise ConditionError(f"there is no projection '{quote(str(to))}'", ", ".join(PROJECTIONS))
+    named, given = _surroundings(source, given)
+    made = work_out(named, _inputs({**given, "size": size}), to)
+    return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
 
 
 def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Any, dict[str, Any]]:

@@ -1,8 +1,8 @@
 """What surrounds a place: a map of radiances, a sky, an expression; what a receiver gets of it."""
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators import light
@@ -10,22 +10,31 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, mention, option, options
+from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import Inputs, at_most_one, read, sort
 from radcalc.maths import is_array
-from radcalc.quantities.symbols import LINKS, SYMBOLS, light_unit
+from radcalc.quantities.symbols import LATLONG, LINKS, SYMBOLS, light_unit, specific_name
 from radcalc.units.dimensions import SOLID_ANGLE
-from radcalc.units.table import NUMBER
+from radcalc.units.table import NUMBER, resolve
 
 if TYPE_CHECKING:
+    from radcalc.distributions.distribution import Peak
     from radcalc.distributions.environments import Environment
     from radcalc.distributions.maps.pictures import Picture
+    from radcalc.distributions.maps.radiance_map import RadianceMap
+    from radcalc.distributions.radiances import Radiances
+    from radcalc.geometry.numerics.cubature import Integral
 
-UP = (0.0, 0.0, 1.0)
+UP: Vector = (0.0, 0.0, 1.0)
 SKY = "sky:"  # before the type of a sky
 OF_MAP = ("unit", "projection", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
+SMALL = (64, 32)  # pixels of an irradiance map
+SAMPLED = (1024, 512)  # pixels of what is no map
+LARGEST = 3e38  # that 32 bits hold
+MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
 IS_RELATIVE = (
     "the radiances are relative, and so is every result: where they are 1 everywhere, the "
     "irradiance is pi sr"
@@ -41,15 +50,21 @@ class Source:
     def __init__(self, named: "str | Picture") -> None:
         self.named = named
         self.found: dict[tuple[Any, ...], Environment] = {}
+        self.sums: dict[tuple[int, Vector], tuple[Integral, float, Peak]] = {}
 
-    def environment(self, given: Inputs, lit: light.Lit) -> "Environment":
-        """The radiances, by those of the inputs that are about them."""
-        own = {name: one for name, one in given.items() if name not in RECEIVER}
-        own |= lit.values
+    def environment(self, own: Inputs, lit: light.Lit) -> "Environment":
+        """The radiances, by the inputs that are about them."""
         key = tuple((name, one.text) for name, one in own.items())
         if key not in self.found:
             self.found[key] = self._read(own, lit)
         return self.found[key]
+
+    def figures(self, radiances: "Radiances", normal: Vector) -> "tuple[Integral, float, Peak]":
+        """The irradiance, the mean and the peak, once for a list of directions."""
+        key = (id(radiances), normal)
+        if key not in self.sums:
+            self.sums[key] = radiances.irradiance(normal), radiances.mean(), radiances.peak()
+        return self.sums[key]
 
     def _read(self, own: Inputs, lit: light.Lit) -> "Environment":
         from radcalc.distributions import environments
@@ -113,23 +128,60 @@ def environment(source: Source, given: Inputs) -> Answer:
     `given` are what tells how a map is to be read, how bright a sky is and where the sun, where the
     receiver faces, a direction, and what links the kinds.
     """
+    return _surroundings(source, given, RECEIVER).answer()
+
+
+class Made(NamedTuple):
+    """A picture that was made, what it is in words, and what is to be said of its values.
+
+    `pixels` are the picture's with all their digits, in the `unit`.
+    """
+
+    picture: "Picture"
+    pixels: Any
+    unit: str
+    what: str
+    answer: Answer
+
+
+Progress = Callable[[int, int], object]  # what is done, and all there is
+
+
+def irradiance_map(
+    source: Source, given: Inputs, order: int | None = None, progress: Progress | None = None
+) -> Made:
+    """The irradiances of receivers that face in all directions, as a latlong map.
+
+    `given` are as of `environment`, but for the receiver's, and the size of the map.
+    """
+    return _surroundings(source, given, ("size",)).irradiance_map(order, progress)
+
+
+def reprojection(source: Source, given: Inputs, to: str, progress: Progress | None = None) -> Made:
+    """The radiances as a map in a projection of `PROJECTIONS`; `given` as of `irradiance_map`."""
+    return _surroundings(source, given, ("size",)).reprojected(to, progress)
+
+
+def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Surroundings":
+    """The radiances that a user named, with what is given."""
     quantities, links, rest = sort(given)
-    takes = (*OF_MAP, *OF_SKY, *SCALES, *RECEIVER)
+    takes = (*OF_MAP, *OF_SKY, *SCALES, *more)
     refuse_foreign(rest, takes, "an environment")
     lit = light.read_light(quantities, links)
     refuse_foreign(lit.values, takes, "an environment")
     for one in given.values():
         if is_array(one.value):
             raise ConditionError(f"{option(one.name)} is an array", "one value at a time")
-    found = source.environment(rest, lit)
-    return _Surroundings(found, lit).answer(rest)
+    own = {name: one for name, one in rest.items() if name not in more}
+    return _Surroundings(source, source.environment({**own, **lit.values}, lit), lit, rest)
 
 
 class _Surroundings:
     """Radiances, in their kind or in none, and what is said of them."""
 
-    def __init__(self, found: "Environment", lit: light.Lit) -> None:
-        self.found, self.kind = found, found.radiances.kind
+    def __init__(self, source: Source, found: "Environment", lit: light.Lit, given: Inputs) -> None:
+        self.source = source
+        self.found, self.kind, self.given = found, found.radiances.kind, given
         links = lit.links
         self.assumptions, self.notes = [*found.assumptions], [*found.notes]
         if not self.kind:
@@ -141,13 +193,13 @@ class _Surroundings:
             links = {**links, "efficacy": read("efficacy", f"{found.efficacy:g} lm/W")}
         self.lit = light.read_light({}, links)._replace(kind=self.kind)
 
-    def answer(self, given: Inputs) -> Answer:
+    def answer(self) -> Answer:
         """The irradiance, the mean, the peak, and the radiance from a direction."""
-        radiances = self.found.radiances
+        given, radiances = self.given, self.found.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
             self.assumptions.append("the receiver faces up")
-        irradiance, peak, mean = radiances.irradiance(normal), radiances.peak(), radiances.mean()
+        irradiance, mean, peak = self.source.figures(radiances, normal)
         found = {"irradiance": irradiance.value, "mean-radiance": mean, "peak-radiance": peak.value}
         if "toward" in given:
             found["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
@@ -172,6 +224,87 @@ class _Surroundings:
             (*self.notes, *shown.notes),
             steps,
         )
+
+    def irradiance_map(self, order: int | None, progress: Progress | None) -> Made:
+        """The irradiances by the normals that the pixels of a latlong map show."""
+        from radcalc.distributions.maps.irradiance_map import irradiance_map
+
+        size = self._size(LATLONG, *SMALL)
+        found = irradiance_map(self._map(), *size, order, progress)
+        if order:
+            self.notes.append(
+                f"of spherical harmonics up to order {order}: off the exact sum by up to "
+                f"{100 * found.largest:.2g} % of the largest irradiance, by {100 * found.rms:.2g} "
+                "% in the root mean square"
+            )
+        return self._made("irradiance", found.pixels, LATLONG)
+
+    def reprojected(self, to: str, progress: Progress | None) -> Made:
+        """The radiances in another projection."""
+        from radcalc.distributions.maps.resampling import reproject
+
+        chart = self._map()
+        height = chart.size[1]
+        size = self._size(to, 2 * height if to == LATLONG else height, height)
+        self.assumptions.append("the middle of what is written shows +x")
+        return self._made("radiance", reproject(chart, to, *size, progress=progress), to)
+
+    def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
+        """The size of a map to be made: what is asked for, or one that goes without saying."""
+        from radcalc.distributions.maps.pictures import check_size
+        from radcalc.distributions.maps.radiance_map import check_shape
+
+        if "size" in self.given:
+            width, height = self.given["size"].value
+            check_shape(projection, width, height)
+            check_size(width, height, "the map")
+        return width, height
+
+    def _map(self) -> "RadianceMap":
+        """The radiances as a map; skies and expressions are sampled."""
+        from radcalc.distributions import environments
+        from radcalc.distributions.maps.radiance_map import RadianceMap
+
+        if isinstance(self.found.radiances, RadianceMap):
+            return self.found.radiances
+        width, height = SAMPLED
+        self.assumptions.append(
+            f"sampled at the middles of {width} x {height} pixels of a {LATLONG} map"
+        )
+        return environments.sampled(self.found.radiances, width, height)
+
+    def _made(self, name: str, values: Any, projection: str) -> Made:
+        """A picture of irradiances or radiances [SI], and the least and the greatest of them."""
+        from radcalc.distributions.environments import article
+        from radcalc.distributions.maps.pictures import Picture
+
+        unit, label = _relative(name, 0.0).units[0], f"relative {name}"
+        if self.kind:
+            unit = light_unit(name, self.kind)
+            label = specific_name(name, self.kind).replace("-", " ")
+        pixels = values / float(resolve(unit).factor)
+        if not pixels.max() < LARGEST:
+            raise ConditionError(f"a value is more than {LARGEST:g} {unit}", "less extreme values")
+        told = values @ self.found.weights
+        ends = {f"minimum-{name}": float(told.min()), f"{MOST[name]}-{name}": float(told.max())}
+        shown = self._shown(ends)
+        height, width, _ = pixels.shape
+        picture = Picture(
+            pixels.astype("float32"),
+            self.found.channels,
+            self.found.weights,
+            "",
+            unit,
+            projection,
+        )
+        answer = Answer(
+            [row for end in ends for row in shown.values[end]],
+            (*self.assumptions, *shown.assumptions),
+            (*self.notes, *shown.notes),
+        )
+        what = f"{article(projection)} {projection} map of {width} x {height} pixels"
+        what += f", of {label} in {unit}"
+        return Made(picture, pixels, unit, what, answer)
 
     def _shown(self, found: dict[str, float]) -> light.Shown:
         """Light quantities as results: in every kind that is linked, or relative."""

@@ -119,6 +119,12 @@ def refuse_format(output: Output) -> None:
         raise UsageError(problem, "one of them")
 
 
+def refuse_bare(output: Output) -> None:
+    """Refuse -n where there are several results."""
+    if output.style.bare:
+        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+
+
 def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) -> None:
     """Write the answers, or the numbers that were asked for; each answer with its case."""
     if not asked.steps:
@@ -139,8 +145,7 @@ def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) ->
             stdio.write(text)
         output.remark(list(remarks.values()))
         return
-    if output.style.bare:
-        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+    refuse_bare(output)
     output.show([result(case, answer) for case, answer in _spread(answers)])
 
 

@@ -1,12 +1,37 @@
 """`radcalc environment SOURCE`."""
 
+from collections.abc import Callable
+from functools import partial
+
+import click
+
+from radcalc import stdio
+from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.calculators.results import pick
+from radcalc.cli.calculator import Asked, cases, refuse_bare, refuse_format, run, show
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, quote_path
+from radcalc.given import Inputs
+from radcalc.quantities.symbols import PROJECTIONS
+from radcalc.render.progress import progress
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
+IRRADIANCE_MAP = click.Option(
+    ["--irradiance-map"],
+    metavar="FILE",
+    help="Write the irradiance by the receiver's normal, as a latlong map (.hdr, .exr, .pfm).",
+)
+ORDER = click.Option(
+    ["--order"],
+    type=click.Choice(["2"]),
+    help="Of spherical harmonics, in place of the exact sum over all pixels.",
+)
+REPROJECT = click.Option(
+    ["--reproject"], metavar="FILE", help="Write the map in another projection."
+)
+TO = click.Option(["--to"], type=click.Choice(PROJECTIONS), help="Which projection that is.")
 
 
 @define(
@@ -15,11 +40,21 @@ EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky
         "Map": ("unit", "projection", "aim", "channel"),
         "Sky": ("sun-elevation", "sun-azimuth", "zenith-radiance", "horizontal-irradiance"),
         "Receiver": ("normal", "toward"),
+        "Maps that are written": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size"),
         "Kinds of light": LIGHT,
     },
     words="SOURCE",
 )
-def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
+def command(
+    words: tuple[str, ...],
+    typed: dict[str, str],
+    irradiance_map: str | None,
+    order: str | None,
+    reproject: str | None,
+    to: str | None,
+    asked: Asked,
+    shown: Output,
+) -> int:
     """Give what a receiver gets of all that surrounds it: of a map, a sky or an expression.
 
     \b
@@ -31,6 +66,9 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc environment sky:12 --sun-elevation 40deg --sun-azimuth 0deg \\
         --toward 0deg:90deg:15deg
       radcalc environment '3000*max(cos(theta), 0) cd/m2' --steps
+      radcalc environment room.hdr --unit cd/m2 --irradiance-map lux.exr --size 64x32
+      radcalc environment ball.hdr --projection mirror-ball --unit 1 \\
+        --reproject room.exr --to latlong
 
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
     radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
@@ -45,5 +83,66 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     if not words:
         raise UsageError("a map, a sky or an expression is missing", EXAMPLES)
     source = Source(" ".join(words))
+    path = irradiance_map or reproject
+    if path is None:
+        for name, one, file in (
+            ("--order", order, "--irradiance-map"),
+            ("--to", to, "--reproject"),
+            ("--size", typed.get("size"), "--irradiance-map"),
+        ):
+            if one:
+                raise UsageError(f"{name} has no use without {file}", f"{file} FILE with it")
+        each = cases(typed)
+        return run(each, lambda given: environment(source, given), asked, shown, "environment")
+    given = _given(typed, asked)
+    if irradiance_map:
+        if reproject:
+            both = "--irradiance-map and --reproject"
+            raise UsageError(f"{both} contradict each other: each makes a file", "one of them")
+        if to:
+            raise UsageError("--to has no use with --irradiance-map", "the same without --to")
+        make = partial(page.irradiance_map, source, given, 2 if order else None)
+        return _write(path, "irradiance map", make, asked, shown)
+    if order:
+        raise UsageError("--order has no use with --reproject", "the same without --order")
+    if not to:
+        ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
+        raise UsageError("the projection to write is missing", ways)
+    make = partial(page.reprojection, source, given, to)
+    return _write(path, "reprojection", make, asked, shown)
+
+
+def _given(typed: dict[str, str], asked: Asked) -> Inputs:
+    """What is given for a file, of which one is made at a time."""
+    for name in ("normal", "toward"):
+        if name in typed:
+            problem = f"--{name} has no use where a map is written"
+            raise UsageError(problem, f"the same without --{name}")
+    if asked.check is not None:
+        raise UsageError("--check has no use where a map is written", "the same without --check")
     each = cases(typed)
-    return run(each, lambda given: environment(source, given), asked, shown, "environment")
+    if len(each) > 1:
+        raise UsageError("one map is written at a time", "one value in place of a list")
+    return each[0][1]
+
+
+def _write(
+    path: str, task: str, make: Callable[..., page.Made], asked: Asked, shown: Output
+) -> int:
+    """Make a picture, write it, and tell what it is; everything is checked before it is written."""
+    from radcalc.distributions.maps.pictures import check_target, write_picture
+
+    if asked.wanted:
+        refuse_format(shown)
+    else:
+        refuse_bare(shown)
+    check_target(path)
+    with progress(task, shown.style.remarks) as tick:
+        made = make(progress=tick)
+    for name in asked.wanted:
+        pick(made.answer.values, name)
+    lost = write_picture(path, made.picture)
+    said = f"{quote_path(path)}: {made.what}"
+    answer = made.answer._replace(notes=(*made.answer.notes, said, *lost))
+    show([("", answer)], asked, shown)
+    return stdio.ANSWERED

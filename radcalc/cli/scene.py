@@ -9,7 +9,16 @@ import click
 from radcalc import stdio
 from radcalc.answer import Answer
 from radcalc.calculators.results import element, pick
-from radcalc.cli.calculator import Asked, cases, formatted, lines, refuse_format, result, run
+from radcalc.cli.calculator import (
+    Asked,
+    cases,
+    formatted,
+    lines,
+    refuse_bare,
+    refuse_format,
+    result,
+    run,
+)
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
@@ -132,8 +141,7 @@ def _stream(survey: Any, points: "Points", asked: Asked, shown: Output) -> int:
 
 def _show(survey: Any, points: "Points", shown: Output) -> int:
     """Write what each of a few points gets, and then what all of them do."""
-    if shown.style.bare:
-        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+    refuse_bare(shown)
     (answer,) = survey.at_points(points.blocks())
     each = [
         (point, answer._replace(values=[element(value, k) for value in answer.values]))

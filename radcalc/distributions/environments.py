@@ -11,11 +11,12 @@ from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
+from radcalc.quantities.symbols import ANGULAR, LATLONG, PROJECTIONS, light_unit
 from radcalc.units.table import NUMBER, Unit, resolve
 
 if TYPE_CHECKING:
     from radcalc.distributions.maps.pictures import Picture
+    from radcalc.distributions.maps.radiance_map import RadianceMap
 
 EXAMPLE = "a map (.hdr, .exr, .pfm), sky:overcast, or 'max(cos(theta), 0) cd/m2'"
 MAP = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(hdr|pic|rgbe|exr|pfm)$", re.IGNORECASE)
@@ -36,6 +37,8 @@ class Environment(NamedTuple):
     ----------
     radiances : Radiances
         By direction.
+    channels, weights : tuple
+        Names of a map's channels, and what gives their sum; one of a sky or an expression.
     efficacy : float [lm/W]
         What its watts count, where its format says so; else 0.
     luminance : str
@@ -47,6 +50,8 @@ class Environment(NamedTuple):
     """
 
     radiances: Radiances
+    channels: tuple[str, ...] = ("Y",)
+    weights: tuple[float, ...] = (1.0,)
     efficacy: float = 0.0
     luminance: str = ""
     reference: str = ""
@@ -122,12 +127,17 @@ def of_picture(
 
     shown = projection_of(picture, projection)
     factor, kind, note = unit_of(picture, unit)
-    sums = weighted(picture, kind, channel)
+    alone = (
+        [f"the channel {channel.upper()} alone"] if channel and len(picture.channels) > 1 else []
+    )
+    if channel:
+        picture = channel_of(picture, channel)
+    sums = weighted(picture, kind)
     pixels = RadianceMap(
         picture.pixels, shown, aim or AHEAD, sums.weights, factor, kind, picture.frame
     )
     width, height = pixels.size
-    said = [f"a {shown} map of {width} x {height} pixels"]
+    said = [f"{article(shown)} {shown} map of {width} x {height} pixels"]
     said[0] += "" if aim else mention(", whose middle shows +x ({aim})")
     said += [one for one in picture.assumptions if one != BY_REC_709]
     notes = [*picture.notes, *([note] if note else [])]
@@ -136,12 +146,72 @@ def of_picture(
         notes.append(f"the map covers {covered}, and the rest counts as dark")
     return Environment(
         pixels,
+        picture.channels,
+        sums.weights,
         sums.efficacy,
         sums.formula,
         sums.reference,
-        (*said, *([sums.said] if sums.said else [])),
+        (*said, *alone, *([sums.said] if sums.said else [])),
         tuple(notes),
     )
+
+
+def article(projection: str) -> str:
+    """The article of a projection's name."""
+    return "an" if projection == ANGULAR else "a"
+
+
+def channel_of(picture: "Picture", channel: str) -> "Picture":
+    """One channel of a picture alone, by its name in any case.
+
+    Raises
+    ------
+    ConditionError
+        If there is none of that name.
+    """
+    names = [name.lower() for name in picture.channels]
+    if channel.lower() not in names:
+        raise ConditionError(
+            f"the map has no channel '{quote(channel)}'",
+            " or ".join(option("channel", quote(name)) for name in picture.channels),
+        )
+    place = names.index(channel.lower())
+    pixels = picture.pixels[:, :, place : place + 1]
+    return picture._replace(
+        pixels=pixels, channels=picture.channels[place : place + 1], weights=(1.0,)
+    )
+
+
+def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
+    """Radiances as a latlong map, by those at the middles of its pixels.
+
+    Parameters
+    ----------
+    radiances : Radiances
+    width, height : int
+        Size of the map [pixels].
+
+    Returns
+    -------
+    RadianceMap
+
+    Examples
+    --------
+    >>> from radcalc.distributions.sky import Sky
+    >>> round(sampled(Sky("uniform"), 64, 32).irradiance((0, 0, 1)).value, 6)
+    3.141593
+    """
+    import numpy
+
+    from radcalc.distributions.maps.radiance_map import RadianceMap
+    from radcalc.geometry.directions import spherical
+    from radcalc.geometry.projections import direction_at, middle_of_pixel
+
+    rows, columns = numpy.mgrid[:height, :width]
+    polar, azimuth, _ = spherical(
+        *direction_at(LATLONG, *middle_of_pixel(width, height, columns, rows))
+    )
+    return RadianceMap(radiances.radiance(polar, azimuth), LATLONG, kind=radiances.kind)
 
 
 def picture_of(pixels: Any) -> "Picture":
@@ -214,8 +284,9 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
             raise ConditionError(f"{_told(unit)} is no unit", mention("{unit=1}"))
         return 1.0, "", ""
     if unit.dimension not in RADIANCES:
+        told = _told(unit) if given else f"the map says that it is in {quote(unit.text)}"
         raise ConditionError(
-            f"{_told(unit)}: a map has radiances, and that is {describe(unit)}", _radiance_for(unit)
+            f"{told}: a map has radiances, and that is {describe(unit)}", _radiance_for(unit)
         )
     note = ""
     if given and own and (given.factor, given.dimension) != (own.factor, own.dimension):
@@ -255,16 +326,14 @@ class Weighted(NamedTuple):
     efficacy: float = 0.0
 
 
-def weighted(picture: "Picture", kind: str, channel: str = "") -> Weighted:
-    """The weights of the channels: of one channel alone, or those that give a luminance.
+def weighted(picture: "Picture", kind: str) -> Weighted:
+    """The weights by which the channels are added up: those that give a luminance.
 
     Parameters
     ----------
     picture : Picture
     kind : str
         That of its unit; empty where it is relative.
-    channel : str, optional
-        The name of a channel, in any case.
 
     Returns
     -------
@@ -272,24 +341,12 @@ def weighted(picture: "Picture", kind: str, channel: str = "") -> Weighted:
 
     Raises
     ------
-    ConditionError
-        If there is no such channel.
     MissingInput
         If the channels of that kind have no common sum.
     """
     from radcalc.distributions.maps.pictures import REC_709
 
     names = picture.channels
-    if channel:
-        lower = [name.lower() for name in names]
-        if channel.lower() not in lower:
-            raise ConditionError(
-                f"the map has no channel '{quote(channel)}'",
-                " or ".join(option("channel", quote(name)) for name in names),
-            )
-        alone = tuple(float(name == channel.lower()) for name in lower)
-        name = names[lower.index(channel.lower())]
-        return Weighted(alone, f"the channel {name} alone" if len(names) > 1 else "")
     if len(names) == 1:
         return Weighted((1.0,))
     if kind in ("", LUMINOUS):

@@ -2,13 +2,14 @@
 
 import json
 import math
+import re
 
 import numpy
 import pytest
-from conftest import run
+from conftest import python, run
 
 import radcalc
-from radcalc.distributions.maps.pictures import REC_709, Picture, write_picture
+from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
 from radcalc.geometry.projections import direction_at, middle_of_pixel
 
 LIT = 9424.77796076938  # lx: pi times 3000 cd/m2
@@ -318,3 +319,150 @@ def test_a_sky_is_scaled_or_relative_to_its_zenith():
 def test_a_sky_is_at_the_suns_azimuth():
     words = ["sky:clear", "--sun-elevation", "40deg", "--sun-azimuth", "70deg"]
     assert asked(*words, "-g", "peak-polar", "-g", "peak-azimuth") == pytest.approx([50, 70])
+
+
+# -- maps that are written ------------------------------------------------------------------------
+
+
+def test_an_irradiance_map_of_a_constant_is_pi_of_it_everywhere(tmp_path):
+    path = written(tmp_path / "around.pfm", numpy.full((64, 128, 3), [1000.0, 2000.0, 3000.0]))
+    made = str(tmp_path / "lux.exr")
+    done = run("environment", path, "--unit", "cd/m2", "--irradiance-map", made, "--json")
+    rows = {row["name"]: row for row in json.loads(done.stdout)["results"]}
+    luminance = 1000 * (0.2126 + 2 * 0.7152 + 3 * 0.0722)
+    for name in ("minimum-irradiance", "maximum-irradiance"):
+        assert rows[name]["value"] == pytest.approx(math.pi * luminance, rel=1e-5)
+        assert rows[name]["unit"] == "lx"
+    found = read_picture(made)
+    assert found.pixels.shape == (32, 64, 3)
+    expected = numpy.broadcast_to([1000 * math.pi, 2000 * math.pi, 3000 * math.pi], (32, 64, 3))
+    assert found.pixels == pytest.approx(expected, rel=1e-5)
+    assert (found.unit, found.projection) == ("lx", "latlong")
+    assert "a latlong map of 64 x 32 pixels, of illuminance in lx" in done.stdout
+
+
+def test_the_pixels_of_an_irradiance_map_are_the_irradiances_of_their_normals(tmp_path):
+    """The middle is the receiver that faces the aim's axis +x, a quarter to the left +y."""
+    path = written(tmp_path / "sky.pfm", overcast("latlong", 256, 128))
+    words = [path, "--unit", "cd/m2", "--aim", "0,1,0"]
+    made = str(tmp_path / "lux.pfm")
+    run("environment", *words, "--irradiance-map", made, "--size", "16x8", check=True)
+    pixels = read_picture(made).pixels[..., 0]
+    for row, column in ((0, 0), (3, 4), (5, 11)):
+        normal = direction_at("latlong", *middle_of_pixel(16, 8, column, row))
+        facing = ",".join(map(repr, normal))
+        (expected,) = asked(*words, "--normal", facing, "-g", "irradiance:lx")
+        assert pixels[row, column] == pytest.approx(expected, rel=1e-6)
+
+
+def test_harmonics_of_order_2_say_how_far_off_they_are(tmp_path):
+    """An overcast sky above a dark ground is no nine harmonics: they are off by percents."""
+    made = str(tmp_path / "lux.exr")
+    words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--irradiance-map", made]
+    done = run("environment", *words, "--size", "16x8", "--order", "2")
+    assert "order 2: off the exact sum by up to" in done.stderr
+    exact = radcalc.irradiance_map("sky:overcast", (16, 8), zenith_luminance="9 kcd/m2")
+    off = abs(read_picture(made).pixels - exact.m).max() / exact.m.max()
+    (told,) = re.findall(r"up to ([\d.]+) %", done.stderr)
+    assert 100 * off == pytest.approx(float(told), rel=0.05)
+    assert 0.001 < off < 0.05
+
+
+@pytest.mark.parametrize("to", ["mirror-ball", "angular", "latlong"])
+def test_a_map_in_another_projection_lights_as_before(tmp_path, to):
+    path = written(tmp_path / "sky.pfm", overcast("latlong", 256, 128)[..., None] * [1, 2, 3])
+    made = str(tmp_path / "other.exr")
+    done = run("environment", path, "--unit", "cd/m2", "--reproject", made, "--to", to)
+    height = 128
+    width = 256 if to == "latlong" else 128
+    assert f"{to} map of {width} x {height} pixels, of luminance in cd/m2" in done.stderr
+    assert read_picture(made).pixels.shape == (height, width, 3)
+    for normal in ("0,0,1", "1,0,0", "-1,2,1"):
+        names = ("--normal", normal, "-g", "irradiance:lx", "-g", "mean-radiance")
+        before = asked(path, "--unit", "cd/m2", *names)
+        # of an .exr the unit is in the file
+        assert asked(made, "--projection", to, *names) == pytest.approx(before, rel=5e-3)
+
+
+def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
+    made = str(tmp_path / "sky.exr")
+    words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--reproject", made]
+    done = run("environment", *words, "--to", "angular", "--size", "256x256")
+    assert "1024 x 512 pixels" in done.stderr
+    words = [made, "--projection", "angular", "-g", "irradiance:lx"]
+    assert asked(*words) == pytest.approx([7000 * math.pi], rel=2e-3)
+    relative = run(
+        "environment", "1 + z", "--reproject", made, "--to", "latlong", "--size", "32x16"
+    )
+    assert relative.returncode == 0
+    assert asked(made, "-g", "mean-radiance") == pytest.approx([1])  # relative, as the file says
+
+
+@pytest.mark.parametrize(
+    ("words", "message", "hint"),
+    [
+        ("--irradiance-map {}.png", "not written as .png", ".hdr"),
+        ("--irradiance-map no/{}.hdr", "no folder", "another place"),
+        ("--irradiance-map {}.hdr --size 30x30", "no latlong map", "twice as wide"),
+        ("--irradiance-map {}.hdr --size 999999x5", "no latlong map", ""),
+        ("--irradiance-map {}.hdr --normal 1,0,0", "--normal has no use", "without --normal"),
+        ("--irradiance-map {}.hdr --toward 9deg", "--toward has no use", "without --toward"),
+        ("--irradiance-map {}.hdr --to angular", "--to has no use", "without --to"),
+        ("--irradiance-map {}.hdr --reproject b.hdr", "contradict each other", "one of them"),
+        ("--irradiance-map {}.hdr --check 3", "--check has no use", "without --check"),
+        ("--irradiance-map {}.hdr -g nonsense", "no result 'nonsense'", "minimum-irradiance"),
+        ("--irradiance-map {}.hdr -g maximum-irradiance:lx", "illuminance (lx)", ""),
+        ("--irradiance-map {}.hdr --json -g maximum-irradiance", "contradicts", "one of them"),
+        ("--irradiance-map {}.hdr -n", "one number", "-g"),
+        ("--irradiance-map {}.hdr --aim 0,0,1", "--aim has no use with a sky", ""),
+        ("--irradiance-map {}.hdr --order 3", "--order", ""),
+        ("--order 2", "--order has no use without", "--irradiance-map FILE"),
+        ("--to angular", "--to has no use without", "--reproject FILE"),
+        ("--size 8x4", "--size has no use without", "--irradiance-map FILE"),
+        ("--reproject {}.hdr", "projection to write is missing", "--to latlong or --to"),
+        ("--reproject {}.hdr --to angular --order 2", "--order has no use with", "without --order"),
+        ("--reproject {}.hdr --to angular --size 8x4", "no angular map", "square"),
+    ],
+)
+def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, words, message, hint):
+    done = run("environment", "sky:5", *words.format("made").split(), cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    said, told = done.stderr.splitlines()
+    assert message in said
+    assert told.startswith("try: ")
+    assert hint in told
+    assert not list(tmp_path.iterdir())
+
+
+INTERRUPTED = """
+import sys
+from radcalc.distributions.maps import irradiance_map as module
+def interrupted(*args, **kwargs):
+    raise KeyboardInterrupt
+setattr(module, "irradiance_map", interrupted)
+from radcalc.__main__ import run
+sys.exit(run(sys.argv[1:]))
+"""
+
+
+def test_an_interrupt_leaves_no_file(tmp_path):
+    path = tmp_path / "made.hdr"
+    done = python(INTERRUPTED, "environment", "sky:5", "--irradiance-map", str(path))
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
+    assert not list(tmp_path.iterdir())
+
+
+def test_arrays_make_arrays():
+    pixels = radcalc.Quantity(numpy.full((16, 32, 3), 2.0), "W/m2/sr")
+    lit = radcalc.irradiance_map(pixels, (8, 4))
+    assert lit.shape == (4, 8, 3)
+    assert lit.to("W/m2").m == pytest.approx(numpy.full((4, 8, 3), 2 * math.pi), rel=1e-3)
+    ball = radcalc.reproject(pixels, "mirror-ball", (32, 32))
+    assert ball[16, 16, 0].to("W/m2/sr").m == pytest.approx(2)
+    assert radcalc.reproject("sky:5", "angular").shape == (512, 512, 1)
+    with pytest.raises(radcalc.errors.RadcalcError, match="no projection 'cube'"):
+        radcalc.reproject(pixels, "cube")
+    with pytest.raises(radcalc.errors.RadcalcError, match="normal has no use"):
+        radcalc.irradiance_map(pixels, normal=(0, 0, 1))
+    with pytest.raises(radcalc.errors.RadcalcError, match="order 3"):
+        radcalc.irradiance_map(pixels, order=3)

@@ -1,0 +1,59 @@
+"""How far a long piece of work is: a bar on a terminal, drawn by Rich once it lasts a second."""
+
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+PATIENCE = 1.0  # [s] before anything is shown
+
+
+@contextmanager
+def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int], object]]:
+    """Give a function that is told how much is done, and of how much.
+
+    Nothing is drawn where standard error is no terminal, nor is Rich loaded; at the end the bar is
+    wiped away.
+    """
+    if not (is_wanted and _is_terminal()):
+        yield lambda done, whole: None
+        return
+    bar = _Bar(task)
+    try:
+        yield bar
+    finally:
+        bar.stop()
+
+
+def _is_terminal() -> bool:
+    try:
+        return sys.stderr is not None and os.isatty(2)
+    except OSError:
+        return False
+
+
+class _Bar:
+    """A bar that appears when the work has lasted a while."""
+
+    def __init__(self, task: str) -> None:
+        self.task, self.start = task, time.monotonic()
+        self.drawn: Any = None
+        self.row: Any = None
+
+    def __call__(self, done: int, whole: int) -> None:
+        if self.drawn is None:
+            if time.monotonic() - self.start < PATIENCE:
+                return
+            from rich.console import Console
+            from rich.progress import Progress
+
+            self.drawn = Progress(console=Console(stderr=True), transient=True)
+            self.row = self.drawn.add_task(self.task)
+            self.drawn.start()
+        self.drawn.update(self.row, completed=done, total=whole)
+
+    def stop(self) -> None:
+        if self.drawn is not None:
+            self.drawn.stop()

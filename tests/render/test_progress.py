@@ -1,0 +1,60 @@
+"""How far a long piece of work is, on a terminal."""
+
+import pytest
+
+from radcalc.render import progress as module
+from radcalc.render.progress import progress
+
+
+@pytest.fixture
+def terminal(monkeypatch):
+    """A terminal whose clock is turned by hand: the list has the seconds."""
+    now = [100.0]
+    monkeypatch.setattr(module, "_is_terminal", lambda: True)
+    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
+    monkeypatch.setenv("FORCE_COLOR", "1")  # by which Rich takes what is captured for a terminal
+    return now
+
+
+def test_work_of_a_second_has_no_bar(terminal, capsys):
+    with progress("a map") as tick:
+        tick(1, 4)
+        terminal[0] += 0.9
+        tick(3, 4)
+    assert capsys.readouterr() == ("", "")
+
+
+def test_longer_work_has_one_that_is_wiped_away(terminal, capsys):
+    with progress("a map") as tick:
+        terminal[0] += 1.1
+        tick(1, 4)
+        terminal[0] += 1.0
+        tick(3, 4)
+    out, drawn = capsys.readouterr()
+    assert out == ""
+    assert "a map" in drawn
+    assert "75%" in drawn
+    assert drawn.endswith("\x1b[2K")  # which clears the line
+
+
+def test_a_bar_stops_where_the_work_is_interrupted(terminal, capsys):
+    def work():
+        with progress("a map") as tick:
+            terminal[0] += 2.0
+            tick(1, 4)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert capsys.readouterr().err.endswith("\x1b[2K")
+
+
+@pytest.mark.parametrize(("on_terminal", "is_wanted"), [(False, True), (True, False)])
+def test_there_is_none_in_a_pipe_or_where_it_is_not_wanted(
+    terminal, monkeypatch, capsys, on_terminal, is_wanted
+):
+    monkeypatch.setattr(module, "_is_terminal", lambda: on_terminal)
+    with progress("a map", is_wanted) as tick:
+        terminal[0] += 9.0
+        tick(1, 4)
+    assert capsys.readouterr() == ("", "")
