@@ -112,6 +112,8 @@ def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
         sun = (math.pi / 2 - own["sun-elevation"].value, own["sun-azimuth"].value)
     sky = Sky(name, sun)  # which asks for the sun where it is missing
     said = [f"sky {name}: {sky.type.name}; below the horizon it is dark"]
+    if sun:
+        said.append("the sun is no part of the sky")
     scale = at_most_one(own, "how bright the sky is", *SCALES)
     if scale is None:
         said.append("the radiances are those over the zenith's")
@@ -274,9 +276,10 @@ class _Surroundings:
         return environments.sampled(self.found.radiances, width, height)
 
     def _made(self, name: str, values: Any, projection: str) -> Made:
-        """A picture of irradiances or radiances [SI], and the least and the greatest of them."""
+        """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
         from radcalc.distributions.environments import article
         from radcalc.distributions.maps.pictures import Picture
+        from radcalc.geometry.projections import pixel_solid_angles
 
         unit, label = _relative(name, 0.0).units[0], f"relative {name}"
         if self.kind:
@@ -285,10 +288,11 @@ class _Surroundings:
         pixels = values / float(resolve(unit).factor)
         if not pixels.max() < LARGEST:
             raise ConditionError(f"a value is more than {LARGEST:g} {unit}", "less extreme values")
-        told = values @ self.found.weights
+        height, width, _ = pixels.shape
+        sums = values @ self.found.weights
+        told = sums[pixel_solid_angles(projection, width, height) + 0 * sums > 0]
         ends = {f"minimum-{name}": float(told.min()), f"{MOST[name]}-{name}": float(told.max())}
         shown = self._shown(ends)
-        height, width, _ = pixels.shape
         picture = Picture(
             pixels.astype("float32"),
             self.found.channels,

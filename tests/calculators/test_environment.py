@@ -384,6 +384,13 @@ def test_a_map_in_another_projection_lights_as_before(tmp_path, to):
         assert asked(made, "--projection", to, *names) == pytest.approx(before, rel=5e-3)
 
 
+def test_the_corners_of_a_round_map_are_no_least_radiance(tmp_path):
+    made = str(tmp_path / "ball.exr")
+    words = ["7 cd/m2", "--reproject", made, "--to", "mirror-ball", "--size", "32x32"]
+    assert asked(*words, "-g", "minimum-radiance", "-g", "peak-radiance") == pytest.approx([7, 7])
+    assert read_picture(made).pixels[0, 0, 0] == 0
+
+
 def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
     made = str(tmp_path / "sky.exr")
     words = ["sky:overcast", "--zenith-luminance", "9kcd/m2", "--reproject", made]
