@@ -160,6 +160,8 @@ def sky(name: str, given: Inputs, path: str = "") -> Answer:
     said = f"{quote_path(path)}: a latlong map of {width} x {height} pixels in {picture.unit}, "
     said += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
     said += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
+    if path.lower().endswith((".hdr", ".pic")):
+        said += "; Radiance's format keeps 8 bits of each value"
     return answer._replace(assumptions=(*answer.assumptions, said))
 
 

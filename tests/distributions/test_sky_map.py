@@ -81,8 +81,10 @@ def test_a_size_that_no_map_has_is_refused(size, message):
 def test_a_saved_map(tmp_path, extension):
     path = tmp_path / f"sky.{extension}"
     words = "overcast --zenith-luminance 9000cd/m2 --size 128x64 -q -g zenith-luminance"
-    done = run("sky", *words.split(), "--save", str(path))
+    done = run("sky", *words.replace(" -q", "").split(), "--save", str(path))
     assert (done.returncode, done.stdout) == (0, "9000\n")
+    assert "a latlong map of 128 x 64 pixels in cd/m2" in done.stderr
+    assert ("8 bits" in done.stderr) == (extension == "hdr")
     picture = read_picture(str(path))
     pixels = picture.pixels[:, :, 0] if extension == "pfm" else picture.pixels @ picture.weights
     assert summed(pixels, (0, 0, 1)) == pytest.approx(7000 * math.pi, rel=5e-3)
