@@ -1,10 +1,11 @@
 """Maps of radiances: irradiances against reading the pixels, and what many cost; see README.md."""
 
 import math
-import resource
 import sys
 import tempfile
 import time
+import tracemalloc
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -44,25 +45,24 @@ def one(path: str) -> bool:
     return report(name, ours, theirs, 1.5, 9)
 
 
-def megabytes() -> float:
-    """The most that was resident so far."""
-    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return most / (2**20 if sys.platform == "darwin" else 2**10)
+def cost(name: str, action: Callable[[], object]) -> None:
+    """Print how long it takes, and the most memory that it has at a time."""
+    start = time.perf_counter()
+    action()
+    took = time.perf_counter() - start
+    tracemalloc.start()
+    action()
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    print(f"{name}: {took:.1f} s, {most / 2**20:.0f} MB at most beside the pixels")
 
 
 def main() -> int:
     """Print every figure; the exit status says whether all aims are met."""
     pixels = picture()
     around = RadianceMap(pixels.pixels, "latlong", weights=REC_709)
-    before = megabytes()
-    for name, action in {
-        "irradiance map 64x32": lambda: irradiance_map(around, 64, 32),
-        "to a mirror ball of 1024x1024": lambda: reproject(around, "mirror-ball", 1024, 1024),
-    }.items():
-        start = time.perf_counter()
-        action()
-        took = time.perf_counter() - start
-        print(f"{name}: {took:.1f} s, {megabytes() - before:.0f} MB more at most")
+    cost("irradiance map 64x32", lambda: irradiance_map(around, 64, 32))
+    cost("mirror ball of 1024x1024", lambda: reproject(around, "mirror-ball", 1024, 1024))
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "map.hdr")
         write_picture(path, pixels)

@@ -126,11 +126,13 @@ class _Target:
             (across, down + 1, (1 - right) * below),
             (across + 1, down + 1, right * below),
         ]:
-            cell = self._cell(column, row)
-            cell = numpy.where(self.is_shown[cell], cell, middle)  # nothing leaves the circle
-            numpy.add.at(self.size, cell, share * size)
-            for k, value in enumerate(values.T):
-                numpy.add.at(self.light[k], cell, share * size * value)
+            here = numpy.flatnonzero(share > NOTHING)
+            cell = self._cell(column[here], row[here])
+            cell = numpy.where(self.is_shown[cell], cell, middle[here])  # none leaves the circle
+            weight = share[here] * size[here]
+            numpy.add.at(self.size, cell, weight)
+            for k, value in enumerate(values[here].T):
+                numpy.add.at(self.light[k], cell, weight * value)
                 numpy.minimum.at(self.least[k], cell, value)
                 numpy.maximum.at(self.most[k], cell, value)
 
