@@ -1,0 +1,60 @@
+"""Light vectors of parts of an image, against quadrature by mpmath."""
+
+import mpmath
+import numpy
+import pytest
+
+from radcalc.geometry.light_vectors import light_vectors
+
+PARTS = [(-0.6, -0.5, 0.3, 0.2), (0.1, 0.35, -0.2, -0.5)]
+
+
+def density(projection, u, v):
+    """Direction times solid angle by area, by SOURCES 2."""
+    if projection == "latlong":
+        a, e = -mpmath.pi * u, mpmath.pi / 2 * v
+        scale = mpmath.pi**2 / 2 * mpmath.cos(e)
+        c = mpmath.cos(e)
+        return scale * c * mpmath.cos(a), scale * c * mpmath.sin(a), scale * mpmath.sin(e)
+    r = mpmath.hypot(u, v)
+    if projection == "mirror-ball":
+        n = mpmath.sqrt(1 - r * r)
+        return 4 * (2 * n * n - 1), 8 * n * u, 8 * n * v
+    share = mpmath.sin(mpmath.pi * r) / r
+    scale = mpmath.pi * share
+    return scale * mpmath.cos(mpmath.pi * r), -scale * share * u, scale * share * v
+
+
+@pytest.mark.parametrize(
+    ("projection", "bound"), [("latlong", 1e-12), ("mirror-ball", 1e-11), ("angular", 3e-3)]
+)
+@pytest.mark.parametrize("part", PARTS)
+def test_a_rectangle(projection, bound, part):
+    """Four points of an angular map leave the fourth power of a part's size."""
+    left, right, top, low = part
+    u, v = numpy.array([left, right]), numpy.array([top, low])
+    found = light_vectors(projection, u, v).ravel()
+    true = [
+        float(
+            mpmath.quad(
+                lambda x, y, k=k: density(projection, x, y)[k],
+                [left, (left + right) / 2, right],
+                [low, (low + top) / 2, top],
+                maxdegree=4,
+            )
+        )
+        for k in range(3)
+    ]
+    size = numpy.linalg.norm(true)
+    assert found == pytest.approx(true, rel=bound, abs=bound * size)
+
+
+def test_a_rectangle_that_the_circle_cuts():
+    """The whole disc in four quadrants: each has a quarter of the sphere, and the ball's vector.
+
+    Of the quadrant of positive u and v: the integrals of (2 n^2 - 1, 2 n u, 2 n v) 4 du dv, which
+    in polar coordinates are 0, pi/2 and pi/2.
+    """
+    edges = numpy.array([0.0, 1.0]), numpy.array([1.0, 0.0])
+    found = light_vectors("mirror-ball", *edges).ravel()
+    assert found == pytest.approx([0, numpy.pi / 2, numpy.pi / 2], abs=1e-14)
