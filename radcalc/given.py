@@ -363,6 +363,14 @@ def read_direction(text: str, what: str) -> tuple[float, float]:
     return min(polar, math.pi), 0.0 if azimuth == TURN else azimuth  # of a hair below 0
 
 
+def require_azimuth(given: Given, why: str) -> None:
+    """Refuse a direction that has a polar angle alone, where it is none of the poles."""
+    if given.value[0] % math.pi and "," not in given.text:
+        told = quote(given.text)
+        problem = f"{option(given.name, told)} has no azimuth, and {why}"
+        raise MissingInput(problem, option(given.name, f"{told},90deg"))
+
+
 AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without: 1,0,0.5"
 
 

@@ -11,7 +11,7 @@ from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, mention, option, options
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.given import Inputs, at_most_one, read, sort
+from radcalc.given import Inputs, at_most_one, read, require_azimuth, sort
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import LATLONG, LINKS, SYMBOLS, light_unit, specific_name
 from radcalc.units.dimensions import SOLID_ANGLE
@@ -204,6 +204,8 @@ class _Surroundings:
         irradiance, mean, peak = self.source.figures(radiances, normal)
         found = {"irradiance": irradiance.value, "mean-radiance": mean, "peak-radiance": peak.value}
         if "toward" in given:
+            if not radiances.is_axial:
+                require_azimuth(given["toward"], "the radiance depends on it")
             found["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
         shown = self._shown(found)
         ends = [value("peak-polar", peak.polar), value("peak-azimuth", peak.azimuth)]
@@ -277,9 +279,8 @@ class _Surroundings:
 
     def _made(self, name: str, values: Any, projection: str) -> Made:
         """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
-        from radcalc.distributions.environments import article
         from radcalc.distributions.maps.pictures import Picture
-        from radcalc.geometry.projections import pixel_solid_angles
+        from radcalc.geometry.projections import name_of_map, pixel_solid_angles
 
         unit, label = _relative(name, 0.0).units[0], f"relative {name}"
         if self.kind:
@@ -306,7 +307,7 @@ class _Surroundings:
             (*self.assumptions, *shown.assumptions),
             (*self.notes, *shown.notes),
         )
-        what = f"{article(projection)} {projection} map of {width} x {height} pixels"
+        what = f"{name_of_map(projection)} of {width} x {height} pixels"
         what += f", of {label} in {unit}"
         return Made(picture, pixels, unit, what, answer)
 

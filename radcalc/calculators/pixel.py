@@ -15,6 +15,7 @@ from radcalc.geometry.projections import (
     direction_at,
     is_outside,
     middle_of_pixel,
+    name_of_map,
     pixel_solid_angle,
 )
 from radcalc.given import Given, Inputs, one_of
@@ -93,8 +94,7 @@ def _refuse_shape(size: Given, projection: str, is_given: bool) -> None:
             hint = f"{hint}, or, of a square map, {' or '.join(others)}"
         raise ConditionError(f"{told} is not twice as wide as high, as a latlong map is", hint)
     hint = option("size", f"{height}x{height}")
-    a_map = "a mirror ball" if projection == MIRROR_BALL else "an angular map"
-    raise ConditionError(f"{told} is not square, as {a_map} is", hint)
+    raise ConditionError(f"{told} is not square, as {name_of_map(projection)} is", hint)
 
 
 def _middle(projection: str, u: float, v: float) -> list[Value]:

@@ -32,7 +32,7 @@ from radcalc.geometry.sky import (
     relative_luminance,
     sky_type,
 )
-from radcalc.given import Inputs
+from radcalc.given import Inputs, require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import Number, any_true, cos, each, is_array, sin
 from radcalc.quantities.symbols import specific_name
@@ -284,17 +284,17 @@ class _Sky:
             raise Unused(("sun-radius",), "without the sun's light")
         turned = self._is_turned()
         aside = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
-        if "sun-azimuth" in given and not (turned or aside or for_map):
+        # one of a list of planes or directions may be level, or the zenith
+        asked = self.has_plane or (self.type.follows_sun and "toward" in given)
+        if "sun-azimuth" in given and not (asked or for_map):
             hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
-            raise Unused(("sun-azimuth",), "without a plane that is turned or a direction", hint)
+            raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or aside or for_map):
             raise MissingInput("the sun's azimuth is missing", mention("{sun-azimuth=180deg}"))
         if turned and "tilt" in given and "azimuth" not in given:
             raise MissingInput("the plane's azimuth is missing", mention("{azimuth=180deg}"))
-        if aside and "," not in given["toward"].text:
-            told = quote(given["toward"].text)
-            problem = f"{option('toward', told)} has no azimuth, and the sky follows the sun"
-            raise MissingInput(problem, option("toward", f"{told},90deg"))
+        if self.type.follows_sun and "toward" in given:
+            require_azimuth(given["toward"], "the sky follows the sun")
 
     def _is_turned(self) -> bool:
         """Whether the plane faces anything but straight up or down."""

@@ -64,7 +64,7 @@ def command(
       radcalc environment ball.hdr --projection mirror-ball --aim 0,-1,0 --unit 1
       radcalc environment sky:overcast --zenith-luminance 9000cd/m2 --normal 1,0,0
       radcalc environment sky:12 --sun-elevation 40deg --sun-azimuth 0deg \\
-        --toward 0deg:90deg:15deg
+        --toward 0deg:90deg:15deg,90deg
       radcalc environment '3000*max(cos(theta), 0) cd/m2' --steps
       radcalc environment room.hdr --unit cd/m2 --irradiance-map lux.exr --size 64x32
       radcalc environment ball.hdr --projection mirror-ball --unit 1 \\

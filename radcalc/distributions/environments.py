@@ -9,9 +9,10 @@ from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import WORD, formula_with_unit, unseen
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry.numerics.vectors import Vector
+from radcalc.geometry.projections import name_of_map
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
-from radcalc.quantities.symbols import ANGULAR, LATLONG, PROJECTIONS, light_unit
+from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
 from radcalc.units.table import NUMBER, Unit, resolve
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ def of_picture(
         picture.pixels, shown, aim or AHEAD, sums.weights, factor, kind, picture.frame
     )
     width, height = pixels.size
-    said = [f"{article(shown)} {shown} map of {width} x {height} pixels"]
+    said = [f"{name_of_map(shown)} of {width} x {height} pixels"]
     said[0] += "" if aim else mention(", whose middle shows +x ({aim})")
     said += [one for one in picture.assumptions if one != BY_REC_709]
     notes = [*picture.notes, *([note] if note else [])]
@@ -154,11 +155,6 @@ def of_picture(
         (*said, *alone, *([sums.said] if sums.said else [])),
         tuple(notes),
     )
-
-
-def article(projection: str) -> str:
-    """The article of a projection's name."""
-    return "an" if projection == ANGULAR else "a"
 
 
 def channel_of(picture: "Picture", channel: str) -> "Picture":
@@ -392,10 +388,11 @@ def projection_of(picture: "Picture", given: str) -> str:
     if width == 2 * height:
         return LATLONG
     round_ones = [name for name in PROJECTIONS if name != LATLONG]
-    square = width == height
+    if width != height:
+        from radcalc.distributions.maps.radiance_map import check_shape
+
+        check_shape(LATLONG, width, height)  # refuses it
     raise MissingInput(
-        f"the map of {width} x {height} pixels may have several projections"
-        if square
-        else f"the map of {width} x {height} pixels is neither 2:1 nor square",
-        " or ".join(option("projection", name) for name in (round_ones if square else PROJECTIONS)),
+        f"the map of {width} x {height} pixels may have several projections",
+        " or ".join(option("projection", name) for name in round_ones),
     )

@@ -23,12 +23,16 @@ class Radiances(Protocol):
     kind : str
         The kind of light: "v" where radiances are in cd/m2, "e" in W/m2/sr, "p" in
         photon/s/m2/sr; empty where they are relative.
+    is_axial : bool
+        Whether the radiance is known to be the same at every azimuth.
     coverage : float [1]
         The share of the sphere that it tells about, by solid angle; elsewhere it is dark.
     """
 
     @property
     def kind(self) -> str: ...
+    @property
+    def is_axial(self) -> bool: ...
     @property
     def coverage(self) -> float: ...
 
@@ -93,6 +97,7 @@ class FormulaRadiances:
     def __init__(self, formula: Formula) -> None:
         self.formula = formula
         self.kind = formula.kind
+        self.is_axial = formula.is_axial
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.formula.intensity(polar, azimuth)

@@ -68,6 +68,7 @@ class Sky:
         if sun is not None and not 0 <= sun[0] <= math.pi / 2:
             raise ConditionError("the sun is below the horizon", mention("{sun-elevation=40deg}"))
         self.sun, self.zenith, self.kind = sun, zenith, kind
+        self.is_axial = not self.type.follows_sun
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         return self.zenith * geometry.relative_luminance(self.type, polar, azimuth, self.sun)

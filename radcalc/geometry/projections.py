@@ -45,7 +45,7 @@ from radcalc.maths import (
     smaller,
     sqrt,
 )
-from radcalc.quantities.symbols import LATLONG, MIRROR_BALL, PROJECTIONS
+from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
 
 FEW, MANY = 4, 16  # points of a rule each way over a pixel that is small beside the image, or not
 SMALL = 1 / 64  # of the image: by then 4 points leave 1e-16
@@ -85,6 +85,26 @@ def _is_latlong(projection: str) -> bool:
     """Whether it is the one projection that has no circle, if it is one at all."""
     refuse(projection not in PROJECTIONS, "that is no projection", ", ".join(PROJECTIONS))
     return projection == LATLONG
+
+
+def name_of_map(projection: str) -> str:
+    """What texts call an image, with its article.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import name_of_map
+    >>> name_of_map("angular")
+    'an angular map'
+    """
+    return f"{'an' if projection == ANGULAR else 'a'} {projection} map"
 
 
 def direction_at(projection: str, u: Number, v: Number) -> Vector:

@@ -13,7 +13,7 @@ from radcalc.geometry.directions import cartesian, facing, spherical
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, dot, plus, times, unit, vector
-from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles, place_of
+from radcalc.geometry.projections import middle_of_pixel, name_of_map, pixel_solid_angles, place_of
 from radcalc.maths import Number
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS
 
@@ -113,7 +113,7 @@ class RadianceMap:
                 f"{width} x {height}",
                 "a part that lies within it",
             )
-        self.projection, self.kind = projection, kind
+        self.projection, self.kind, self.is_axial = projection, kind, False
         self.size, self.part = (width, height), (left, top, columns, rows)
         self.axes = facing(aim)
         self._weights = factor * numpy.array(weights or (1.0,), float)
@@ -319,7 +319,7 @@ def check_shape(projection: str, width: int, height: int) -> None:
         of_cube = any(width * down == height * across for across, down in CUBES)
         what = "look like a map on a cube" if of_cube else f"are no {projection} map"
         shape = "square" if is_square else "twice as wide as high"
-        raise ConditionError(f"{size} {what}", f"a {projection} map, which is {shape}")
+        raise ConditionError(f"{size} {what}", f"{name_of_map(projection)}, which is {shape}")
     if height < LEAST:
         raise ConditionError(f"{size} are too few for a map", f"{LEAST} rows or more")
 
