@@ -72,7 +72,7 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
     )
     assert found == pytest.approx([100, 200, 90, 0], abs=1e-6)
     assert asked(source, "--toward", "-1,0,0", "-g", "radiance-toward:cd/m2") == [0]
-    assert asked(source, "--toward", "60deg:90deg:30deg", "-g", "radiance-toward") == (
+    assert asked(source, "--toward", "60deg:90deg:30deg,0deg", "-g", "radiance-toward") == (
         pytest.approx([100 + 100 * math.sin(math.pi / 3), 200])
     )
 
@@ -196,7 +196,9 @@ def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
 
 def test_a_map_is_read_once_for_a_list_of_directions(tmp_path):
     path = written(tmp_path / "sky.pfm", overcast("latlong", 64, 32))
-    found = asked(path, "--unit", "cd/m2", "--toward", "0deg:180deg:90deg", "-g", "radiance-toward")
+    found = asked(
+        path, "--unit", "cd/m2", "--toward", "0deg:180deg:90deg,0deg", "-g", "radiance-toward"
+    )
     assert found == pytest.approx([9000, 0, 0], rel=0.01)
 
 
@@ -217,7 +219,10 @@ def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
         ((16, 32), "--unit m", "that is length", "--unit cd/m2"),
         ((16, 32), "--unit 3", "has a number in it", ""),
         ((16, 16), "--unit 1", "may have several", "--projection mirror-ball or"),
-        ((16, 20), "--unit 1", "neither 2:1 nor square", "--projection latlong or"),
+        ((16, 20), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
+        ((16, 64), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
+        ((12, 16), "--unit 1", "look like a map on a cube", "a latlong map"),
+        ((16, 32), "--unit 1 --toward 60deg", "60deg has no azimuth", "--toward 60deg,90deg"),
         ((16, 16), "--unit 1 --projection latlong", "no latlong map", "twice as wide"),
         ((16, 32), "--unit 1 --projection angular", "no angular map", "square"),
         ((16, 32), "--unit 1 --channel R", "no channel 'R'", "--channel Y"),

@@ -71,7 +71,7 @@ def test_a_pixel_within_the_circle_is_not_noted():
         ("--size 64x64 --pixel 0,0 --projection latlong", "not twice as wide", "--size 128x64"),
         ("--size 64x32 --pixel 0,0 --projection angular", "not square, as an angular map is",
          "--size 32x32"),
-        ("--size 64x32 --pixel 0,0 --projection mirror-ball", "not square, as a mirror ball is",
+        ("--size 64x32 --pixel 0,0 --projection mirror-ball", "not square, as a mirror-ball map is",
          "--size 32x32"),
         ("--size 64x32 --pixel 0,0 --radius 2m", "--radius has no use with a pixel", "without"),
         ("--size 64x64 --pixel 0,0 --projection angular -g polar", "there is no polar",

@@ -240,3 +240,16 @@ def test_arrays_in_python():
     )
     with pytest.raises(RadcalcError, match="'dull' is no sky"):
         radcalc.sky("dull", zenith_luminance="1 cd/m2")
+
+
+def test_one_of_a_list_may_need_no_azimuth():
+    """A level plane and the zenith do not depend on the sun's azimuth; others of a list do."""
+    words = ["--sun-elevation", "40deg", "--sun-azimuth", "90deg", "--zenith-luminance", "1cd/m2"]
+    planes = run("sky", "clear", *words, "--tilt", "0deg,90deg", "--azimuth", "90deg", "-g", "tilt")
+    places = run(
+        "sky", "clear", *words, "--toward", "0deg:60deg:60deg,90deg", "-g", "zenith-luminance"
+    )
+    assert (planes.stdout, places.stdout) == ("0\n90\n", "1\n1\n")
+    useless = run("sky", "clear", *words)
+    assert (useless.returncode, useless.stdout) == (2, "")
+    assert "--sun-azimuth has no use without a plane or a direction" in useless.stderr
