@@ -12,14 +12,12 @@ from radcalc.calculators.results import absent
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
-    ConditionError,
     Exclusive,
     MissingInput,
     Unused,
     mention,
     option,
     quote,
-    quote_path,
 )
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import cartesian
@@ -34,10 +32,11 @@ from radcalc.geometry.sky import (
 )
 from radcalc.given import Inputs, require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import Number, any_true, cos, each, is_array, sin
+from radcalc.maths import Number, any_true, cos, each, sin
 from radcalc.quantities.symbols import specific_name
 
 if TYPE_CHECKING:
+    from radcalc.calculators.environment import Made
     from radcalc.distributions.maps.pictures import Picture
 
 SUN_RADIUS = math.radians(0.2666)  # at its mean distance
@@ -139,30 +138,27 @@ NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")
 NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
 
-def sky(name: str, given: Inputs, path: str = "") -> Answer:
+def sky(name: str, given: Inputs) -> Answer:
     """The light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
 
     `given` are light quantities by whichever name, where the sun is, a direction, a plane, and
-    what links the kinds; with a path, to which a map of the sky is written, also the map's size.
+    what links the kinds.
     """
-    if not path:
-        if "size" in given:
-            raise Unused(("size",), "without a map to write")
-        return _Sky(name, given).answer()
-    from radcalc.distributions.maps.pictures import check_target, write_picture
+    return _Sky(name, given).answer()
 
-    check_target(path)
+
+def sky_map(name: str, given: Inputs) -> "Made":
+    """A map of a sky, with the sun's disc if the sun has light; `given` also has its size."""
+    from radcalc.calculators.environment import Made
+
     found = _Sky(name, {key: one for key, one in given.items() if key != "size"}, for_map=True)
     answer = found.answer()
     picture = found.picture(*(given["size"].value if "size" in given else SIZE))
-    write_picture(path, picture)
     height, width, _ = picture.pixels.shape
-    said = f"{quote_path(path)}: a latlong map of {width} x {height} pixels in {picture.unit}, "
-    said += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
-    said += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
-    if path.lower().endswith((".hdr", ".pic")):
-        said += "; Radiance's format keeps 8 bits of each value"
-    return answer._replace(assumptions=(*answer.assumptions, said))
+    what = f"a latlong map of {width} x {height} pixels in {picture.unit}, "
+    what += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
+    what += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
+    return Made(picture, picture.pixels, picture.unit, what, answer)
 
 
 class _Sky:
@@ -228,8 +224,6 @@ class _Sky:
             raise MissingInput("how bright the sky is is missing", BRIGHT)
         zenith = sheet.at("zenith-radiance")
         place = _sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
-        if is_array(zenith) or any(map(is_array, place)):
-            raise ConditionError("a map is of one sky", "one value of each quantity")
         sky = Sky(self.name, place if self.type.follows_sun else None, zenith, sheet.lit.kind)
         disc = None
         if self.is_sunlit:

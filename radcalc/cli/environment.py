@@ -1,21 +1,17 @@
 """`radcalc environment SOURCE`."""
 
-from collections.abc import Callable
 from functools import partial
 
 import click
 
-from radcalc import stdio
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
-from radcalc.calculators.results import pick
-from radcalc.cli.calculator import Asked, cases, refuse_bare, refuse_format, run, show
+from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
+from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
-from radcalc.errors import UsageError, quote_path
-from radcalc.given import Inputs
+from radcalc.errors import UsageError
 from radcalc.quantities.symbols import PROJECTIONS
-from radcalc.render.progress import progress
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
 IRRADIANCE_MAP = click.Option(
@@ -94,7 +90,11 @@ def command(
                 raise UsageError(f"{name} has no use without {file}", f"{file} FILE with it")
         each = cases(typed)
         return run(each, lambda given: environment(source, given), asked, shown, "environment")
-    given = _given(typed, asked)
+    for name in ("normal", "toward"):
+        if name in typed:
+            problem = f"--{name} has no use where a map is written"
+            raise UsageError(problem, f"the same without --{name}")
+    given = one_case(typed, asked)
     if irradiance_map:
         if reproject:
             both = "--irradiance-map and --reproject"
@@ -102,47 +102,11 @@ def command(
         if to:
             raise UsageError("--to has no use with --irradiance-map", "the same without --to")
         make = partial(page.irradiance_map, source, given, 2 if order else None)
-        return _write(path, "irradiance map", make, asked, shown)
+        return write_map(path, "irradiance map", make, asked, shown)
     if order:
         raise UsageError("--order has no use with --reproject", "the same without --order")
     if not to:
         ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
-    return _write(path, "reprojection", make, asked, shown)
-
-
-def _given(typed: dict[str, str], asked: Asked) -> Inputs:
-    """What is given for a file, of which one is made at a time."""
-    for name in ("normal", "toward"):
-        if name in typed:
-            problem = f"--{name} has no use where a map is written"
-            raise UsageError(problem, f"the same without --{name}")
-    if asked.check is not None:
-        raise UsageError("--check has no use where a map is written", "the same without --check")
-    each = cases(typed)
-    if len(each) > 1:
-        raise UsageError("one map is written at a time", "one value in place of a list")
-    return each[0][1]
-
-
-def _write(
-    path: str, task: str, make: Callable[..., page.Made], asked: Asked, shown: Output
-) -> int:
-    """Make a picture, write it, and tell what it is; everything is checked before it is written."""
-    from radcalc.distributions.maps.pictures import check_target, write_picture
-
-    if asked.wanted:
-        refuse_format(shown)
-    else:
-        refuse_bare(shown)
-    check_target(path)
-    with progress(task, shown.style.remarks) as tick:
-        made = make(progress=tick)
-    for name in asked.wanted:
-        pick(made.answer.values, name)
-    lost = write_picture(path, made.picture)
-    said = f"{quote_path(path)}: {made.what}"
-    answer = made.answer._replace(notes=(*made.answer.notes, said, *lost))
-    show([("", answer)], asked, shown)
-    return stdio.ANSWERED
+    return write_map(path, "reprojection", make, asked, shown)

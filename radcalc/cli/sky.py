@@ -2,9 +2,10 @@
 
 import click
 
-from radcalc.calculators.sky import sky
+from radcalc.calculators.sky import sky, sky_map
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
+from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
 
@@ -86,7 +87,10 @@ def command(
     if len(words) > 1:
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one type of sky")
     name = words[0].lower() if words else "overcast"
+    if save:
+        given = one_case(typed, asked)
+        return write_map(save, "map", lambda progress: sky_map(name, given), asked, shown)
+    if "size" in typed:
+        raise UsageError("--size has no use without --save", "--save FILE with it")
     each = cases(typed, arrays=True)
-    if save and (len(each) > 1 or asked.check is not None):
-        raise UsageError("a map is of one sky, and of no check", "one value of each quantity")
-    return run(each, lambda given: sky(name, given, save or ""), asked, shown, "sky", name)
+    return run(each, lambda given: sky(name, given), asked, shown, "sky", name)

@@ -1,0 +1,47 @@
+"""Maps that commands write: one at a time, and none where anything is refused."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from radcalc import stdio
+from radcalc.calculators.results import pick
+from radcalc.cli.calculator import Asked, cases, refuse_bare, refuse_format, show
+from radcalc.cli.options import Output
+from radcalc.errors import UsageError, quote_path
+from radcalc.given import Inputs
+from radcalc.render.progress import progress
+
+if TYPE_CHECKING:
+    from radcalc.calculators.environment import Made
+
+
+def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
+    """What is given for a map, of which one is made at a time."""
+    if asked.check is not None:
+        raise UsageError("--check has no use where a map is written", "the same without --check")
+    each = cases(typed)
+    if len(each) > 1:
+        raise UsageError("one map is written at a time", "one value in place of a list")
+    return each[0][1]
+
+
+def write_map(
+    path: str, task: str, make: Callable[..., "Made"], asked: Asked, shown: Output
+) -> int:
+    """Make a map, write it, and tell what it is; everything is checked before it is written."""
+    from radcalc.distributions.maps.pictures import check_target, write_picture
+
+    if asked.wanted:
+        refuse_format(shown)
+    else:
+        refuse_bare(shown)
+    check_target(path)
+    with progress(task, shown.style.remarks) as tick:
+        made = make(progress=tick)
+    for name in asked.wanted:
+        pick(made.answer.values, name)
+    lost = write_picture(path, made.picture)
+    said = f"{quote_path(path)}: {made.what}"
+    answer = made.answer._replace(notes=(*made.answer.notes, said, *lost))
+    show([("", answer)], asked, shown)
+    return stdio.ANSWERED
