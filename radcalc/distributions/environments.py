@@ -269,6 +269,9 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
         If nobody says it.
     """
     own = resolve(picture.unit) if picture.unit else None
+    if own and own.dimension not in (NUMBER, *RADIANCES):
+        problem = f"the map says that it is in {quote(own.text)}: that is {describe(own)}"
+        raise ConditionError(problem, "a map of radiances")
     unit = given or own
     if unit is None:
         raise MissingInput(
@@ -280,10 +283,8 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
             raise ConditionError(f"{_told(unit)} is no unit", mention("{unit=1}"))
         return 1.0, "", ""
     if unit.dimension not in RADIANCES:
-        told = _told(unit) if given else f"the map says that it is in {quote(unit.text)}"
-        raise ConditionError(
-            f"{told}: a map has radiances, and that is {describe(unit)}", _radiance_for(unit)
-        )
+        problem = f"{_told(unit)}: a map has radiances, and that is {describe(unit)}"
+        raise ConditionError(problem, _radiance_for(unit))
     note = ""
     if given and own and (given.factor, given.dimension) != (own.factor, own.dimension):
         note = f"the map says that it is in {quote(own.text)}, and is taken as in {given.text}"

@@ -7,11 +7,13 @@ A sky, a map, an expression: seen from a point, in the world's axes (+z up, azim
 import math
 from typing import Any, NamedTuple, Protocol
 
-from radcalc.distributions.distribution import ALL_AZIMUTHS, Peak, integrated
+import numpy
+
+from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, integrated
 from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
-from radcalc.geometry.directions import TURN, cartesian, facing, spherical
+from radcalc.geometry.directions import cartesian, facing, spherical
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.numerics.vectors import Vector, plus, times
+from radcalc.geometry.numerics.vectors import Vector, dot, plus, times
 from radcalc.maths import Number
 
 
@@ -105,21 +107,21 @@ class FormulaRadiances:
     def irradiance(self, normal: Vector) -> Integral:
         forward, left, up = facing(normal)
         is_level = not (forward[0] or forward[1])
-        down = times(up, -1.0)
-        received = _Received(
-            self.formula, (down, left, forward), self.formula.is_axial and is_level
-        )
-        steps = self._steps(forward[2] > 0) if is_level else ((), ())
-        accuracy = OF_AXIAL if received.is_axial else ACCURACY
-        return integrated(received, (0.0, math.pi / 2), ALL_AZIMUTHS, accuracy, steps)
+        if is_level or self.formula.expression.comparisons:
+            return self._in_own_angles(forward, self.formula.is_axial and is_level)
+        # about the normal the light is smooth: there is no horizon in the midst of it
+        turned = _ReceivedAboutNormal(self.formula, (times(up, -1.0), left, forward))
+        return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
 
-    def _steps(self, is_up: bool) -> tuple[list[float], list[float]]:
-        """Where it has steps, in the angles about the normal of a level receiver."""
-        polar = (0.0, math.pi / 2) if is_up else (math.pi / 2, math.pi)
-        thetas, phis = self.formula.expression.steps(polar, ALL_AZIMUTHS)
-        if is_up:
-            return thetas, phis
-        return [math.pi - theta for theta in thetas], [(math.pi - phi) % TURN for phi in phis]
+    def _in_own_angles(self, normal: Vector, is_axial: bool) -> Integral:
+        """The integral in theta and phi themselves, in which steps of the expression are known."""
+        polar = ALL_POLAR
+        if is_axial:
+            polar = (0.0, math.pi / 2) if normal[2] > 0 else (math.pi / 2, math.pi)
+        steps = self.formula.expression.steps(polar, ALL_AZIMUTHS)
+        accuracy = OF_AXIAL if is_axial else ACCURACY
+        received = _Received(self.formula, normal, is_axial)
+        return integrated(received, polar, ALL_AZIMUTHS, accuracy, steps)
 
     def mean(self) -> float:
         return self.formula.flux().value / (4 * math.pi)
@@ -129,11 +131,23 @@ class FormulaRadiances:
 
 
 class _Received(NamedTuple):
-    """What a receiver gets from each direction, about its normal: the radiance times the cosine."""
+    """What a receiver gets from each direction: the radiance times the cosine."""
+
+    formula: Formula
+    normal: Vector
+    is_axial: bool
+
+    def intensity(self, theta: Any, phi: Any) -> Any:
+        cosine = dot(self.normal, cartesian(theta, phi))
+        return self.formula.intensity(theta, phi) * numpy.maximum(cosine, 0.0)
+
+
+class _ReceivedAboutNormal(NamedTuple):
+    """The same in angles about the receiver's normal."""
 
     formula: Formula
     axes: tuple[Vector, Vector, Vector]
-    is_axial: bool
+    is_axial: bool = False
 
     def intensity(self, theta: Any, phi: Any) -> Any:
         x, y, z = cartesian(theta, phi)

@@ -344,6 +344,10 @@ def test_an_irradiance_map_of_a_constant_is_pi_of_it_everywhere(tmp_path):
     assert found.pixels == pytest.approx(expected, rel=1e-5)
     assert (found.unit, found.projection) == ("lx", "latlong")
     assert "a latlong map of 64 x 32 pixels, of illuminance in lx" in done.stdout
+    for unit in ([], ["--unit", "cd/m2"], ["--unit", "1"]):
+        again = run("environment", made, *unit)
+        assert (again.returncode, again.stdout) == (2, "")
+        assert "the map says that it is in lx: that is illuminance" in again.stderr
 
 
 def test_the_pixels_of_an_irradiance_map_are_the_irradiances_of_their_normals(tmp_path):

@@ -41,7 +41,7 @@ RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)
 XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
 LATLONG, CUBE = 0, 1  # of envmap
 # Attributes that radcalc writes for itself; other programs pass over them.
-UNIT, WEIGHTS = "radcalcUnit", "radcalcWeights"
+UNIT, WEIGHTS, PROJECTION = "radcalcUnit", "radcalcWeights", "radcalcProjection"
 ASCII = bytes(range(128)) + b"?" * 128  # of each byte
 _Places = dict[str, tuple[str, slice]]  # type and place of the value of each attribute
 
@@ -114,7 +114,7 @@ def read(data: bytes, name: str) -> Picture:
             )
         else:
             notes.append(f"the file's whiteLuminance of {white:g} cd/m2 tells no unit")
-    projection, frame = "", None
+    projection, frame = part.projection, None
     if part.environment is None:
         pixels, frame = _cut(pixels, part)
     else:
@@ -161,6 +161,8 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     }
     if picture.projection == "latlong" and not picture.frame:
         header["envmap"] = openexr.ENVMAP_LATLONG
+    elif picture.projection:
+        header[PROJECTION] = picture.projection
     if picture.unit == "cd/m2":
         header["whiteLuminance"] = 1.0
     elif picture.unit:
@@ -216,7 +218,9 @@ class _Part:
         self.chromaticities: tuple[float, ...] = ()
         if "chromaticities" in attributes:
             self.chromaticities = self._numbers("chromaticities", "8f")
-        self.unit = quote(attributes.get(UNIT, b"").decode("utf-8", "replace"))
+        self.unit, self.projection = (
+            quote(attributes.get(own, b"").decode("utf-8", "replace")) for own in (UNIT, PROJECTION)
+        )
         self.weights: tuple[float, ...] = ()
         if WEIGHTS in attributes:
             self.weights = self._numbers(WEIGHTS, "3f")

@@ -6,13 +6,12 @@ import subprocess
 import sys
 
 import numpy as np
+import OpenEXR
 import pytest
 
 from radcalc.distributions.maps import exr
 from radcalc.distributions.maps.pictures import Picture, read_picture, write_picture
 from radcalc.errors import ConditionError
-
-OpenEXR = pytest.importorskip("OpenEXR")
 
 RGB = ("R", "G", "B")
 ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # AP0
@@ -352,3 +351,10 @@ def test_without_the_package_the_message_says_how_to_get_it(tmp_path):
         "OpenEXR pictures need the package OpenEXR, which is missing\n"
         "try: pip install 'radcalc[maps]'\n"
     )
+
+
+@pytest.mark.parametrize("projection", ["latlong", "mirror-ball", "angular", ""])
+def test_a_written_map_keeps_its_projection(tmp_path, projection):
+    path = str(tmp_path / "map.exr")
+    write_picture(path, Picture(colours(8, 8), RGB, (0.2, 0.7, 0.1), "", "cd/m2", projection))
+    assert read_picture(path).projection == projection
