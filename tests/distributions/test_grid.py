@@ -36,7 +36,7 @@ def test_the_error_covers_that_of_a_table_of_a_lobe(exponent, step):
 
 
 def test_a_laboratory_table():
-    """SOURCES: linear between (theta, I), 2 pi sum of [-I cos + s sin]; and six zones of means."""
+    """Linear between (theta, I), 2 pi sum of [-I cos + s sin]; and six zones of means."""
     lamp = Grid(
         numpy.radians(range(0, 91, 15)), [0.0], [[300.0, 290.0, 260.0, 200.0, 110.0, 30.0, 0.0]]
     )

@@ -87,7 +87,7 @@ def test_lobes(system, power, step):
 
 
 def test_a_laboratory_table():
-    """SOURCES: 300 290 260 200 110 30 0 cd every 15 degrees are 791.3485 lm."""
+    """300 290 260 200 110 30 0 cd every 15 degrees are 791.3485 lm."""
     table = dict(zip(steps(0, 90, 15), [300, 290, 260, 200, 110, 30, 0], strict=True))
     for planes in ([0], [0, 45, 90], [90, 270], [0, 120, 240]):
         assert flux(opened(lambda v, h: table[v], list(table), planes)) == pytest.approx(

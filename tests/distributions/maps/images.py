@@ -1,4 +1,4 @@
-"""Images for tests: what pixels show by SOURCES 2, and not by radcalc."""
+"""Images for tests: what pixels show by the definitions of the projections, not by radcalc."""
 
 import math
 
@@ -19,7 +19,7 @@ TILTS = [
 
 
 def directions(projection, width, height, count=1):
-    """What pixels show, in the map's axes and by SOURCES 2, not by radcalc; NaN outside.
+    """What pixels show, in the map's axes; NaN outside of the circle.
 
     With a count, of so many places each way in every pixel, as rows of places.
     """
@@ -40,7 +40,7 @@ def directions(projection, width, height, count=1):
 
 
 def solid_angles(projection, width, height):
-    """Densities of SOURCES 2 at the pixels' middles, times their areas; 0 outside."""
+    """Solid angle by area at the pixels' middles, times their areas; 0 outside."""
     x, _, z = directions(projection, width, height)
     area = 4 / width / height
     if projection == "latlong":

@@ -12,7 +12,7 @@ from radcalc.errors import ConditionError
 
 @pytest.mark.parametrize("projection", SIZES)
 def test_a_constant_map(projection):
-    """E = pi L in all directions; SOURCES: 3000 cd/m2 give 9424.78 lx."""
+    """E = pi L in all directions: 3000 cd/m2 give 9424.78 lx."""
     width, height = SIZES[projection]
     around = RadianceMap(numpy.full((height, width), 3000.0), projection, kind="v")
     assert around.solid_angle == pytest.approx(4 * math.pi, rel=1e-12)
@@ -46,7 +46,7 @@ def test_a_map_of_a_cosine(projection):
 
 @pytest.mark.parametrize("projection", SIZES)
 def test_the_overcast_sky(projection):
-    """SOURCES 3: Lz 9000 cd/m2 give 7 pi Lz / 9 = 21991.15 lx, and a wall 0.39618 of it.
+    """Moon and Spencer: Lz 9000 cd/m2 give 7 pi Lz / 9 = 21991.15 lx, and a wall 0.39618 of it.
 
     The wall: Lz (pi/6 + 4/9), the integral of (1 + 2 cos t)/3 sin(t)^2 cos(a) over a quarter.
     """
