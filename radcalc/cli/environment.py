@@ -17,17 +17,20 @@ EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky
 IRRADIANCE_MAP = click.Option(
     ["--irradiance-map"],
     metavar="FILE",
-    help="Write the irradiance by the receiver's normal, as a latlong map (.hdr, .exr, .pfm).",
+    help="Write the irradiance of receivers that face in all directions, as a latlong map (.hdr, "
+    ".exr, .pfm).",
 )
 ORDER = click.Option(
     ["--order"],
     type=click.Choice(["2"]),
-    help="Of spherical harmonics, in place of the exact sum over all pixels.",
+    help="Use spherical harmonics up to this order instead of the exact sum over all pixels.",
 )
 REPROJECT = click.Option(
-    ["--reproject"], metavar="FILE", help="Write the map in another projection."
+    ["--reproject"], metavar="FILE", help="Write the map in another projection (with --to)."
 )
-TO = click.Option(["--to"], type=click.Choice(PROJECTIONS), help="Which projection that is.")
+TO = click.Option(
+    ["--to"], type=click.Choice(PROJECTIONS), help="The projection that --reproject writes."
+)
 
 
 @define(

@@ -81,7 +81,7 @@ def command(
 
     Azimuths may be counted in any one way, such as from north clockwise, as only their differences
     count; with --normal X,Y,Z or --toward X,Y,Z they are counted from +x towards +y.  The ground
-    is dark: a wall is lit by half of the sky, and what the ground reflects comes on top.
+    is dark: a wall is lit by half of the sky, and what the ground reflects is not counted.
     daylight-share is what the plane gets of the sky alone, over what the ground gets of it.
     """
     if len(words) > 1:

@@ -389,7 +389,7 @@ _ROWS = (
     _text(UNIT, "unit", "a unit of radiance", "cd/m2",
         "What the map's values are in: cd/m2, W/m2/sr ...; 1 where they are relative."),
     _text(WORD, "channel", "the name of a channel", "Y",
-        "One channel of the map (its luminance, of all of them)."),
+        "One channel of the map alone (by default the luminance of all of them)."),
     _symbol(NUMBER, "coverage", "", label="covered share of the sphere"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),
