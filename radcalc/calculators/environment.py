@@ -208,7 +208,10 @@ class _Surroundings:
                 require_azimuth(given["toward"], "the radiance depends on it")
             found["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
         shown = self._shown(found)
-        ends = [value("peak-polar", peak.polar), value("peak-azimuth", peak.azimuth)]
+        ends = [
+            value("peak-polar", peak.polar, letter="θ_max"),
+            value("peak-azimuth", peak.azimuth, letter="φ_max"),
+        ]
         if not peak.value:
             self.notes.append("there is no light from any direction that was looked at")
             dark = "there is no light", "a map, a sky or an expression that has some"

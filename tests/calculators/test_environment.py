@@ -75,6 +75,10 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
     assert asked(source, "--toward", "60deg:90deg:30deg,0deg", "-g", "radiance-toward") == (
         pytest.approx([100 + 100 * math.sin(math.pi / 3), 200])
     )
+    rows = json.loads(run("environment", source, "--json").stdout)["results"]
+    letters = {row["name"]: row["symbol"] for row in rows}
+    # as of all directions, and not gamma and C of a luminaire
+    assert (letters["peak-polar"], letters["peak-azimuth"]) == ("θ_max", "φ_max")
 
 
 def test_a_kind_that_is_linked_is_shown_beside():
