@@ -1,7 +1,7 @@
 """What surrounds a place: a map of radiances, a sky, an expression; what a receiver gets of it."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
@@ -20,6 +20,7 @@ from radcalc.units.table import NUMBER, resolve
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak
     from radcalc.distributions.environments import Environment
+    from radcalc.distributions.maps.light_sums import Progress
     from radcalc.distributions.maps.pictures import Picture
     from radcalc.distributions.maps.radiance_map import RadianceMap
     from radcalc.distributions.radiances import Radiances
@@ -146,11 +147,8 @@ class Made(NamedTuple):
     answer: Answer
 
 
-Progress = Callable[[int, int], object]  # what is done, and all there is
-
-
 def irradiance_map(
-    source: Source, given: Inputs, order: int | None = None, progress: Progress | None = None
+    source: Source, given: Inputs, order: int | None = None, progress: "Progress | None" = None
 ) -> Made:
     """The irradiances of receivers that face in all directions, as a latlong map.
 
@@ -159,7 +157,9 @@ def irradiance_map(
     return _surroundings(source, given, ("size",)).irradiance_map(order, progress)
 
 
-def reprojection(source: Source, given: Inputs, to: str, progress: Progress | None = None) -> Made:
+def reprojection(
+    source: Source, given: Inputs, to: str, progress: "Progress | None" = None
+) -> Made:
     """The radiances as a map in a projection of `PROJECTIONS`; `given` as of `irradiance_map`."""
     return _surroundings(source, given, ("size",)).reprojected(to, progress)
 
@@ -232,7 +232,7 @@ class _Surroundings:
             steps,
         )
 
-    def irradiance_map(self, order: int | None, progress: Progress | None) -> Made:
+    def irradiance_map(self, order: int | None, progress: "Progress | None") -> Made:
         """The irradiances by the normals that the pixels of a latlong map show."""
         from radcalc.distributions.maps.irradiance_map import irradiance_map
 
@@ -246,7 +246,7 @@ class _Surroundings:
             )
         return self._made("irradiance", found.pixels, LATLONG)
 
-    def reprojected(self, to: str, progress: Progress | None) -> Made:
+    def reprojected(self, to: str, progress: "Progress | None") -> Made:
         """The radiances in another projection."""
         from radcalc.distributions.maps.resampling import reproject
 

@@ -289,8 +289,8 @@ class RadianceMap:
         u, v = place_of(self.projection, *own)
         # a place on the edge belongs to the pixel inside of it
         column, row = (1 + INSIDE * u) / 2 * width - left, (1 - INSIDE * v) / 2 * height - top
-        is_shown = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-        column, row = (numpy.where(is_shown, one, -1).astype(int) for one in (column, row))
+        is_there = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+        column, row = (numpy.where(is_there, one, -1).astype(int) for one in (column, row))
         return column, row
 
 
