@@ -8,7 +8,6 @@ import pytest
 from radcalc.distributions.formula import Formula
 from radcalc.distributions.radiances import FormulaRadiances
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import facing
 
 OVERCAST = "(1 + 2*cos(theta))/3*(theta < 90*deg)"  # Moon and Spencer (1942), over the zenith's
 
@@ -71,13 +70,3 @@ def test_peak_and_refusals():
         radiances("x").irradiance((1, 0, 1))
     with pytest.raises(ConditionError, match="0,0,0 has no direction"):
         radiances("1").irradiance((0, 0, 0))
-
-
-@pytest.mark.parametrize("direction", [(0, 0, 3), (0, 0, -1), (1, -2, 0.5), (-1, 0, 0)])
-def test_axes_of_what_faces_somewhere(direction):
-    forward, left, up = map(numpy.array, facing(direction))
-    assert forward == pytest.approx(numpy.array(direction) / math.dist(direction, (0, 0, 0)))
-    assert numpy.cross(forward, left) == pytest.approx(up)
-    assert left[2] == 0
-    assert up[2] >= 0
-    assert numpy.linalg.norm(left) == pytest.approx(1)

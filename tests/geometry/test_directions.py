@@ -103,3 +103,13 @@ def test_the_normal_of_a_mirror_reflects_one_direction_into_the_other(direction,
 def test_mirrors_without_a_direction_are_refused(function, vectors, message):
     with pytest.raises(ConditionError, match=message):
         function(*vectors)
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 3), (0, 0, -1), (1, -2, 0.5), (-1, 0, 0)])
+def test_axes_of_what_faces_somewhere(direction):
+    forward, left, up = map(np.array, directions.facing(direction))
+    assert forward == pytest.approx(np.array(direction) / math.dist(direction, (0, 0, 0)))
+    assert np.cross(forward, left) == pytest.approx(up)
+    assert left[2] == 0
+    assert up[2] >= 0
+    assert np.linalg.norm(left) == pytest.approx(1)
