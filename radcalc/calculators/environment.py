@@ -1,6 +1,5 @@
 """What surrounds a place: a map of radiances, a sky, an expression; what a receiver gets of it."""
 
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -9,7 +8,7 @@ from radcalc.calculators import light
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
-from radcalc.errors import ConditionError, MissingInput, Unused, mention, option, options
+from radcalc.errors import ConditionError, MissingInput, Unused, option, options
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import Inputs, at_most_one, read, require_azimuth, sort
 from radcalc.maths import is_array
@@ -99,18 +98,19 @@ def _refuse_others(own: Inputs, takes: tuple[str, ...], what: str) -> None:
 
 def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
     """A sky, scaled by what is given or relative to its zenith."""
+    from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
     from radcalc.distributions.sky import Sky
-    from radcalc.geometry.sky import sky_type
+    from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
 
-    sun = None
+    sun: Any = None
     useless = [one for one in OF_SKY if one in own]
     if not sky_type(name).follows_sun and useless:
-        raise Unused(useless, f"with the sky {name}, which is the same at every azimuth")
+        raise Unused(useless, IS_EVEN.format(name))
     if "sun-elevation" in own:
         if "sun-azimuth" not in own:
-            raise MissingInput("the sun's azimuth is missing", mention("{sun-azimuth=180deg}"))
-        sun = (math.pi / 2 - own["sun-elevation"].value, own["sun-azimuth"].value)
+            raise MissingInput(*MISSING_AZIMUTH)
+        sun = place_of_sun(own)
     sky = Sky(name, sun)  # which asks for the sun where it is missing
     said = [f"sky {name}: {sky.type.name}; below the horizon it is dark"]
     if sun:

@@ -24,6 +24,8 @@ from radcalc.geometry.directions import cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
 from radcalc.geometry.sky import (
     CIE,
+    IS_EVEN,
+    MISSING_AZIMUTH,
     MISSING_SUN,
     ZENITH,
     projected_sky,
@@ -223,7 +225,7 @@ class _Sky:
         if not sheet.has("zenith-radiance"):
             raise MissingInput("how bright the sky is is missing", BRIGHT)
         zenith = sheet.at("zenith-radiance")
-        place = _sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
+        place = place_of_sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
         sky = Sky(self.name, place if self.type.follows_sun else None, zenith, sheet.lit.kind)
         disc = None
         if self.is_sunlit:
@@ -266,8 +268,7 @@ class _Sky:
         """Refuse the place of a sun where nothing depends on it."""
         useless = [one for one in (*OF_PLACE, "azimuth") if one in self.given]
         if useless:
-            same = f"with the sky {quote(self.name)}, which is the same at every azimuth"
-            raise Unused(useless, same)
+            raise Unused(useless, IS_EVEN.format(quote(self.name)))
 
     def _refuse_misplaced(self, for_map: bool) -> None:
         """Ask for the angles that matter, and refuse those that do not."""
@@ -284,7 +285,7 @@ class _Sky:
             hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
             raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or aside or for_map):
-            raise MissingInput("the sun's azimuth is missing", mention("{sun-azimuth=180deg}"))
+            raise MissingInput(*MISSING_AZIMUTH)
         if turned and "tilt" in given and "azimuth" not in given:
             raise MissingInput("the plane's azimuth is missing", mention("{azimuth=180deg}"))
         if self.type.follows_sun and "toward" in given:
@@ -302,7 +303,7 @@ class _Sky:
     def _place(self, sheet: Worksheet) -> None:
         """Enter the sky over the ground and the plane, and in a direction, and the sun's cosine."""
         given, sky = sheet.given, self.type
-        sun = _sun(given) if "sun-elevation" in given else (0.0, 0.0)
+        sun = place_of_sun(given) if "sun-elevation" in given else (0.0, 0.0)
         sheet.placed.append(self._luminance())
         over_ground = each(lambda *at: projected_sky(sky, ZENITH, at)[0], sun[0], 0.0)
         sheet.know("horizontal-sky", over_ground)
@@ -331,7 +332,7 @@ class _Sky:
             return Step(*LINEAR)
         numbers = ", ".join(f"{name} = {getattr(self.type, name):g}" for name in "abcde")
         if self.type.follows_sun:
-            polar = _sun(self.given)[0]
+            polar = place_of_sun(self.given)[0]
             numbers += f"; Z_s = {format_angle(polar)}"
         return LUMINANCE.told(numbers)
 
@@ -367,7 +368,7 @@ class _Sky:
             sheet.assume(f"the sun's disc has a radius of {format_angle(radius)}")
         cut = sin(self.given["sun-elevation"].value) < sin(radius)
         if self.has_plane:
-            cosine = dot(_facing(self.given), cartesian(*_sun(self.given)))
+            cosine = dot(_facing(self.given), cartesian(*place_of_sun(self.given)))
             cut = cut | (abs(cosine) < sin(radius))
             if any_true(cosine <= 0):
                 sheet.notes.append("the sun is behind the plane")
@@ -378,7 +379,7 @@ class _Sky:
             )
 
 
-def _sun(given: Inputs) -> tuple[Number, Number]:
+def place_of_sun(given: Inputs) -> tuple[Number, Number]:
     """Polar angle and azimuth of the sun."""
     azimuth = given["sun-azimuth"].value if "sun-azimuth" in given else 0.0
     return math.pi / 2 - given["sun-elevation"].value, azimuth

@@ -62,9 +62,7 @@ class Sky:
         if self.type.follows_sun and sun is None:
             raise MissingInput(*geometry.MISSING_SUN)
         if sun is not None and not self.type.follows_sun:
-            raise Unused(
-                ("sun-elevation",), f"with the sky {name}, which is the same at every azimuth"
-            )
+            raise Unused(("sun-elevation",), geometry.IS_EVEN.format(name))
         if sun is not None and not 0 <= sun[0] <= math.pi / 2:
             raise ConditionError("the sun is below the horizon", mention("{sun-elevation=40deg}"))
         self.sun, self.zenith, self.kind = sun, zenith, kind
