@@ -258,11 +258,13 @@ class _Surroundings:
 
     def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
         """The size of a map to be made: what is asked for, or one that goes without saying."""
+        from radcalc.calculators.pixel import refuse_shape
         from radcalc.distributions.maps.pictures import check_size
         from radcalc.distributions.maps.radiance_map import check_shape
 
         if "size" in self.given:
             width, height = self.given["size"].value
+            refuse_shape(self.given["size"], projection)
             check_shape(projection, width, height)
             check_size(width, height, "the map")
         return width, height

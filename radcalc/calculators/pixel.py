@@ -56,7 +56,7 @@ def pixel(given: Inputs) -> Answer:
     place = one_of(given, "the pixel", "pixel")
     projection = given["projection"].value if "projection" in given else LATLONG
     (width, height), (column, row) = size.value, place.value
-    _refuse_shape(size, projection, "projection" in given)
+    refuse_shape(size, projection, "projection" in given)
     if column >= width or row >= height:
         raise ConditionError(
             f"{option('pixel', quote(place.text))} is beside the map",
@@ -81,8 +81,8 @@ def pixel(given: Inputs) -> Answer:
     return Answer([*results, *_middle(projection, u, v)], assumptions, notes, [step])
 
 
-def _refuse_shape(size: Given, projection: str, is_given: bool) -> None:
-    """Refuse a map that has another shape than its projection."""
+def refuse_shape(size: Given, projection: str, is_given: bool = True) -> None:
+    """Refuse a size that no map in a projection has, which may go without saying."""
     width, height = size.value
     if width == (2 * height if projection == LATLONG else height):
         return

@@ -35,7 +35,7 @@ from radcalc.geometry.sky import (
 from radcalc.given import Inputs, require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import Number, any_true, cos, each, sin
-from radcalc.quantities.symbols import specific_name
+from radcalc.quantities.symbols import LATLONG, specific_name
 
 if TYPE_CHECKING:
     from radcalc.calculators.environment import Made
@@ -152,7 +152,10 @@ def sky(name: str, given: Inputs) -> Answer:
 def sky_map(name: str, given: Inputs) -> "Made":
     """A map of a sky, with the sun's disc if the sun has light; `given` also has its size."""
     from radcalc.calculators.environment import Made
+    from radcalc.calculators.pixel import refuse_shape
 
+    if "size" in given:
+        refuse_shape(given["size"], LATLONG)
     found = _Sky(name, {key: one for key, one in given.items() if key != "size"}, for_map=True)
     answer = found.answer()
     picture = found.picture(*(given["size"].value if "size" in given else SIZE))

@@ -423,8 +423,13 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
     [
         ("--irradiance-map {}.png", "not written as .png", ".hdr"),
         ("--irradiance-map no/{}.hdr", "no folder", "another place"),
-        ("--irradiance-map {}.hdr --size 30x30", "no latlong map", "twice as wide"),
-        ("--irradiance-map {}.hdr --size 999999x5", "no latlong map", ""),
+        (
+            "--irradiance-map {}.hdr --size 30x30",
+            "--size 30x30 is not twice as wide",
+            "--size 60x30",
+        ),
+        ("--irradiance-map {}.hdr --size 999999x5", "is not twice as wide", "--size 10x5"),
+        ("--irradiance-map {}.hdr --size 4x2", "too few for a map", "4 rows or more"),
         ("--irradiance-map {}.hdr --normal 1,0,0", "--normal has no use", "without --normal"),
         ("--irradiance-map {}.hdr --toward 9deg", "--toward has no use", "without --toward"),
         ("--irradiance-map {}.hdr --to angular", "--to has no use", "without --to"),
@@ -441,7 +446,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ("--size 8x4", "--size has no use without", "--irradiance-map FILE"),
         ("--reproject {}.hdr", "projection to write is missing", "--to latlong or --to"),
         ("--reproject {}.hdr --to angular --order 2", "--order has no use with", "without --order"),
-        ("--reproject {}.hdr --to angular --size 8x4", "no angular map", "square"),
+        ("--reproject {}.hdr --to angular --size 8x4", "--size 8x4 is not square", "--size 4x4"),
     ],
 )
 def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, words, message, hint):

@@ -100,7 +100,7 @@ def test_a_saved_map(tmp_path, extension):
         ("overcast --zenith-luminance 1cd/m2 --save {}/no/sky.hdr", "no folder"),
         ("overcast --zenith-luminance 1cd/m2,2cd/m2 --save {}", "one map is written at a time"),
         ("overcast --zenith-luminance 1cd/m2 --size 4x2", "--size has no use without --save"),
-        ("overcast --zenith-luminance 1cd/m2 --size 4x3 --save {}", "latlong"),
+        ("overcast --zenith-luminance 1cd/m2 --size 4x3 --save {}", "--size 6x3"),
         ("overcast --zenith-luminance 1cd/m2 --check 3lx --save {}", "--check has no use"),
         ("overcast --zenith-luminance 1cd/m2 -n --save {}", "-n prints one number"),
         ("overcast --zenith-luminance 1cd/m2 -g nonsense --save {}", "no result 'nonsense'"),
