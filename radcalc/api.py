@@ -350,9 +350,7 @@ def environment(source: Any, **given: Any) -> dict[str, Any]:
 
 
 @in_python
-def irradiance_map(
-    source: Any, size: Any = (64, 32), *, order: int | None = None, **given: Any
-) -> Any:
+def irradiance_map(source: Any, size: Any = None, *, order: int | None = None, **given: Any) -> Any:
     """The irradiances of receivers that face in all directions, as a latlong map.
 
     Parameters
@@ -360,7 +358,7 @@ def irradiance_map(
     source : str, path, array or Quantity
         As of `environment`.  Skies and expressions are sampled, at 1024 x 512 pixels.
     size : sequence of 2 ints, optional
-        Width and height of the map that is made, 2:1.
+        Width and height of the map that is made, 2:1; 64 x 32 by default.
     order : int, optional
         2 for spherical harmonics up to that order; the exact sum over all pixels by default.
     **given : str, Quantity or sequence of floats
