@@ -15,7 +15,7 @@ from radcalc.distributions.distribution import (
 )
 from radcalc.errors import ConditionError, quote
 from radcalc.geometry.directions import TURN, cartesian
-from radcalc.geometry.numerics.cubature import Integral, narrowest
+from radcalc.geometry.numerics.cubature import Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.maths import Number
 
@@ -123,8 +123,21 @@ class Formula:
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
         accuracy = OF_AXIAL if self.is_axial else ACCURACY
-        steps = self.expression.steps(polar, azimuth)
-        return integrated(self, polar, azimuth, accuracy, steps)
+        return integrated(self, polar, azimuth, accuracy, self.steps(polar, azimuth))
+
+    def steps(self, polar: Interval, azimuth: Interval) -> Steps:
+        """Polar angles and azimuths at which an integral should begin anew.
+
+        Where comparisons of one angle change, and about a peak that would else be too narrow.
+        """
+        thetas, phis = self.expression.steps(polar, azimuth)
+        width = self.finest
+        if self.is_axial or width >= 2 * self.unseen:
+            return thetas, phis
+        peak = self.peak()
+        aside = width / max(math.sin(peak.polar), width)
+        around = [(peak.azimuth + k * aside) % TURN for k in (-1, 1)]
+        return [*thetas, peak.polar - width, peak.polar + width], [*phis, *around]
 
     def peak(self) -> Peak:
         """The greatest intensity, looked for on a grid that gets ever finer about it."""

@@ -118,7 +118,7 @@ class FormulaRadiances:
         polar = ALL_POLAR
         if is_axial:
             polar = (0.0, math.pi / 2) if normal[2] > 0 else (math.pi / 2, math.pi)
-        steps = self.formula.expression.steps(polar, ALL_AZIMUTHS)
+        steps = self.formula.steps(polar, ALL_AZIMUTHS)
         accuracy = OF_AXIAL if is_axial else ACCURACY
         received = _Received(self.formula, normal, is_axial)
         return integrated(received, polar, ALL_AZIMUTHS, accuracy, steps)

@@ -48,6 +48,7 @@ from radcalc.maths import (
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
 
 FEW, MANY = 4, 16  # points of a rule each way over a pixel that is small beside the image, or not
+INSIDE = 1 - 1e-9  # of half a side: less is rounding
 SMALL = 1 / 64  # of the image: by then 4 points leave 1e-16
 
 
@@ -337,6 +338,45 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     across = _span(numpy.arange(width // 2, width), width)
     quadrant = _in_quadrant(projection == MIRROR_BALL, *across, *high)
     return quadrant[numpy.ix_(down, abs(2 * numpy.arange(width) + 1 - width) // 2)]
+
+
+def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any) -> Any:
+    """Solid angles of what the circle of an image leaves of rectangles.
+
+    Parameters
+    ----------
+    projection : {"mirror-ball", "angular"}
+    u, v : ndarray [1]
+        Middles of the rectangles.
+    wide, high : ndarray [1]
+        Halves of their sides.  An axis (u = 0 or v = 0) may be beside a rectangle, or along its
+        middle.
+
+    Returns
+    -------
+    ndarray [sr]
+
+    Examples
+    --------
+    A corner of the square about the circle, a quarter of it:
+
+    >>> import numpy
+    >>> from radcalc.geometry.projections import solid_angles_in_circle
+    >>> half = numpy.array([0.5])
+    >>> round(float(solid_angles_in_circle("angular", half, half, -half, half)[0]), 12)
+    3.14159265359
+    """
+
+    def side(middle: Any, half: Any) -> tuple[Any, Any, Any]:
+        within = abs(middle) < half * INSIDE  # it counts as two halves
+        parts = 1.0 + within
+        return (
+            piecewise(within, lambda _, h: h / 2, lambda m, _: abs(m), middle, half),
+            (half / parts),
+            parts,
+        )
+
+    return _in_quadrant(projection == MIRROR_BALL, *side(u, wide), *side(v, high))
 
 
 def _latlong(width: int, height: int, row: Any) -> Any:

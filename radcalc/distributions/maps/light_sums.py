@@ -9,9 +9,10 @@ of a pixel that it cuts the part above is taken:
     = max(0, m) + max(0, a - |m|)^2 / (4 a),  a = sqrt((n . p)^2 + (n . q)^2)
 
 with p and q from the pixel's middle to two of its edges, which gives the cosine its variance over
-the pixel.  Pixels that reach farther than `WIDE` are split for that.  A constant map of 1024 x 512
-pixels then gives pi L to about 1e-8 in any direction, one of 64 x 32 to 1e-6; without the second
-term it would be h^2/12, with pixels of the angle h: 3e-6 and 8e-4.
+the pixel.  The error that is told is the second term with a = |n . p| + |n . q|, up to the corners.
+Pixels that reach farther than `WIDE` are split for that.  A constant map of 1024 x 512 pixels then
+gives pi L to about 1e-8 in any direction, one of 64 x 32 to 1e-6; without the second term it would
+be h^2/12, with pixels of the angle h: 3e-6 and 8e-4.
 """
 
 import math
@@ -129,7 +130,7 @@ class LightSums:
         self._vectors, self._axes, self._sines = map(numpy.stack, zip(*found, strict=True))
 
     def irradiances(self, normals: Any, progress: Progress | None = None) -> tuple[Any, Any]:
-        """Irradiances of receivers, and what the second term of cut pixels is in them.
+        """Irradiances of receivers, and how far they may be off.
 
         Parameters
         ----------
@@ -140,10 +141,10 @@ class LightSums:
 
         Returns
         -------
-        irradiances, cut : ndarray of shape (n, channels)
+        irradiances, errors : ndarray of shape (n, channels)
         """
         channels = self._vectors.shape[2]
-        total, cut = numpy.zeros((2, len(normals), channels))
+        total, errors = numpy.zeros((2, len(normals), channels))
         for down in range(self.raster.down):
             towards = normals @ self._axes[down].T
             is_whole = abs(towards) >= self._sines[down]
@@ -155,13 +156,14 @@ class LightSums:
                 for block, (pixels, split) in zip(chosen, self._pixels(down, chosen), strict=True):
                     here = numpy.flatnonzero(~is_whole[:, block])
                     for some in numpy.array_split(here, 1 + here.size * len(split[-1]) // CHUNK):
-                        middles, edges = _received(normals[some], *split)
-                        total[some] += middles + edges
-                        is_same = split is pixels
-                        cut[some] += edges if is_same else _received(normals[some], *pixels)[1]
+                        received, off = _received(normals[some], *split)
+                        total[some] += received
+                        if split is not pixels:
+                            off = _received(normals[some], *pixels)[1]
+                        errors[some] += off
             if progress:
                 progress(down + 1, self.raster.down)
-        return total, cut
+        return total, errors
 
     def _pixels(self, down: int, chosen: Any) -> Iterator[tuple[Pixels, Pixels]]:
         """The pixels of each block, and the same with the wide ones split."""
@@ -194,10 +196,16 @@ def _shape(projection: str, u: Any, v: Any) -> Any:
 
 
 def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> tuple[Any, Any]:
-    """What receivers get of pixels, by the first term and by the second."""
+    """What receivers get of pixels, and how far that may be off where their horizons cut them."""
     mean = normals @ vectors
     size = numpy.sqrt((vectors * vectors).sum(0))
-    reach = numpy.hypot(normals @ along, normals @ down) * size
-    beyond = numpy.maximum(reach - abs(mean), 0.0)
-    reach = numpy.maximum(reach, TINY)  # a pixel of no size has none
-    return numpy.maximum(mean, 0.0) @ light, beyond * beyond / (4 * reach) @ light
+    one, other = abs(normals @ along), abs(normals @ down)
+    beyond = _beyond(mean, numpy.hypot(one, other) * size)
+    # the corners reach farther than pixels whose cosine is spread evenly
+    return (numpy.maximum(mean, 0.0) + beyond) @ light, _beyond(mean, (one + other) * size) @ light
+
+
+def _beyond(mean: Any, reach: Any) -> Any:
+    """The part above the horizon in excess of the positive part of the mean."""
+    over = numpy.maximum(reach - abs(mean), 0.0)
+    return over * over / (4 * numpy.maximum(reach, TINY))  # a pixel of no size has none

@@ -65,9 +65,9 @@ class RadianceMap:
     -----
     A pixel has one radiance in all directions that it shows: `radiance` looks up the pixel, and
     `irradiance` is the sum over pixels of their radiance times the integral of cos(theta) over
-    their solid angle (`light_sums` says how).  The error that is given of an irradiance is what it
-    changes when the light of a pixel that the receiver's horizon cuts is all at the pixel's middle:
-    nobody knows how it is spread there.  What an image lost when its pixels were made is no part
+    their solid angle (`light_sums` says how).  The error that is given of an irradiance is how much
+    of the light of pixels that the receiver's horizon cuts may be on its other side: nobody knows
+    how it is spread there.  What an image lost when its pixels were made is no part
     of it.
 
     All pixels are read once when a map is made.

@@ -120,6 +120,40 @@ def test_a_single_bright_pixel(projection):
         assert found[2] < 1e-6
 
 
+@pytest.mark.parametrize("projection", ["mirror-ball", "angular"])
+def test_a_bright_pixel_that_the_circle_cuts(projection):
+    """Plain sums over its parts inside the circle, for all pixels of two rows next to the rim."""
+    size, many = 64, 40
+    places = directions(projection, size, size, many)
+    weights = solid_angles(projection, size * many, size * many)
+    for row, column in [(0, 24), (0, 25), (1, 21), (2, 18), (24, 0), (39, 63)]:
+        part = numpy.s_[row * many : (row + 1) * many, column * many : (column + 1) * many]
+        inside = weights[part] > 0
+        assert 0 < inside.sum() < inside.size
+        values = numpy.zeros((size, size))
+        values[row, column] = 1e9
+        around = RadianceMap(values, projection)
+        for normal in ((-1, 0, 0), (-1, 0.5, 0.3)):
+            cosine = numpy.tensordot(unit(normal), places[:, *part], 1)[inside]
+            true = 1e9 * weights[part][inside] @ numpy.maximum(cosine, 0)
+            assert around.irradiance(normal).value == pytest.approx(true, rel=0.02)
+
+
+def test_the_error_covers_a_pixel_that_is_cut_at_its_corner():
+    values = numpy.zeros((32, 64))
+    values[15, 32] = 1e9
+    around = RadianceMap(values, "latlong")
+    many = 200
+    part = numpy.s_[15 * many : 16 * many, 32 * many : 33 * many]
+    places = directions("latlong", 64, 32, many)[:, *part].reshape(3, -1)
+    weights = solid_angles("latlong", 64 * many, 32 * many)[part].ravel()
+    for third in numpy.linspace(-0.72, 0.72, 25):
+        normal = unit((-0.127, -0.7, third))
+        true = 1e9 * weights @ numpy.maximum(normal @ places, 0)
+        found = around.irradiance(normal)
+        assert abs(found.value - true) <= found.error + 1e-6 * true
+
+
 @pytest.mark.parametrize("projection", SIZES)
 def test_radiance_is_that_of_the_pixel(projection):
     width, height = (32, 16) if projection == "latlong" else (21, 21)
