@@ -10,7 +10,7 @@ PARTS = [(-0.6, -0.5, 0.3, 0.2), (0.1, 0.35, -0.2, -0.5)]
 
 
 def density(projection, u, v):
-    """Direction times solid angle by area, by SOURCES 2."""
+    """Direction times solid angle by area, by the definitions of the projections."""
     if projection == "latlong":
         a, e = -mpmath.pi * u, mpmath.pi / 2 * v
         scale = mpmath.pi**2 / 2 * mpmath.cos(e)
