@@ -35,6 +35,13 @@ SMALL = (64, 32)  # pixels of an irradiance map
 SAMPLED = (1024, 512)  # pixels of what is no map
 LARGEST = 3e38  # that 32 bits hold
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
+# Formulas of derivations, and where they come from.
+IRRADIANCE = "E = integral of L max(n . s, 0) domega", "ISO 80000-7, irradiance"
+BY_HARMONICS = (
+    "E = sum of A_l L_lm Y_lm(n), l = 0, 1, 2, A_l = pi, 2 pi/3, pi/4",
+    "Ramamoorthi and Hanrahan, SIGGRAPH 2001",
+)
+MEAN = "{} = integral of L domega / integral of domega"
 IS_RELATIVE = (
     "the radiances are relative, and so is every result: where they are 1 everywhere, the "
     "irradiance is pi sr"
@@ -244,7 +251,10 @@ class _Surroundings:
                 f"{100 * found.largest:.2g} % of the largest irradiance, by {100 * found.rms:.2g} "
                 "% in the root mean square"
             )
-        return self._made("irradiance", found.pixels, LATLONG)
+        formula, reference = BY_HARMONICS if order else IRRADIANCE
+        each = "n = the direction that the middle of a pixel shows"
+        step = Step("irradiance of each receiver", formula, each, reference)
+        return self._made("irradiance", found.pixels, LATLONG, step)
 
     def reprojected(self, to: str, progress: "Progress | None") -> Made:
         """The radiances in another projection."""
@@ -254,7 +264,8 @@ class _Surroundings:
         height = chart.size[1]
         size = self._size(to, 2 * height if to == LATLONG else height, height)
         self.assumptions.append("the middle of what is written shows +x")
-        return self._made("radiance", reproject(chart, to, *size, progress=progress), to)
+        step = Step("radiance of each pixel", MEAN.format("L'"), "over what the pixel shows")
+        return self._made("radiance", reproject(chart, to, *size, progress=progress), to, step)
 
     def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
         """The size of a map to be made: what is asked for, or one that goes without saying."""
@@ -282,7 +293,7 @@ class _Surroundings:
         )
         return environments.sampled(self.found.radiances, width, height)
 
-    def _made(self, name: str, values: Any, projection: str) -> Made:
+    def _made(self, name: str, values: Any, projection: str, step: Step) -> Made:
         """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
         from radcalc.distributions.maps.pictures import Picture
         from radcalc.geometry.projections import name_of_map, pixel_solid_angles
@@ -311,6 +322,7 @@ class _Surroundings:
             [row for end in ends for row in shown.values[end]],
             (*self.assumptions, *shown.assumptions),
             (*self.notes, *shown.notes),
+            [*self._weighting(), step, *shown.steps],
         )
         what = f"{name_of_map(projection)} of {width} x {height} pixels"
         what += f", of {label} in {unit}"
@@ -345,17 +357,17 @@ class _Surroundings:
 
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
         """How the numbers follow."""
+        yield from self._weighting()
+        facing = ",".join(map(format_number, normal))
+        told = f"n = {facing}; E = {self._told('irradiance', irradiance)}"
+        yield Step("irradiance of a receiver", IRRADIANCE[0], told, IRRADIANCE[1])
+        told = f"L_mean = {self._told('mean-radiance', mean)}"
+        yield Step("mean radiance", MEAN.format("L_mean"), told)
+
+    def _weighting(self) -> Iterator[Step]:
+        """How the radiance of a pixel follows from its channels, if it has several."""
         if self.found.luminance:
             yield Step("radiance of a pixel", "", self.found.luminance, self.found.reference)
-        facing = ",".join(map(format_number, normal))
-        yield Step(
-            "irradiance of a receiver",
-            "E = integral of L max(n . s, 0) domega",
-            f"n = {facing}; E = {self._told('irradiance', irradiance)}",
-            "ISO 80000-7, irradiance",
-        )
-        formula = "L_mean = integral of L domega / integral of domega"
-        yield Step("mean radiance", formula, f"L_mean = {self._told('mean-radiance', mean)}")
 
 
 def _relative(name: str, amount: float) -> Value:

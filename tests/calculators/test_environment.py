@@ -272,6 +272,23 @@ def test_a_file_that_is_no_map_is_refused_in_two_lines(tmp_path, data, message):
     assert told.startswith("try: ")
 
 
+@pytest.mark.parametrize(
+    ("words", "formula"),
+    [
+        ("--irradiance-map made.pfm --size 8x4", "E = integral of L max(n . s, 0) domega"),
+        ("--irradiance-map made.pfm --size 8x4 --order 2", "E = sum of A_l L_lm Y_lm(n)"),
+        ("--reproject made.pfm --to angular", "L' = integral of L domega / integral of domega"),
+    ],
+)
+def test_the_derivation_of_a_map_that_is_written(tmp_path, words, formula):
+    written(tmp_path / "colours.pfm", numpy.ones((16, 32, 3)))
+    words = ["colours.pfm", "--unit", "cd/m2", *words.split()]
+    done = run("environment", *words, "--steps", "-q", cwd=tmp_path)
+    assert "L = 0.2126 R + 0.7152 G + 0.0722 B" in done.stderr
+    assert formula in done.stderr
+    assert not run("environment", *words, "-q", cwd=tmp_path).stderr
+
+
 # -- arrays ---------------------------------------------------------------------------------------
 
 
