@@ -7,7 +7,7 @@ towards +x and C90 towards +y.
 import math
 
 from radcalc.geometry.directions import spherical
-from radcalc.geometry.numerics.vectors import Vector, dot, plus, times, unit
+from radcalc.geometry.numerics.vectors import Vector, components, dot, from_components, plus, unit
 from radcalc.maths import Number
 
 DOWN: Vector = (0.0, 0.0, -1.0)
@@ -72,8 +72,7 @@ class Pose:
         ConditionError
             If a point is where the source is.
         """
-        x, y, z = (dot(own, to) for own in self.axes)
-        return spherical(x, y, z)
+        return spherical(*components(self.axes, to))
 
     def world(self, own: Vector) -> Vector:
         """A vector in the source's own coordinates, as one in the world's.
@@ -86,8 +85,7 @@ class Pose:
         -------
         tuple of 3 floats or ndarrays
         """
-        a, b, c = self.axes
-        return plus(plus(times(a, own[0]), b, own[1]), c, own[2])
+        return from_components(self.axes, own)
 
 
 def _turned(vector: Vector, axis: Vector) -> Vector:

@@ -13,7 +13,7 @@ from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Peak, in
 from radcalc.distributions.formula import ACCURACY, OF_AXIAL, Formula
 from radcalc.geometry.directions import cartesian, facing, spherical
 from radcalc.geometry.numerics.cubature import Integral
-from radcalc.geometry.numerics.vectors import Vector, dot, plus, times
+from radcalc.geometry.numerics.vectors import Vector, dot, from_components, times
 from radcalc.maths import Number
 
 
@@ -150,7 +150,6 @@ class _ReceivedAboutNormal(NamedTuple):
     is_axial: bool = False
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        x, y, z = cartesian(theta, phi)
-        across, along, normal = self.axes
-        polar, azimuth, _ = spherical(*plus(plus(times(across, x), along, y), normal, z))
-        return self.formula.intensity(polar, azimuth) * z
+        own = cartesian(theta, phi)
+        polar, azimuth, _ = spherical(*from_components(self.axes, own))
+        return self.formula.intensity(polar, azimuth) * own[2]

@@ -12,7 +12,7 @@ from radcalc.errors import ConditionError
 from radcalc.geometry.directions import cartesian, facing, spherical
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
-from radcalc.geometry.numerics.vectors import Vector, dot, plus, times, unit, vector
+from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
 from radcalc.geometry.projections import middle_of_pixel, name_of_map, pixel_solid_angles, place_of
 from radcalc.maths import Number
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS
@@ -275,13 +275,11 @@ class RadianceMap:
 
     def own(self, direction: Vector) -> Vector:
         """A direction of the world in the map's own axes."""
-        x, y, z = (dot(axis, direction) for axis in self.axes)
-        return x, y, z
+        return components(self.axes, direction)
 
     def world(self, own: Vector) -> Vector:
         """A direction in the map's own axes as one of the world."""
-        forward, left, up = self.axes
-        return plus(plus(times(forward, own[0]), left, own[1]), up, own[2])
+        return from_components(self.axes, own)
 
     def _pixel_of(self, own: Vector) -> tuple[Any, Any]:
         """Column and row, among the pixels there are, that show directions; -1 where none does."""

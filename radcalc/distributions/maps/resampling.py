@@ -10,7 +10,7 @@ from radcalc.distributions.maps.light_sums import Progress
 from radcalc.distributions.maps.radiance_map import FORWARD, RadianceMap, check_shape
 from radcalc.geometry.directions import facing
 from radcalc.geometry.light_vectors import is_shown, shown
-from radcalc.geometry.numerics.vectors import Vector, dot
+from radcalc.geometry.numerics.vectors import Vector, components, from_components
 from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles, place_of
 from radcalc.quantities.symbols import ANGULAR, LATLONG
 
@@ -102,8 +102,7 @@ class _Target:
     def places(self, around: RadianceMap, u: Any, v: Any) -> tuple[Any, Any]:
         """Places in the new image, in its pixels from the top left, of places in the old one."""
         world = around.world(shown(around.projection, u, v))
-        x, y, z = (dot(axis, world) for axis in self.axes)
-        u, v = place_of(self.projection, x, y, z)
+        u, v = place_of(self.projection, *components(self.axes, world))
         return (u + 1) / 2 * self.width, (1 - v) / 2 * self.height
 
     def step(self, x: Any, axis: int) -> Any:
@@ -155,9 +154,7 @@ class _Target:
         if len(row):
             u, v = middle_of_pixel(self.width, self.height, column, row)
             own = shown(self.projection, u, v)
-            world = tuple(
-                sum(axis[k] * own[i] for i, axis in enumerate(self.axes)) for k in range(3)
-            )
+            world = from_components(self.axes, own)
             values = around.toward(around.own(world)) * around.factor
             found[:, row * self.width + column] = values.T
         return numpy.moveaxis(found.reshape(-1, self.height, self.width), 0, -1)

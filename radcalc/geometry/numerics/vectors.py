@@ -4,6 +4,7 @@ A vector is a plain tuple (x, y, z), so that floats need no NumPy; where coordin
 every function works element by element.  Units are those of the arguments.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 from radcalc.errors import ConditionError
@@ -157,6 +158,53 @@ def times(a: Vector, factor: Number) -> Vector:
     (2.0, 4.0, 6.0)
     """
     return (a[0] * factor, a[1] * factor, a[2] * factor)
+
+
+def components(axes: Sequence[Vector], a: Vector) -> Vector:
+    """Components of a vector along three axes.
+
+    Parameters
+    ----------
+    axes : sequence of 3 tuples of 3 floats
+        Unit vectors at right angles.
+    a : tuple of 3 floats or ndarrays
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import components
+    >>> components(((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0)), (1.0, 2.0, 3.0))
+    (2.0, -1.0, 3.0)
+    """
+    x, y, z = (dot(axis, a) for axis in axes)
+    return x, y, z
+
+
+def from_components(axes: Sequence[Vector], own: Vector) -> Vector:
+    """Vector that has given components along three axes: the inverse of `components`.
+
+    Parameters
+    ----------
+    axes : sequence of 3 tuples of 3 floats
+        Unit vectors at right angles.
+    own : tuple of 3 floats or ndarrays
+        The components.
+
+    Returns
+    -------
+    tuple of 3 floats or ndarrays
+
+    Examples
+    --------
+    >>> from radcalc.geometry.numerics.vectors import from_components
+    >>> from_components(((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0)), (2.0, -1.0, 3.0))
+    (1.0, 2.0, 3.0)
+    """
+    first, second, third = axes
+    return plus(plus(times(first, own[0]), second, own[1]), third, own[2])
 
 
 def length(a: Vector) -> Number:
