@@ -59,12 +59,13 @@ def reproject(
     Each pixel is cut into parts, at least three along the side of a new pixel.  The solid angle of
     a part goes to the new pixels that it covers, four at most, by area, as if it was an upright
     rectangle there.  These areas are right to about 1 %; so that neither a constant map changes
-    nor the light of a single bright pixel, a new pixel is::
+    nor, where the new pixels are no smaller, the light of a single bright pixel, a new pixel is::
 
         least + (light - least * covered) / size
 
     of the least radiance that came to it, the light and the solid angle that came, and its own
-    solid angle; and not above the greatest radiance that came.
+    solid angle; and not above the greatest radiance that came, which may take some 1e-3 of the
+    light of a single pixel that becomes many.
 
     Examples
     --------

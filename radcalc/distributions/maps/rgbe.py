@@ -30,6 +30,7 @@ FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
 # What radcalc writes into headers for itself; other programs pass over it.
 UNIT, WEIGHTS, PROJECTION = "RADCALC_UNIT", "RADCALC_WEIGHTS", "RADCALC_PROJECTION"
+GREY = "RADCALC_CHANNELS=Y"  # R = G = B, of which one is read
 SOFTWARE = "radcalc"
 VARIABLES = {"EXPOSURE": 1, "COLORCORR": 3, "PIXASPECT": 1, "GAMMA": 1, "PRIMARIES": 8, WEIGHTS: 3}
 CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
@@ -69,7 +70,7 @@ class _Header(NamedTuple):
     which they follow each other, and of the axis along each.
     """
 
-    channels: tuple[str, ...]
+    channels: tuple[str, ...]  # those that are read
     exposure: float
     correction: tuple[float, ...]
     weights: tuple[float, ...]
@@ -96,7 +97,7 @@ def read(data: bytes, name: str) -> Picture:
     Returns
     -------
     Picture
-        R, G, B; or X, Y, Z, of which Y is luminance in cd/m2.
+        R, G, B; X, Y, Z, of which Y is luminance in cd/m2; or Y of a grey one that `write` wrote.
 
     Raises
     ------
@@ -129,7 +130,7 @@ def read(data: bytes, name: str) -> Picture:
     if end < len(data):
         notes += (f"{name} has {len(data) - end} bytes behind the picture",)
     return Picture(
-        _upright(pixels, header.order),
+        _upright(pixels[..., : len(header.channels)], header.order),
         header.channels,
         header.weights,
         FORMAT,
@@ -143,7 +144,7 @@ def read(data: bytes, name: str) -> Picture:
 def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write a Radiance picture, its rows run-length encoded in the new way where they can be.
 
-    A grey picture becomes R = G = B.  Returns what is lost, which is to be told.
+    A grey picture becomes R = G = B, which its header says.  Returns what is lost, to be told.
 
     Raises
     ------
@@ -162,6 +163,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
         f"SOFTWARE={SOFTWARE} {__version__}",
         f"{UNIT}={picture.unit}",
         f"{PROJECTION}={picture.projection}",
+        *([GREY] if len(picture.weights) == 1 else []),
         *([f"{WEIGHTS}={weights}"] if len(picture.weights) == 3 and not is_xyz else []),
         f"FORMAT={XYZE if is_xyz else RGBE}",
         "",
@@ -204,6 +206,8 @@ def _header(data: bytes, name: str) -> _Header:
         weights = (0.0, 1.0, 0.0)
         if UNIT not in said:
             assumptions.append("Y of an XYZE picture is luminance in cd/m2, as Radiance writes it")
+    elif GREY in lines:
+        weights = (1.0,)
     elif WEIGHTS in numbers:
         weights = tuple(numbers[WEIGHTS])
     elif any(numbers.get("PRIMARIES", [])):  # some programs write eight zeros
@@ -218,8 +222,9 @@ def _header(data: bytes, name: str) -> _Header:
     if view := _view(lines):
         notes.append(f"{name} says VIEW={view}, which is not the whole sphere")
     order, count, length, start = _resolution(data, start, name)
+    channels = ("X", "Y", "Z") if is_xyz else ("R", "G", "B")
     return _Header(
-        ("X", "Y", "Z") if is_xyz else ("R", "G", "B"),
+        channels if len(weights) == 3 else ("Y",),
         exposure,
         tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0))),
         weights,

@@ -459,3 +459,12 @@ def test_radiance_and_its_xyz_have_one_luminance(tmp_path):
     lit = luminance > 0
     np.testing.assert_allclose(found.pixels[..., 1][lit], luminance[lit], rtol=0.03)
     assert np.mean(found.pixels[..., 1][lit] / luminance[lit]) == pytest.approx(1, abs=0.005)
+
+
+def test_a_grey_picture_comes_back_grey(tmp_path):
+    path = str(tmp_path / "grey.hdr")
+    pixels = np.arange(1, 33, dtype=np.float32).reshape(4, 8, 1)
+    write_picture(path, Picture(pixels, ("Y",), (1.0,), "", "umol/m2/s/sr", "latlong"))
+    found = read_picture(path)
+    assert (found.channels, found.weights, found.unit) == (("Y",), (1.0,), "umol/m2/s/sr")
+    assert (found.pixels == pixels).all()
