@@ -33,7 +33,6 @@ SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
 SMALL = (64, 32)  # pixels of an irradiance map
 SAMPLED = (1024, 512)  # pixels of what is no map
-LARGEST = 3e38  # that 32 bits hold
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
 # Formulas of derivations, and where they come from.
 IRRADIANCE = "E = integral of L max(n . s, 0) domega", "ISO 80000-7, irradiance"
@@ -295,7 +294,7 @@ class _Surroundings:
 
     def _made(self, name: str, values: Any, projection: str, step: Step) -> Made:
         """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
-        from radcalc.distributions.maps.pictures import Picture
+        from radcalc.distributions.maps.pictures import Picture, as_floats
         from radcalc.geometry.projections import name_of_map, pixel_solid_angles
 
         unit, label = _relative(name, 0.0).units[0], f"relative {name}"
@@ -303,15 +302,14 @@ class _Surroundings:
             unit = light_unit(name, self.kind)
             label = specific_name(name, self.kind).replace("-", " ")
         pixels = values / float(resolve(unit).factor)
-        if not pixels.max() < LARGEST:
-            raise ConditionError(f"a value is more than {LARGEST:g} {unit}", "less extreme values")
+        floats = as_floats(pixels, unit)
         height, width, _ = pixels.shape
         sums = values @ self.found.weights
         told = sums[pixel_solid_angles(projection, width, height) + 0 * sums > 0]
         ends = {f"minimum-{name}": float(told.min()), f"{MOST[name]}-{name}": float(told.max())}
         shown = self._shown(ends)
         picture = Picture(
-            pixels.astype("float32"),
+            floats,
             self.found.channels,
             self.found.weights,
             "",

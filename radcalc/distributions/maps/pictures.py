@@ -31,6 +31,7 @@ REC_709 = (0.2126, 0.7152, 0.0722)  # of the luminance of linear R, G, B, as the
 # the memory of a common computer.
 PIXELS = 1 << 28
 LARGEST = 16 * PIXELS  # bytes of a file: four floats a pixel
+BRIGHTEST, FAINTEST = 3e38, 1e-36  # that 32 bits, and RGBE, hold with all their digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
 OLD_RADIANCE = b"FORMAT=32-bit_rle_"  # in the header of a Radiance picture that begins otherwise
@@ -216,6 +217,42 @@ def check_size(width: int, height: int, name: str) -> None:
     if width * height > PIXELS:
         problem = f"{name} has {width} x {height} pixels, more than {PIXELS}"
         raise ConditionError(problem, "a smaller picture")
+
+
+def as_floats(values: Any, unit: str) -> Any:
+    """The values of a picture that is made, as it has them: in 32 bits.
+
+    Parameters
+    ----------
+    values : ndarray of float
+        0 or more.
+    unit : str
+        Theirs, for messages.
+
+    Returns
+    -------
+    ndarray of float32
+
+    Raises
+    ------
+    ConditionError
+        If one is too large for that, or all are so small that nothing is left of them.
+
+    Examples
+    --------
+    >>> as_floats(np.array([1e40]), "cd/m2")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: a picture holds no values of more than 3e+38 cd/m2
+    try: less extreme values
+    """
+    highest = values.max()
+    if not highest < BRIGHTEST:
+        problem = f"a picture holds no values of more than {BRIGHTEST:g} {unit}"
+        raise ConditionError(problem, "less extreme values")
+    if 0 < highest < FAINTEST:
+        problem = f"a picture of values of {highest:g} {unit} at most would be all but black"
+        raise ConditionError(problem, "less extreme values")
+    return values.astype(np.float32)
 
 
 def _without_noise(picture: Picture) -> Picture:
