@@ -35,7 +35,8 @@ from radcalc.geometry.sky import (
 from radcalc.given import Inputs, require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import Number, any_true, cos, each, sin
-from radcalc.quantities.symbols import LATLONG, specific_name
+from radcalc.quantities.symbols import LATLONG, light_unit, specific_name
+from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
     from radcalc.calculators.environment import Made
@@ -163,6 +164,7 @@ def sky_map(name: str, given: Inputs) -> "Made":
     what = f"a latlong map of {width} x {height} pixels in {picture.unit}, "
     what += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
     what += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
+    what += f"; {found.on_ground(picture)}"
     return Made(picture, picture.pixels, picture.unit, what, answer)
 
 
@@ -237,6 +239,19 @@ class _Sky:
             polar, azimuth = place
             disc = Sun(polar, azimuth, sheet.at("sun-radius"), sheet.at("sun-irradiance"))
         return sky_map(sky, width, height, disc)
+
+    def on_ground(self, picture: "Picture") -> str:
+        """What the pixels of its map give the ground, beside the right value."""
+        from radcalc.distributions.maps.radiance_map import RadianceMap
+
+        kind = self.sheet.lit.kind
+        factor = float(resolve(picture.unit).factor)
+        found = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(ZENITH)
+        right = self.sheet.at("global-irradiance" if self.is_sunlit else "horizontal-irradiance")
+        unit = light_unit("irradiance", kind)
+        told = f"{format_number(found.value / float(resolve(unit).factor))} {unit}"
+        off = 100 * (found.value / right - 1) if right else 0.0
+        return f"its pixels give the ground {told}, which is off by {off:.1g} %"
 
     def _laws(self) -> list[AnyLaw]:
         """The laws of what is asked."""

@@ -5,16 +5,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from radcalc.distributions.maps.pictures import Picture, check_size
+from radcalc.distributions.maps.pictures import Picture, as_floats, check_size
 from radcalc.distributions.maps.radiance_map import check_shape
 from radcalc.distributions.sky import Sky
 from radcalc.errors import ConditionError
+from radcalc.geometry.directions import cartesian
+from radcalc.geometry.light_vectors import light_vectors
+from radcalc.geometry.numerics.quadrature import gauss
 from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles
 from radcalc.geometry.sky import angle_between
 from radcalc.quantities.symbols import LATLONG, light_unit
 from radcalc.units.table import resolve
 
 FINE = 8  # parts of a pixel each way, of which it is counted how many the sun's disc has
+BLOCK = 1 << 18  # pixels that are worked out at a time
+WIDER = 1.25  # by which the sun's disc is made larger, where it has too few pixels
+WIDEST = 3.0  # rows of which it may have the radius then
+CLOSE = 1e-9  # [1] of the sun's irradiance
 
 
 class Sun(NamedTuple):
@@ -56,9 +63,12 @@ def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Pictur
     Returns
     -------
     Picture
-        Of one channel, in cd/m2, W/m2/sr or umol/m2/s/sr: the radiances in the middles of the
-        pixels.  The sun's irradiance is spread over the pixels by the share that its disc has of
-        each, and is exact for a receiver that faces it.
+        Of one channel, in cd/m2, W/m2/sr or umol/m2/s/sr: the mean radiances of the pixels.
+
+        The sun's light is spread over the pixels by the share that its disc has of each, so that
+        any plane that does not cut them gets its irradiance times the cosine, as of a disc at its
+        true place.  Where the disc has too few pixels for that it is made larger, by three rows at
+        most; one that the horizon cuts may be exact for a receiver that faces it alone.
 
     Raises
     ------
@@ -77,16 +87,60 @@ def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Pictur
         problem = f"{width} x {height} pixels have a row across the horizon"
         raise ConditionError(problem, "an even height")
     unit = light_unit("radiance", sky.kind)
-    polar, azimuth = _directions(width, height, np.arange(height))
-    pixels = sky.radiance(polar, azimuth)
+    pixels = _means(sky, width, height)
     if sun:
-        rows, share = _shares(sun, width, height)
-        polar, azimuth = _directions(width, height, rows)
-        facing = np.cos(angle_between(polar, azimuth, sun[:2])).clip(0)
-        received = share * facing * pixel_solid_angles(LATLONG, width, height)[rows]
-        pixels[rows] += sun.irradiance / received.sum() * share
-    pixels = (pixels / float(resolve(unit).factor)).astype(np.float32)
+        rows, light = _sunlight(sun, width, height)
+        pixels[rows] += light
+    pixels = as_floats(pixels / float(resolve(unit).factor), unit)
     return Picture(pixels[:, :, None], ("Y",), (1.0,), "", unit, LATLONG)
+
+
+def _means(sky: Sky, width: int, height: int) -> Any:
+    """The mean radiance of each pixel; of larger pixels by more Gauss-Legendre points."""
+    places, weights = gauss(min(8, max(2, 512 // height)))
+    pixels = np.zeros((height, width))
+    columns, step = np.arange(width), max(1, BLOCK // width)
+    for top in range(0, height // 2, step):  # below it is dark
+        rows = np.arange(top, min(top + step, height // 2))
+        size = 0.0
+        for a, down in zip(places, weights, strict=True):
+            polar = (rows[:, None] + (1 + a) / 2) * (math.pi / height)
+            weight = down * np.sin(polar)
+            size = size + 2 * weight
+            for b, along in zip(places, weights, strict=True):
+                azimuth = math.pi - (columns + (1 + b) / 2) * (2 * math.pi / width)
+                pixels[rows] += along * weight * sky.radiance(polar, azimuth)
+        pixels[rows] /= size
+    return pixels
+
+
+def _sunlight(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
+    """The rows of a map that the sun's light is spread over, and its radiances there.
+
+    They are the shares of the disc times what is linear in the direction, so that their light
+    vector is that of the disc.  What is below the horizon gives nothing to the ground.
+    """
+    toward = sun.irradiance * np.array(cartesian(sun.polar, sun.azimuth))
+    row, radius = math.pi / height, sun.radius
+    while radius <= max(sun.radius, WIDEST * row):
+        rows, share = _shares(sun._replace(radius=radius), width, height)
+        edges = np.arange(rows[0], rows[-1] + 2)
+        columns = 2 * np.arange(width + 1) / width - 1
+        vectors = light_vectors(LATLONG, columns, 1 - 2 * edges / height)
+        vectors[2] = vectors[2].clip(0)
+        means = vectors / pixel_solid_angles(LATLONG, width, height)[rows]
+        moments = np.einsum("irc,jrc->ij", share * means, vectors)
+        linear = np.linalg.lstsq(moments, toward, rcond=None)[0]
+        light = share * np.einsum("i,irc->rc", linear, means)
+        left = np.einsum("irc,rc->i", vectors, light) - toward
+        if light.min() >= 0 and abs(left).max() <= CLOSE * sun.irradiance:
+            return rows, light
+        radius = WIDER * max(radius, row / 4)
+    rows, share = _shares(sun, width, height)
+    polar, azimuth = _directions(width, height, rows)
+    facing = np.cos(angle_between(polar, azimuth, sun[:2])).clip(0)
+    received = share * facing * pixel_solid_angles(LATLONG, width, height)[rows]
+    return rows, sun.irradiance / received.sum() * share
 
 
 def _directions(width: int, height: int, rows: Any) -> tuple[Any, Any]:

@@ -2,12 +2,14 @@
 
 import math
 import platform
+import re
 
 import numpy as np
 import pytest
 from conftest import run
 
 from radcalc.distributions.maps.pictures import read_picture
+from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.distributions.maps.sky_map import Sun, sky_map
 from radcalc.distributions.sky import Sky
 from radcalc.errors import ConditionError
@@ -47,11 +49,11 @@ def test_the_sun_in_a_map_has_its_irradiance(size):
         math.sin(PLACE[0]) * math.sin(PLACE[1]),
         math.cos(PLACE[0]),
     )
-    assert summed(pixels, toward) == pytest.approx(8e4, rel=1e-3)
-    # a pixel of 64 is 5.6 degrees wide, and the sun somewhere in it
-    assert summed(pixels, (0, 0, 1)) == pytest.approx(
-        8e4 * toward[2], rel=0.06 * 64 / size[0] + 1e-3
-    )
+    # a pixel of 64 is 5.6 degrees wide, and its light not all in its middle
+    assert summed(pixels, toward) == pytest.approx(8e4, rel=2e-3)
+    for normal in ((0, 0, 1), (1, 0, 0), (0, 1, 0)):
+        cosine = sum(n * t for n, t in zip(normal, toward, strict=True))
+        assert summed(pixels, normal) == pytest.approx(8e4 * cosine, rel=2e-3)
     if size[0] == 4096:  # where it is well resolved, its luminance is that of the disc
         disc = math.pi * math.sin(math.radians(0.2666)) ** 2
         assert pixels.max() == pytest.approx(8e4 / disc, rel=0.03)
@@ -69,6 +71,27 @@ def test_the_sun_across_the_seam_and_at_the_zenith():
         assert summed(pixels, toward) == pytest.approx(1000, rel=2e-3)
 
 
+@pytest.mark.parametrize("degrees", [1, 3, 17, 48.7, 89.9, 90])
+@pytest.mark.parametrize("radius", [0.001, 0.2666, 0.9])
+def test_a_sun_in_few_pixels_gives_the_ground_its_light(degrees, radius):
+    polar = math.radians(90 - degrees)
+    sun = Sun(polar, 2.7, math.radians(radius), 8e4)
+    pixels = sky_map(Sky("5", zenith=0.0, kind="v"), 128, 64, sun).pixels
+    found = RadianceMap(pixels, "latlong", kind="v").irradiance((0.0, 0.0, 1.0)).value
+    assert found == pytest.approx(8e4 * math.cos(polar), rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["overcast", "7", "12", "15"])
+def test_a_pixel_of_a_coarse_map_has_its_mean(name):
+    sky = Sky(name, None if name == "overcast" else PLACE, 3000.0, "v")
+    coarse = sky_map(sky, 32, 16).pixels[:, :, 0]
+    fine = sky_map(sky, 2048, 1024).pixels[:, :, 0].astype(float)
+    sine = np.sin((np.arange(1024) + 0.5) * math.pi / 1024)[:, None]
+    means = (fine * sine).reshape(16, 64, 32, 64).sum(axis=(1, 3))
+    means /= 64 * sine.reshape(16, 64).sum(axis=1)[:, None]
+    assert coarse == pytest.approx(means, rel=1e-4 if name == "overcast" else 2e-3)
+
+
 @pytest.mark.parametrize(
     ("size", "message"), [((100, 60), "latlong"), ((62, 31), "across the horizon")]
 )
@@ -84,6 +107,10 @@ def test_a_saved_map(tmp_path, extension):
     done = run("sky", *words.replace(" -q", "").split(), "--save", str(path))
     assert (done.returncode, done.stdout) == (0, "9000\n")
     assert "a latlong map of 128 x 64 pixels in cd/m2" in done.stderr
+    # 7 pi / 9 of the zenith's
+    told = re.search(r"its pixels give the ground (\S+) lx, which is off by (\S+) %", done.stderr)
+    assert float(told[1]) == pytest.approx(7000 * math.pi, rel=3e-4)
+    assert float(told[2]) == pytest.approx(100 * (float(told[1]) / 7000 / math.pi - 1), abs=5e-3)
     lost = {"pfm": "a PFM file does not say the unit (cd/m2)", "hdr": "RGBE holds 1 part in 256"}
     assert f"note: {lost[extension]}" in done.stderr
     picture = read_picture(str(path))
@@ -97,6 +124,8 @@ def test_a_saved_map(tmp_path, extension):
     [
         ("overcast --tilt 9deg --save {}", "how bright the sky is"),
         ("overcast --zenith-luminance 1cd/m2 --save {}.png", "not written as .png"),
+        ("overcast --zenith-luminance 1e40cd/m2 --save {}", "no values of more than 3e+38 cd/m2"),
+        ("overcast --zenith-luminance 1e-40cd/m2 --save {}", "would be all but black"),
         ("overcast --zenith-luminance 1cd/m2 --save {}/no/sky.hdr", "no folder"),
         ("overcast --zenith-luminance 1cd/m2,2cd/m2 --save {}", "one map is written at a time"),
         ("overcast --zenith-luminance 1cd/m2 --size 4x2", "--size has no use without --save"),
