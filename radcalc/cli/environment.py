@@ -1,5 +1,6 @@
 """`radcalc environment SOURCE`."""
 
+import os
 from functools import partial
 
 import click
@@ -10,7 +11,7 @@ from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, quote_path
 from radcalc.quantities.symbols import PROJECTIONS
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
@@ -97,6 +98,7 @@ def command(
         if name in typed:
             problem = f"--{name} has no use where a map is written"
             raise UsageError(problem, f"the same without --{name}")
+    _refuse_source(path, " ".join(words))
     given = one_case(typed, asked)
     if irradiance_map:
         if reproject:
@@ -113,3 +115,9 @@ def command(
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
     return write_map(path, "reprojection", make, asked, shown)
+
+
+def _refuse_source(path: str, source: str) -> None:
+    """Refuse to write over the map that is read, by whatever name or link."""
+    if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
+        raise UsageError(f"{quote_path(path)} is the map that is read", "another name")

@@ -476,6 +476,20 @@ def test_what_cannot_be_written_is_refused_and_leaves_no_file(tmp_path, words, m
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize("name", ["own.pfm", "./own.pfm", "link.pfm", "hard.pfm"])
+@pytest.mark.parametrize("words", ["--irradiance-map {}", "--to angular --reproject {}"])
+def test_the_map_that_is_read_is_not_written_over(tmp_path, name, words):
+    path = tmp_path / "own.pfm"
+    written(path, numpy.ones((16, 32)))
+    (tmp_path / "link.pfm").symlink_to("own.pfm")
+    (tmp_path / "hard.pfm").hardlink_to(path)
+    before = path.read_bytes()
+    done = run("environment", "own.pfm", "--unit", "1", *words.format(name).split(), cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"radcalc: {name} is the map that is read\ntry: another name\n"
+    assert path.read_bytes() == before
+
+
 INTERRUPTED = """
 import sys
 from radcalc.distributions.maps import irradiance_map as module
