@@ -127,7 +127,8 @@ def of_picture(
     from radcalc.distributions.maps.radiance_map import RadianceMap
 
     shown = projection_of(picture, projection)
-    factor, kind, note = unit_of(picture, unit)
+    factor, kind = unit_of(picture, unit)
+    own, overruled = _own(picture, unit, projection)
     alone = (
         [f"the channel {channel.upper()} alone"] if channel and len(picture.channels) > 1 else []
     )
@@ -140,8 +141,9 @@ def of_picture(
     width, height = pixels.size
     said = [f"{name_of_map(shown)} of {width} x {height} pixels"]
     said[0] += "" if aim else mention(", whose middle shows +x ({aim})")
+    said += own
     said += [one for one in picture.assumptions if one != BY_REC_709]
-    notes = [*picture.notes, *([note] if note else [])]
+    notes = [*picture.notes, *overruled]
     if pixels.coverage < 1:
         covered = f"{100 * pixels.coverage:.3g} % of the sphere"
         notes.append(f"the map covers {covered}, and the rest counts as dark")
@@ -242,7 +244,30 @@ def picture_of(pixels: Any) -> "Picture":
     return Picture(pixels, ("Y",), (1.0,), "array")
 
 
-def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
+def _own(picture: "Picture", unit: Unit | None, projection: str) -> tuple[list[str], list[str]]:
+    """What counts of what a picture says of itself, and what is overruled by what is given."""
+    used, overruled = list[str](), list[str]()
+    if picture.projection and not projection:
+        used.append(picture.projection)
+    elif picture.projection not in ("", projection):
+        overruled.append(f"{picture.projection}, and is taken as {projection}")
+    own = resolve(picture.unit) if picture.unit else None
+    if own and not unit:
+        used.append(_in(own))
+    elif own and unit and (unit.factor, unit.dimension) != (own.factor, own.dimension):
+        overruled.append(f"{_in(own)}, and is taken as {_in(unit)}")
+    saying = "the map says that it is "
+    return (
+        [saying + " and ".join(used)] if used else [],
+        [saying + one for one in overruled],
+    )
+
+
+def _in(unit: Unit) -> str:
+    return "relative" if unit.dimension == NUMBER else f"in {quote(unit.text)}"
+
+
+def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
     """In what the values of a picture are.
 
     Parameters
@@ -258,8 +283,6 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
         What they are multiplied by to be in coherent SI.
     kind : str
         "v", "e" or "p"; empty where they are relative.
-    note : str
-        Where the two differ, what is odd.
 
     Raises
     ------
@@ -281,14 +304,11 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str, str]:
     if unit.dimension == NUMBER:
         if unit.factor != 1:
             raise ConditionError(f"{_told(unit)} is no unit", mention("{unit=1}"))
-        return 1.0, "", ""
+        return 1.0, ""
     if unit.dimension not in RADIANCES:
         problem = f"{_told(unit)}: a map has radiances, and that is {describe(unit)}"
         raise ConditionError(problem, _radiance_for(unit))
-    note = ""
-    if given and own and (given.factor, given.dimension) != (own.factor, own.dimension):
-        note = f"the map says that it is in {quote(own.text)}, and is taken as in {given.text}"
-    return unit.factor, RADIANCES[unit.dimension], note
+    return unit.factor, RADIANCES[unit.dimension]
 
 
 def _told(unit: Unit) -> str:

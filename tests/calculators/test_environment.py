@@ -198,6 +198,28 @@ def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
     )
 
 
+@pytest.mark.parametrize("extension", [".hdr", ".exr"])
+def test_a_map_that_says_what_it_is_is_believed_aloud_or_overruled_aloud(tmp_path, extension):
+    path = str(tmp_path / f"own{extension}")
+    pixels = numpy.ones((32, 32, 1), numpy.float32)
+    write_picture(path, Picture(pixels, ("Y",), (1.0,), "", "cd/m2", "angular"))
+    done = run("environment", path)
+    assert "assumed: the map says that it is angular and in cd/m2\n" in done.stderr
+    assert "note: " not in done.stderr
+    for words, noted in (
+        ("--projection mirror-ball", "is angular, and is taken as mirror-ball"),
+        ("--unit W/m2/sr", "is in cd/m2, and is taken as in W/m2/sr"),
+        ("--unit 1", "is in cd/m2, and is taken as relative"),
+    ):
+        done = run("environment", path, *words.split())
+        assert f"note: the map says that it {noted}\n" in done.stderr
+        assert "so in cd/m2" not in done.stderr
+    assert (
+        "the map says"
+        not in run("environment", path, "--projection", "angular", "--unit", "cd/m2").stderr
+    )
+
+
 def test_a_map_is_read_once_for_a_list_of_directions(tmp_path):
     path = written(tmp_path / "sky.pfm", overcast("latlong", 64, 32))
     found = asked(

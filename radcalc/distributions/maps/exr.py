@@ -109,9 +109,7 @@ def read(data: bytes, name: str) -> Picture:
         if 0 < white < np.inf:
             pixels *= np.float32(white)
             unit = "cd/m2"
-            assumptions.append(
-                f"pixels are times the file's whiteLuminance of {white:g} cd/m2, and so in cd/m2"
-            )
+            assumptions.append(f"pixels are times the file's whiteLuminance of {white:g} cd/m2")
         else:
             notes.append(f"the file's whiteLuminance of {white:g} cd/m2 tells no unit")
     projection, frame = part.projection, None

@@ -205,7 +205,9 @@ def _header(data: bytes, name: str) -> _Header:
     if is_xyz:
         weights = (0.0, 1.0, 0.0)
         if UNIT not in said:
-            assumptions.append("Y of an XYZE picture is luminance in cd/m2, as Radiance writes it")
+            assumptions.append(
+                "an XYZE picture counts as one that says cd/m2, as Radiance writes it"
+            )
     elif GREY in lines:
         weights = (1.0,)
     elif WEIGHTS in numbers:

@@ -114,7 +114,7 @@ def test_a_white_luminance_makes_cd_m2():
     found = read(planes(colours()), whiteLuminance=179.0)
     assert found.unit == "cd/m2"
     assert (found.pixels == colours() * 179).all()
-    said = "pixels are times the file's whiteLuminance of 179 cd/m2, and so in cd/m2"
+    said = "pixels are times the file's whiteLuminance of 179 cd/m2"
     assert found.assumptions[0] == said
 
 
