@@ -240,7 +240,7 @@ class _Surroundings:
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> Made:
         """The irradiances by the normals that the pixels of a latlong map show."""
-        from radcalc.distributions.maps.irradiance_map import irradiance_map
+        from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
         size = self._size(LATLONG, *SMALL)
         found = irradiance_map(self._map(), *size, order, progress)
@@ -248,8 +248,13 @@ class _Surroundings:
             self.notes.append(
                 f"of spherical harmonics up to order {order}: off the exact sum by up to "
                 f"{100 * found.largest:.2g} % of the largest irradiance, by {100 * found.rms:.2g} "
-                "% in the root mean square"
+                f"% in the root mean square, of receivers in {DIRECTIONS} directions"
             )
+            if found.raised:
+                self.notes.append(
+                    f"the harmonics are below 0 in {found.raised} pixels, by up to "
+                    f"{100 * found.deepest:.2g} % of the largest irradiance, and count as 0 there"
+                )
         formula, reference = BY_HARMONICS if order else IRRADIANCE
         each = "n = the direction that the middle of a pixel shows"
         step = Step("irradiance of each receiver", formula, each, reference)

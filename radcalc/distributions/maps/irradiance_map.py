@@ -1,5 +1,6 @@
 """Irradiance maps: what receivers get that face in all directions, as an image."""
 
+import math
 from typing import Any, NamedTuple
 
 import numpy
@@ -11,6 +12,9 @@ from radcalc.errors import ConditionError
 from radcalc.geometry.projections import direction_at, middle_of_pixel
 from radcalc.quantities.symbols import LATLONG
 
+DIRECTIONS = 128  # of receivers, of which spherical harmonics are compared with the exact sum
+GOLDEN = (1 + math.sqrt(5)) / 2
+
 
 class IrradianceMap(NamedTuple):
     """An irradiance map, and what its order changed.
@@ -21,8 +25,13 @@ class IrradianceMap(NamedTuple):
         Irradiances of receivers that face towards the middles of the pixels of a latlong map in
         the world's axes.
     largest, rms : float [1]
-        The largest difference from the exact sum, and the root mean square of all by solid angle,
-        in shares of the largest exact irradiance; 0 of the exact sum itself.
+        The largest difference from the exact sum of receivers in `DIRECTIONS` directions that are
+        spread evenly, and the root mean square of all, in shares of the largest exact irradiance
+        of them; 0 of the exact sum itself.
+    raised : int
+        Of how many pixels the harmonics are below 0, which became 0.
+    deepest : float [1]
+        How far below 0 they are at most, in the same shares.
 
     Examples
     --------
@@ -33,6 +42,8 @@ class IrradianceMap(NamedTuple):
     pixels: Any
     largest: float = 0.0
     rms: float = 0.0
+    raised: int = 0
+    deepest: float = 0.0
 
 
 def irradiance_map(
@@ -76,12 +87,29 @@ def irradiance_map(
         raise ConditionError(f"no irradiances are summed up to order {order}", f"order {ORDER}")
     places = middle_of_pixel(width, height, numpy.arange(width), numpy.arange(height)[:, None])
     normals = numpy.stack(direction_at(LATLONG, *numpy.broadcast_arrays(*places)), -1)
-    exact = around.irradiances(normals, is_each=True, progress=progress)
     if order is None:
-        return IrradianceMap(exact)
-    own = numpy.stack(around.own(tuple(numpy.moveaxis(normals, -1, 0))), -1).reshape(-1, 3)
-    found = irradiances_of_order_2(around, own).reshape(exact.shape)
-    off = (found - exact) / (exact.max() or 1.0)
-    weights = numpy.hypot(normals[..., 0], normals[..., 1])[..., None]  # sines of polar angles
-    rms = numpy.sqrt((off * off * weights).sum() / (weights.sum() * exact.shape[-1]))
-    return IrradianceMap(found, float(abs(off).max()), float(rms))
+        return IrradianceMap(around.irradiances(normals, is_each=True, progress=progress))
+    # the exact sums of all pixels would take several times as long as all the harmonics
+    some = _directions()
+    exact = around.irradiances(some, is_each=True, progress=progress)
+    x, y, z = around.own(tuple(numpy.concatenate([some, normals.reshape(-1, 3)]).T))
+    found = irradiances_of_order_2(around, numpy.stack([x, y, z], -1))
+    highest = exact.max() or 1.0
+    below = found[len(some) :].min(-1)
+    found = numpy.maximum(found, 0)
+    off = (found[: len(some)] - exact) / highest
+    return IrradianceMap(
+        found[len(some) :].reshape(height, width, -1),
+        float(abs(off).max()),
+        float(numpy.sqrt((off * off).mean())),
+        int(numpy.count_nonzero(below < 0)),
+        float(max(0.0, -below.min() / highest)),
+    )
+
+
+def _directions() -> Any:
+    """Unit vectors that are spread evenly over the sphere: a Fibonacci lattice."""
+    number = numpy.arange(DIRECTIONS) + 0.5
+    z = 1 - 2 * number / DIRECTIONS
+    across, azimuth = numpy.sqrt(1 - z * z), 2 * math.pi / GOLDEN * number
+    return numpy.stack([across * numpy.cos(azimuth), across * numpy.sin(azimuth), z], -1)

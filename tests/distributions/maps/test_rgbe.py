@@ -146,7 +146,9 @@ def test_xyze_has_luminance_in_y():
     found = read(hdr.picture(rows, hdr.new, *lines, form="32-bit_rle_xyze"), NAME)
     assert (found.channels, found.weights, found.unit) == (("X", "Y", "Z"), (0, 1, 0), "cd/m2")
     np.testing.assert_array_equal(found.pixels, (4 * hdr.values(rows)).astype(np.float32))
-    assert "an XYZE picture counts as one that says cd/m2, as Radiance writes it" in found.assumptions
+    assert (
+        "an XYZE picture counts as one that says cd/m2, as Radiance writes it" in found.assumptions
+    )
 
 
 def test_primaries_give_the_weights():
