@@ -246,6 +246,29 @@ def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any
     return (2 * column + 1 - width) / width, (height - 1 - 2 * row) / height
 
 
+def corner_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
+    """Place of the corner of a pixel that is at its upper left.
+
+    Parameters
+    ----------
+    width, height : int
+        Size of the image [pixels].
+    column, row : int or ndarray of int
+        Counted from 0 at the top left; those after the last have the right and the lower edge.
+
+    Returns
+    -------
+    u, v : float or ndarray [1]
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import corner_of_pixel
+    >>> corner_of_pixel(4, 2, 0, 0), corner_of_pixel(4, 2, 4, 1)
+    ((-1.0, 1.0), (1.0, 0.0))
+    """
+    return 2 * column / width - 1, 1 - 2 * row / height
+
+
 def pixel_solid_angle(projection: str, width: int, height: int, column: int, row: int) -> float:
     """Solid angle of what one pixel of an image shows.
 

@@ -22,6 +22,7 @@ from typing import Any
 import numpy
 
 from radcalc.geometry.light_vectors import half_edges, light_vectors, shown
+from radcalc.geometry.projections import corner_of_pixel
 
 SIDE = 16  # pixels of a block, each way
 FEWEST = 64  # blocks across an image, where it has as many pixels
@@ -62,10 +63,11 @@ class Raster:
         """
         (width, height), (left, top, columns, rows) = self.size, self.part
         steps = numpy.arange(self.side + 1)
-        column = numpy.arange(self.across)[:, None] * self.side + steps
-        row = down * self.side + steps
-        u = 2 * (left + numpy.minimum(column, columns)) / width - 1
-        v = 1 - 2 * (top + numpy.minimum(row, rows)) / height
+        column = left + numpy.minimum(
+            numpy.arange(self.across)[:, None] * self.side + steps, columns
+        )
+        row = top + numpy.minimum(down * self.side + steps, rows)
+        u, v = corner_of_pixel(width, height, column, row)
         return u, v[None]
 
     def rows(self, down: int) -> tuple[int, int]:

@@ -13,7 +13,13 @@ from radcalc.geometry.directions import cartesian, facing, spherical
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
-from radcalc.geometry.projections import middle_of_pixel, name_of_map, pixel_solid_angles, place_of
+from radcalc.geometry.projections import (
+    corner_of_pixel,
+    middle_of_pixel,
+    name_of_map,
+    pixel_solid_angles,
+    place_of,
+)
 from radcalc.maths import Number
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS
 
@@ -149,8 +155,8 @@ class RadianceMap:
         if self.projection == LATLONG:
             return found
         (left, top, columns, _), (width, height) = self.part, self.size
-        u = 2 * numpy.arange(left, left + columns + 1) / width - 1
-        v = 1 - 2 * numpy.arange(top + first, top + last + 1) / height
+        column = numpy.arange(left, left + columns + 1)
+        u, v = corner_of_pixel(width, height, column, numpy.arange(top + first, top + last + 1))
         return numpy.where(is_shown(self.projection, u, v)[..., None], found, 0)
 
     def _rows(self, strip: int) -> Any:

@@ -11,7 +11,12 @@ from radcalc.distributions.maps.radiance_map import FORWARD, RadianceMap, check_
 from radcalc.geometry.directions import facing
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.vectors import Vector, components, from_components
-from radcalc.geometry.projections import middle_of_pixel, pixel_solid_angles, place_of
+from radcalc.geometry.projections import (
+    corner_of_pixel,
+    middle_of_pixel,
+    pixel_solid_angles,
+    place_of,
+)
 from radcalc.quantities.symbols import ANGULAR, LATLONG
 
 FINER = 3.0  # parts of a pixel along the side of one of the new ones
@@ -94,7 +99,7 @@ class _Target:
         check_shape(projection, width, height)
         self.projection, self.width, self.height = projection, width, height
         self.axes = facing(aim)
-        edges = numpy.linspace(-1, 1, width + 1), numpy.linspace(1, -1, height + 1)
+        edges = corner_of_pixel(width, height, numpy.arange(width + 1), numpy.arange(height + 1))
         self.is_shown = numpy.broadcast_to(is_shown(projection, *edges), (height, width)).ravel()
         self.light = numpy.zeros((channels, height * width))
         self.least, self.most = numpy.full_like(self.light, math.inf), numpy.zeros_like(self.light)
@@ -167,17 +172,17 @@ def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
     Edges as u and v of (columns + 1) and (rows + 1).
     """
     (width, height), (left, top, columns, rows) = around.size, around.part
-    u = 2 * numpy.arange(width + 1) / width - 1
     parts = [around.raster.rows(down) for down in range(around.raster.down)]
     bands = [(top + first, top + last, True) for first, last in parts]
     bands += [(row, row + 1, False) for row in range(height) if not top <= row < top + rows]
     for first, last, is_told in bands:
-        v = 1 - 2 * numpy.arange(first, last + 1) / height
+        row = numpy.arange(first, last + 1)
+        edges = corner_of_pixel(width, height, numpy.arange(width + 1), row)
         values = numpy.zeros((last - first, width, around.pixels.shape[2]))
         if is_told:
             values[:, left : left + columns] = around.channels(first - top, last - top)
         sizes = pixel_solid_angles(around.projection, width, height, slice(first, last))
-        yield (u, v), numpy.broadcast_to(sizes, values.shape[:2]), values
+        yield edges, numpy.broadcast_to(sizes, values.shape[:2]), values
 
 
 def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, values: Any) -> None:
