@@ -9,6 +9,7 @@ from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
+from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import Inputs, at_most_one, read, require_azimuth, sort
 from radcalc.maths import is_array
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from radcalc.distributions.radiances import Radiances
     from radcalc.geometry.numerics.cubature import Integral
 
-UP: Vector = (0.0, 0.0, 1.0)
 SKY = "sky:"  # before the type of a sky
 OF_MAP = ("unit", "projection", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
@@ -354,9 +354,9 @@ class _Surroundings:
     def _error(self, error: float) -> Value:
         """How far the irradiance may be off."""
         row = self._shown({"irradiance": error}).values["irradiance"][0]
-        return value(
-            "error", error, *row.units, label="estimate of the irradiance's error"
-        )._replace(dimensions=row.dimensions)
+        return value("error", error, *row.units, label="estimate of the error")._replace(
+            dimensions=row.dimensions
+        )
 
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
         """How the numbers follow."""

@@ -10,13 +10,13 @@ from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_rows import Placed, Reader, rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, named, unit
+from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import Inputs
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import NUMBER
 
-UP: Vector = (0.0, 0.0, 1.0)
 LIGHT_OF_ALL = ("mean-irradiance", "minimum-irradiance", "maximum-irradiance")
 EVENNESS = ("uniformity", "minimum-to-maximum")
 SHARE = "share-"  # before the name of a source

@@ -20,14 +20,13 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry.cones import refuse
-from radcalc.geometry.directions import cartesian
+from radcalc.geometry.directions import UP, cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
 from radcalc.geometry.sky import (
     CIE,
     IS_EVEN,
     MISSING_AZIMUTH,
     MISSING_SUN,
-    ZENITH,
     projected_sky,
     relative_luminance,
     sky_type,
@@ -323,7 +322,7 @@ class _Sky:
         given, sky = sheet.given, self.type
         sun = place_of_sun(given) if "sun-elevation" in given else (0.0, 0.0)
         sheet.placed.append(self._luminance())
-        over_ground = each(lambda *at: projected_sky(sky, ZENITH, at)[0], sun[0], 0.0)
+        over_ground = each(lambda *at: projected_sky(sky, UP, at)[0], sun[0], 0.0)
         sheet.know("horizontal-sky", over_ground)
         sheet.placed.append(HORIZONTAL_SKY.step({}, _solid(over_ground)))
         if self.has_plane:

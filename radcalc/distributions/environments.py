@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
 from radcalc.distributions.sources import WORD, formula_with_unit, unseen
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
+from radcalc.geometry.directions import FORWARD
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.geometry.projections import name_of_map
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
@@ -27,7 +28,6 @@ RADIANCE = "Radiance, src/common/color.h"
 BRIGHTNESS = (0.265, 0.670, 0.065)
 EFFICACY = 179.0  # [lm/W]
 COLOURED = ("R", "G", "B")
-AHEAD: Vector = (1.0, 0.0, 0.0)
 RADIANCES = {light_dimension(kind, (0, 1, 1), ""): kind for kind in KINDS}
 
 
@@ -136,7 +136,7 @@ def of_picture(
         picture = channel_of(picture, channel)
     sums = weighted(picture, kind)
     pixels = RadianceMap(
-        picture.pixels, shown, aim or AHEAD, sums.weights, factor, kind, picture.frame
+        picture.pixels, shown, aim or FORWARD, sums.weights, factor, kind, picture.frame
     )
     width, height = pixels.size
     said = [f"{name_of_map(shown)} of {width} x {height} pixels"]

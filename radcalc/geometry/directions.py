@@ -25,6 +25,8 @@ from radcalc.maths import (
 )
 
 TURN = 2 * math.pi  # [rad]
+UP: Vector = (0.0, 0.0, 1.0)
+FORWARD: Vector = (1.0, 0.0, 0.0)  # what the middle of an image shows, unless it is aimed
 NO_DIRECTION = "0,0,0 has no direction", "a vector that is not zero"
 OPPOSITE = "opposite directions are reflected by every mirror along them", "another direction"
 

@@ -24,6 +24,7 @@ from typing import Any
 
 from radcalc.errors import option
 from radcalc.geometry import cones, solid
+from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
 from radcalc.geometry.numerics.vectors import dot, unit, vector
@@ -44,7 +45,6 @@ from radcalc.maths import (
 
 HEMISPHERE = math.pi  # [sr] and of all directions too: a surface sees one half of them
 RIGHT = math.pi / 2  # [rad] a right angle
-UP = (0.0, 0.0, 1.0)  # [1] the normal of a receiver that faces a flat shape's plane
 
 
 @cones.bounded

@@ -15,7 +15,6 @@ from radcalc.geometry.numerics.vectors import Vector, dot, unit
 from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt
 
 CIE = "CIE S 011:2003 (ISO 15469:2004)"
-ZENITH: Vector = (0.0, 0.0, 1.0)
 HALF_PI = math.pi / 2
 # Points across and around of rules that get finer, of which each is checked by the one before.
 POINTS = (24, 36), (48, 64), (96, 128), (144, 192)

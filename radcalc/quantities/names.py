@@ -218,19 +218,15 @@ LABELS = {
     "accuracy": ("přesnost", "точность"),
     "sun elevation": ("výška Slunce", "высота Солнца"),
     "sun azimuth": ("azimut Slunce", "азимут Солнца"),
-    "sun radius": ("úhlový poloměr Slunce", "угловой радиус Солнца"),
-    "share of what the sky sends to the ground": (
-        "podíl světla oblohy, které dopadá na zem",
-        "доля света неба, падающего на землю",
+    "angular radius of the sun": ("úhlový poloměr Slunce", "угловой радиус Солнца"),
+    "daylight share of the plane": (
+        "podíl denního světla na rovině",
+        "доля дневного света на плоскости",
     ),
     "sun luminance": ("jas Slunce", "яркость Солнца"),
     "sun radiance": ("zář Slunce", "энергетическая яркость Солнца"),
     "sun photon radiance": ("fotonová zář Slunce", "яркость фотонов Солнца"),
     "covered share of the sphere": ("pokrytá část koule", "охваченная доля сферы"),
-    "estimate of the irradiance's error": (
-        "odhad chyby ozářenosti",
-        "оценка погрешности облучённости",
-    ),
     "fall-off exponent": ("exponent poklesu", "показатель спада"),
     "fall-off distance": ("vzdálenost poklesu", "расстояние спада"),
     "maximum of the fall-off": ("maximum poklesu", "максимум спада"),

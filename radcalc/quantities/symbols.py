@@ -382,9 +382,10 @@ _ROWS = (
         sky="Azimuth of the sun, counted as those of the plane and of directions."),
     _symbol(ANGLE, "sun-radius", "r_s", "0.2666deg",
         "Angular radius of the sun's disc (0.2666 deg).",
-        Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True)),
+        Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True),
+        label="angular radius of the sun"),
     _symbol(NUMBER, "daylight-share", "s",
-        label="share of what the sky sends to the ground"),
+        label="daylight share of the plane"),
     # What surrounds a place.
     _text(UNIT, "unit", "a unit of radiance", "cd/m2",
         "What the map's values are in: cd/m2, W/m2/sr ...; 1 where they are relative."),

@@ -9,7 +9,7 @@ import numpy
 from radcalc.distributions.distribution import Peak
 from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import cartesian, facing, spherical
+from radcalc.geometry.directions import FORWARD, cartesian, facing, spherical
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
@@ -28,7 +28,6 @@ GROUP = 1 << 18  # pixels of which the solid angles are worked out at a time
 LEAST = 4  # rows: with fewer even the sign of a direction is open
 CUBES = ((3, 4), (4, 3), (6, 1), (1, 6))  # faces across and down, as maps on a cube are laid out
 INSIDE = 1 - 1e-12
-FORWARD: Vector = (1.0, 0.0, 0.0)
 
 
 class RadianceMap:

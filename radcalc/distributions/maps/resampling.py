@@ -7,8 +7,8 @@ from typing import Any
 import numpy
 
 from radcalc.distributions.maps.light_sums import Progress
-from radcalc.distributions.maps.radiance_map import FORWARD, RadianceMap, check_shape
-from radcalc.geometry.directions import facing
+from radcalc.distributions.maps.radiance_map import RadianceMap, check_shape
+from radcalc.geometry.directions import FORWARD, facing
 from radcalc.geometry.light_vectors import is_shown, shown
 from radcalc.geometry.numerics.vectors import Vector, components, from_components
 from radcalc.geometry.projections import (
