@@ -245,7 +245,7 @@ class _Sky:
 
         kind = self.sheet.lit.kind
         factor = float(resolve(picture.unit).factor)
-        found = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(ZENITH)
+        found = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(UP)
         right = self.sheet.at("global-irradiance" if self.is_sunlit else "horizontal-irradiance")
         unit = light_unit("irradiance", kind)
         told = f"{format_number(found.value / float(resolve(unit).factor))} {unit}"
