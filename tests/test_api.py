@@ -28,6 +28,17 @@ def test_arrays_keep_their_shape():
     np.testing.assert_array_equal(converted.magnitude, values * 1000)
 
 
+def test_masked_elements_stay_masked_or_are_refused():
+    hidden = np.ma.array([1.0, 2.0, 3.0], mask=[False, True, False])
+    made = radcalc.convert(Q(hidden, "lx"), "klx").magnitude
+    assert made.mask.tolist() == [False, True, False]
+    assert made[2] == pytest.approx(0.003)
+    with pytest.raises(NumberError, match="intensity has masked elements"):
+        radcalc.point_source(intensity=Q(hidden, "cd"), distance="1 m")
+    shown = Q(np.ma.array([1.0, 2.0]), "cd")
+    assert radcalc.point_source(intensity=shown, distance="1 m")["irradiance"].m.tolist() == [1, 2]
+
+
 def test_conditions_may_be_arrays_too():
     far = radcalc.convert("100 cd", "lx", distance=Q(np.array([1.0, 2.0, 5.0]), "m"))
     np.testing.assert_allclose(far.magnitude, [100, 25, 4], rtol=1e-15)

@@ -136,6 +136,7 @@ def real(value: Any, what: str, hint: str) -> Any:
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # imaginary parts and units would be dropped
             array = numpy.asarray(value, float)
+        refuse_masked(value, what)
     except OverflowError:
         problem = f"{what} has a number that is beyond what radcalc reckons with"
         raise NumberError(problem, hint) from None
@@ -144,3 +145,14 @@ def real(value: Any, what: str, hint: str) -> Any:
     if not array.size:
         raise NumberError(f"{what} has an array without a number", hint)
     return array if array.ndim else float(array)
+
+
+def refuse_masked(value: Any, what: str) -> None:
+    """Refuse a masked array of NumPy's that hides an element, which would count as it is.
+
+    `what` is said to have it.
+    """
+    import numpy
+
+    if numpy.ma.is_masked(value):
+        raise NumberError(f"{what} has masked elements", "numbers in their place, by .filled(0)")

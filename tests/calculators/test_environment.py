@@ -330,6 +330,26 @@ def test_arrays_are_maps_of_numpy_and_of_dask():
     assert grey["irradiance"].units == radcalc.Quantity(1, "sr").units
 
 
+def test_masked_pixels_are_refused_and_a_mask_that_hides_nothing_is_not():
+    import dask.array
+
+    pixels = numpy.ma.array(numpy.full((16, 32), 3.0), mask=False)
+    assert radcalc.environment(pixels, unit="1")["irradiance"].m == pytest.approx(3 * math.pi)
+    pixels[15, 20] = numpy.ma.masked
+    for source in (
+        pixels,
+        radcalc.Quantity(pixels, "1"),
+        dask.array.from_array(pixels, chunks=4, asarray=False),
+    ):
+        given = {} if isinstance(source, radcalc.Quantity) else {"unit": "1"}
+        with pytest.raises(radcalc.errors.NumberError, match="map has masked elements"):
+            radcalc.environment(source, **given)
+        with pytest.raises(radcalc.errors.NumberError, match="map has masked elements"):
+            radcalc.irradiance_map(source, (8, 4), **given)
+    filled = radcalc.environment(pixels.filled(0), unit="1", normal=(0, 0, -1))
+    assert filled["irradiance"].m < 3 * math.pi
+
+
 @pytest.mark.parametrize(
     ("source", "given", "message"),
     [

@@ -22,6 +22,7 @@ from radcalc.geometry.projections import (
 )
 from radcalc.maths import Number
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS
+from radcalc.units.ranges import refuse_masked
 
 STRIP = 1 << 22  # numbers that are read at a time, where the pixels are not in memory
 GROUP = 1 << 18  # pixels of which the solid angles are worked out at a time
@@ -65,6 +66,8 @@ class RadianceMap:
     ConditionError
         If the shape is not the projection's, or a pixel is negative, infinite or NaN; outside of
         the circle of a mirror ball or an angular map pixels may be anything.
+    NumberError
+        If a pixel is masked.
 
     Notes
     -----
@@ -162,6 +165,9 @@ class RadianceMap:
         """A strip of rows; one is kept."""
         if strip != self._read[0]:
             rows = self.pixels[strip * self._strip : (strip + 1) * self._strip]
+            if hasattr(rows, "compute"):  # of Dask's; else its mask would be lost
+                rows = rows.compute()
+            refuse_masked(rows, "the map")
             self._read = (strip, numpy.asarray(rows))
         return self._read[1]
 
