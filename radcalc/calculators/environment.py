@@ -227,6 +227,11 @@ class _Surroundings:
         values += shown.values.get("radiance-toward") or [
             absent("radiance-toward", "no direction is given", option("toward", "60deg,90deg"))
         ]
+        if "toward" in given:  # which tells the answers to a list apart
+            polar, azimuth = given["toward"].value
+            values.append(value("polar", polar, label="polar angle of that direction"))
+            if "," in given["toward"].text:
+                values.append(value("azimuth", azimuth, label="azimuth of that direction"))
         values.append(value("coverage", radiances.coverage))
         if irradiance.error:
             values.append(self._error(irradiance.error))

@@ -81,6 +81,14 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
     assert (letters["peak-polar"], letters["peak-azimuth"]) == ("θ_max", "φ_max")
 
 
+def test_answers_to_a_list_of_directions_have_the_direction():
+    words = ["(x + 1)*100 cd/m2", "--toward", "60deg:90deg:30deg,0deg", "--format"]
+    head, *rows = run("environment", *words, "csv").stdout.splitlines()
+    places = [head.split(",").index(name) for name in ("polar:deg", "azimuth:deg")]
+    found = [[float(row.split(",")[place]) for place in places] for row in rows]
+    assert found == [pytest.approx([60, 0]), pytest.approx([90, 0])]
+
+
 def test_a_kind_that_is_linked_is_shown_beside():
     words = ["1 W/m2/sr", "--wavelength", "555nm"]
     found = asked(*words, "-g", "illuminance:lx", "-g", "mean-luminance:cd/m2")
