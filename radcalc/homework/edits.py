@@ -11,7 +11,8 @@ from radcalc.quantities.symbols import SYMBOLS
 
 # What is never left out or turned round: what stands for a whole factor or for the light, and
 # numbers that are no factors.
-WHOLE = ("value", "q", "r", "p", "light", "heat", "weighted-solid-angle")
+SKIES = ("horizontal-sky", "plane-sky")
+WHOLE = ("value", "q", "r", "p", "light", "heat", "weighted-solid-angle", *SKIES)
 NO_FACTORS = (
     "exponent",
     "ev",
@@ -77,7 +78,8 @@ CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count the
 
 def find(p: Problem) -> Iterator[Candidate]:
     """What follows with one edit of a law that leads to the result."""
-    has_pi = False
+    # where pi is in the sum over directions, it is left out (`siblings`), not put in
+    has_pi = p.is_of("environment") or not p.chain.symbols.isdisjoint(SKIES)
     for law, target in p.chain.steps:
         if "scale" in law.names:
             continue  # what a distribution is, of which nobody leaves a part out

@@ -24,7 +24,7 @@ SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside ano
 CONES = ("half-angle", "apex-angle", "beam-angle", "field-angle", "within")
 PAIRS = (("horizontal", "vertical"), ("width", "length"))  # which are misread together
 SIZES = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
-FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "half-angle")
+FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "sun-elevation", "half-angle")
 FOOT, EV = resolve("ft").factor, resolve("eV").factor
 # Units [SI] that one unit of an input is taken for, by dimension: a number of centimetres is used
 # as one of metres, or metres are turned into centimetres and used as metres.

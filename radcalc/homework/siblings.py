@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
 Found = Iterator[Candidate | None]
 PI = math.pi
+FORGOTTEN = "pi was forgotten"
 DIFFUSE = "all directions are 4 pi sr, a hemisphere 2 pi sr, and pi sr projected"
 
 
@@ -294,6 +295,43 @@ def _direction(p: Problem) -> Found:
         yield usual("normal-for-reflection", p.amount(normals[p.target.name]))
 
 
+def _sky(p: Problem) -> Found:
+    """A sky taken as uniform, the pi of it, and a plane by what the ground gets."""
+    ground = p.amount("horizontal-sky")
+    if not p.is_of("sky") or not ground:
+        return
+    symbols = [("horizontal-sky", ground, PI)]
+    plane = p.amount("plane-sky")
+    if plane:
+        tilted = "normal" in p.given
+        rise = (
+            vectors.unit(p.given["normal"].value)[2] if tilted else math.cos(p.amount("tilt") or 0)
+        )
+        part = (1 + rise) / 2
+        yield usual("ground-for-plane", p.chain.after("plane-sky", ground * part))
+        for wrong in (ground, ground * rise):
+            yield usual("ground-for-plane", p.chain.after("plane-sky", wrong), later=1.0)
+        symbols.append(("plane-sky", plane, PI * part))
+    for symbol, size, even in symbols:
+        yield usual("uniform-sky", p.chain.after(symbol, even))
+        for whole in (even, size):
+            yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * whole), right=DIFFUSE)
+            yield usual("pi-forgotten", p.chain.after(symbol, whole / PI), FORGOTTEN, DIFFUSE)
+            yield usual("pi-upside-down", p.chain.after(symbol, 1 / whole), right=DIFFUSE)
+    height = p.amount("sun-height")
+    if height:
+        aside = math.sqrt(max(0.0, 1 - height * height))
+        yield usual("angle-from-surface", p.chain.after("sun-height", aside))
+
+
+def _environment(p: Problem) -> Found:
+    """The pi of what all directions send."""
+    if p.is_of("environment") and p.asks("irradiance"):
+        yield usual("pi-forgotten", p.right / PI, FORGOTTEN, DIFFUSE)
+        yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
+        yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
+
+
 def _pixel(p: Problem) -> Found:
     """The solid angle of a pixel."""
     if p.question.shape == "pixel" and p.asks("solid-angle"):
@@ -391,6 +429,8 @@ OUTSIDE = (
     _zone,
     _integral,
     _direction,
+    _sky,
+    _environment,
     _pixel,
     _eyes,
     _beam,

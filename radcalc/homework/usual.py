@@ -15,6 +15,12 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "constant-forgotten": (3, "the number in front was left out", ""),
     "angular-for-cycles": (3, "2 pi was mixed up with a whole cycle: omega for nu, h/(2 pi) for h",
         "nu = c / lambda counts cycles, omega = 2 pi nu radians; E = h nu"),
+    # --- skies
+    "uniform-sky": (1, "the sky was taken as uniform",
+        "only a uniform sky gives the ground pi L_z; the traditional overcast one gives 7 pi/9"),
+    "ground-for-plane": (1,
+        "what the ground gets was taken for the plane's light, by the part of the sky that it sees",
+        "only of a uniform sky a plane gets (1 + cos(T))/2 of what the ground gets"),
     # --- angles
     "cosine-forgotten": (1, "the cosine of the incidence was left out",
         "E = I cos(theta) / d^2: a tilted surface catches less light"),

@@ -16,6 +16,7 @@ from radcalc.units.table import Unit, resolve
 ROUNDED = "rounded"  # which is no mistake
 TOLERANCE = "1%"
 REMARKS = ("error",)  # results that say how good another is
+ASKED = {"sky": ("irradiance",)}  # by a command's plane, before what has the same unit
 WAYS = 4  # to say an answer clearly, that are shown
 
 
@@ -172,7 +173,8 @@ def _unnamed(question: Question) -> list[Value]:
     shown = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
     if not shown:
         raise ConditionError(f"{option('check')}: there is nothing to check", "less of it given")
-    return sorted(shown, key=lambda value: value.given is not None)
+    asked = ASKED.get(question.command, ())
+    return sorted(shown, key=lambda value: (value.given is not None, value.name not in asked))
 
 
 def _holds(value: Value, unit: Unit, said: Claim, tolerance: str) -> bool:

@@ -29,6 +29,7 @@ V532 = 0.88496  # CIE 1924
 EV = 1.602176634e-19  # J
 SIGMA = 5.670374419e-8  # W/(m2 K4)
 SCREEN = "screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2"
+OVERCAST = "sky overcast --zenith-luminance 8700cd/m2"
 PICTURE = 2.3**2 * 3 / 4  # m2
 ETENDUE = "etendue --area 2.7mm2 --half-angle 29deg"
 HEAT = "calorimeter --mass 45g --specific-heat 450J/kg/K --temperature-rise 3.7K --time 4min"
@@ -52,6 +53,27 @@ HELD_OUT = [
           730 / 2.3**2, "cosine-forgotten"),
     Wrong("uberlight 1.1,0,2.3 --intensity 730cd --normal 0,0,-1", "illuminance", "lx",
           730 / (1.1**2 + 2.3**2), "cosine-forgotten"),
+    # --- skies: 7 pi / 9 on the ground, pi / 6 + 4 / 9 on a wall; of a uniform one pi, and half
+    Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * pi, "uniform-sky"),
+    Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * 2 * pi, "two-pi-for-pi"),
+    Wrong(OVERCAST, "horizontal-irradiance", "lx", 8700 * 7 / 9, "pi-forgotten"),
+    Wrong("sky --horizontal-illuminance 13klx", "zenith-luminance", "cd/m2", 13e3 / pi,
+          "uniform-sky"),
+    Wrong("sky uniform --zenith-luminance 3100cd/m2", "horizontal-irradiance", "lx", 3100.0,
+          "pi-forgotten"),
+    Wrong("sky uniform --zenith-luminance 3100cd/m2", "horizontal-irradiance", "lx",
+          3100 * 2 * pi, "two-pi-for-pi"),
+    Wrong(OVERCAST + " --tilt 90deg", "irradiance", "lx", 8700 * 7 * pi / 18, "ground-for-plane"),
+    Wrong(OVERCAST + " --tilt 90deg", "", "lx", 8700 * 7 * pi / 18, "ground-for-plane"),
+    Wrong(OVERCAST + " --tilt 90deg", "irradiance", "lx", 8700 * pi / 2, "uniform-sky"),
+    Wrong(OVERCAST + " --tilt 40deg", "irradiance", "lx", 8700 * 7 * pi / 9 * c(40),
+          "ground-for-plane"),
+    Wrong("sky uniform --horizontal-illuminance 13klx --sun-illuminance 70klx --sun-elevation "
+          "35deg", "global-irradiance", "lx", 13e3 + 70e3 * c(35), "angle-from-surface"),
+    Wrong("environment sky:uniform --zenith-luminance 870cd/m2", "irradiance", "lx", 870.0,
+          "pi-forgotten"),
+    Wrong("environment sky:uniform --zenith-luminance 870cd/m2", "irradiance", "lx",
+          870 * 2 * pi, "two-pi-for-pi"),
     # --- etendues
     Wrong(ETENDUE, "etendue", "mm2.sr", 2.7 * s(29) ** 2, "pi-forgotten"),
     Wrong(ETENDUE, "etendue", "mm2.sr", 2.7 * pi * s(29), "sine-not-squared"),

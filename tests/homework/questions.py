@@ -85,4 +85,8 @@ RIGHT = [  # the question, the result, its unit
     ("spectrum blackbody:2900K", "radiance", "W/m2/sr"), ("spectrum A", "photon-energy", "eV"),
     ("mesopic --luminance 0.1cd/m2 --sp-ratio 2", "mesopic-luminance", "cd/m2"),
     ("mesopic --luminance 0.3cd/m2 --spectrum A", "sp-ratio", ""),
+    ("sky overcast --zenith-luminance 8700cd/m2", "horizontal-illuminance", "lx"),
+    ("sky overcast --zenith-luminance 8700cd/m2 --tilt 70deg", "irradiance", "lx"),
+    ("sky 1 --horizontal-illuminance 13klx", "zenith-luminance", "cd/m2"),
+    ("environment sky:overcast --zenith-luminance 8700cd/m2", "irradiance", "lx"),
 ]  # fmt: skip

@@ -87,6 +87,14 @@ def test_a_right_value_of_zero_has_no_ratio():
         assert found.ratio is None
 
 
+def test_a_plane_under_a_sky_is_what_is_asked_about():
+    words = "sky overcast --zenith-luminance 9000cd/m2 --tilt 90deg"
+    found = verdict(words, "8712lx")  # 9000 (pi/6 + 4/9) on the wall
+    assert (found.name, found.is_right) == ("irradiance", True)
+    with pytest.raises(ConditionError, match="right for horizontal-irradiance: say which"):
+        verdict(words, "21991lx")  # 9000 7 pi/9 on the ground
+
+
 def test_what_is_no_0_is_compared_in_the_unit_of_the_answer():
     found = verdict("direction 1 0 0.3", "azimuth=180deg")
     assert [one.mistake for one in found.diagnoses] == ["wrong-quadrant"]

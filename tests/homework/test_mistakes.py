@@ -182,9 +182,13 @@ def unrelated() -> list[tuple[str, str, float]]:
     while len(found) < UNRELATED:
         words, name, unit = questions[len(found) % len(questions)]
         ratio = math.exp(chance.uniform(-math.log(30), math.log(30)))
-        if abs(ratio - 1) < 0.03:
+        right = right_of(words, name, unit)
+        off = right * (ratio - 1)
+        if name == "azimuth":  # whole turns make no difference
+            off = math.remainder(off, 360)
+        if abs(off) < 0.03 * abs(right):
             continue
-        found.append((words, claim_of(name, right_of(words, name, unit) * ratio, 3, unit), ratio))
+        found.append((words, claim_of(name, right * ratio, 3, unit), ratio))
     return found
 
 
