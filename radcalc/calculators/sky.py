@@ -12,6 +12,7 @@ from radcalc.calculators.results import absent
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
+    ConditionError,
     Exclusive,
     MissingInput,
     Unused,
@@ -280,6 +281,10 @@ class _Sky:
         if "radiance-toward" in lit and "toward" not in given:
             told = option(lit["radiance-toward"].name)
             raise MissingInput(f"the direction of {told} is missing", NO_DIRECTION[1])
+        if "radiance-toward" in lit and any_true(given["toward"].value[0] > math.pi / 2):
+            told = option(lit["radiance-toward"].name)
+            problem = f"below the horizon it is dark, and nothing follows from {told}"
+            raise ConditionError(problem, mention("{toward=60deg,90deg}"))
 
     def _refuse_sun(self) -> None:
         """Refuse the place of a sun where nothing depends on it."""
@@ -362,10 +367,11 @@ class _Sky:
         sheet.assume(f"{number}{sky.name}")
         if sky.follows_sun or self.is_sunlit:
             sheet.assume("the sun is no part of the sky")
-        if self.has_plane:
+        below = "toward" in given and any_true(given["toward"].value[0] > math.pi / 2)
+        if self.has_plane or below:
             sheet.assume("below the horizon it is dark: nothing comes from the ground")
-            if self.is_sunlit:
-                sheet.assume("the daylight share is that of the sky alone")
+        if self.has_plane and self.is_sunlit:
+            sheet.assume("the daylight share is that of the sky alone")
         if "sun-azimuth" in given:
             is_vector = "normal" in given or (
                 "toward" in given and given["toward"].text.count(",") == 2
