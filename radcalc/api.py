@@ -435,12 +435,11 @@ def _surroundings(source: Any, given: dict[str, Any]) -> tuple[Any, dict[str, An
 
     from radcalc.calculators.environment import Source
     from radcalc.distributions.environments import picture_of
-    from radcalc.distributions.maps.pictures import read_picture
 
     if isinstance(source, str):
         return Source(source), given
     if isinstance(source, os.PathLike):
-        return Source(read_picture(os.fspath(source))), given
+        return Source(os.fspath(source), is_path=True), given
     if _is_quantity(source):
         if given.get("unit") is not None:
             raise ConditionError("unit is given, and the map has its own", "the same without unit")

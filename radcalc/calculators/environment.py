@@ -50,11 +50,13 @@ IS_RELATIVE = (
 class Source:
     """What a user named, read once for all answers about it.
 
-    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture.
+    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture; where it
+    `is_path`, the first of these alone.
     """
 
-    def __init__(self, named: "str | Picture") -> None:
-        self.named = named
+    def __init__(self, named: "str | Picture", is_path: bool = False) -> None:
+        self.named, self.is_path = named, is_path
+        self.pictures: dict[str, Picture] = {}  # by the channel that they are read for
         self.found: dict[tuple[Any, ...], Environment] = {}
         self.sums: dict[tuple[int, Vector], tuple[Integral, float, Peak]] = {}
 
@@ -76,23 +78,26 @@ class Source:
         from radcalc.distributions import environments
 
         named = self.named
-        if isinstance(named, str) and named.startswith(SKY):
-            _refuse_others(own, (*OF_SKY, *SCALES), "a sky")
-            return _sky(named.removeprefix(SKY).strip().lower(), own, lit)
-        if isinstance(named, str) and not environments.is_map(named):
-            _refuse_others(own, (), "an expression")
-            return environments.expression(named)
+        if isinstance(named, str) and not self.is_path:
+            if named.startswith(SKY):
+                _refuse_others(own, (*OF_SKY, *SCALES), "a sky")
+                return _sky(named.removeprefix(SKY).strip().lower(), own, lit)
+            if not environments.is_map(named):
+                _refuse_others(own, (), "an expression")
+                return environments.expression(named)
         _refuse_others(own, OF_MAP, "a map")
         given = {name: one.value for name, one in own.items()}
-        return environments.of_picture(self.picture(), **given)
+        if isinstance(named, str):
+            named = self._picture(named, given.get("channel", ""))
+        return environments.of_picture(named, **given)
 
-    def picture(self) -> "Picture":
+    def _picture(self, path: str, channel: str) -> "Picture":
         """The picture of a map, which is read once."""
         from radcalc.distributions.maps.pictures import read_picture
 
-        if isinstance(self.named, str):
-            self.named = read_picture(self.named)
-        return self.named
+        if channel not in self.pictures:
+            self.pictures[channel] = read_picture(path, channel)
+        return self.pictures[channel]
 
 
 def _refuse_others(own: Inputs, takes: tuple[str, ...], what: str) -> None:

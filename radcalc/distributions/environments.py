@@ -129,11 +129,11 @@ def of_picture(
     shown = projection_of(picture, projection)
     factor, kind = unit_of(picture, unit)
     own, overruled = _own(picture, unit, projection)
-    alone = (
-        [f"the channel {channel.upper()} alone"] if channel and len(picture.channels) > 1 else []
-    )
+    alone = list[str]()
     if channel:
         picture = channel_of(picture, channel)
+        if picture.channels != ("Y",):
+            alone.append(f"the channel {quote(picture.channels[0])} alone")
     sums = weighted(picture, kind)
     pixels = RadianceMap(
         picture.pixels, shown, aim or FORWARD, sums.weights, factor, kind, picture.frame

@@ -206,6 +206,20 @@ def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
     )
 
 
+def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
+    """As it is written: one channel of a name of its own, here 7 everywhere."""
+    path = written(tmp_path / "colours.exr", numpy.full((16, 32, 3), [1.0, 2.0, 7.0]))
+    made = str(tmp_path / "blue.exr")
+    words = ["--unit", "1", "--channel", "b"]
+    to = ["--reproject", made, "--to", "latlong"]
+    assert run("environment", path, *words, *to).returncode == 0
+    done = run("environment", made, "--unit", "1")
+    assert done.returncode == 2
+    assert done.stderr.endswith("it has B\ntry: --channel B\n")
+    assert asked(made, *words, "-g", "mean-radiance") == pytest.approx([7])
+    assert "assumed: the channel B alone\n" in run("environment", made, *words).stderr
+
+
 @pytest.mark.parametrize("extension", [".hdr", ".exr"])
 def test_a_map_that_says_what_it_is_is_believed_aloud_or_overruled_aloud(tmp_path, extension):
     path = str(tmp_path / f"own{extension}")

@@ -25,7 +25,7 @@ import numpy as np
 
 from radcalc.distributions.maps import pictures
 from radcalc.distributions.maps.pictures import Picture
-from radcalc.errors import ConditionError, listed, quote
+from radcalc.errors import ConditionError, listed, option, quote
 
 FORMAT = "OpenEXR"
 VERSION = 2  # of the format; the flags of a file stand above it
@@ -46,8 +46,8 @@ ASCII = bytes(range(128)) + b"?" * 128  # of each byte
 _Places = dict[str, tuple[str, slice]]  # type and place of the value of each attribute
 
 
-def read(data: bytes, name: str) -> Picture:
-    """Read an OpenEXR picture: its R, G and B, else its Y.
+def read(data: bytes, name: str, channel: str = "") -> Picture:
+    """Read an OpenEXR picture: its R, G and B, else its Y; or one channel alone.
 
     Parameters
     ----------
@@ -55,6 +55,8 @@ def read(data: bytes, name: str) -> Picture:
         What the file holds: scan lines or tiles (of levels the full one), of one or more parts.
     name : str
         The file, as errors name it.
+    channel : str, optional
+        The channel to read alone, of any layer: "Z", "diffuse.R"; in any case.
 
     Returns
     -------
@@ -83,13 +85,13 @@ def read(data: bytes, name: str) -> Picture:
     try: another copy of it
     """
     parts = _parts(data, name)
-    number, channels = _main(parts, name)
+    number, channels = _one(parts, channel, name) if channel else _main(parts, name)
     part = parts[number]
     _check_place(part, name)
     planes = _planes(data, parts, number, channels, name)
     pixels = np.empty((part.height, part.width, len(channels)), np.float32)
-    for k, channel in enumerate(channels):
-        pixels[..., k] = planes[channel]
+    for k, key in enumerate(channels):
+        pixels[..., k] = planes[key]
     assumptions, notes = [], []
     if len(parts) > 1:
         label = f" ('{quote(part.label)}')" if part.label else ""
@@ -97,9 +99,9 @@ def read(data: bytes, name: str) -> Picture:
             f"of {len(parts)} parts, part {number + 1}{label} is read: the first with "
             f"{', '.join(channels)}"
         )
-    if channels == Y and "RY" in part.channels:
+    if not channel and channels == Y and "RY" in part.channels:
         notes.append("of luminance and chroma, the luminance is read")
-    if "A" in planes and (clear := np.mean(planes["A"] < 1)):
+    if "A" in planes and channels != ("A",) and (clear := np.mean(planes["A"] < 1)):
         notes.append(
             f"{100 * clear:.3g} % of the pixels have an alpha below 1; their colours, which are "
             "multiplied by it, count as they are"
@@ -121,7 +123,7 @@ def read(data: bytes, name: str) -> Picture:
             "the edges of the map's first and last row are the poles (OpenEXR itself has the "
             "centres of their pixels there)"
         )
-    if channels == Y:
+    if len(channels) == 1:
         weights: tuple[float, ...] = (1.0,)
     elif part.weights:
         weights = part.weights
@@ -372,16 +374,35 @@ def _main(parts: Sequence[_Part], name: str) -> tuple[int, tuple[str, ...]]:
     for wanted in (RGB, Y):
         for number, part in enumerate(parts):
             if set(wanted) <= part.channels.keys():
-                if any(part.channels[channel] != (1, 1) for channel in wanted):
-                    raise ConditionError(
-                        f"{name} has no {', '.join(wanted)} for each of its pixels",
-                        "a picture that is not subsampled",
-                    )
-                return number, wanted
-    found = listed([channel for part in parts for channel in part.channels])
-    raise ConditionError(
-        f"{name} has neither R, G, B nor Y; it has {found or 'no channels'}",
-        "one of its layers as R, G and B",
+                return number, _sampled(part, wanted, name)
+    raise _has_no(parts, f"{name} has neither R, G, B nor Y")
+
+
+def _one(parts: Sequence[_Part], channel: str, name: str) -> tuple[int, tuple[str, ...]]:
+    """The number of the first part that has a channel, by its name in any case, and the name."""
+    for number, part in enumerate(parts):
+        for own in part.channels:
+            if own.lower() == channel.lower():
+                return number, _sampled(part, (own,), name)
+    raise _has_no(parts, f"{name} has no channel '{quote(channel)}'")
+
+
+def _sampled(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, ...]:
+    """Channels that have a sample for each pixel; others are refused."""
+    if any(part.channels[channel] != (1, 1) for channel in channels):
+        raise ConditionError(
+            f"{name} has no {', '.join(channels)} for each of its pixels",
+            "a picture that is not subsampled",
+        )
+    return channels
+
+
+def _has_no(parts: Sequence[_Part], problem: str) -> ConditionError:
+    """What is said where wanted channels are missing, with those that are there."""
+    found = list(dict.fromkeys(channel for part in parts for channel in part.channels))
+    return ConditionError(
+        f"{problem}; it has {quote(listed(found)) or 'no channels'}",
+        option("channel", quote(found[0])) if found else "a picture that has some",
     )
 
 

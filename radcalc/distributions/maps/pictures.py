@@ -56,7 +56,7 @@ class Picture(NamedTuple):
     pixels : array of float32, (height, width, channels)
         In the file's unit (an exposure is undone); row 0 is the top.
     channels : tuple of str
-        ("R", "G", "B"), ("X", "Y", "Z") or ("Y",).
+        ("R", "G", "B"), ("X", "Y", "Z") or ("Y",); or one of another name that was asked for.
     weights : tuple of float
         What gives the luminance of the channels: by the file's primaries, else those of Rec. 709.
     format : str
@@ -88,13 +88,16 @@ class Picture(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
-def read_picture(path: str) -> Picture:
+def read_picture(path: str, channel: str = "") -> Picture:
     """Read a picture: Radiance, OpenEXR or PFM, which its first bytes tell, not its name.
 
     Parameters
     ----------
     path : str
         A regular file of 4 GiB at most.
+    channel : str, optional
+        The channel that an OpenEXR picture is read for, which may have any; of the others all
+        channels are read.
 
     Returns
     -------
@@ -129,8 +132,9 @@ def read_picture(path: str) -> Picture:
         raise _is_no_picture(head, name)
     # only the one that is needed is loaded
     module = import_module(f"radcalc.distributions.maps.{reader}")
+    alone = (channel,) if channel and reader == "exr" else ()
     try:
-        return _without_noise(module.read(data, name))
+        return _without_noise(module.read(data, name, *alone))
     except MemoryError:
         raise ConditionError(f"{name} does not fit into memory", "a smaller picture") from None
 

@@ -11,7 +11,7 @@ import pytest
 
 from radcalc.distributions.maps import exr
 from radcalc.distributions.maps.pictures import Picture, read_picture, write_picture
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, option
 
 RGB = ("R", "G", "B")
 ACES = (0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767)  # AP0
@@ -197,6 +197,26 @@ def test_layers_beside_the_main_one_are_passed_over():
     assert refused(made(other)) == (
         "sky.exr has neither R, G, B nor Y; it has diffuse.B, diffuse.G, diffuse.R"
     )
+
+
+def test_any_channel_is_read_alone_by_its_name():
+    other = planes(colours() * 2, ("diffuse.R", "diffuse.G", "A"))
+    file = {**planes(colours()), **other}
+    for channel, pixels in (
+        ("R", colours()[..., 0]),
+        ("diffuse.g", 2 * colours()[..., 1]),
+        ("a", 2 * colours()[..., 2]),
+    ):
+        found = exr.read(made(file), "sky.exr", channel)
+        assert (found.pixels[..., 0] == pixels).all()
+        assert len(found.channels) == len(found.weights) == found.pixels.shape[2] == 1
+        assert found.channels[0].lower() == channel.lower()
+    with pytest.raises(ConditionError, match="no channel 'Q'; it has A, B, G, R") as caught:
+        exr.read(made(file), "sky.exr", "Q")
+    assert caught.value.hint == option("channel", "A")
+    with pytest.raises(ConditionError, match=r"neither R, G, B nor Y; it has R") as caught:
+        read({"R": colours()[..., 0].copy()})
+    assert caught.value.hint == option("channel", "R")
 
 
 def test_alpha_is_said():
