@@ -131,7 +131,9 @@ class LightSums:
         # (rows of blocks, blocks, channels, 3), (rows of blocks, blocks, 3), (..., blocks)
         self._vectors, self._axes, self._sines = map(numpy.stack, zip(*found, strict=True))
 
-    def irradiances(self, normals: Any, progress: Progress | None = None) -> tuple[Any, Any]:
+    def irradiances(
+        self, normals: Any, progress: Progress | None = None, has_errors: bool = False
+    ) -> tuple[Any, Any]:
         """Irradiances of receivers, and how far they may be off.
 
         Parameters
@@ -140,6 +142,8 @@ class LightSums:
             Unit vectors in the map's own axes.
         progress : callable, optional
             Is told how many rows of blocks are done, and of how many.
+        has_errors : bool, optional
+            Whether the errors are wanted; else they are 0.
 
         Returns
         -------
@@ -158,11 +162,9 @@ class LightSums:
                 for block, (pixels, split) in zip(chosen, self._pixels(down, chosen), strict=True):
                     here = numpy.flatnonzero(~is_whole[:, block])
                     for some in numpy.array_split(here, 1 + here.size * len(split[-1]) // CHUNK):
-                        received, off = _received(normals[some], *split)
-                        total[some] += received
-                        if split is not pixels:
-                            off = _received(normals[some], *pixels)[1]
-                        errors[some] += off
+                        total[some] += _received(normals[some], *split)
+                        if has_errors:
+                            errors[some] += _error(normals[some], *pixels)
             if progress:
                 progress(down + 1, self.raster.down)
         return total, errors
@@ -197,14 +199,21 @@ def _shape(projection: str, u: Any, v: Any) -> Any:
     return numpy.stack([light_vectors(projection, u, v), *half_edges(projection, u, v)])
 
 
-def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> tuple[Any, Any]:
-    """What receivers get of pixels, and how far that may be off where their horizons cut them."""
+def _received(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
+    """What receivers get of pixels."""
     mean = normals @ vectors
-    size = numpy.sqrt((vectors * vectors).sum(0))
-    one, other = abs(normals @ along), abs(normals @ down)
-    beyond = _beyond(mean, numpy.hypot(one, other) * size)
-    # the corners reach farther than pixels whose cosine is spread evenly
-    return (numpy.maximum(mean, 0.0) + beyond) @ light, _beyond(mean, (one + other) * size) @ light
+    reach = numpy.hypot(normals @ along, normals @ down) * _size(vectors)
+    return (numpy.maximum(mean, 0.0) + _beyond(mean, reach)) @ light
+
+
+def _error(normals: Any, vectors: Any, along: Any, down: Any, light: Any) -> Any:
+    """How far that may be off: corners reach farther than a cosine that is spread evenly."""
+    reach = (abs(normals @ along) + abs(normals @ down)) * _size(vectors)
+    return _beyond(normals @ vectors, reach) @ light
+
+
+def _size(vectors: Any) -> Any:
+    return numpy.sqrt((vectors * vectors).sum(0))
 
 
 def _beyond(mean: Any, reach: Any) -> Any:
