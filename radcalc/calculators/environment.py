@@ -79,9 +79,9 @@ class Source:
 
         named = self.named
         if isinstance(named, str) and not self.is_path:
-            if named.startswith(SKY):
+            if named.lower().startswith(SKY):
                 _refuse_others(own, (*OF_SKY, *SCALES), "a sky")
-                return _sky(named.removeprefix(SKY).strip().lower(), own, lit)
+                return _sky(named.lower().removeprefix(SKY).strip(), own, lit)
             if not environments.is_map(named):
                 _refuse_others(own, (), "an expression")
                 return environments.expression(named)

@@ -61,8 +61,8 @@ class Environment(NamedTuple):
 
 
 def is_map(source: str) -> bool:
-    """Whether a text names a file, which need not be there."""
-    return bool(MAP.search(source)) or os.path.exists(source)
+    """Whether a text names a file, which need not be there, or standard input."""
+    return source == "-" or bool(MAP.search(source)) or os.path.exists(source)
 
 
 def expression(text: str) -> Environment:
