@@ -31,6 +31,7 @@ OF_MAP = ("unit", "projection", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
+EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak's own, up to rounding
 SMALL = (64, 32)  # pixels of an irradiance map
 SAMPLED = (1024, 512)  # pixels of what is no map
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
@@ -227,6 +228,10 @@ class _Surroundings:
             self.notes.append("there is no light from any direction that was looked at")
             dark = "there is no light", "a map, a sky or an expression that has some"
             ends = [absent("peak-polar", *dark), absent("peak-azimuth", *dark)]
+        elif mean > peak.value * EVEN:
+            self.notes.append("the radiance is the same in all directions that it is known of")
+            even = "the radiance is the same in all directions", "peak-radiance"
+            ends = [absent("peak-polar", *even), absent("peak-azimuth", *even)]
         values = [*shown.values["irradiance"], *shown.values["mean-radiance"]]
         values += [*shown.values["peak-radiance"], *ends]
         values += shown.values.get("radiance-toward") or [

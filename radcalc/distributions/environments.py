@@ -140,7 +140,10 @@ def of_picture(
     )
     width, height = pixels.size
     said = [f"{name_of_map(shown)} of {width} x {height} pixels"]
-    said[0] += "" if aim else mention(", whose middle shows +x ({aim})")
+    if not aim:
+        said[0] += mention(", whose middle shows +x ({aim})")
+    elif aim[0] == aim[1] == 0:  # nothing tells how it is turned
+        said[0] += ", whose left is towards +y"
     said += own
     said += [one for one in picture.assumptions if one != BY_REC_709]
     notes = [*picture.notes, *overruled]

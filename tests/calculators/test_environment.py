@@ -81,6 +81,30 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
     assert (letters["peak-polar"], letters["peak-azimuth"]) == ("θ_max", "φ_max")
 
 
+@pytest.mark.parametrize("source", ["3 cd/m2", "sky:uniform", "{}"])
+def test_what_is_the_same_in_all_directions_has_no_direction_of_a_peak(tmp_path, source):
+    path = written(tmp_path / "ones.exr", numpy.ones((32, 64)), unit="cd/m2")
+    done = run("environment", source.format(path))
+    assert "note: the radiance is the same in all directions" in done.stderr
+    assert "peak-radiance" in done.stdout
+    assert "peak-polar" not in done.stdout
+    asked_for = run("environment", source.format(path), "-g", "peak-azimuth")
+    assert (asked_for.returncode, asked_for.stdout) == (2, "")
+    assert "the same in all directions" in asked_for.stderr
+
+
+def test_how_a_map_is_turned_whose_middle_is_straight_up_is_said(tmp_path):
+    """A bright pixel left of the middle is then towards +y."""
+    pixels = numpy.zeros((32, 64))
+    pixels[15:17, 15:17] = 1.0
+    path = written(tmp_path / "left.pfm", pixels)
+    for aim in ("0,0,1", "0,0,-1"):
+        done = run("environment", path, "--unit", "1", "--aim", aim, "-g", "peak-azimuth:deg")
+        assert float(done.stdout) == pytest.approx(90, abs=4)
+        assert "pixels, whose left is towards +y\n" in done.stderr
+    assert "whose left" not in run("environment", path, "--unit", "1", "--aim", "0,1,1").stderr
+
+
 def test_answers_to_a_list_of_directions_have_the_direction():
     words = ["(x + 1)*100 cd/m2", "--toward", "60deg:90deg:30deg,0deg", "--format"]
     head, *rows = run("environment", *words, "csv").stdout.splitlines()
