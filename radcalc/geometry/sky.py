@@ -173,7 +173,7 @@ def sky_type(name: str) -> SkyType:
     True
     """
     if name not in NAMES:
-        close = nearest(name, NAMES)
+        close = [] if name[:1].isdigit() else nearest(name, NAMES)
         raise ConditionError(
             f"'{quote(name)}' is no sky",
             " or ".join(close) or f"overcast, {', '.join(ALSO)}, 1 to 15",
