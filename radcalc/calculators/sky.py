@@ -28,6 +28,7 @@ from radcalc.geometry.sky import (
     IS_EVEN,
     MISSING_AZIMUTH,
     MISSING_SUN,
+    angle_between,
     projected_sky,
     relative_luminance,
     sky_type,
@@ -365,7 +366,13 @@ class _Sky:
         given, sky = self.given, self.type
         number = f"CIE type {sky.number}: " if sky.number else ""
         sheet.assume(f"{number}{sky.name}")
-        if sky.follows_sun or self.is_sunlit:
+        if self.is_sunlit:
+            sheet.assume(
+                "the sun's disc is no part of the sky: its light is added to what planes get"
+            )
+            if sheet.lit.links:
+                sheet.assume("the sun's light and the sky's have the same spectrum")
+        elif sky.follows_sun:
             sheet.assume("the sun is no part of the sky")
         below = "toward" in given and any_true(given["toward"].value[0] > math.pi / 2)
         if self.has_plane or below:
@@ -395,6 +402,10 @@ class _Sky:
             cut = cut | (abs(cosine) < sin(radius))
             if any_true(cosine <= 0):
                 sheet.notes.append("the sun is behind the plane")
+        if "toward" in self.given and "sun-azimuth" in self.given:
+            polar, azimuth = self.given["toward"].value
+            if any_true(angle_between(polar, azimuth, place_of_sun(self.given)) < radius):
+                sheet.notes.append("the sun's disc is seen there, and not counted in the radiance")
         if any_true(cut):
             sheet.notes.append(
                 "the horizon or the plane cuts the sun's disc, which is taken as if all of it were "

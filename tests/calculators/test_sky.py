@@ -136,11 +136,17 @@ def test_other_kinds_of_light():
     assert photons == pytest.approx(float(converted.stdout), rel=1e-12)
 
 
+def test_the_spectrum_of_sun_and_sky_is_said_to_be_the_same():
+    told = "the sun's light and the sky's have the same spectrum"
+    assert told in run("sky", *f"{CLEAR} {WALL} --spectrum D65".split()).stderr
+    assert told not in run("sky", *f"{CLEAR} {WALL}".split()).stderr
+
+
 def test_what_it_assumes_is_said():
     said = run("sky", *f"{CLEAR} {WALL}".split()).stderr
     for text in (
         "CIE type 12: CIE standard clear sky",
-        "the sun is no part of the sky",
+        "the sun's disc is no part of the sky",
         "below the horizon it is dark",
         "counted in any one way",
         "radius of 0.2666 deg",
