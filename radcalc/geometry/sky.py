@@ -6,8 +6,10 @@ nothing.  For floats no NumPy is imported.
 """
 
 import math
+import sys
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from radcalc.errors import ConditionError, mention, nearest, option, quote
 from radcalc.geometry.numerics.quadrature import gauss
@@ -413,8 +415,7 @@ def _integral(sky: SkyType, polar: float, facing: Vector | None, across: int, ar
             meets = math.acos(max(-1.0, min(1.0, facing[1] / level * sun[0])))
             cuts += [meets, math.pi - meets]
     cuts.sort()
-    total = []
-    rule = _rule(around) if sky.a else []
+    total, graded = [], []
     for low, high in pairwise(cuts):
         if high - low < NO_WIDTH:
             continue
@@ -423,23 +424,43 @@ def _integral(sky: SkyType, polar: float, facing: Vector | None, across: int, ar
             near, far = math.cos(away), math.sin(away)
             rise, lift = near * sun[2], far * sun[0]
             level, turn = (near * along, far * swing) if facing else (1.0, 0.0)
-            inner = 0.0
+            share = weight * (high - low) * far * sky.indicatrix(away)
             for start, end in _arcs(_half_arc(rise, lift), _half_arc(level, turn), bearing):
-                inner += level * (end - start)
-                inner += turn * (math.sin(end - bearing) - math.sin(start - bearing))
-                part = 0.0
-                for where, share in rule:
-                    psi = start + (end - start) * where
-                    height = rise + lift * math.cos(psi)
-                    if height > LOW:
-                        part += (
-                            share
-                            * (level + turn * math.cos(psi - bearing))
-                            * math.exp(sky.b / height)
-                        )
-                inner += sky.a * part * (end - start)
-            total.append(weight * (high - low) * far * sky.indicatrix(away) * inner)
+                even = level * (end - start)
+                even += turn * (math.sin(end - bearing) - math.sin(start - bearing))
+                total.append(share * even)
+                width = end - start
+                graded.append((rise, lift, level, turn, start, width, share * width))
+    if sky.a and graded:
+        total.append(sky.a * _graded(sky.b, bearing, graded, _rule(around)))
     return math.fsum(total)
+
+
+def _graded(
+    b: float, bearing: float, arcs: Sequence[Sequence[float]], rule: Sequence[tuple[float, float]]
+) -> float:
+    """The sum over arcs of exp(b / height), times the cosine to the normal.
+
+    Where NumPy is loaded, as it is for lists, it works out all points at once.
+    """
+    numpy = sys.modules.get("numpy")
+    if numpy is None:
+        return math.fsum(
+            sum(weight * _at(math, b, bearing, arc, place) for place, weight in rule)
+            for arc in arcs
+        )
+    places, weights = numpy.array(rule).T
+    found = _at(numpy, b, bearing, numpy.array(arcs).T[:, :, None], places)
+    return float(numpy.sum(found * weights))
+
+
+def _at(functions: Any, b: float, bearing: float, arc: Sequence[Any], place: Number) -> Number:
+    """exp(b / height) times the cosine to the normal, by the functions of `math` or NumPy."""
+    rise, lift, level, turn, start, width, size = arc
+    psi = start + width * place
+    height = rise + lift * functions.cos(psi)
+    above = (height + LOW + abs(height - LOW)) / 2  # at least LOW
+    return size * (level + turn * functions.cos(psi - bearing)) * functions.exp(b / above)
 
 
 def _half_arc(level: float, swing: float) -> float:

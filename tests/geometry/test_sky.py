@@ -1,6 +1,7 @@
 """The skies of the CIE: luminances and irradiances, against closed forms and plain sums."""
 
 import math
+import sys
 
 import numpy as np
 import pytest
@@ -188,3 +189,12 @@ def test_what_is_no_sky_is_refused(words, error, text):
 def test_a_plane_without_a_direction_is_refused():
     with pytest.raises(ConditionError, match="no direction"):
         projected_sky(TYPES["1"], (0, 0, 0))
+
+
+@pytest.mark.parametrize("name", ["1", "7", "12", "15"])
+@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0.3, -0.8, 0.4), (-0.2, 0.5, -0.7)])
+def test_with_numpy_and_without_it_the_integral_is_the_same(monkeypatch, name, normal):
+    sun = (math.radians(50), 0.3) if TYPES[name].follows_sun else None
+    fast = projected_sky(TYPES[name], normal, sun)[0]
+    monkeypatch.delitem(sys.modules, "numpy")
+    assert projected_sky(TYPES[name], normal, sun)[0] == pytest.approx(fast, rel=1e-14)
