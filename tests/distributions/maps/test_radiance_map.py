@@ -143,10 +143,12 @@ def test_the_error_covers_a_pixel_that_is_cut_at_its_corner():
     values = numpy.zeros((32, 64))
     values[15, 32] = 1e9
     around = RadianceMap(values, "latlong")
-    many = 200
-    part = numpy.s_[15 * many : 16 * many, 32 * many : 33 * many]
-    places = directions("latlong", 64, 32, many)[:, *part].reshape(3, -1)
-    weights = solid_angles("latlong", 64 * many, 32 * many)[part].ravel()
+    parts = (numpy.arange(200) + 0.5) / 200
+    azimuth = -(32 + parts) * 2 * math.pi / 64 + math.pi
+    polar = (15 + parts[:, None]) * math.pi / 32
+    x, y = numpy.sin(polar) * numpy.cos(azimuth), numpy.sin(polar) * numpy.sin(azimuth)
+    places = numpy.stack([x, y, numpy.cos(polar) + 0 * x]).reshape(3, -1)
+    weights = (numpy.sin(polar) + 0 * x).ravel() * (2 * math.pi / 64 * math.pi / 32 / 200**2)
     for third in numpy.linspace(-0.72, 0.72, 25):
         normal = unit((-0.127, -0.7, third))
         true = 1e9 * weights @ numpy.maximum(normal @ places, 0)
