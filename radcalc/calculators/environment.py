@@ -229,7 +229,7 @@ class _Surroundings:
             dark = "there is no light", "a map, a sky or an expression that has some"
             ends = [absent("peak-polar", *dark), absent("peak-azimuth", *dark)]
         elif mean > peak.value * EVEN:
-            self.notes.append("the radiance is the same in all directions that it is known of")
+            self.notes.append("the radiance is the same in every direction that is covered")
             even = "the radiance is the same in all directions", "peak-radiance"
             ends = [absent("peak-polar", *even), absent("peak-azimuth", *even)]
         values = [*shown.values["irradiance"], *shown.values["mean-radiance"]]

@@ -85,7 +85,7 @@ def test_the_mean_is_by_solid_angle_and_the_peak_has_a_direction():
 def test_what_is_the_same_in_all_directions_has_no_direction_of_a_peak(tmp_path, source):
     path = written(tmp_path / "ones.exr", numpy.ones((32, 64)), unit="cd/m2")
     done = run("environment", source.format(path))
-    assert "note: the radiance is the same in all directions" in done.stderr
+    assert "note: the radiance is the same in every direction" in done.stderr
     assert "peak-radiance" in done.stdout
     assert "peak-polar" not in done.stdout
     asked_for = run("environment", source.format(path), "-g", "peak-azimuth")
@@ -248,6 +248,7 @@ def test_a_channel_of_a_file_that_has_no_colours_is_a_map(tmp_path):
 def test_a_map_that_says_what_it_is_is_believed_aloud_or_overruled_aloud(tmp_path, extension):
     path = str(tmp_path / f"own{extension}")
     pixels = numpy.ones((32, 32, 1), numpy.float32)
+    pixels[16, 16] = 2
     write_picture(path, Picture(pixels, ("Y",), (1.0,), "", "cd/m2", "angular"))
     done = run("environment", path)
     assert "assumed: the map says that it is angular and in cd/m2\n" in done.stderr
