@@ -142,15 +142,7 @@ def beam_of_cone(away: str) -> Relation:
     >>> round(width.solve("beam-diameter", {"height": 3.0, "half-angle": math.pi / 4}.get), 9)
     6.0
     """
-    return relation(
-        "diameter of a cone's light",
-        f"{{beam-diameter}} = 2 {{{away}}} tan({{half-angle}})",
-        {
-            "beam-diameter": lambda at: 2 * at(away) * tan(at("half-angle")),
-            away: lambda at: at("beam-diameter") / (2 * tan(at("half-angle"))),
-            "half-angle": lambda at: atan(at("beam-diameter") / (2 * at(away))),
-        },
-    )
+    return _beam("diameter of a cone's light", away, "half-angle", 1)
 
 
 def beam_of_lobe(away: str) -> Relation:
@@ -172,13 +164,19 @@ def beam_of_lobe(away: str) -> Relation:
     >>> round(width.solve("beam-diameter", {"height": 3.0, "beam-angle": math.pi / 2}.get), 9)
     6.0
     """
+    return _beam("diameter of a lobe's beam", away, "beam-angle", 2)
+
+
+def _beam(name: str, away: str, angle: str, parts: int) -> Relation:
+    """The law of a diameter by an angle, of which so many parts make the one from axis to edge."""
+    part = f"{{{angle}}}/{parts}" if parts > 1 else f"{{{angle}}}"
     return relation(
-        "diameter of a lobe's beam",
-        f"{{beam-diameter}} = 2 {{{away}}} tan({{beam-angle}}/2)",
+        name,
+        f"{{beam-diameter}} = 2 {{{away}}} tan({part})",
         {
-            "beam-diameter": lambda at: 2 * at(away) * tan(at("beam-angle") / 2),
-            away: lambda at: at("beam-diameter") / (2 * tan(at("beam-angle") / 2)),
-            "beam-angle": lambda at: 2 * atan(at("beam-diameter") / (2 * at(away))),
+            "beam-diameter": lambda at: 2 * at(away) * tan(at(angle) / parts),
+            away: lambda at: at("beam-diameter") / (2 * tan(at(angle) / parts)),
+            angle: lambda at: parts * atan(at("beam-diameter") / (2 * at(away))),
         },
     )
 
