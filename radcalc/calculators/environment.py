@@ -33,7 +33,6 @@ SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
 EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak's own, up to rounding
 SMALL = (64, 32)  # pixels of an irradiance map
-SAMPLED = (1024, 512)  # pixels of what is no map
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
 # Formulas of derivations, and where they come from.
 IRRADIANCE = "E = integral of L max(n . s, 0) domega", "ISO 80000-7, irradiance"
@@ -303,10 +302,11 @@ class _Surroundings:
         """The radiances as a map; skies and expressions are sampled."""
         from radcalc.distributions import environments
         from radcalc.distributions.maps.radiance_map import RadianceMap
+        from radcalc.geometry.projections import USUAL_SIZE
 
         if isinstance(self.found.radiances, RadianceMap):
             return self.found.radiances
-        width, height = SAMPLED
+        width, height = USUAL_SIZE
         self.assumptions.append(
             f"sampled at the middles of {width} x {height} pixels of a {LATLONG} map"
         )

@@ -13,6 +13,7 @@ from radcalc.geometry import cones
 from radcalc.geometry.directions import spherical
 from radcalc.geometry.projections import (
     direction_at,
+    has_shape,
     is_outside,
     middle_of_pixel,
     name_of_map,
@@ -84,7 +85,7 @@ def pixel(given: Inputs) -> Answer:
 def refuse_shape(size: Given, projection: str, is_given: bool = True) -> None:
     """Refuse a size that no map in a projection has, which may go without saying."""
     width, height = size.value
-    if width == (2 * height if projection == LATLONG else height):
+    if has_shape(projection, width, height):
         return
     told = option("size", quote(size.text))
     if projection == LATLONG:

@@ -23,6 +23,7 @@ from radcalc.errors import (
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import UP, cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
+from radcalc.geometry.projections import USUAL_SIZE
 from radcalc.geometry.sky import (
     CIE,
     IS_EVEN,
@@ -137,7 +138,6 @@ SUN_COSINE = Formula(
     "{cosine} = max(n . s, 0), of the plane's normal and the sun's direction",
 )
 BRIGHT = mention("{zenith-radiance=1000cd/m2} or {horizontal-irradiance=100lx}")
-SIZE = (1024, 512)  # of a map [pixels]
 NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")
 NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
@@ -160,7 +160,7 @@ def sky_map(name: str, given: Inputs) -> "Made":
         refuse_shape(given["size"], LATLONG)
     found = _Sky(name, {key: one for key, one in given.items() if key != "size"}, for_map=True)
     answer = found.answer()
-    picture = found.picture(*(given["size"].value if "size" in given else SIZE))
+    picture = found.picture(*(given["size"].value if "size" in given else USUAL_SIZE))
     height, width, _ = picture.pixels.shape
     what = f"a latlong map of {width} x {height} pixels in {picture.unit}, "
     what += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
@@ -204,10 +204,7 @@ class _Sky:
         """The sheet, with everything that follows on it."""
         sheet = self.sheet
         if not (self.lit or self.has_plane):
-            raise MissingInput(
-                "a light quantity is missing",
-                BRIGHT,
-            )
+            raise MissingInput("a light quantity is missing", BRIGHT)
         if self.is_sunlit and "sun-radius" not in self.given:
             sheet.know("sun-radius", SUN_RADIUS)
         sheet.place(self._place)

@@ -10,7 +10,7 @@ from radcalc.distributions.sources import WORD, formula_with_unit, unseen
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry.directions import FORWARD
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.geometry.projections import name_of_map
+from radcalc.geometry.projections import has_shape, name_of_map
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
@@ -409,7 +409,7 @@ def projection_of(picture: "Picture", given: str) -> str:
         width, height = picture.frame[2:]
     if given or picture.projection:
         return given or picture.projection
-    if width == 2 * height:
+    if has_shape(LATLONG, width, height):
         return LATLONG
     round_ones = [name for name in PROJECTIONS if name != LATLONG]
     if width != height:

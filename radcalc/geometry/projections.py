@@ -49,6 +49,7 @@ from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTION
 
 FEW, MANY = 4, 16  # points of a rule each way over a pixel that is small beside the image, or not
 INSIDE = 1 - 1e-9  # of half a side: less is rounding
+USUAL_SIZE = (1024, 512)  # of a latlong map that is made [pixels]
 SMALL = 1 / 64  # of the image: by then 4 points leave 1e-16
 
 
@@ -106,6 +107,29 @@ def name_of_map(projection: str) -> str:
     'an angular map'
     """
     return f"{'an' if projection == ANGULAR else 'a'} {projection} map"
+
+
+def has_shape(projection: str, width: int, height: int) -> bool:
+    """Whether an image of a size can be a whole map in a projection.
+
+    Parameters
+    ----------
+    projection : {"latlong", "mirror-ball", "angular"}
+    width, height : int
+        Size of the image [pixels].
+
+    Returns
+    -------
+    bool
+        A latlong map is twice as wide as high, the others are square.
+
+    Examples
+    --------
+    >>> from radcalc.geometry.projections import has_shape
+    >>> has_shape("latlong", 64, 32), has_shape("angular", 64, 32)
+    (True, False)
+    """
+    return width == (2 * height if projection == LATLONG else height)
 
 
 def direction_at(projection: str, u: Number, v: Number) -> Vector:

@@ -15,6 +15,7 @@ from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
 from radcalc.geometry.projections import (
     corner_of_pixel,
+    has_shape,
     middle_of_pixel,
     name_of_map,
     pixel_solid_angles,
@@ -324,11 +325,10 @@ def check_shape(projection: str, width: int, height: int) -> None:
     if projection not in PROJECTIONS:
         raise ConditionError(f"{projection} is no projection", ", ".join(PROJECTIONS))
     size = f"{width} x {height} pixels"
-    is_square = projection != LATLONG
-    if width != (height if is_square else 2 * height):
+    if not has_shape(projection, width, height):
         of_cube = any(width * down == height * across for across, down in CUBES)
         what = "look like a map on a cube" if of_cube else f"are no {projection} map"
-        shape = "square" if is_square else "twice as wide as high"
+        shape = "twice as wide as high" if projection == LATLONG else "square"
         raise ConditionError(f"{size} {what}", f"{name_of_map(projection)}, which is {shape}")
     if height < LEAST:
         raise ConditionError(f"{size} are too few for a map", f"{LEAST} rows or more")
