@@ -45,19 +45,19 @@ def quick_lane(words: list[str]) -> int | None:
     from radcalc.conversion.plan import plan
     from radcalc.errors import RadcalcError
     from radcalc.render.plain import line
-    from radcalc.units.operands import read_operands
+    from radcalc.units.amounts import read_operands
     from radcalc.units.table import resolve
 
     if stdio.is_terminal():
         return None
     try:
-        value, source, target = read_operands(operands)
-        if not target:
+        amount, target = read_operands(operands)
+        if not target or amount.unit is None:
             return None
-        made = plan(resolve(source), resolve(target))
-        if value < 0 and made.source.is_light:  # there is more to say
+        made = plan(amount.unit, resolve(target))
+        if amount.number < 0 and made.source.is_light:  # there is more to say
             return None
-        text = line(made.apply(value), made.target.text, bare=number)
+        text = line(made.apply(amount.number), made.target.text, bare=number)
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None
     try:

@@ -43,6 +43,7 @@ from radcalc.quantities.symbols import (
     Limits,
     Symbol,
 )
+from radcalc.units.amounts import Amount, read_amount
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra, real
@@ -53,6 +54,7 @@ class Given(NamedTuple):
     """A value that was given: the symbol, the text as typed, the value in SI units.
 
     `number` and `unit` are those typed; `is_exact` where no text was, but a number of Python's.
+    `uncertainty` is the standard uncertainty in SI units; `assumptions` say how it was read.
     """
 
     symbol: Symbol
@@ -62,6 +64,8 @@ class Given(NamedTuple):
     number: Any = None
     unit: Unit | None = None
     is_exact: bool = False
+    uncertainty: float = 0.0
+    assumptions: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:
@@ -117,12 +121,15 @@ def read_as(symbol: Symbol, value: Any) -> Given:
 
 def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
+    uncertainty = 0.0
+    assumptions: tuple[str, ...] = ()
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
-        number, unit_text = _split(symbol, text)
         if TEMPERATURE in symbol.dimensions:
-            _refuse_celsius(name, number, unit_text)
-        unit = resolve(unit_text) if unit_text else None
+            _refuse_celsius(name, text)
+        amount = _read_amount(symbol, text)
+        number, unit = amount.number, amount.unit
+        uncertainty, assumptions = amount.uncertainty, amount.assumptions
     elif _has_unit(value):
         number, unit, *said = value
         number = real(number, option(name), option(name, symbol.example))
@@ -153,6 +160,8 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         number,
         unit,
         not isinstance(value, str),
+        uncertainty * unit.factor if unit else uncertainty,
+        assumptions,
     )
     hold(given, symbol.limits)
     return given
@@ -162,9 +171,9 @@ def _has_unit(value: Any) -> bool:
     return isinstance(value, tuple) and len(value) > 1 and isinstance(value[1], Unit)
 
 
-def _split(symbol: Symbol, text: str) -> tuple[float, str]:
+def _read_amount(symbol: Symbol, text: str) -> Amount:
     try:
-        return split_quantity(text)
+        return read_amount(text)
     except NumberError as error:
         hint = error.hint
         if "," in text and symbol.dimensions == (NUMBER,):
@@ -173,8 +182,12 @@ def _split(symbol: Symbol, text: str) -> tuple[float, str]:
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 
-def _refuse_celsius(name: str, number: float, unit: str) -> None:
+def _refuse_celsius(name: str, text: str) -> None:
     """Refuse degrees of a scale, where a difference is meant."""
+    try:
+        number, unit = split_quantity(text)
+    except NumberError:
+        return
     kelvins = {"c": 1.0, "f": 5 / 9}.get(unit.lower().replace("℃", "°c").lstrip("°deg "))
     if kelvins and unit[:1] in "°℃dDcCfF":
         raise ConditionError(

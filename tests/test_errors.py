@@ -49,8 +49,8 @@ from radcalc.errors import (
 from radcalc.given import read, read_direction, read_interval, read_point
 from radcalc.quantities import search, typical
 from radcalc.quantities.symbols import SYMBOLS
+from radcalc.units.amounts import read_operands
 from radcalc.units.numbers import parse_number
-from radcalc.units.operands import read_operands
 from radcalc.units.ranges import read_series
 from radcalc.units.table import resolve
 

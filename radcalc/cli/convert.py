@@ -15,8 +15,8 @@ from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
 from radcalc.given import Given, read, values_of
 from radcalc.quantities.light import read as read_light
+from radcalc.units.amounts import read_operands
 from radcalc.units.numbers import read_number
-from radcalc.units.operands import read_operands
 from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
 
@@ -125,8 +125,9 @@ def command(
             raise UsageError("--check takes one answer, and a stream has several", "one value")
         return streams.convert(list(words), asked, each, steps, shown)
     streams.refuse(asked)
-    value, source_text, target_text = read_operands(list(words))
-    source = resolve(source_text)
+    amount, target_text = read_operands(list(words))
+    value, source = amount.number, amount.unit
+    assert source is not None
     if not target_text:
         for name, given in (("--steps", steps), ("--check", check)):
             if given:
@@ -160,8 +161,8 @@ def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
 def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
     """The hint for an efficacy without a unit: one that links the kinds of the two units."""
     try:
-        _, source, target = read_operands(words)
-        readings = [read_light(resolve(text)) for text in (source, target)]
+        amount, target = read_operands(words)
+        readings = [read_light(unit) for unit in (amount.unit, resolve(target)) if unit]
     except RadcalcError:  # which is said when the unit is there
         return error.hint
     kinds = {reading.kind for reading in readings if reading}

@@ -13,8 +13,8 @@ from radcalc.errors import RadcalcError, UsageError, command
 from radcalc.given import Given
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
-from radcalc.units.operands import read_stream_operands
-from radcalc.units.table import resolve
+from radcalc.units.amounts import read_stream_operands
+from radcalc.units.table import Unit, resolve
 
 
 class Asked(NamedTuple):
@@ -89,8 +89,8 @@ def convert(
     target = resolve(target_text)
     said: set[str] = set()
 
-    def planned(unit: str) -> Plan:
-        made = plan(resolve(unit), target, given)
+    def planned(unit: Unit) -> Plan:
+        made = plan(unit, target, given)
         if not (not shown.style.remarks or as_json):
             lines = stdio.remarks(made.assumptions, made.notes)
             stdio.say([spelled(line) for line in dict.fromkeys(lines) if line not in said])
@@ -112,7 +112,7 @@ def convert(
     fields = Fields("1" if asked.field is None else asked.field)
     texts: Numbers | Quantities
     if source_text:
-        texts = Numbers(planned(source_text), shown.style.precision)
+        texts = Numbers(planned(resolve(source_text)), shown.style.precision)
     else:
         blank = " " if cut else "\t"
         unit = "" if shown.style.bare else blank + target.text

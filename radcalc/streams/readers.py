@@ -9,8 +9,9 @@ from radcalc.conversion.plan import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
+from radcalc.units.amounts import read_amount
 from radcalc.units.numbers import parse_number
-from radcalc.units.operands import read_quantity
+from radcalc.units.table import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
 NUMBER = b"0123456789.+-"
@@ -54,7 +55,7 @@ class Quantities:
     """Texts that carry their own units: a plan for each that comes."""
 
     def __init__(
-        self, plans: Callable[[str], Plan], unit: bytes, precision: int | None = None
+        self, plans: Callable[[Unit], Plan], unit: bytes, precision: int | None = None
     ) -> None:
         """Take what makes a plan from a unit, and what follows each answer."""
         self.plans = plans
@@ -65,16 +66,16 @@ class Quantities:
 
     def read(self, text: bytes) -> tuple[Plan, float]:
         """The plan and the number of one text."""
-        value, unit = read_quantity(_decoded(text))
-        if not unit:
+        amount = read_amount(_decoded(text))
+        if amount.unit is None:
             raise UsageError(
                 f"'{quote(text.decode())}' has no unit",
                 f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
             )
-        return self._plan(unit), value
+        return self._plan(amount.unit), amount.number
 
-    def _plan(self, unit: str) -> Plan:
-        made = self.known.get(unit)
+    def _plan(self, unit: Unit) -> Plan:
+        made = self.known.get(unit.text)
         if made is None:
             if len(self.known) >= MOST_UNITS:
                 self.known.clear()
@@ -82,7 +83,7 @@ class Quantities:
                 made = self.plans(unit)
             except RadcalcError as error:
                 made = error
-            self.known[unit] = made
+            self.known[unit.text] = made
         if isinstance(made, RadcalcError):
             raise made.with_traceback(None)  # which would grow with every line
         return made

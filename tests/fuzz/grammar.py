@@ -12,9 +12,9 @@ from fractions import Fraction
 from radcalc.conversion.plan import plan
 from radcalc.errors import NumberError, RadcalcError
 from radcalc.homework.answer import read_claim
+from radcalc.units.amounts import read_operands
 from radcalc.units.dimensions import powers, times
 from radcalc.units.numbers import parse_number
-from radcalc.units.operands import read_operands
 from radcalc.units.table import NUMBER as NUMBER_ITSELF
 from radcalc.units.table import resolve
 
@@ -161,8 +161,8 @@ def words(draw: random.Random) -> None:
     if draw.random() < 0.5:
         typed[0] = f"{draw.choice(('1', '2/3', '1e-300*1e-9', '0e309', '1e2pi'))}{typed[0]}"
     try:
-        value, source, target = read_operands(typed)
-        plan(resolve(source), resolve(target or source)).apply(value)
+        amount, target = read_operands(typed)
+        plan(amount.unit, resolve(target) if target else amount.unit).apply(amount.number)
     except RadcalcError as error:
         told_of(error, typed)
 

@@ -14,7 +14,7 @@ from radcalc.render.plain import number
 from radcalc.streams.fields import Cut, Fields
 from radcalc.streams.readers import Numbers, Quantities
 from radcalc.streams.stream import LONGEST, Stream, run
-from radcalc.units.operands import read_operands
+from radcalc.units.amounts import read_operands
 from radcalc.units.table import resolve
 
 LX_FC = plan(resolve("lx"), resolve("fc"))
@@ -29,8 +29,8 @@ def stream(data: bytes, made: Stream, invalid: str = "abort") -> tuple[bytes, bo
 
 def single(text: str, source: str = "lx", target: str = "fc", precision: int = 12) -> bytes:
     """What a single conversion prints with -n."""
-    value, unit, _ = read_operands([text + source, "to", target])
-    return number(plan(resolve(unit), resolve(target)).apply(value), precision).encode()
+    amount, _ = read_operands([text + source, "to", target])
+    return number(plan(amount.unit, resolve(target)).apply(amount.number), precision).encode()
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
 
 
 def _own(unit: bytes = b"\tfc", precision: int | None = None) -> Quantities:
-    return Quantities(lambda text: plan(resolve(text), resolve("fc")), unit, precision)
+    return Quantities(lambda source: plan(source, resolve("fc")), unit, precision)
 
 
 # Random lines: the fields are numbers, or bytes that a field may be made of.
