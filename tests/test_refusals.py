@@ -225,6 +225,22 @@ def test_a_refusal_of_a_condition_is_a_condition_error():
 
 # words of a command, parts of what it says
 COMMANDS = {
+    # the options go behind the command
+    "a format before the command is told where it goes": (
+        "--json convert 100 lx fc", "'--json' is before it", "radcalc convert 100 lx fc --json"),
+    "conditions before the command are told where they go": (
+        "--isotropic --distance 2m convert 800 lm lx", "'--isotropic' is before it",
+        "radcalc convert 800 lm lx --isotropic --distance 2m"),
+    "a result before the command is told where it goes": (
+        "-g irradiance:lx point-source --flux 800lm --distance 2m", "'-g' is before it",
+        "radcalc point-source --flux 800lm --distance 2m -g irradiance:lx"),
+    "an answer to check before the command is told where it goes": (
+        "--check exitance=628lm/m2 lambertian --luminance 200cd/m2", "'--check' is before it",
+        "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),
+    "an option of another command before one is none of it": (
+        "--f-number 2.8 convert 100 lx fc", "there is no option '--f-number'"),
+    "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
+    "the help of what is no command names the near one": ("help covnert", "no command", "convert"),
     # too little: which quantities would do
     "an irradiance wants a distance": (
         "point-source --flux 800lm -g irradiance:lx", "irradiance", "--distance"),

@@ -175,6 +175,18 @@ def _is_negative(word: str) -> bool:
     return True
 
 
+def of_help(words: list[str]) -> list[str]:
+    """`help [COMMAND]` as the option that it is."""
+    if words[:1] != ["help"]:
+        return words
+    called = [word for word in words[1:] if word not in HELP_NAMES]
+    if len(called) > 1 and called[0] in COMMANDS:
+        from radcalc.cli.complaints import help_of
+
+        raise UsageError("help is of one command", help_of(called[0]))
+    return [*called[:1], HELP_NAMES[-1]]
+
+
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
     try:
@@ -208,7 +220,8 @@ def _answer(words: list[str]) -> int:
         stdio.write(_completions(os.environ[COMPLETE]) + "\n")
         return stdio.ANSWERED
     try:
-        with commands.make_context("radcalc", protect_negatives(words)) as context:
+        words = protect_negatives(of_help(words))
+        with commands.make_context("radcalc", words) as context:
             status = commands.invoke(context)
     except click.exceptions.Exit as left:
         status = left.exit_code

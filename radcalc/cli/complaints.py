@@ -3,6 +3,7 @@
 import click
 
 from radcalc.cli import COMMANDS, commands
+from radcalc.cli.sentence import is_sentence
 from radcalc.errors import MissingUnit, RadcalcError, nearest, option, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
@@ -64,6 +65,9 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     called = next((word for word in words if word in COMMANDS), "")
     help_ = f"{f'radcalc {called}'.strip()} --help"
     if isinstance(error, click.NoSuchOption):
+        if behind := options_behind(words):
+            said = f"options go behind the command, and '{quote(words[0])}' is before it"
+            return RadcalcError(said, behind)
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
         is_named = called and not near and error.option_name.startswith("--")
@@ -80,6 +84,39 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
         hint = "a value and its unit are one word, as in --distance 2m"
         return RadcalcError(f"there is a word too many: '{word}'", hint)
     return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
+
+
+def options_behind(words: list[str]) -> str:
+    """Mention the call with the options that stand before the command behind it.
+
+    '' where there are none, or something else is wrong besides.
+    """
+    called = next((word for word in words if word in COMMANDS), "convert")
+    known = {spelling: p for p in _parameters(called) for spelling in p.opts}
+    at = 0
+    while words[at : at + 1] and words[at].startswith("-") and not is_sentence(words[at:]):
+        name, equals, _ = words[at].partition("=")
+        if name not in known:
+            return ""
+        is_flag = getattr(known[name], "is_flag", False)
+        at += 1 if is_flag or equals else 2
+    call = [*words[at:], *words[:at]]
+    if not at or not (words[at:] and (words[at] == called or is_sentence(words[at:]))):
+        return ""
+    if any(quote(word) != word for word in call):
+        return help_of(called)
+    return call_of(*_with_values(call))
+
+
+def _with_values(words: list[str]) -> list[str]:
+    """The words of a call as a mention has them: an option whose value has a = is one word."""
+    mentioned: list[str] = []
+    for word in words:
+        if "=" in word and mentioned and mentioned[-1].startswith("--"):
+            mentioned[-1] = f"{mentioned[-1][2:]}={word}"
+        else:
+            mentioned.append(word[2:] if word.startswith("--") and "=" in word else word)
+    return mentioned
 
 
 def _takers(name: str) -> list[str]:
