@@ -19,6 +19,7 @@ from radcalc.errors import (
     UsageError,
     quote,
 )
+from radcalc.errors import manual as mention_help
 from radcalc.units.numbers import read_number
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -181,9 +182,7 @@ def of_help(words: list[str]) -> list[str]:
         return words
     called = [word for word in words[1:] if word not in HELP_NAMES]
     if len(called) > 1 and called[0] in COMMANDS:
-        from radcalc.cli.complaints import help_of
-
-        raise UsageError("help is of one command", help_of(called[0]))
+        raise UsageError("help is of one command", mention_help(called[0]))
     return [*called[:1], HELP_NAMES[-1]]
 
 
