@@ -234,6 +234,9 @@ COMMANDS = {
     "a result before the command is told where it goes": (
         "-g irradiance:lx point-source --flux 800lm --distance 2m", "'-g' is before it",
         "radcalc point-source --flux 800lm --distance 2m -g irradiance:lx"),
+    "a distance before the command is told where it goes": (
+        "--distance 2m point-source --flux 800lm", "'--distance' is before it",
+        "radcalc point-source --flux 800lm --distance 2m"),
     "an answer to check before the command is told where it goes": (
         "--check exitance=628lm/m2 lambertian --luminance 200cd/m2", "'--check' is before it",
         "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),

@@ -91,7 +91,10 @@ def options_behind(words: list[str]) -> str:
 
     '' where there are none, or something else is wrong besides.
     """
-    called = next((word for word in words if word in COMMANDS), "convert")
+    implied = "convert" if any(is_sentence([word]) for word in words) else ""
+    called = next((word for word in words if word in COMMANDS), implied)
+    if not called:
+        return ""
     known = {spelling: p for p in _parameters(called) for spelling in p.opts}
     at = 0
     while words[at : at + 1] and words[at].startswith("-") and not is_sentence(words[at:]):
