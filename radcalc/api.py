@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from radcalc.answer import Answer, Result
 from radcalc.conversion.conditions import CONDITIONS
-from radcalc.conversion.plan import Plan, answer, plan
+from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import (
     ConditionError,
     NumberError,
@@ -726,7 +726,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     elif not _is_quantity(value):
         value = Quantity(real(value, "the value", "a text, a quantity or numbers"), "1")
     given = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
-    made = plan(from_container(value._units), resolve(target), [g for g in given if g])
+    source = from_container(value._units)
+    made = plan(source, target_of(target, source), [g for g in given if g])
     magnitude = value.magnitude
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
     if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):

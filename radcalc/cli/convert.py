@@ -11,7 +11,7 @@ from radcalc.cli import check as checking
 from radcalc.cli import streams
 from radcalc.cli.command import LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
-from radcalc.conversion.plan import answer, plan
+from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
 from radcalc.given import Given, read, values_of
 from radcalc.quantities.light import read as read_light
@@ -98,13 +98,15 @@ def command(
       radcalc convert 500 lx cd/m2 --reflectance 0.8
       radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
       radcalc convert 1 W/sr W --area 20mm2 --distance 1m
+      radcalc convert 100 W/m2 ppfd --spectrum D65
       radcalc convert 250 cd/m2                    (every unit of luminance)
       cut -f3 log.tsv | radcalc convert - lx fc
       radcalc convert - lx fc -d , --column illuminance < log.csv
       printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
-    Symbols of units are case-sensitive, full names are not.  Without TARGET every unit of the
-    quantity is shown.  A condition's value carries its unit and is one word (2m, 30deg); one
+    Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
+    in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
+    shown.  A condition's value carries its unit and is one word (2m, 30deg); one
     of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
 
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
@@ -134,7 +136,7 @@ def command(
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
         shown.show([every_unit(value, source, typed, shown.style.bare)])
         return stdio.ANSWERED
-    target = resolve(target_text)
+    target = target_of(target_text, source)
     if check is not None:
         from radcalc.homework.question import of_conversion
 

@@ -8,7 +8,7 @@ import click
 from radcalc import stdio
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
-from radcalc.conversion.plan import Plan, answer, plan
+from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import RadcalcError, UsageError, command
 from radcalc.given import Given
 from radcalc.render.formats import CSV, JSON, TABLE
@@ -86,7 +86,8 @@ def convert(
     if format_ in (TABLE, CSV):
         raise UsageError(f"--format {format_} is not for a stream", "--format plain or json")
     as_json = shown.format == JSON
-    target = resolve(target_text)
+    source = resolve(source_text) if source_text else None
+    target = target_of(target_text, source)
     said: set[str] = set()
 
     def planned(unit: Unit) -> Plan:
@@ -111,8 +112,10 @@ def convert(
         cut = Cut(read_delimiter(asked.delimiter) if asked.delimiter is not None else b"")
     fields = Fields("1" if asked.field is None else asked.field)
     texts: Numbers | Quantities
-    if source_text:
-        texts = Numbers(planned(resolve(source_text)), shown.style.precision)
+    if source:
+        if target.text != " ".join(target_text.split()):  # a quantity by its name
+            target.notes += (f"the numbers are in {target.text}",)
+        texts = Numbers(planned(source), shown.style.precision)
     else:
         blank = " " if cut else "\t"
         unit = "" if shown.style.bare else blank + target.text

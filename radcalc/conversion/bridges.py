@@ -177,7 +177,7 @@ def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
     given = {slot for slot in PLAIN if slot in conditions.given}
     here, there = start.geometry[1:], end.geometry[1:]
     if here == there:
-        return []
+        return _surface(bridge)
     rows, sign = ways(here, there)
     radiance = start.is_radiance or end.is_radiance
     if bridge.source.is_exitance or bridge.target.is_exitance:

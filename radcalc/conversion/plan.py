@@ -4,9 +4,9 @@ A plan between two units of one quantity is a ratio of whole numbers, and needs 
 table; what stands between different quantities is in `bridges.py`, loaded only when it is needed.
 """
 
-from radcalc.errors import ConditionError, ConversionError, NumberError, quote
+from radcalc.errors import ConditionError, ConversionError, NumberError, UnitError, quote
 from radcalc.units.numbers import SMALLEST
-from radcalc.units.table import Unit, divide
+from radcalc.units.table import Unit, divide, resolve
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -126,6 +126,20 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str 
     if isinstance(factor, float) and factor - factor != 0:
         raise _beyond(source, target)
     return Plan(source, target, factor, links)
+
+
+def target_of(text: str, source: Unit | None = None) -> Unit:
+    """Read what a conversion aims at: a unit, or the name of a quantity for its usual unit.
+
+    `source`, where it is known, decides the kind of light of a name such as flux.
+    """
+    try:
+        return resolve(text)
+    except UnitError as error:
+        from radcalc.quantities import targets
+
+        unknown = error
+    return targets.named(text, source, unknown)
 
 
 def exact_ratio(source: Unit, target: Unit) -> float:

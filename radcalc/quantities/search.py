@@ -2,6 +2,7 @@
 
 import unicodedata
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 from radcalc.errors import UsageError, command, nearest, quote
@@ -66,15 +67,31 @@ def search(text: str) -> list[Found]:
     )
 
 
+class Index(NamedTuple):
+    """What names and misnomers stand for, by how they are compared."""
+
+    names: dict[str, list[Quantity]]
+    misnomers: dict[str, dict[str, str]]  # symbols of quantities, and why
+
+
+@cache
+def index() -> Index:
+    """Every name and misnomer in every language."""
+    made = Index({}, {})
+    for q in QUANTITIES:
+        for name in dict.fromkeys(fold(n) for lang in LANGUAGES for n in q.names(lang)):
+            made.names.setdefault(name, []).append(q)
+    for terms, symbol, note in MISNOMERS:
+        for term in terms:
+            made.misnomers.setdefault(fold(term), {})[symbol] = note
+    return made
+
+
 def called(text: str) -> list[Found]:
     """The quantities of that full name in any language, then those of which it is a misnomer."""
     wanted = fold(text)
-    exact = [
-        Found(q)
-        for q in QUANTITIES
-        if wanted in {fold(name) for lang in LANGUAGES for name in q.names(lang)}
-    ]
-    meant = {s: note for terms, s, note in MISNOMERS if wanted in map(fold, terms)}
+    exact = [Found(q) for q in index().names.get(wanted, ())]
+    meant = index().misnomers.get(wanted, {})
     if meant and not exact:  # "intensity" is part of some right names, too
         exact = _by_words(text, str.__eq__)
     found = [f for f in exact if f.quantity.symbol not in meant]

@@ -1,0 +1,161 @@
+"""The unit that the name of a quantity stands for: TARGET of a conversion, and its completion.
+
+A unit's own name wins over a quantity's; a name that has several meanings is refused with them.
+"""
+
+from typing import NamedTuple
+
+from radcalc.errors import UnitError, manual, nearest, quote
+from radcalc.quantities.language import ENGLISH, LANGUAGES, translate
+from radcalc.quantities.light import EXITANCES, KINDS, OTHERS, read
+from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
+from radcalc.quantities.search import called, fold, index
+from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
+from radcalc.quantities.units import COMPOSED
+from radcalc.units.dimensions import COHERENT, LENGTH
+from radcalc.units.table import Dimension, Unit, resolve, suggest, unit_of
+
+# Names that serve every kind of light: the source decides which.
+GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
+SHORTEST = 3  # letters of a name: what is shorter is a symbol
+# No unit tells these from Ω, K and a number; the commands that give them.
+WITHOUT_OWN_UNIT = {"Ω_p": "solid-angle", "η_v": "point-source", "V(λ)": "photon"}
+
+
+class Exitance(Unit):
+    """A unit of what leaves a surface, by the name of the quantity: lm/m2 is not lx then."""
+
+    __slots__ = ()
+    is_exitance = True
+
+
+class Target(NamedTuple):
+    """What a name stands for: a quantity's English name, its usual unit, and a note."""
+
+    name: str
+    unit: str
+    note: str = ""
+
+    def as_unit(self) -> Unit:
+        """The unit, with what is to be said of the name."""
+        unit = resolve(self.unit)
+        made = Exitance if self.name in EXITANCES else Unit
+        notes = (*unit.notes, self.note) if self.note else unit.notes
+        return made(unit.text, unit.top, unit.bottom, unit.dimension, unit.atoms, notes)
+
+
+def named(text: str, source: Unit | None, error: UnitError) -> Unit:
+    """The usual unit of the quantity of that name, which is no unit for the reason given.
+
+    `source` decides the kind of a name that serves every kind, where it is known.  Raises
+    UnitError for what is no quantity either, and for a name that has several meanings.
+    """
+    meanings = _meanings(text, source)
+    if not meanings:
+        if near := _near(text):
+            error.hint = ", ".join(near)
+        raise error
+    if len(meanings) > 1:
+        raise _ambiguous(text, meanings)
+    return meanings[0].as_unit()
+
+
+def names_starting(prefix: str) -> list[tuple[str, str]]:
+    """The names of quantities that begin so, each as one word, with their usual units."""
+    wanted = fold(prefix)
+    targets = _targets()
+    return sorted((name, t.unit) for name, t in targets.items() if fold(name).startswith(wanted))
+
+
+def _meanings(text: str, source: Unit | None) -> list[Target]:
+    """What a name may stand for."""
+    wanted = fold(text)
+    if len(wanted) < SHORTEST:
+        return []
+    if wanted in GENERIC:
+        return _of_kinds(wanted, source)
+    if exact := index().names.get(wanted):
+        if exact[0].symbol in WITHOUT_OWN_UNIT:
+            raise UnitError(
+                f"no unit is of {exact[0].name(ENGLISH)} alone",
+                manual(WITHOUT_OWN_UNIT[exact[0].symbol]),
+            )
+        return [_target(q) for q in exact]
+    if found := [f for f in called(text) if "λ" not in f.quantity.symbol]:
+        return [_target(f.quantity, f.note) for f in found]
+    return [t for name, t in _others().items() if fold(name) == wanted]
+
+
+def _of_kinds(name: str, source: Unit | None) -> list[Target]:
+    """A name for every kind of light: of the source's, or of all where it has none.
+
+    Irradiance and radiance are names of radiant quantities, too: those are meant where the
+    source has no kind, or is of that geometry already.
+    """
+    reading = read(source) if source else None
+    kinds = (reading.kind,) if reading else KINDS
+    targets = [Target(_plain(name, kind), light_unit(name, kind)) for kind in kinds]
+    if source is None or reading is None or resolve(targets[0].unit).dimension == source.dimension:
+        return [_target(q) for q in index().names.get(name, ())] or targets
+    return targets
+
+
+def _plain(name: str, kind: str) -> str:
+    return specific_name(name, kind).replace("-", " ")
+
+
+def _target(quantity: Quantity, note: str = "") -> Target:
+    """A quantity in the unit in which results show it."""
+    reading = read(resolve(quantity.unit))
+    unit = quantity.unit
+    if reading and not reading.axis and not reading.retinal:
+        unit = LIGHT_UNITS[reading.geometry][0][KINDS.index(reading.kind)]
+    name = quantity.name(ENGLISH)
+    return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
+
+
+def _others() -> dict[str, Target]:
+    """The names of what is no light: lengths, angles, efficacies."""
+    dimensions = {name: dimension for dimension, (name, _) in OTHERS.items()}
+    dimensions["wavelength"] = LENGTH
+    found = {}
+    for name, dimension in dimensions.items():
+        if unit := _usual(name, dimension):
+            found.update({translate(name, one): Target(name, unit) for one in LANGUAGES})
+    return found
+
+
+def _usual(name: str, dimension: Dimension) -> str:
+    """The unit in which results show a quantity; '' where there is none."""
+    symbol = SYMBOLS.get(name.replace(" ", "-"))
+    units = (symbol.unit if symbol else "", *COMPOSED.get(name, ()), COHERENT.get(dimension, ""))
+    return next((u for u in units if u not in ("", "1") and resolve(u).dimension == dimension), "")
+
+
+def _targets() -> dict[str, Target]:
+    """Every name with one meaning, as one word."""
+    own = [q for q in QUANTITIES if q.symbol not in WITHOUT_OWN_UNIT]
+    names = [name for q in own for one in LANGUAGES for name in q.names(one)]
+    names += [term for terms, _, _ in MISNOMERS for term in terms]
+    names = [name for name in names if unit_of(name) is None]
+    found = {name: meanings[0] for name in names if len(meanings := _meanings(name, None)) == 1}
+    found.update({name: _of_kinds(name, None)[0] for name in GENERIC})
+    return {name.replace(" ", "-"): target for name, target in (found | _others()).items()}
+
+
+def _near(text: str) -> list[str]:
+    """The names of quantities like a text that is none, and then those of units."""
+    if not all(c.isalpha() or c in " -_" for c in text):
+        return []
+    known = {fold(name): name for name in _targets()}
+    near = [known[name] for name in nearest(fold(text), known, 2, 0.75)]
+    return near and [*near, *(name for name in suggest(text) if name not in near)]
+
+
+def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
+    """Refuse a name of several quantities."""
+    told = [f"{target.name} ({target.unit})" for target in meanings]
+    return UnitError(
+        f"'{quote(text)}' may be {', '.join(told[:-1])} or {told[-1]}",
+        ", ".join(target.unit.replace(" ", ".") for target in meanings),
+    )
