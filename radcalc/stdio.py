@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
+HANGING = 4  # columns that what follows the first part of a folded line stands in
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 
 
@@ -99,12 +100,34 @@ def _wait(raw: "Any", reading: bool) -> None:
 
 
 def say(lines: "Iterable[str]") -> None:
-    """Write lines to standard error, each as one; nobody listening there is no failure."""
+    """Write lines to standard error, on a terminal folded; nobody listening there is no failure."""
     try:
-        text = "".join([printable(line) + "\n" for line in lines])
+        width = _width_of_terminal(2)
+        shown = [part for line in lines for part in fold(printable(line), width, HANGING)]
+        text = "".join([line + "\n" for line in shown])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass
+
+
+def _width_of_terminal(descriptor: int) -> int:
+    """How wide the terminal is; where there is none, wider than any line."""
+    try:
+        return os.get_terminal_size(descriptor).columns or sys.maxsize
+    except (OSError, ValueError):
+        return sys.maxsize
+
+
+def fold(line: str, width: int, deeper: int = 0) -> list[str]:
+    """A line in a width, folded between words; what follows the first part stands `deeper`."""
+    if len(line) <= width:
+        return [line]
+    from textwrap import wrap
+
+    indent = " " * (len(line) - len(line.lstrip()) + deeper)
+    return wrap(
+        line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
+    )
 
 
 def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:

@@ -5,6 +5,7 @@ import pty
 import select
 import subprocess
 import sys
+import termios
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -127,9 +128,12 @@ def started(*words: str, **streams: Any) -> Iterator[subprocess.Popen[Any]]:
 
 
 @contextmanager
-def on_terminal(*words: str, **more: Any) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
+def on_terminal(
+    *words: str, columns: int = 80, **more: Any
+) -> Iterator[tuple[subprocess.Popen[bytes], int]]:
     """A process whose output is a pseudo-terminal, and the descriptor to read the screen from."""
     leader, follower = pty.openpty()
+    termios.tcsetwinsize(follower, (24, columns))
     try:
         streams = {"stdin": follower, "stdout": follower, "stderr": follower} | more
         with started(*words, **streams) as process:
@@ -143,7 +147,7 @@ def screen_of(*words: str, columns: int = 80, **environment: str) -> str:
     """Run on a pseudo-terminal of a given width and return the screen."""
     env = os.environ | {"COLUMNS": str(columns), "TERM": "xterm"} | environment
     screen = b""
-    with on_terminal(entry_point(), *words, env=env) as (process, leader):
+    with on_terminal(entry_point(), *words, columns=columns, env=env) as (process, leader):
         while True:
             ready, _, _ = select.select([leader], [], [], 60)
             try:

@@ -78,6 +78,14 @@ class Helped(click.Command):
         """The option that shows the help."""
         return HELP
 
+    def get_help(self, ctx: click.Context) -> str:
+        """The help, laid out in the width of the terminal."""
+        from radcalc.cli.help import HelpFormatter
+
+        formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
+        self.format_help(ctx, formatter)
+        return formatter.getvalue().rstrip("\n")
+
 
 def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:

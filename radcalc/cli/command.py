@@ -66,7 +66,8 @@ def define(
         for option in group
         if isinstance(option, SymbolOption)
     }
-    last = [*options.OPTIONS, *([options.STEPS] if calculates else output)]
+    shared = options.OPTIONS if calculates or output else options.OF_LISTS
+    last = [*shared, *([options.STEPS] if calculates else output)]
     params: list[click.Parameter] = [option for group in groups.values() for option in group]
     if words:
         operands = click.Argument(["words"], nargs=-1, metavar=words, shell_complete=complete)
@@ -106,7 +107,7 @@ def of_page(name: str) -> "SectionedCommand":
 
         return run(cases(typed, page.takes_arrays), work_out, asked, shown, name)
 
-    examples = [_example(Shell.command(name, *line.split())) for line in page.examples]
+    examples = [f"  {Shell.command(name, *line.split())}" for line in page.examples]
     calculate.__doc__ = "\n\n".join(
         [
             page.about,
@@ -115,18 +116,6 @@ def of_page(name: str) -> "SectionedCommand":
         ]
     )
     return define(name, page.sections, kinds=page.kinds)(calculate)
-
-
-def _example(line: str) -> str:
-    """An example in the help, over several lines where it is long."""
-    lines = [""]
-    for part in line.split(" --"):
-        word = f" --{part}" if lines != [""] else part
-        if len(lines[-1]) + len(word) > 78:
-            lines[-1] += " \\"
-            lines.append("   ")
-        lines[-1] += word
-    return "\n".join(f"  {part}" for part in lines)
 
 
 OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet")

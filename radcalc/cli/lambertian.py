@@ -56,12 +56,16 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       hemisphere       a uniform sky, or a cone of it (--half-angle); radcalc sky has others
 
     \b
-           source  ___________ length      The receiver faces the source's plane, as in (1).
-                  |     |                  --incidence turns it from the line to the centre,
-           height |     | axis             in the plane of the offset, off the axis.
-                  |     |                  --perpendicular: its normal runs along the
-             (1) _^_    |  (2) |>          rectangle's length, towards its centre, as in (2).
-               receiver
+        source  ___________ length
+               |     |
+        height |     | axis
+               |     |
+          (1) _^_    |  (2) |>
+            receiver
+
+    The receiver faces the source's plane, as in (1).  --incidence turns it from the line to the
+    centre, in the plane of the offset, off the axis.  --perpendicular: its normal runs along the
+    rectangle's length, towards its centre, as in (2).
 
     The irradiance is that on the receiver, the incident one that on the reflector.
     """

@@ -46,7 +46,7 @@ def sections_of(name: str) -> Sections:
     command = commands.get_command(top, name)
     if not isinstance(command, SectionedCommand):
         raise KeyError(f"no command has the options of {name!r}")
-    shared = set(options.OPTIONS)
+    shared = {*options.OPTIONS, *options.OF_LISTS}
     if GET in command.params:
         shared.update(OF_EVERY_CALCULATOR)
     own = {

@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Sequence
+from copy import copy
 from typing import NamedTuple
 
 import click
@@ -54,7 +55,7 @@ class Output(NamedTuple):
             judgement.verdict.steps,
         ).spelled(spelled)
         judgement = judgement._replace(assumptions=said.assumptions, notes=said.notes)
-        stdio.write(renderer(self.format).verdict(judgement, self.style))
+        stdio.write(renderer(self.format).verdict(judgement, self._on_terminal()))
         if self.format != JSON:
             self.remark([said])
 
@@ -111,6 +112,11 @@ OPTIONS = (
     ),
     click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
 )
+# A list of what there is has no numbers to print; the options stay, for what is said of them.
+NUMERIC = ("number", "precision")
+OF_LISTS = tuple(copy(option) for option in OPTIONS)
+for _option in OF_LISTS:
+    _option.hidden = _option.name in NUMERIC
 STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
 
 

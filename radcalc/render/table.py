@@ -6,7 +6,6 @@ Where a number, a unit or a word does not fit, there is no table but a line for 
 
 import io
 from collections.abc import Iterable, Sequence
-from textwrap import wrap
 
 from rich import box
 from rich.cells import cell_len
@@ -19,6 +18,7 @@ from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import derivation, number
+from radcalc.stdio import HANGING, fold
 
 DIGITS = 6
 GAP = 3  # columns of the terminal between two of a table
@@ -71,8 +71,9 @@ def records(records: Records, style: Style) -> str:
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """The words of plain text, with the digits of a table."""
-    return plain.verdict(judgement, style, DIGITS)
+    """The words of plain text, with the digits of a table, folded."""
+    lines = plain.verdict(judgement, style, DIGITS).splitlines()
+    return "".join(f"{part}\n" for line in lines for part in fold(line, style.width, HANGING))
 
 
 def _quantity(row: Row, language: str) -> str:
@@ -137,8 +138,9 @@ def draw(
         said = ["  ".join(filter(None, cells)).replace("\n", ", ") for cells in rows]
         out.write("".join(f"{row}\n" for row in said))
     for line in below:
-        folded = wrap(line, width, break_long_words=False, break_on_hyphens=False)
-        console.print(Text("\n".join(folded), style="dim"), overflow="ignore", crop=False)
+        console.print(
+            Text("\n".join(fold(line, width)), style="dim"), overflow="ignore", crop=False
+        )
     return "\n".join(line.rstrip() for line in out.getvalue().split("\n"))
 
 
