@@ -32,14 +32,20 @@ def run(words: list[str]) -> int:
 
 
 def quick_lane(words: list[str]) -> int | None:
-    """Answer `convert VALUE UNIT [to] UNIT [-n]` into a pipe before Click is imported.
+    """Answer `[convert] VALUE UNIT [to] UNIT [-n]` into a pipe before Click is imported.
 
     Whatever is not exactly that, any option and any error included, is left to Click (None),
     which says it properly.  Nothing on this lane loads re, dataclasses, typing or json.
     """
+    from radcalc.units.numbers import is_sentence
+
     number = words[-1:] == ["-n"]
-    operands = words[1:-1] if number else words[1:]
-    if words[:1] != ["convert"] or any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
+    operands = words[:-1] if number else words
+    if words[:1] == ["convert"]:
+        operands = operands[1:]
+    elif not is_sentence(words):
+        return None
+    if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
     from radcalc import stdio
     from radcalc.conversion.plan import plan

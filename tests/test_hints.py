@@ -70,7 +70,6 @@ MEANT = [
     ("cone --half-angle 30deg", "radcalc solid-angle cone"),
     ("camera --f-number 2.8", "ev (see"),
     ("lamp", "point-source (see"),
-    ("800 lm cd --isotropic", "radcalc convert 800 lm cd --isotropic"),
     ("point-source --f-number 2.8", "radcalc etendue --help; it is of etendue, ev"),
     ("solid-angle cone --flux 5lm", "point-source, lambertian"),
     ("convert 1 cd lx --distance 1m:1e300m:2m", "at most 10000"),

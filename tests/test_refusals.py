@@ -481,7 +481,9 @@ STREAMS = {
     "a stream of an empty unit lacks the unit to convert to": (
         ("", "fc"), "a unit to convert to is missing"),
     "a third unit is a word too many": (("lx", "fc", "nit"), "too many words"),
-    "the word in does not separate units": (("lx", "in", "fc"), "does not separate units"),
+    "the word in separates units in small letters": (("lx", "IN", "fc"), "does not separate units"),
+    "two words that separate units are one too many": (
+        ("lx", "to", "=", "fc"), "to and = both separate units"),
     "the word to stands once": (("a", "to", "b", "to", "c"), "more than once"),
     "a second dash is refused": (("-", "fc"), "more than one -"),
     "a spectrum and the numbers are not both read from standard input": (

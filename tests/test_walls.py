@@ -187,8 +187,9 @@ def loaded_by(*words: str) -> set[str]:
     return set(json.loads(done.stderr.splitlines()[-1]))
 
 
-def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing():
-    loaded = loaded_by("convert", "100", "lx", "fc")
+@pytest.mark.parametrize("words", ["convert 100 lx fc", "100 lx fc", "100 lx in fc"])
+def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing(words):
+    loaded = loaded_by(*words.split())
     assert not loaded & (HEAVY | SLOW)
     files = {m for m in loaded if m in MODULES and MODULES[m].name != "__init__.py"}
     assert len(files) < 12  # a folder's own file is one line

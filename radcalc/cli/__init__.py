@@ -14,13 +14,12 @@ from radcalc.cli.spelling import Shell
 from radcalc.errors import (
     MINUS,
     MissingUnit,
-    NumberError,
     RadcalcError,
     UsageError,
     quote,
 )
 from radcalc.errors import manual as mention_help
-from radcalc.units.numbers import read_number
+from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -135,7 +134,9 @@ class Commands(Helped, click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or say which one is near."""
+        """Find the command, or say which one is near; what begins with a value is converted."""
+        if is_sentence(args):
+            return "convert", self.get_command(ctx, "convert"), args
         if args[0] not in COMMANDS and not args[0].startswith("-"):
             from radcalc.cli.complaints import meant
 
@@ -157,7 +158,7 @@ def commands() -> None:
 
     \b
     Examples:
-      radcalc convert 100 lx fc
+      radcalc 100 lx fc                  (convert may be left out)
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm cd --isotropic
       radcalc solid-angle cone --half-angle 30deg
@@ -169,19 +170,15 @@ def commands() -> None:
 
 def protect_negatives(words: list[str]) -> list[str]:
     """Write the minus of words that are numbers in another way, so that Click sees no option."""
-    return [MINUS + word[1:] if _is_negative(word) else word for word in words]
+    return [
+        "→" if word == "->" else MINUS + word[1:] if _is_negative(word) else word for word in words
+    ]
 
 
 def _is_negative(word: str) -> bool:
     if word[:1] != "-" or len(word) == 1:
         return False
-    if word[1] in "0123456789." or word[1:].lower() in ("inf", "infinity", "nan"):
-        return True
-    try:
-        read_number(word[:40])
-    except NumberError:
-        return False
-    return True
+    return is_sentence([word]) or word[1:].lower() in ("inf", "infinity", "nan")
 
 
 def of_help(words: list[str]) -> list[str]:

@@ -3,10 +3,10 @@
 import click
 
 from radcalc.cli import COMMANDS, commands
-from radcalc.cli.sentence import is_sentence
 from radcalc.errors import MissingUnit, RadcalcError, nearest, option, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
+from radcalc.units.numbers import is_sentence
 
 # What people call what a command is about, whose own name is not like it.
 MEANT = {
@@ -30,8 +30,6 @@ MEANT = {
 def meant(args: list[str]) -> str:
     """What to type in place of a word that is no command."""
     word = args[0].lower()
-    if word[:1].isdigit() and len(args) > 1 and all(quote(one) == one for one in args):
-        return call_of("convert", *args)
     if near := nearest(word, COMMANDS, 1, 0.75):
         return f"{near[0]} (see radcalc --help)"
     from radcalc.calculators.solid_angle import NAMES
@@ -63,6 +61,7 @@ def join_unit(error: MissingUnit, words: list[str]) -> None:
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     """Click's complaint of a wrong option or command, with the nearest right ones."""
     called = next((word for word in words if word in COMMANDS), "")
+    called = "convert" if is_sentence(words) else called
     help_ = f"{f'radcalc {called}'.strip()} --help"
     if isinstance(error, click.NoSuchOption):
         if behind := options_behind(words):

@@ -4,12 +4,13 @@
 VALUE UNIT [to] TARGET.
 """
 
-from radcalc.errors import NumberError, UsageError, command, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, command, quote
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, resolve
 
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
-SEPARATORS = ("in", "into", "as", "->", "=>", "=", "→")  # what people type in place of `to`
+SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
+ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
 EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
 STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
@@ -66,19 +67,19 @@ def with_unit(amount: Amount, unit: str) -> Amount:
 def read_operands(words: list[str]) -> tuple[Amount, str]:
     """Return the value with its unit, and the text of the target ('' where none is).
 
-    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around `to` may a
-    unit be several words.
+    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around a separator
+    may a unit be several words.
     """
     if not words:
         raise UsageError("a value is missing", EXAMPLE)
-    sides = f" {' '.join(words)} ".split(" to ")
-    if len(sides) > 2:
-        raise UsageError("the word to stands there more than once", EXAMPLE)
-    if len(sides) == 2:
-        amount = read_amount(sides[0])
-        target = sides[1].strip()
+    if words[1:] and words[-1] in ("-", "="):
+        shell = "to in its place, or '->' in quotes: without them > is the shell's"
+        raise UsageError(f"a unit is missing after {words[-1]}", shell)
+    source, separator, target = _sides(words)
+    if separator:
+        amount = read_amount(source)
         if not target:
-            raise UsageError("a unit is missing after to", EXAMPLE)
+            raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
         rest: list[str] = [target]
     else:
         amount = read_amount(words[0])
@@ -98,19 +99,51 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
     """Return the units of `- UNIT [to] TARGET`; the first is '' where the lines carry their own."""
     if words.count("-") > 1:
         raise UsageError("there is more than one -, and one standard input", STREAM_EXAMPLE)
-    sides = f" {' '.join(words[1:])} ".split(" to ")
-    if len(sides) > 2:
-        raise UsageError("the word to stands there more than once", STREAM_EXAMPLE)
-    units = [side.strip() for side in sides] if len(sides) == 2 else words[1:]
-    if not units or not all(unit.strip() for unit in units[len(sides) - 1 :]):
+    source, separator, target = _sides(words[1:], is_stream=True)
+    units = [source, target] if separator else words[1:]
+    if not units or not all(unit.strip() for unit in units[bool(separator) :]):
         raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
     if len(units) > 2:
         raise _too_many(units[0], units[1:])
     return (units[0] if len(units) > 1 else ""), units[-1]
 
 
+def _sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
+    """Cut the words at what separates source and target: the source, the separator, the target.
+
+    All are '' where nothing does.  `in` and `as` do between a value with its unit and a target:
+    `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches alone.
+    """
+    parts = " ".join(words).split()
+    places = [place for place, part in enumerate(parts) if part in SEPARATORS]
+    if not places and (len(words) == 1 or any(word in ALSO_UNITS for word in words)):
+        last = max((i for i, part in enumerate(parts[:-1]) if part in ALSO_UNITS), default=0)
+        if last and (parts[last + 1][0] in "(°%" or parts[last + 1][0].isalpha()):
+            places = [last] if is_stream or _has_unit(" ".join(parts[:last])) else []
+    if not places:
+        return "", "", ""
+    at, *others = places
+    if others:
+        again = parts[others[0]]
+        raise UsageError(
+            f"the word {again} stands there more than once"
+            if again == parts[at]
+            else f"{parts[at]} and {again} both separate units",
+            STREAM_EXAMPLE if is_stream else EXAMPLE,
+        )
+    return " ".join(parts[:at]), parts[at], " ".join(parts[at + 1 :])
+
+
+def _has_unit(text: str) -> bool:
+    """Whether a value has a unit, which may be one that nobody knows."""
+    try:
+        return read_amount(text).unit is not None
+    except RadcalcError as error:
+        return not isinstance(error, NumberError)
+
+
 def _too_many(unit: str, rest: list[str]) -> UsageError:
-    if rest[0].lower() in SEPARATORS:
+    if rest[0].lower() in SEPARATORS + ALSO_UNITS and rest[1:]:
         return UsageError(
             f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
         )

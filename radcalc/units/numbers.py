@@ -60,6 +60,19 @@ def read_number(text: str) -> tuple[float, int]:
     return (-value if text[0] in MINUSES else value), at
 
 
+def is_sentence(words: list[str]) -> bool:
+    """Whether a call begins with a value in place of a command: `100 lx fc`, `-pi/2 rad deg`.
+
+    It then is a conversion; so is one that begins with the `-` of a stream.
+    """
+    first = words[0] if words else ""
+    start = 1 if first[:1] and first[0] in SIGNS else 0
+    begun = first[start : start + 1]
+    if begun == ".":
+        begun = first[start + 1 : start + 2]
+    return first == "-" or begun.isnumeric() or begun in ("(", "±") or _pi_ends(first, start) > start
+
+
 def typed_digits(text: str) -> tuple[str, int] | None:
     """The digits of the one decimal number that `text` is, and the power of ten of the last.
 

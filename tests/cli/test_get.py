@@ -6,6 +6,7 @@ import pytest
 from test_cases import FILES, transcripts
 
 from radcalc.__main__ import run
+from radcalc.units.numbers import is_sentence
 
 OTHERS = {"convert", "units", "quantities", "typical"}
 ENDS = {"-n", "--number", "--json", "--help", "-h", "--check", "--steps", "-"}
@@ -20,7 +21,7 @@ def listing_of(command, output):
         words = shlex.split(command, comments=True)
     except ValueError:
         return None
-    if words[:1] != ["radcalc"] or len(words) < 3 or words[1] in OTHERS:
+    if words[:1] != ["radcalc"] or len(words) < 3 or words[1] in OTHERS or is_sentence(words[1:]):
         return None
     if ENDS & set(words) or any(c in command for c in "|<>;&$`\n"):
         return None

@@ -3,6 +3,7 @@
 import pytest
 
 from radcalc import __main__, cli
+from radcalc.units.numbers import is_sentence
 
 ANSWERED = [
     ["100", "lx", "fc"],
@@ -22,9 +23,17 @@ ANSWERED = [
     ["1", "W/m2/Hz", "Jy"],
     ["100", "lx", "fc", "-n"],
     ["-5", "deg", "rad", "-n"],
+    ["100", "lx", "in", "fc"],
+    ["100", "lx", "=", "fc"],
+    ["100 lx as fc"],
+    ["5", "in", "in", "cm"],
+    ["100", "cm", "in"],
+    [".5", "lx", "fc"],
+    ["pi/2", "rad", "deg"],
 ]
 LEFT = [
     [],
+    ["100", "lx", "->", "fc"],
     ["100", "lx"],
     ["100", "lx", "cd"],
     ["100", "zork", "fc"],
@@ -56,12 +65,23 @@ def test_both_lanes_print_the_same(operands, piped):
     assert quick.out
     assert cli.run(["convert", *operands]) == 0
     assert piped() == quick
+    for run in (__main__.quick_lane, cli.run):  # the sentence is the command
+        assert run(operands) == 0
+        assert piped() == quick
 
 
 @pytest.mark.parametrize("operands", LEFT, ids=" ".join)
 def test_the_quick_lane_leaves_the_rest_to_click(operands, piped):
     assert __main__.quick_lane(["convert", *operands]) is None
+    assert __main__.quick_lane(operands) is None
     assert piped() == ("", "")
+
+
+@pytest.mark.parametrize("operands", [one for one in LEFT if is_sentence(one)], ids=" ".join)
+def test_the_sentence_is_convert_on_the_slow_lane(operands, piped):
+    status = cli.run(["convert", *operands])
+    said = piped()
+    assert (cli.run(operands), piped()) == (status, said)
 
 
 @pytest.mark.parametrize("words", [[], ["units"], ["--version"], ["konvert", "1", "lx", "fc"]])
