@@ -70,7 +70,9 @@ def is_sentence(words: list[str]) -> bool:
     begun = first[start : start + 1]
     if begun == ".":
         begun = first[start + 1 : start + 2]
-    return first == "-" or begun.isnumeric() or begun in ("(", "±") or _pi_ends(first, start) > start
+    return (
+        first == "-" or begun.isnumeric() or begun in ("(", "±") or _pi_ends(first, start) > start
+    )
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:
