@@ -22,7 +22,11 @@ def main() -> None:
 
 
 def run(words: list[str]) -> int:
-    """Answer the words of a command line; return the exit status."""
+    """Answer the words of a command line, or a shell's Tab; return the exit status."""
+    if asked := os.environ.get("_RADCALC_COMPLETE"):
+        from radcalc.completion import shells
+
+        return shells.answer(asked)
     answered = quick_lane(words)
     if answered is None:
         from radcalc import cli

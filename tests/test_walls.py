@@ -39,7 +39,7 @@ KEEPERS = {
 # Imports point downwards: a room may import those below it, and those behind it in its row.
 LAYERS = [
     ["radcalc.__main__"],
-    ["radcalc.cli"],
+    ["radcalc.cli", "radcalc.completion"],
     ["radcalc.api", "radcalc.homework", "radcalc.streams", "radcalc.render"],
     ["radcalc.calculators"],
     ["radcalc.conversion"],
@@ -156,7 +156,7 @@ def test_a_text_that_spells_an_option_is_found():
 
 
 @pytest.mark.parametrize(
-    "name", [name for name in MODULES if room(name) != ROOMS.index("radcalc.cli")]
+    "name", [name for name in MODULES if not name.startswith(("radcalc.cli", "radcalc.completion"))]
 )
 def test_no_option_is_spelled_outside_the_command_line(name):
     assert [text for text in texts_of(tree_of(name)) if OPTION.search(text)] == []
@@ -310,15 +310,25 @@ def test_the_help_and_a_wrong_command_import_no_command(words):
     assert not loaded_by(*words) & (OF_COMMANDS | HEAVY - {"click"})
 
 
-@pytest.mark.parametrize("word", ["", "co", "--"])
-@pytest.mark.parametrize("shell", ["bash", "zsh"])
-def test_completing_the_name_of_a_command_imports_no_command(shell, word, monkeypatch):
+@pytest.mark.parametrize(
+    ("shell", "line", "found", "left_out"),
+    [
+        ("bash", "radcalc ", "typical", SLOW),
+        ("zsh", "radcalc --", "--version", SLOW),
+        ("fish", "radcalc lambertian --lum", "--luminous-flux", SLOW),
+        ("bash", "radcalc point-source --distance 2c", "2cm", SLOW),
+        ("bash", "radcalc point-source -g illum", "illuminance", SLOW),
+        ("bash", "radcalc convert 5 mW lm --spectrum LED-B", "LED-B3", SLOW),
+        ("bash", "radcalc 100 lx ", "fc", set()),
+        ("bash", "radcalc 800 lm lx --isotropic ", "--distance", set()),
+    ],
+)
+def test_completing_a_word_imports_no_command_nor_click(shell, line, found, left_out, monkeypatch):
     monkeypatch.setenv("_RADCALC_COMPLETE", f"{shell}_complete")
-    monkeypatch.setenv("COMP_WORDS", f"radcalc {word}")
-    monkeypatch.setenv("COMP_CWORD", "1")
+    monkeypatch.setenv("COMP_LINE", line)
     done = python(PROBE)
-    assert {"": "typical", "co": "convert", "--": "--version"}[word] in done.stdout
-    assert not set(json.loads(done.stderr.splitlines()[-1])) & (OF_COMMANDS | HEAVY - {"click"})
+    assert found in done.stdout
+    assert not set(json.loads(done.stderr.splitlines()[-1])) & (OF_COMMANDS | HEAVY | left_out)
 
 
 def test_import_radcalc_costs_nothing():

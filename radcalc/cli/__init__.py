@@ -21,10 +21,6 @@ from radcalc.errors import (
 from radcalc.errors import manual as mention_help
 from radcalc.units.numbers import is_sentence
 
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
-if TYPE_CHECKING:
-    from click.shell_completion import CompletionItem
-
 # The commands in the order of the help, each with its line there.
 COMMANDS = {
     "convert": "Convert units, and quantities under a condition.",
@@ -50,7 +46,6 @@ COMMANDS = {
 }
 HELP_NAMES = ["-h", "--help"]
 SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 100}
-COMPLETE = "_RADCALC_COMPLETE"  # where a shell asks for completions, as Click names it
 
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
@@ -122,14 +117,6 @@ class Commands(Helped, click.Group):
         """Write the table of the commands."""
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
-
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
-        """Complete the name of a command, or an option of radcalc itself."""
-        from click.shell_completion import CompletionItem
-
-        named = [(name, line) for name, line in COMMANDS.items() if name.startswith(incomplete)]
-        options = click.Command.shell_complete(self, ctx, incomplete)
-        return [CompletionItem(name, help=line) for name, line in named] + options
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -216,13 +203,10 @@ def run(words: list[str]) -> int:
 
 
 def _answer(words: list[str]) -> int:
-    """Run a command, or complete one for a shell; return the exit status.
+    """Run a command; return the exit status.
 
     This is what Click's `main` does, without its own ways out.
     """
-    if os.environ.get(COMPLETE):
-        stdio.write(_completions(os.environ[COMPLETE]) + "\n")
-        return stdio.ANSWERED
     try:
         words = protect_negatives(of_help(words))
         with commands.make_context("radcalc", words) as context:
@@ -230,22 +214,6 @@ def _answer(words: list[str]) -> int:
     except click.exceptions.Exit as left:
         status = left.exit_code
     return status if isinstance(status, int) else stdio.ANSWERED
-
-
-def _completions(asked: str) -> str:
-    """What a shell asks for: `bash_source` is a script, `bash_complete` the next words."""
-    from click.shell_completion import get_completion_class
-
-    shell, _, wanted = asked.partition("_")
-    kind = get_completion_class(shell)
-    if kind and wanted == "source":
-        return kind(commands, {}, "radcalc", COMPLETE).source()
-    if kind and wanted == "complete" and "COMP_WORDS" in os.environ:
-        return kind(commands, {}, "radcalc", COMPLETE).complete()
-    raise UsageError(
-        f"{COMPLETE}={quote(asked)} asks for nothing that can be completed",
-        "bash_source, zsh_source or fish_source there, or without it",
-    )
 
 
 def _bug(error: Exception) -> int:

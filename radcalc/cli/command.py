@@ -15,6 +15,7 @@ from radcalc.quantities.symbols import (
     FLAG,
     SPECIFIC,
     SYMBOLS,
+    WORD,
     Symbol,
     light_unit,
     names_of_kinds,
@@ -28,6 +29,9 @@ GET = click.Option(
     help="The bare number of that result (repeatable; in the unit shown, without one).",
 )
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
+# The forms of operands that no symbol has.
+CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
+MAPS = (".hdr", ".exr", ".pfm")
 Member = str | click.Option  # the name of a symbol, or an option that is none
 
 
@@ -38,15 +42,15 @@ def define(
     kinds: Sequence[str] = KINDS,
     calculates: bool = True,
     output: Sequence[click.Option] = (),
-    complete: Callable[..., Any] | None = None,
+    operands: tuple[str, Sequence[str]] = (WORD, ()),
     cls: "type[SectionedCommand] | None" = None,
 ) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
     """Make a command of a function, whose docstring is the help.
 
     `sections` are the titles of the help, with the symbols and other options below them; `words`
-    says what its operands are, and `complete` completes them; light quantities are taken in
-    `kinds`.  A command that calculates has the options that ask for results; `output` are more
-    options of the output, and `cls` is the class of the command.
+    says what its operands are, and `operands` in which form, for completion; light quantities are
+    taken in `kinds`.  A command that calculates has the options that ask for results; `output` are
+    more options of the output, and `cls` is the class of the command.
 
     The function is called with `typed`, the texts of the symbols that were given, where it has
     any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
@@ -70,8 +74,7 @@ def define(
     last = [*shared, *([options.STEPS] if calculates else output)]
     params: list[click.Parameter] = [option for group in groups.values() for option in group]
     if words:
-        operands = click.Argument(["words"], nargs=-1, metavar=words, shell_complete=complete)
-        params.insert(0, operands)
+        params.insert(0, click.Argument(["words"], nargs=-1, metavar=words))
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         def call(**values: Any) -> Any:
@@ -92,6 +95,7 @@ def define(
             params=[*params, *last],
             help=function.__doc__,
             sections={**groups, "Output": last},
+            operands=operands,
         )
 
     return decorate
@@ -159,10 +163,15 @@ class SectionedCommand(Helped):
     """Options are listed under the titles of `sections`."""
 
     def __init__(
-        self, *args: Any, sections: dict[str, Sequence[click.Option]], **kwargs: Any
+        self,
+        *args: Any,
+        sections: dict[str, Sequence[click.Option]],
+        operands: tuple[str, Sequence[str]],
+        **kwargs: Any,
     ) -> None:
         super().__init__(*args, **kwargs)
         self.sections = sections
+        self.operands = operands
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Refuse an option that is given twice: the first would be ignored silently."""

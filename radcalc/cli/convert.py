@@ -1,7 +1,7 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
@@ -9,7 +9,7 @@ from radcalc import stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
-from radcalc.cli.command import LIGHT, SectionedCommand, define
+from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
@@ -19,20 +19,6 @@ from radcalc.units.amounts import read_operands
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
-
-if TYPE_CHECKING:
-    from click.shell_completion import CompletionItem
-
-
-def complete_unit(
-    ctx: click.Context, parameter: click.Parameter, incomplete: str
-) -> "list[CompletionItem]":
-    """Offer the units that begin with what has been typed."""
-    from click.shell_completion import CompletionItem
-
-    from radcalc.units.table import spellings
-
-    return [CompletionItem(s) for s in spellings() if s.startswith(incomplete)][:200]
 
 
 class ConvertCommand(SectionedCommand):
@@ -75,7 +61,7 @@ class ConvertCommand(SectionedCommand):
     words="VALUE UNIT [to] TARGET",
     calculates=False,
     output=(STEPS,),
-    complete=complete_unit,
+    operands=(CONVERSION, ()),
     cls=ConvertCommand,
 )
 def command(

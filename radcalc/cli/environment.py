@@ -8,10 +8,11 @@ import click
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
 from radcalc.cli.calculator import Asked, cases, run
-from radcalc.cli.command import LIGHT, define
+from radcalc.cli.command import ENVIRONMENT, LIGHT, define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote_path
+from radcalc.geometry.sky import NAMES
 from radcalc.quantities.symbols import PROJECTIONS
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
@@ -44,6 +45,7 @@ TO = click.Option(
         "Kinds of light": LIGHT,
     },
     words="SOURCE",
+    operands=(ENVIRONMENT, NAMES),
 )
 def command(
     words: tuple[str, ...],

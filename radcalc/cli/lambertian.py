@@ -7,6 +7,7 @@ from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
+from radcalc.quantities.symbols import CHOICE
 
 
 @define(
@@ -26,6 +27,7 @@ from radcalc.errors import UsageError, quote
         "Kinds of light": LIGHT,
     },
     words="[SHAPE]",
+    operands=(CHOICE, tuple(SHAPES)),
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what follows for a diffuse source or reflector, exactly at any distance.

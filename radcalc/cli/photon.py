@@ -6,12 +6,14 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, spell
+from radcalc.quantities.symbols import QUANTITY
 
 
 @define(
     "photon",
     {"Light": ("observer",)},
     words="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY",
+    operands=(QUANTITY, ("wavelength",)),
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.

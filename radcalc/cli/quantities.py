@@ -2,7 +2,7 @@
 
 import click
 
-from radcalc.cli.command import define
+from radcalc.cli.command import SEARCH, define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
 from radcalc.quantities.search import search
@@ -15,7 +15,7 @@ LANG = click.Option(
 )
 
 
-@define("quantities", {"Names": (LANG,)}, words="[SEARCH]", calculates=False)
+@define("quantities", {"Names": (LANG,)}, words="[SEARCH]", operands=(SEARCH, ()), calculates=False)
 def command(words: tuple[str, ...], lang: str | None, shown: Output) -> None:
     """List the quantities of light: names in English, Czech and Russian, symbols and units.
 

@@ -19,7 +19,7 @@ from radcalc.cli.calculator import (
     result,
     run,
 )
-from radcalc.cli.command import LIGHT, define
+from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
 from radcalc.errors import command as call_of
@@ -39,6 +39,7 @@ AT = click.Option(
     "scene",
     {"The points": (AT, "grid", "normal"), "Kinds of light": LIGHT},
     words="FILE.csv",
+    operands=(FILE, (".csv", ".tsv", ".txt")),
 )
 def command(
     words: tuple[str, ...],

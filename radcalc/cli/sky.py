@@ -8,6 +8,8 @@ from radcalc.cli.command import LIGHT, define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
+from radcalc.geometry.sky import NAMES
+from radcalc.quantities.symbols import CHOICE
 
 SAVE = click.Option(
     ["--save"],
@@ -39,6 +41,7 @@ SAVE = click.Option(
         "Kinds of light": LIGHT,
     },
     words="[TYPE]",
+    operands=(CHOICE, NAMES),
 )
 def command(
     words: tuple[str, ...],

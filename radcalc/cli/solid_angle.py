@@ -9,6 +9,7 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
 from radcalc.given import Inputs, read_point
+from radcalc.quantities.symbols import CHOICE
 
 
 @define(
@@ -34,6 +35,7 @@ from radcalc.given import Inputs, read_point
         "Pixel": ("size", "pixel", "projection"),
     },
     words="SHAPE [X,Y,Z ...]",
+    operands=(CHOICE, NAMES),
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the solid angle of a shape, and its projected solid angle.

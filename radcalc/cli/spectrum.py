@@ -9,7 +9,7 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
 from radcalc.given import Given, read
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
 from radcalc.spectra.sources import names, spectrum
 from radcalc.units.ranges import read_spectra
 
@@ -32,6 +32,7 @@ LIST = click.Option(["--list", "list_"], is_flag=True, help="List the named sour
     "spectrum",
     {"Source": (COLUMN, LIST), "Light": ("observer", "range", "photon-range")},
     words="SOURCE",
+    operands=(SPECTRUM, ()),
 )
 def command(
     words: tuple[str, ...],

@@ -1,6 +1,6 @@
 """`radcalc units [SEARCH]`: which units there are, what they are worth, and says who."""
 
-from radcalc.cli.command import define
+from radcalc.cli.command import SEARCH, define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.errors import UnitError, nearest, quote
 from radcalc.quantities.language import translate
@@ -8,7 +8,7 @@ from radcalc.quantities.units import Entry, entry, quantity_names, search
 from radcalc.render.formats import Records
 
 
-@define("units", {}, words="[SEARCH]", calculates=False)
+@define("units", {}, words="[SEARCH]", operands=(SEARCH, ()), calculates=False)
 def command(
     words: tuple[str, ...],
     shown: Output,

@@ -15,7 +15,7 @@ from radcalc.quantities.light import (
     read,
 )
 from radcalc.units.catalogue import CATALOGUE
-from radcalc.units.compiled import NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.table import Dimension, Unit, resolve
 
 # Derived units that have no name of their own are products: a head for kind and time, then
@@ -134,3 +134,16 @@ def _is_part(wanted: str, name: str) -> bool:
 def quantity_names() -> list[str]:
     """The names of the quantities that named units measure."""
     return sorted({e.quantity for e in map(entry, UNITS)})
+
+
+def offered(unit: Unit) -> list[str]:
+    """`units_of` as one would name them: by symbols, as products, by names without a symbol."""
+    found = units_of(unit)
+    return sorted(found, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
+
+
+def full_name(unit: Unit) -> str:
+    """The name of a unit (footcandle), or of what a product of units measures (irradiance)."""
+    if len(unit.atoms) == 1 and unit.atoms[0][1] == 1:
+        return unit.atoms[0][0].replace("_", " ")
+    return name_of(unit)

@@ -127,13 +127,6 @@ def test_a_completion_that_there_is_not_is_refused(asked, monkeypatch):
     assert done.stderr.startswith(f"radcalc: _RADCALC_COMPLETE={asked} asks for nothing")
 
 
-def test_a_shell_completes_commands(monkeypatch):
-    monkeypatch.setenv("_RADCALC_COMPLETE", "bash_complete")
-    monkeypatch.setenv("COMP_WORDS", "radcalc conv")
-    monkeypatch.setenv("COMP_CWORD", "1")
-    assert run().stdout == "plain,convert\n"
-
-
 def test_an_interrupt_exits_130_without_a_traceback():
     code = (
         "import sys, time, radcalc.stdio as c\n"

@@ -1,0 +1,214 @@
+"""Print what the commands take and give as the table of completion.
+
+`python -m radcalc.cli.compile` writes `completion/table.py`: completing a word must not wait for
+the commands, nor for Click.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+
+import radcalc
+from radcalc.calculators.spectrum import spectrum as describe
+from radcalc.cli import COMMANDS, check, commands, protect_negatives
+from radcalc.cli.command import FILE, GET, MAPS, SectionedCommand, SymbolOption
+from radcalc.errors import RadcalcError, UsageError
+from radcalc.given import read
+from radcalc.quantities.symbols import (
+    CHOICE,
+    DIRECTION,
+    DISTRIBUTION,
+    DISTRIBUTIONS,
+    FLAG,
+    INTERVAL,
+    QUANTITY,
+    SPECTRUM,
+    SYMBOLS,
+    WAVELENGTHS,
+    WORD,
+    Symbol,
+    names_of_kinds,
+)
+from radcalc.quantities.units import full_name, offered
+from radcalc.spectra.sources import names
+from radcalc.units.table import Dimension, Unit, resolve
+
+TABLE = Path(radcalc.__file__).parent / "completion" / "table.py"
+HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do not edit."""
+
+# command: (its line in the help, what its operands are, its options)
+# operands: (form, values); an option: (names, form, values, help, is hidden, is repeatable)
+'''
+# What the named spectra are, by the beginnings of their names (CIE 15:2018); the names of the
+# others say it.
+SPECTRA = {
+    "A": "incandescent",
+    "B": "direct sunlight, obsolete",
+    "C": "average daylight, obsolete",
+    "D": "daylight",
+    "E": "equal energy",
+    "FL": "fluorescent",
+    "HP": "high-pressure discharge",
+    "ID": "indoor daylight",
+    "LED-B": "LED, blue and phosphor",
+    "LED-BH": "LED, blue and phosphor, and red",
+    "LED-RGB": "LED, of three colours",
+    "LED-V": "LED, violet and phosphor",
+    "AM": "sun",
+}
+NAMED = re.compile(r"([A-Z]+(?:-[A-Z]+)?)[\d.G]*D?")
+EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
+RESULT, CLAIM = "result", "claim"
+Row = tuple[Any, ...]
+Results = Mapping[str, tuple[str, ...]]  # the quantities that each can be
+
+
+class Compiler:
+    """The rows of the table, and the units of the quantities that they name."""
+
+    def __init__(self) -> None:
+        self.units: dict[str, tuple[tuple[str, str], ...]] = {}
+        for name in ("distance", "temperature"):  # the parameters of spectra
+            self.quantities(SYMBOLS[name])
+
+    def text(self) -> str:
+        """The table as the text of a module."""
+        top = click.Context(commands, info_name="radcalc")
+        rows: dict[str, Row] = {}
+        for name, line in COMMANDS.items():
+            command = commands.get_command(top, name)
+            assert isinstance(command, SectionedCommand)
+            rows[name] = line, self._operands(command), self._options(command)
+        own = [self._option(one, {}) for one in _of_click(commands.get_params(top))]
+        printed = "".join(
+            f"    {name!r}: ({line!r}, {operands!r}, (\n{_lines(listed)}    )),\n"
+            for name, (line, operands, listed) in rows.items()
+        )
+        units = "".join(f"    {key!r}: {row!r},\n" for key, row in self.units.items())
+        spectra = "".join(f"    {name!r}: {said!r},\n" for name, said in described_spectra())
+        return (
+            f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own)})\n\n"
+            f"# what a quantity is measured in: the units and what they are called\n"
+            f"UNITS = {{\n{units}}}\n"
+            f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
+        )
+
+    def _operands(self, command: SectionedCommand) -> Row:
+        form, values = command.operands
+        if form == QUANTITY:
+            symbol = SYMBOLS[values[0]]
+            return form, (symbol.example, self.quantities(symbol))
+        return form, tuple(values)
+
+    def _options(self, command: SectionedCommand) -> list[Row]:
+        results = {}
+        if GET in command.params:
+            results = {name: self.quantities(SYMBOLS[name]) for name in results_of(command)}
+        listed = [one for group in command.sections.values() for one in group]
+        return [self._option(one, results) for one in _of_click(listed)]
+
+    def _option(self, option: click.Option, results: Results) -> Row:
+        form, values = self._takes(option, results)
+        names = tuple(sorted(option.opts, key=len))
+        return names, form, values, option.help or "", option.hidden, option.multiple
+
+    def _takes(self, option: click.Option, results: Results) -> tuple[str, Any]:
+        example = option.metavar or ""
+        if option.is_flag:
+            return FLAG, ()
+        if isinstance(option.type, click.Choice):
+            return CHOICE, tuple(option.type.choices)
+        if option is GET:
+            return RESULT, dict(results)
+        if option in check.OPTIONS:
+            return (CLAIM, dict(results)) if results and "--check" in option.opts else (WORD, ())
+        if example.startswith("FILE"):
+            return FILE, MAPS
+        if not isinstance(option, SymbolOption):
+            return WORD, ()
+        symbol = SYMBOLS[option.opts[-1].removeprefix("--")]
+        shown = example if example and not example.isupper() else ""
+        if symbol.form in (QUANTITY, INTERVAL):
+            return QUANTITY, (shown, self.quantities(symbol))
+        if symbol.form in (WAVELENGTHS, DIRECTION):
+            parts = "wavelength" if symbol.form == WAVELENGTHS else "half-angle"
+            return QUANTITY, (shown, self.quantities(SYMBOLS[parts])[:1])
+        if symbol.form == DISTRIBUTION:
+            return DISTRIBUTION, DISTRIBUTIONS
+        if symbol.form == SPECTRUM:
+            return SPECTRUM, ()
+        return WORD, (shown,) if shown else ()
+
+    def quantities(self, symbol: Symbol) -> tuple[str, ...]:
+        """The names under which the units of a symbol stand."""
+        return tuple(self.quantity(dimension, symbol) for dimension in symbol.dimensions)
+
+    def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
+        """The name under which the units of a dimension stand: first the one that is shown."""
+        name = full_name(Unit("", 1, 1, dimension, ()))
+        shown = resolve(symbol.unit or "1")
+        own = (
+            [symbol.unit.replace(" ", ".")] if shown.dimension == dimension and shown.atoms else []
+        )
+        texts = dict.fromkeys([*own, *offered(Unit("", 1, 1, dimension, ()))])
+        self.units.setdefault(name, tuple((text, full_name(resolve(text))) for text in texts))
+        return name
+
+
+def results_of(command: SectionedCommand) -> list[str]:
+    """The names of what a calculator gives: what it takes, and what its examples have.
+
+    They are read from the hint for a name that is none.
+    """
+    found = [
+        one.opts[-1].removeprefix("--")
+        for group in command.sections.values()
+        for one in group
+        if isinstance(one, SymbolOption) and not one.hidden
+    ]
+    for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
+        words = line.partition("  ")[0].split()
+        try:
+            with commands.make_context("radcalc", protect_negatives([*words, "-g", "?"])) as made:
+                commands.invoke(made)
+        except UsageError as error:
+            found += error.hint.split(", ")
+        except (RadcalcError, click.ClickException):
+            continue  # a file that is not here
+    kinds = [name for generic in found for name in names_of_kinds(generic)]
+    return [
+        name
+        for name in dict.fromkeys([*found, *kinds])
+        if name in SYMBOLS and SYMBOLS[name].dimensions
+    ]
+
+
+def described_spectra() -> Iterator[tuple[str, str]]:
+    """The named spectra, each with its colour temperature and what it is."""
+    for name in names():
+        found = describe({"spectrum": read("spectrum", name)})
+        cct = next((one for one in found.values if one.name == "cct" and not one.is_absent), None)
+        kind = NAMED.fullmatch(name)
+        said = [f"{cct.amount:.0f} K"] if cct else []
+        said += [SPECTRA[kind[1]]] if kind and kind[1] in SPECTRA else []
+        yield name, ", ".join(said)
+
+
+def _of_click(params: Iterable[click.Parameter]) -> list[click.Option]:
+    return [one for one in params if isinstance(one, click.Option)]
+
+
+def _lines(rows: Iterable[Row]) -> str:
+    return "".join(f"        {row!r},\n" for row in rows)
+
+
+def main() -> None:
+    """Write the table."""
+    TABLE.write_text(Compiler().text(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

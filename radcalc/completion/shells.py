@@ -1,0 +1,173 @@
+"""Completion in bash, zsh and fish: their scripts, the line they send, the words they get back.
+
+`_RADCALC_COMPLETE=bash_source radcalc` prints the script, which a shell evaluates once.  At a Tab
+it calls `_RADCALC_COMPLETE=bash_complete radcalc` with the line up to the cursor, quotes and all,
+in `COMP_LINE`; nothing that stands there makes radcalc complain.
+"""
+
+import os
+
+from radcalc import stdio
+from radcalc.completion import Completion, completions
+from radcalc.completion.values import files
+from radcalc.errors import RadcalcError, UsageError, quote
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+VARIABLE = "_RADCALC_COMPLETE"
+LINE, BREAKS = "COMP_LINE", "COMP_WORDBREAKS"
+SAFE = "_-./:=@%+,~^"  # means itself in bash, as letters and digits do
+# A completion that ends its word brings the blank behind it: any bash can do that.
+BASH = """\
+_radcalc_completion() {
+    local line
+    COMPREPLY=()
+    while IFS= read -r line; do
+        COMPREPLY+=("$line")
+    done < <(_RADCALC_COMPLETE=bash_complete COMP_LINE="${COMP_LINE:0:COMP_POINT}" \\
+        COMP_WORDBREAKS="$COMP_WORDBREAKS" "${1/#\\~\\//$HOME/}" 2>/dev/null)
+}
+complete -o nospace -o nosort -F _radcalc_completion radcalc 2>/dev/null ||
+    complete -o nospace -F _radcalc_completion radcalc
+"""
+ZSH = """\
+#compdef radcalc
+_radcalc_completion() {
+    local -a closed open
+    local line
+    for line in "${(@f)$(_RADCALC_COMPLETE=zsh_complete \\
+        COMP_LINE="${(j: :)words[1,CURRENT-1]} $QIPREFIX$PREFIX" ${~words[1]} 2>/dev/null)}"; do
+        case $line in
+            (' '*) closed+=("${line# }") ;;
+            (?*) open+=("$line") ;;
+        esac
+    done
+    _describe -V radcalc closed -- open -S ''
+}
+if [[ $zsh_eval_context[-1] == loadautofunc ]]; then
+    _radcalc_completion "$@"
+else
+    compdef _radcalc_completion radcalc
+fi
+"""
+FISH = """\
+function __radcalc_complete
+    set -l program (string replace -r '^~/' $HOME/ -- (commandline -opc)[1])
+    env _RADCALC_COMPLETE=fish_complete COMP_LINE=(commandline -pc | string collect) \\
+        $program 2>/dev/null
+end
+complete --command radcalc --no-files --keep-order --arguments '(__radcalc_complete)'
+"""
+SCRIPTS = {"bash": BASH, "zsh": ZSH, "fish": FISH}
+
+
+def answer(asked: str) -> int:
+    """Write what a shell asks for, and return the exit status."""
+    shell, _, wanted = asked.partition("_")
+    if shell in SCRIPTS and wanted == "source":
+        return _write(SCRIPTS[shell].encode())
+    if shell in SCRIPTS and wanted == "complete" and LINE in os.environ:
+        lines = WRITERS[shell](Typed(os.environ[LINE], os.environ.get(BREAKS, "")))
+        return _write("".join([f"{one}\n" for one in lines]).encode("utf-8", "surrogateescape"))
+    problem = f"{VARIABLE}={quote(asked)} asks for nothing that can be completed"
+    hint = "bash_source, zsh_source or fish_source there, or without it"
+    return stdio.complain(UsageError(problem, hint))
+
+
+def _write(data: bytes) -> int:
+    try:
+        stdio.pour(data)
+    except BrokenPipeError:
+        return stdio.ANSWERED
+    except RadcalcError as error:
+        return stdio.complain(error)
+    return stdio.ANSWERED
+
+
+class Typed:
+    """A line up to the cursor, as a shell has it: its words, and the one that is being typed.
+
+    `quote` is the quotation mark that is still open; `cut` is where the part of the last word
+    begins that readline replaces: behind one of its `breaks`, or an open quotation mark.
+    """
+
+    def __init__(self, line: str, breaks: str) -> None:
+        self.words: list[str] = []
+        self.word, self.quote, self.cut = "", "", 0
+        self.is_redirected = False  # the word is the name of a file, behind < or >
+        is_word = False
+        letters = iter(line)
+        for letter in letters:
+            if self.quote:
+                if letter == self.quote:
+                    self.quote = ""
+                    self.cut = len(self.word) if letter in breaks else self.cut
+                elif letter == "\\" and self.quote == '"':
+                    after = next(letters, "")
+                    self.word += after if after in '"\\$`' else letter + after
+                else:
+                    self.word += letter
+            elif letter.isspace() or letter in "<>":
+                if is_word and not (letter in "<>" and self.word.isdigit()):
+                    self._end()
+                is_word, self.word, self.cut = False, "", 0
+                self.is_redirected = self.is_redirected or letter in "<>"
+            else:
+                is_word = True
+                if letter in "'\"":
+                    self.quote, self.cut = letter, len(self.word)
+                else:
+                    self.word += next(letters, "") if letter == "\\" else letter
+                    self.cut = len(self.word) if letter in breaks else self.cut
+        while self.words and "=" in self.words[0]:  # VARIABLE=VALUE radcalc
+            del self.words[0]
+
+    def _end(self) -> None:
+        if not self.is_redirected:
+            self.words.append(self.word)
+        self.is_redirected = False
+
+    def completions(self) -> list[Completion]:
+        """What the last word can become; no file whose name would be several lines."""
+        if self.is_redirected:
+            found = files(("",), self.word)
+        else:
+            found = completions(self.words[1:], self.word)
+        return [one for one in found if not {"\n", "\r", "\t"} & set(one.text)]
+
+
+def _bash(typed: Typed) -> list[str]:
+    """The part of the word that readline replaces, as one has to type it."""
+    lines = []
+    for one in typed.completions():
+        text = one.text[typed.cut :]
+        if typed.quote:
+            lines.append(text if typed.quote == "'" else _escaped(text, lambda c: c not in '"\\$`'))
+        else:
+            text = _escaped(text, lambda c: c.isalnum() or c in SAFE or not c.isascii())
+            lines.append(text + " " if one.closes else text)
+    return lines
+
+
+def _escaped(text: str, is_plain: "Callable[[str], bool]") -> str:
+    return "".join([letter if is_plain(letter) else "\\" + letter for letter in text])
+
+
+def _zsh(typed: Typed) -> list[str]:
+    """Word and description as _describe takes them; a blank before one that ends its word."""
+    return [
+        " " * one.closes
+        + _escaped(one.text, lambda c: c not in "\\:")
+        + (f":{one.description}" if one.description else "")
+        for one in typed.completions()
+    ]
+
+
+def _fish(typed: Typed) -> list[str]:
+    """Word and description."""
+    return [f"{one.text}\t{one.description}" for one in typed.completions()]
+
+
+WRITERS: "dict[str, Callable[[Typed], list[str]]]" = {"bash": _bash, "zsh": _zsh, "fish": _fish}

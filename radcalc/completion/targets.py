@@ -1,0 +1,200 @@
+"""The operands of a conversion: units, and which of them the source's quantity reaches."""
+
+from radcalc.completion import Completion
+from radcalc.completion.values import split_number
+from radcalc.conversion.conditions import CONDITIONS
+from radcalc.conversion.plan import plan
+from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
+from radcalc.given import Given, read, values_of
+from radcalc.quantities.light import (
+    GEOMETRIES,
+    KINDS,
+    NONE,
+    Reading,
+    coherent_text,
+    is_per_length,
+    name_of,
+)
+from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, SYMBOLS
+from radcalc.quantities.units import full_name, offered
+from radcalc.units.amounts import SEPARATORS, read_amount
+from radcalc.units.compiled import NAMES
+from radcalc.units.table import Unit, resolve, unit_of
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+# The parts that finish a compound unit, behind a stroke and in other products.
+BELOW = ("m2", "sr", "s", "cm2", "mm2", "ft2", "in2", "nm", "um", "Hz", "THz", "m", "h", "day", "W")
+BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
+AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # of densities
+TROLAND = "td"
+USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
+USUAL.append(TROLAND)
+
+
+class Alone:
+    """Conditions by their names alone: how much of them there is, the user knows."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`--distance`."""
+        return f"--{name}"
+
+
+def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> list[Completion]:
+    """Every way to finish an operand: a value with its unit, a unit, a target."""
+    if not words:
+        head, number, unit = split_number(typed)
+        units = _units("", unit) if number and unit else []
+        return [Completion(head + number + one.text, one.description) for one in units]
+    source, behind, rest = _read(words)
+    if source is None:
+        return _units("", typed) if len(words) == 1 else []
+    if rest and not behind:
+        return []
+    head = f"{' '.join(rest)} " if rest else ""
+    return Reach(source, _conditions(given)).units(head, typed)
+
+
+def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ...]:
+    """The symbols that a conversion lacks."""
+    source, _, rest = _read(words)
+    target = unit_of(" ".join(rest))
+    if source and target:
+        try:
+            plan(source, target, _conditions(given))
+        except MissingCondition as error:
+            return mentioned(error.hint)
+    return ()
+
+
+def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
+    """The unit of VALUE UNIT, whether a separator stands behind it, and the words behind that."""
+    places = [k for k, word in enumerate(words) if word in ("to", *SEPARATORS)]
+    if places:
+        before, rest = words[: places[0]], words[places[0] + 1 :]
+        if before[0] == "-":
+            return unit_of(" ".join(before[1:])), True, rest
+        return read_amount(" ".join(before)).unit, True, rest
+    if words[0] != "-":
+        last = words[0].rpartition(",")[2]  # of a list
+        amount = read_amount(words[0] if last == words[0] else last)
+        if amount.unit:
+            return amount.unit, False, words[1:]
+    return (resolve(words[1]) if words[1:] else None), False, words[2:]
+
+
+def _conditions(given: "Mapping[str, str]") -> list[Given]:
+    """The conditions as typed; where that is no value (yet), as their examples have them."""
+    found = []
+    for option, text in given.items():
+        name = option.lstrip("-")
+        if name in CONDITIONS:
+            symbol = SYMBOLS[name]
+            try:
+                found.append(read(name, symbol.form == FLAG or values_of(name, text)[0]))
+            except RadcalcError:
+                found.append(read(name, symbol.example))
+    return found
+
+
+class Reach:
+    """What can be reached from a unit under the conditions that are given."""
+
+    def __init__(self, source: Unit, given: "Sequence[Given]") -> None:
+        self.source, self.given = source, given
+        self.known: dict[tuple[object, ...], str | None] = {}
+
+    def lacks(self, target: Unit) -> str | None:
+        """What is lacking, '' where nothing is; None where nothing leads there."""
+        key = (target.dimension, target.is_exitance, target.has_wavelength, len(target.notes))
+        if key not in self.known:
+            self.known[key] = self._lacks(target)
+        return self.known[key]
+
+    def _lacks(self, target: Unit) -> str | None:
+        try:
+            plan(self.source, target, self.given)
+        except MissingCondition as error:
+            return spell(error.hint.partition(" (see ")[0], Alone)
+        except RadcalcError:
+            return None
+        return ""
+
+    def units(self, head: str, typed: str) -> list[Completion]:
+        """The units that begin so: those in reach, those with a condition, those that need none.
+
+        A unit of the source's own quantity has no use for conditions, and stands last beside them.
+        """
+        reached, conditional, others = [], [], []
+        for text in _texts(self.source, head, typed):
+            unit = unit_of(head + text)
+            if unit is None or unit.text == self.source.text or is_per_length(unit):
+                continue
+            lack = self.lacks(unit)
+            if lack:
+                said = f"{name_of(unit)}, with {lack}"
+                conditional.append((len(lack), Completion(text, said)))
+            elif lack == "":
+                reached.append(Completion(text, full_name(unit)))
+            elif self.given and unit.dimension == self.source.dimension:
+                others.append(Completion(text, full_name(unit)))
+        if not typed:  # what takes least first
+            conditional.sort(key=lambda one: one[0])
+        return [*reached, *(one for _, one in conditional), *others]
+
+
+def _units(head: str, typed: str) -> list[Completion]:
+    """The units of any quantity that begin so."""
+    found = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
+    return [Completion(text, full_name(unit)) for text, unit in found if unit and _is_known(unit)]
+
+
+def _is_known(unit: Unit) -> bool:
+    return bool(name_of(unit)) and not is_per_length(unit)
+
+
+def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
+    """What may be a unit and begins so, the most usual first; `head` is the unit before it."""
+    if head:
+        yield from (part for part in BESIDE if part.startswith(typed))
+        return
+    own = offered(source) if source else []
+    if not typed:
+        yield from (text for text in own if text not in NAMES)
+        yield from USUAL
+        return
+    style = "**" if "**" in typed else "^" if "^" in typed else ""
+    texts = dict.fromkeys([*own, *USUAL, *(text for unit in _every() for text in offered(unit))])
+    for text in texts:
+        text = _powers(text, style) if style else text
+        if text.startswith(typed):
+            yield text
+        elif typed.startswith(text):  # only then a density of it
+            yield from (text + axis for axis in AXES if (text + axis).startswith(typed))
+    if len(typed) > 1:
+        yield from (name for name in NAMES if name.startswith(typed.lower()))
+    yield typed
+    cut = max(typed.rfind(mark) for mark in "/.*\u00b7 (") + 1
+    if cut:
+        parts = BELOW if typed[cut - 1] == "/" else BESIDE
+        yield from (typed[:cut] + part for part in parts if part.startswith(typed[cut:]))
+
+
+def _powers(text: str, style: str) -> str:
+    """A unit with its powers written in another way: W/m^2."""
+    letters = [
+        style + letter if letter.isdigit() and before.isalpha() else letter
+        for before, letter in zip(" " + text, text, strict=False)
+    ]
+    return "".join(letters)
+
+
+def _every() -> "Iterator[Unit]":
+    """A unit of each quantity of light."""
+    for geometry in GEOMETRIES:
+        for kind in KINDS:
+            yield resolve(coherent_text(Reading(kind, *geometry, NONE)))
+    yield resolve(TROLAND)

@@ -1,0 +1,169 @@
+"""What an option or an operand can be: quantities, choices, spectra, files, results."""
+
+import os
+
+from radcalc.completion import DIGITS, Completion
+from radcalc.completion.table import SPECTRA, UNITS
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+    from typing import Any
+
+TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls")
+PHOTOMETRIES = (".ies", ".ldt", ".csv", ".tsv", ".txt")
+MAPS = (".hdr", ".exr", ".pfm")
+
+
+def values_of(form: str, values: "Sequence[Any]", incomplete: str) -> list[Completion]:
+    """Every way to finish a value of that form."""
+    reader = READERS.get(form)
+    return reader(values, incomplete) if reader else []
+
+
+def starting(texts: "Iterable[str]", prefix: str, closes: bool = True) -> list[Completion]:
+    """The texts that begin so."""
+    return [Completion(text, "", closes) for text in texts if text.startswith(prefix)]
+
+
+def _choices(choices: "Sequence[str]", incomplete: str) -> list[Completion]:
+    return starting(choices, incomplete)
+
+
+def _quantities(values: "Sequence[Any]", incomplete: str) -> list[Completion]:
+    """A number with a unit that fits, also at the end of a list or a range; else an example."""
+    example, quantities = values
+    if not incomplete:
+        return [Completion(example, "an example")] if example else []
+    likely = split_number(example)[2]
+    return in_units(quantities, incomplete, likely)
+
+
+def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> list[Completion]:
+    """A number, the last of a list or a range, with each of its units, a likely one first."""
+    head, number, typed = split_number(incomplete)
+    if not number:
+        return []
+    found = [
+        Completion(f"{head}{number}{text}", description)
+        for text, description in units_of(quantities, typed)
+    ]
+    likely = f"{head}{number}{likely}"
+    return sorted(found, key=lambda one: one.text != likely)
+
+
+def units_of(quantities: "Sequence[str]", typed: str) -> list[tuple[str, str]]:
+    """The units that begin so, with what they are called; unasked none of the long names."""
+    return [
+        (text, description)
+        for name in quantities
+        for text, description in UNITS[name]
+        if text.startswith(typed) and (typed or "_" not in text)
+    ]
+
+
+def split_number(text: str) -> tuple[str, str, str]:
+    """What stands before the last number of a list or range, the number, and its unit so far."""
+    start = max(text.rfind(","), text.rfind(":")) + 1
+    head, last = text[:start], text[start:]
+    for end in range(len(last), 0, -1):
+        if last[end - 1] in DIGITS + ".)" or last[:end].endswith(("pi", "\u03c0")):
+            return head, last[:end], last[end:].lstrip()
+    return head, "", last
+
+
+def _results(results: "dict[str, Sequence[str]]", incomplete: str) -> list[Completion]:
+    """NAME or NAME:UNIT; the name of one kind where no other fits."""
+    name, colon, unit = incomplete.partition(":")
+    if name in results and (colon or not any(o.startswith(name) for o in results if o != name)):
+        found = [] if colon else [Completion(name)]
+        units = units_of(results[name], unit)
+        return found + [Completion(f"{name}:{text}", said) for text, said in units]
+    return starting(results, incomplete, closes=False)
+
+
+def _claims(results: "dict[str, Sequence[str]]", incomplete: str) -> list[Completion]:
+    """NAME=VALUE with its unit."""
+    name, equals, value = incomplete.partition("=")
+    if not equals:
+        return starting([f"{one}=" for one in results], incomplete, closes=False)
+    found = in_units(results.get(name, ()), value)
+    return [Completion(f"{name}={one.text}", one.description) for one in found]
+
+
+def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """The kinds that take parameters, the names of sources, files."""
+    kind, colon, parameters = incomplete.partition(":")
+    if colon and kind in FORMS:
+        found = in_units((FORMS[kind][1],), parameters)
+        return [Completion(f"{kind}:{one.text}", one.description) for one in found]
+    named = [
+        Completion(name, said) for name, said in SPECTRA.items() if name.startswith(incomplete)
+    ]
+    forms = [
+        Completion(f"{name}:", said, False)
+        for name, (said, _) in FORMS.items()
+        if name.startswith(incomplete)
+    ]
+    return [*named, *forms, *files(TABLES, incomplete)]
+
+
+# The spectra with parameters: what they are, and the units of the parameters.
+FORMS = {
+    "blackbody": ("a black body of a temperature, blackbody:2856K", "temperature"),
+    "daylight": ("daylight of a colour temperature, daylight:6500K", "temperature"),
+    "line": ("lines with their shares, line:555nm=40,600nm=30", "length"),
+    "gaussian": ("a centre and a width, gaussian:530nm,30nm", "length"),
+    "band": ("constant from one wavelength to another, band:580nm:630nm", "length"),
+}
+
+
+def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    return starting(values, incomplete) + files(PHOTOMETRIES, incomplete)
+
+
+def _environments(skies: "Sequence[str]", incomplete: str) -> list[Completion]:
+    found = files(MAPS, incomplete)
+    if ":" in incomplete:
+        return starting([f"sky:{name}" for name in skies], incomplete)
+    return starting(["sky:"], incomplete, closes=False) + found
+
+
+def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
+    return files(endings, incomplete)
+
+
+def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """Folders, and the files with such an ending; every file where none has."""
+    folder, name = os.path.split(incomplete)
+    typed = incomplete[: len(incomplete) - len(name)]
+    found: list[Completion] = []
+    others: list[Completion] = []
+    try:
+        entries = sorted(os.scandir(os.path.expanduser(folder) or "."), key=lambda one: one.name)
+    except (OSError, ValueError):  # a name that no file has
+        return []
+    for entry in entries:
+        if not entry.name.startswith(name) or (entry.name[0] == "." and name[:1] != "."):
+            continue
+        if entry.is_dir():
+            found.append(Completion(f"{typed}{entry.name}/", "", False))
+        elif entry.name.lower().endswith(tuple(endings)):
+            found.append(Completion(typed + entry.name))
+        else:
+            others.append(Completion(typed + entry.name))
+    return found if any(one.closes for one in found) else found + others
+
+
+READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
+    "choice": _choices,
+    "quantity": _quantities,
+    "interval": _quantities,
+    "range of wavelengths": _quantities,
+    "result": _results,
+    "claim": _claims,
+    "spectrum": _spectra,
+    "distribution": _distributions,
+    "environment": _environments,
+    "file": _files,
+}

@@ -1,0 +1,296 @@
+"""What a Tab offers: units in reach, options and their values, results, files, in three shells."""
+
+import pytest
+from conftest import run
+
+from radcalc.cli import compile as printed
+from radcalc.completion import Completion, begins_value, completions, shells
+from radcalc.completion.values import READERS
+
+
+def complete(line: str) -> list[Completion]:
+    """What is offered at the end of a line, which has no quotes."""
+    *words, last = line.split(" ")
+    return completions(words, last)
+
+
+def texts(line: str) -> list[str]:
+    return [one.text for one in complete(line)]
+
+
+def said(line: str, text: str) -> str:
+    return next(one.description for one in complete(line) if one.text == text)
+
+
+def test_the_table_is_what_the_commands_have():
+    """After a change of an option: python -m radcalc.cli.compile."""
+    assert printed.Compiler().text() == printed.TABLE.read_text(encoding="utf-8")
+
+
+# ---------------------------------------------------------------------------------------------
+# The targets of a conversion
+
+
+@pytest.mark.parametrize("line", ["100 lx ", "convert 100 lx ", "100lx ", "convert 100 lx to "])
+def test_units_of_the_quantity_come_before_those_with_a_condition(line):
+    found = texts(line)
+    own = ["klx", "fc", "ph", "lm/m2"]
+    others = ["cd", "W/m2", "umol/m2/s", "cd/m2", "lm"]
+    assert found == list(dict.fromkeys(found))
+    assert max(map(found.index, own)) < min(map(found.index, others))
+
+
+@pytest.mark.parametrize(
+    ("line", "target", "condition"),
+    [
+        ("100 lx ", "cd", "luminous intensity, with --distance"),
+        ("100 lx ", "W/m2", "irradiance, with --wavelength, --spectrum or --efficacy"),
+        ("500 lm ", "cd", "luminous intensity, with --isotropic, --half-angle or --solid-angle"),
+        ("5 W ", "J", "radiant energy, with --time"),
+        ("250 cd/m2 ", "td", "retinal illuminance, with --pupil"),
+        ("100 lx ", "fc", "footcandle"),
+        ("100 lx ", "lm/ft2", "illuminance"),
+    ],
+)
+def test_what_a_target_takes_is_said(line, target, condition):
+    assert said(line, target) == condition
+
+
+def test_conditions_that_are_typed_count():
+    found = texts("800 lm --isotropic --distance 2m ")
+    assert found[0] == "lx"
+    assert said("800 lm --isotropic --distance 2m ", "lx") == "lux"
+    assert "--" not in said("800 lm --isotropic ", "cd")
+    assert texts("800 lm --isotropic --distance 1m,2m ")[0] == "lx"
+    assert texts("5 mW --wavelength 632.8nm ")[0] == "lm"
+    assert texts("5 mW --spectrum no-such-file ")[0] == "lm"
+
+
+def test_a_compound_unit_completes_by_its_last_part():
+    assert {"W/m2", "W/m2/sr"} <= set(texts("100 lx W/m"))
+    assert "umol/m2/s" in texts("100 lx umol/m2/")
+    assert "W/m2/nm" in texts("1 W/m2/um W/m2/")
+    assert "W/m^2" in texts("100 lx W/m^")
+    assert "kW/ft2" in texts("100 lx kW/ft")
+    assert "m-2" in texts("5 W m-2 to mW ")
+    assert texts("100 lx W.m-2.s") == ["W.m-2.s", "W.m-2.sr-1"]
+
+
+def test_an_operand_that_is_no_target():
+    assert texts("100l")[:2] == ["100lm", "100lx"]
+    assert "cd/m2" in texts("convert 250 c")
+    assert texts("convert - lx f")[0] == "fc"
+    assert texts("convert 100 lx fc x") == []
+    assert texts("100 lx fc lm") == []
+    assert texts("100 lx nosuch") == texts("100 nosuch ") == []
+
+
+def test_options_that_a_conversion_lacks_are_offered_first():
+    assert texts("100 lx cd ") == ["--distance"]
+    assert texts("800 lm lx --isotropic ") == ["--distance"]
+    assert texts("100 lx cd --")[0] == "--distance"
+
+
+# ---------------------------------------------------------------------------------------------
+# Commands, options and their values
+
+
+def test_commands_have_their_lines():
+    assert texts("conv") == ["convert"]
+    assert said("", "spectrum") == "Peak, efficacies and colour of a spectrum."
+    assert texts("help sp") == ["spectrum"]
+    assert texts("help spectrum ") == texts("nosuch ") == []
+    assert texts("--v") == ["--version"]
+
+
+def test_a_hidden_name_completes_where_only_it_fits():
+    assert texts("lambertian --lum")[0] == "--luminance"
+    assert "--luminous-flux" in texts("lambertian --lum")
+    assert not {"--luminance", "--illuminance"} & set(texts("lambertian --"))
+    assert texts("lambertian --i") == [
+        "--intensity",
+        "--irradiance",
+        "--incident-irradiance",
+        "--incidence",
+    ]
+
+
+def test_an_option_is_offered_once_unless_it_repeats():
+    assert "--distance" not in texts("point-source --distance 2m --")
+    assert "--get" in texts("point-source -g height --")
+    assert texts("point-source -- --") == []
+
+
+@pytest.mark.parametrize(
+    ("line", "first"),
+    [
+        ("point-source --distance 2", ["2m", "2cm"]),
+        ("point-source --distance=2", ["--distance=2m", "--distance=2cm"]),
+        ("point-source --distance 1m,2c", ["1m,2cm"]),
+        ("point-source --distance 1m:5m:1", ["1m:5m:1m", "1m:5m:1cm"]),
+        ("point-source --distance ", ["2m"]),
+        ("point-source --half-angle 30", ["30deg", "30rad"]),
+        ("solid-angle cone --half-angle pi/6", ["pi/6deg", "pi/6rad"]),
+        ("lambertian --luminance 100", ["100cd/m2"]),
+        ("convert 5 mW lm --spectrum=LED-B3", ["--spectrum=LED-B3"]),
+        ("convert 5 mW lm --spectrum black", ["blackbody:"]),
+        ("convert 5 mW lm --spectrum blackbody:3000", ["blackbody:3000K"]),
+        ("convert 5 mW lm --observer sco", ["scotopic"]),
+        ("photon 555", ["555nm"]),
+        ("solid-angle con", ["cone"]),
+        ("lambertian re", ["rectangle"]),
+        ("sky ov", ["overcast"]),
+        ("environment sky:ov", ["sky:overcast"]),
+        ("point-source --distribution co", ["cone"]),
+        ("point-source -g illum", ["illuminance"]),
+        ("point-source -g illuminance:", ["illuminance:lx"]),
+        ("point-source --check beam-fl", ["beam-flux="]),
+        ("point-source --check flux=800l", ["flux=800lm"]),
+        ("spectrum LED-B3 -g cc", ["cct"]),
+        ("convert 1 lx fc --format j", ["json"]),
+    ],
+)
+def test_values(line, first):
+    assert texts(line)[: len(first)] == first
+
+
+def test_named_spectra_say_what_they_are():
+    """CIE 15:2018 has 4103 K for LED-B3 and 2856 K for A."""
+    assert said("spectrum LED-B3", "LED-B3") == "4102 K, LED, blue and phosphor"
+    assert said("spectrum A", "A") == "2856 K, incandescent"
+
+
+def test_files_of_the_kind_come_alone_and_else_all(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("lamp.ies", "lamp.csv", "notes.md", ".hidden.csv", "map.hdr"):
+        (tmp_path / name).touch()
+    (tmp_path / "lamps").mkdir()
+    (tmp_path / "lamps" / "a.ldt").touch()
+    assert texts("point-source --distribution lam") == ["lamp.csv", "lamp.ies", "lamps/"]
+    assert texts("point-source --distribution lamps/") == ["lamps/a.ldt"]
+    assert texts("scene ") == ["lamp.csv", "lamps/"]
+    assert texts("scene .") == [".hidden.csv"]
+    assert texts("scene no") == ["notes.md"]
+    assert texts("environment m") == ["map.hdr"]
+    assert not complete("scene lamps")[0].closes
+    assert texts("scene nosuch/") == []
+
+
+def test_every_form_has_a_reader():
+    from radcalc.completion.table import COMMANDS
+
+    forms = {option[1] for _, _, listed in COMMANDS.values() for option in listed}
+    forms |= {operands[0] for _, operands, _ in COMMANDS.values()}
+    assert forms - READERS.keys() == {"flag", "word", "conversion", "search"}
+
+
+@pytest.mark.parametrize("word", ["100", ".5", "-5", "(2", "+3", "\u22125", "4pi"])
+def test_a_sentence_begins_with_a_value(word):
+    assert begins_value(word)
+
+
+@pytest.mark.parametrize("word", ["", "-", "--", "-g", "convert", "lx", "("])
+def test_and_with_nothing_else(word):
+    assert not begins_value(word)
+
+
+# ---------------------------------------------------------------------------------------------
+# The line of a shell
+
+BREAKS = " \t\n\"'><=;|&(:"  # as bash has them
+
+
+@pytest.mark.parametrize(
+    ("line", "words", "word", "cut"),
+    [
+        ("radcalc ", ["radcalc"], "", 0),
+        ("radcalc 100 lx f", ["radcalc", "100", "lx"], "f", 0),
+        ("radcalc '500 lx * 2' k", ["radcalc", "500 lx * 2"], "k", 0),
+        ("radcalc '500 l", ["radcalc"], "500 l", 0),
+        ('radcalc "500 \\"l', ["radcalc"], '500 "l', 0),
+        ("radcalc a\\ b", ["radcalc"], "a b", 0),
+        ("radcalc a\\", ["radcalc"], "a", 0),
+        ("radcalc -g irradiance:l", ["radcalc", "-g"], "irradiance:l", 11),
+        ("radcalc --spectrum=blackbody:30", ["radcalc"], "--spectrum=blackbody:30", 21),
+        ("radcalc x'ISO 7", ["radcalc"], "xISO 7", 1),
+        ("A=1 B='2 3' radcalc 1", ["radcalc"], "1", 0),
+        ("radcalc - lx fc 2>/dev/null <da", ["radcalc", "-", "lx", "fc"], "da", 0),
+        ("radcalc '' x", ["radcalc", ""], "x", 0),
+    ],
+)
+def test_the_words_of_a_line(line, words, word, cut):
+    typed = shells.Typed(line, BREAKS)
+    assert (typed.words, typed.word, typed.cut) == (words, word, cut)
+
+
+@pytest.fixture
+def ask(monkeypatch, capfd):
+    """What a shell gets for a line; radcalc never complains."""
+
+    def answered(shell: str, line: str) -> str:
+        monkeypatch.setenv("COMP_LINE", line)
+        monkeypatch.setenv("COMP_WORDBREAKS", BREAKS)
+        assert shells.answer(f"{shell}_complete") == 0
+        out, err = capfd.readouterr()
+        assert err == ""
+        return out
+
+    return answered
+
+
+def test_the_installed_command_answers_a_shell(monkeypatch):
+    monkeypatch.setenv("_RADCALC_COMPLETE", "bash_complete")
+    monkeypatch.setenv("COMP_LINE", "radcalc conv")
+    done = run()
+    assert (done.returncode, done.stdout, done.stderr) == (0, "convert \n", "")
+
+
+def test_bash_gets_what_it_replaces_with_the_blank_behind_it(ask):
+    assert ask("bash", "radcalc point-source -g illuminance:klx") == "klx \n"
+    assert ask("bash", "radcalc spectrum ISO\\ 7589\\ Ph").splitlines() == [
+        "ISO\\ 7589\\ Photographic\\ Daylight ",
+        "ISO\\ 7589\\ Photoflood ",
+    ]
+    assert ask("bash", "radcalc spectrum 'ISO 7589 Photog") == "ISO 7589 Photographic Daylight\n"
+
+
+def test_zsh_and_fish_get_the_description_whole(ask):
+    line = "Convert units, and quantities under a condition."
+    assert ask("zsh", "radcalc conv") == f" convert:{line}\n"
+    assert ask("fish", "radcalc conv") == f"convert\t{line}\n"
+    assert ask("zsh", "radcalc point-source -g illuminance:klx") == " illuminance\\:klx:kilolux\n"
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        " ",
+        "radcalc '",
+        'radcalc "',
+        "radcalc \\",
+        "radcalc -- ",
+        "radcalc convert --",
+        "radcalc convert -- -",
+        "radcalc nosuch --",
+        "radcalc convert '' ''",
+        "radcalc convert '' x",
+        "radcalc 100 ",
+        "radcalc 1e999 lx ",
+        "radcalc (((((",
+        "radcalc 10**10**10 lx ",
+        "radcalc convert 100 \udcff\udcfe",
+        "radcalc scene \udcff/",
+        "radcalc 100 lx --distance \u2212",
+        "radcalc point-source -g :",
+        "radcalc point-source --check =",
+        "radcalc point-source --distance ,",
+        "radcalc --distance",
+        "radcalc 100 lx to to ",
+        "radcalc in in",
+        "radcalc lambertian --spectrum \x1b[",
+    ],
+)
+def test_whatever_is_typed_a_tab_says_nothing_of_it(shell, line, ask):
+    ask(shell, line)
