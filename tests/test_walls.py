@@ -195,6 +195,17 @@ def test_a_plain_conversion_into_a_pipe_loads_next_to_nothing(words):
     assert len(files) < 12  # a folder's own file is one line
 
 
+def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
+    loaded = loaded_by("convert", "100", "люкс", "lumen na metr čtvereční")
+    assert "radcalc.units.languages" in loaded
+    assert not loaded & (HEAVY | SLOW)
+
+
+def test_a_unit_by_its_name_is_looked_for_in_no_names_of_quantities():
+    loaded = loaded_by("convert", "800", "lm", "cd", "--isotropic")
+    assert not loaded & {"radcalc.quantities.names", "radcalc.units.languages"}
+
+
 @pytest.mark.parametrize(
     "words",
     [

@@ -100,8 +100,8 @@ def divide(over: int, under: int) -> float:
         return float("inf")
 
 
-def lookup(spelling: str) -> tuple[str, str]:
-    """Find (prefix name, unit name) for one spelling; raise UnitError where there is none.
+def lookup(spelling: str) -> tuple[str, str] | None:
+    """Find (prefix name, unit name) for one spelling; None where there is none.
 
     Symbols are matched as written; full names in any case, with hyphens as underscores.
     """
@@ -121,7 +121,7 @@ def lookup(spelling: str) -> tuple[str, str]:
             unit = NAMES.get(name[len(prefix) :].lstrip("_"))
             if unit and prefix in UNITS[unit][3]:
                 return prefix, unit
-    raise _unknown(spelling)
+    return None
 
 
 def _takes(prefix: str, symbol: str) -> bool:
@@ -148,10 +148,17 @@ def resolve(text: str) -> Unit:
     inverted = 0
     atoms = []
     notes: tuple[str, ...] = ()
-    for spelling, exponent, below in parse_unit(text):
+    try:
+        parsed = parse_unit(text)
+    except UnitError as error:
+        return _in_another_language(text, error)
+    for spelling, exponent, below in parsed:
         if spelling == "1":
             continue
-        prefix, name = lookup(spelling)
+        found = lookup(spelling)
+        if found is None:
+            return _in_another_language(text, spelling=spelling)
+        prefix, name = found
         unit_top, unit_bottom, powers, _ = UNITS[name]
         if prefix:
             shift = PREFIX_NAMES[prefix]
@@ -178,6 +185,18 @@ def resolve(text: str) -> Unit:
             f"{_with(text, loose, f'{loose}-1')} for one per length",
         )
     return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
+
+
+def _in_another_language(text: str, error: UnitError | None = None, spelling: str = "") -> Unit:
+    """Read a unit that is none in English as Czech or Russian; raise what is wrong with it."""
+    from radcalc.units.languages import in_english
+
+    is_refused = spelling.lower().replace("-", "_") in REFUSED
+    if is_refused or not (english := in_english(text)):
+        raise error or _unknown(spelling)
+    unit = resolve(english)
+    unit.text = text
+    return unit
 
 
 def unit_of(text: str) -> Unit | None:
@@ -234,6 +253,10 @@ def _unknown(spelling: str) -> UnitError:
                     _respelt(PREFIX_SYMBOLS.get(prefix, prefix), rest),
                 )
     near = suggest(spelling)
+    if not near and not spelling.isascii():
+        from radcalc.units import languages
+
+        near = languages.near(spelling)
     return UnitError(
         f"unknown unit '{shown}'",
         ", ".join(near) if near else f"{command('units')}, which lists them all",

@@ -16,8 +16,9 @@ from radcalc.units.table import lookup, resolve
      "kh", "W²m", "photonn", "mkm"],
 )  # fmt: skip
 def test_what_nobody_wrote_down_is_unknown(spelling):
+    assert lookup(spelling) is None
     with pytest.raises(UnitError) as caught:
-        lookup(spelling)
+        resolve(spelling)
     assert caught.value.hint
 
 

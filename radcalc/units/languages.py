@@ -1,0 +1,186 @@
+"""The names of units in Czech and Russian, in the cases that stand behind numbers and `per`.
+
+A text that is no unit as it stands is put into English word by word (`5 килолюксов`, `lumen na
+metr čtvereční`), and read as that.  Case and diacritics do not count.
+"""
+
+import unicodedata
+
+from radcalc.errors import nearest
+
+# The endings of a declension, singular and plural; _ is none.
+CZECH_ENDINGS = {
+    "m": "_ u e y ů em ům ech",  # lux, also metr
+    "f": "a y u e ě ou _ ám ách ami",  # kandela
+}
+RUSSIAN_ENDINGS = {
+    "m": "_ а у ом е ы ов ам ами ах",  # люкс
+    "c": "_ а у ем е ы ев ам ами ах",  # герц
+    "ь": "ь я ю ем е и ей ям ями ях",  # джоуль
+    "f": "а ы у е ой _ ам ами ах",  # кандела
+    "я": "я и ю е ей й ям ями ях",  # калория, without the stem's и
+}
+# The English name, the Czech ones and the Russian ones: a stem and its declension, or the forms.
+# An English name that has two values is here, too, so that it is refused with both.
+NAMES = (
+    ("metre", "metr m", "метр m"),
+    ("gram", "gram m", "грамм m"),
+    ("second", "sekund f, vteřin f", "секунд f"),
+    ("kelvin", "kelvin m", "кельвин m"),
+    ("radian", "radián m", "радиан m"),
+    ("photon", "foton m", "фотон m"),
+    ("candela", "kandel f", "кандел f"),
+    ("troland", "troland m", "троланд m"),
+    ("percent", "procento procenta procent procentech", "процент m"),
+    ("angstrom", "angström m", "ангстрем m"),
+    ("micron", "mikron m", "микрон m"),
+    ("inch", "palec palce palců palcích palcem", "дюйм m"),
+    ("foot", "stopa stopy stopu stopě stopou stopách", "фут m"),  # stop is a step of exposure
+    ("yard", "yard m", "ярд m"),
+    ("mile", "míle mílí mílích", "миля мили миль милю милях"),
+    ("hectare", "hektar m", "гектар m"),
+    ("litre", "litr m", "литр m"),
+    ("minute", "minut f", "минут f"),
+    ("hour", "hodin f", "час m"),
+    ("day", "den dne dny dnů dní dnech", "день дня дню дни дней днях, сутки суток"),
+    ("week", "týden týdne týdny týdnů týdnech", "неделя недели недель неделю неделе"),
+    ("julian_year", "rok m, roků roky let", "год m, лет"),
+    ("degree", "stupeň stupně stupňů stupních stupněm", "градус m"),
+    ("turn", "otáčk f, otáček", "оборот m"),
+    ("steradian", "steradián m", "стерадиан m"),
+    ("pound", "libr f, liber", "фунт m"),
+    ("tonne", "tun f", "тонн f"),
+    ("hertz", "hertz m", "герц c"),
+    ("joule", "joul m, joule", "джоул ь"),
+    ("watt", "watt m", "ватт m"),
+    ("erg", "erg m", "эрг m"),
+    ("electronvolt", "elektronvolt m", "электронвольт m"),
+    ("watt_hour", "watthodin f", "ваттчас m"),
+    ("watt_second", "wattsekund f", "ваттсекунд f"),
+    ("calorie", "kalorie kalorií kalorii", "калори я"),
+    ("jansky", "jansky", "янский янского янских"),
+    ("lumen", "lumen m", "люмен m"),
+    ("lux", "lux m", "люкс m"),
+    ("candle", "svíčk f, svíček", "свеча свечи свечей свечу свечах"),
+    ("phot", "fot m", "фот m"),
+    ("footcandle", "footkandel f", "футкандел f, футсвеча футсвечи футсвечей"),
+    ("lux_second", "luxsekund f", "люкссекунд f"),
+    ("lux_hour", "luxhodin f", "люксчас m"),
+    ("nox", "nox m", "нокс m"),
+    ("nit", "nit m", "нит m"),
+    ("stilb", "stilb m", "стильб m"),
+    ("apostilb", "apostilb m", "апостильб m"),
+    ("skot", "skot m", "скот m"),
+    ("lambert", "lambert m", "ламберт m"),
+    ("footlambert", "footlambert m", "футламберт m"),
+    ("lumen_second", "lumensekund f", "люменсекунд f"),
+    ("lumen_hour", "lumenhodin f", "люменчас m"),
+    ("talbot", "talbot m", "тальбот m"),
+    ("mole", "mol m", "мол ь"),
+    ("einstein", "einstein m", "эйнштейн m"),
+    ("rayleigh", "rayleigh m", "рэлей рэлея рэлеев рэлеях"),
+    ("parsec", "parsek m", "парсек m"),
+)
+PREFIXES = (
+    "quetta ronna yotta zetta exa peta tera giga mega kilo hecto deca deci centi milli micro nano "
+    "pico femto atto zepto yocto ronto quecto",
+    "quetta ronna yotta zetta exa peta tera giga mega kilo hekto deka deci centi mili mikro nano "
+    "piko femto atto zepto yokto ronto quecto",
+    "кветта ронна йотта зетта экса пета тера гига мега кило гекто дека деци санти милли микро нано "
+    "пико фемто атто зепто йокто ронто квекто",
+)
+PER = ("na", "za", "на", "за", "в")
+SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "кубическ")  # without endings
+
+
+def fold(word: str) -> str:
+    """A word as it is compared: no case, no diacritics, no hyphens."""
+    parts = unicodedata.normalize("NFKD", word.casefold())
+    return "".join([c for c in parts if not unicodedata.combining(c) and c != "-"])
+
+
+def forms(names: str, endings: dict[str, str]) -> list[str]:
+    """Every form of the names of a unit."""
+    found = []
+    for name in names.split(", "):
+        stem, *rest = fold(name).split()
+        if len(rest) == 1 and rest[0] in endings:
+            found += [stem + ending.strip("_") for ending in fold(endings[rest[0]]).split()]
+        else:
+            found += [stem, *rest]
+    return found
+
+
+def _words(place: int, endings: dict[str, str]) -> tuple[dict[str, str], dict[str, str]]:
+    """The prefixes of a language, and the forms of its units, with the English ones."""
+    prefixes = zip(map(fold, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
+    units = {form: row[0] for row in NAMES for form in forms(row[place], endings)}
+    return dict(prefixes), units
+
+
+LANGUAGES = (_words(1, CZECH_ENDINGS), _words(2, RUSSIAN_ENDINGS))
+
+
+def near(word: str) -> list[str]:
+    """The names, without diacritics, that are most like a word that is none."""
+    return nearest(fold(word), [form for _, units in LANGUAGES for form in units], 2)
+
+
+def in_english(text: str) -> str:
+    """The text of a unit with its Czech and Russian words in English; '' where none is."""
+    text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ")
+    pieces = _pieces(" ".join(text.split()))
+    words: list[str] = []
+    for place, piece in enumerate(pieces):
+        if power := _power(piece):
+            before, behind = _has_unit(pieces, place, -1), _has_unit(pieces, place, 1)
+            if before and behind:  # it may belong to either
+                return ""
+            if before:  # metr čtvereční
+                words[-2:] = [power, " ", words[-2]]
+            else:
+                words.append(power)
+        elif place and fold(piece) in PER:
+            words.append("per")
+        else:
+            words.append(_unit(piece) or piece)
+    return "".join(words) if words != pieces else ""
+
+
+def _pieces(text: str) -> list[str]:
+    """The words of a text, and what is between them, one character each."""
+    pieces: list[str] = []
+    inside = False
+    for c in text:
+        is_part = c.isalpha() or (c == "-" and inside)
+        if is_part and inside:
+            pieces[-1] += c
+        else:
+            pieces.append(c)
+        inside = is_part
+    return pieces
+
+
+def _unit(word: str) -> str:
+    """The English name of a unit; '' where the word is none."""
+    word = fold(word)
+    for prefixes, units in LANGUAGES:
+        if word in units:
+            return units[word]
+        for prefix, english in prefixes.items():
+            if word.startswith(prefix) and (unit := units.get(word[len(prefix) :])):
+                return english + unit
+    return ""
+
+
+def _power(word: str) -> str:
+    word = fold(word)
+    return "square" if word.startswith(SQUARE) else "cubic" if word.startswith(CUBIC) else ""
+
+
+def _has_unit(pieces: list[str], place: int, side: int) -> bool:
+    """Whether a unit stands beside a word, parted from it by nothing but a blank."""
+    at = place + 2 * side
+    if not 0 <= at < len(pieces) or pieces[place + side] != " ":
+        return False
+    return pieces[at].isalpha() and fold(pieces[at]) not in PER and not _power(pieces[at])
