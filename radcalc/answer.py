@@ -1,9 +1,10 @@
 """What an answer is, before anybody renders it: it knows no terminal and no format."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from radcalc.errors import RadcalcError
+from radcalc.maths import is_array
 from radcalc.units.table import Dimension
 
 
@@ -16,11 +17,29 @@ class Step(NamedTuple):
     reference: str = ""
 
 
+class Input(NamedTuple):
+    """What somebody gave: a number in a unit, a text that is none, or True for a flag."""
+
+    name: str
+    value: Any = None
+    unit: str = ""
+    text: str = ""
+
+    @property
+    def is_quantity(self) -> bool:
+        """Whether it is a number in a unit."""
+        return bool(self.unit)
+
+
+def texts_of(texts: Mapping[str, str]) -> tuple[Input, ...]:
+    """Inputs that are texts, but for empty ones."""
+    return tuple(Input(name, text=text) for name, text in texts.items() if text)
+
+
 class Row(NamedTuple):
     """One value of an answer; `case` says which of several answers it belongs to.
 
-    `name` is what `--get` calls a calculator's result; a conversion has none.  `given` tells
-    what the user gave from what follows.
+    `name` is what `--get` calls the result.  `given` tells what the user gave from what follows.
     """
 
     quantity: str
@@ -33,12 +52,18 @@ class Row(NamedTuple):
 
 
 class Result(NamedTuple):
-    """Rows, what was assumed, what should be noted, and the steps of the derivation."""
+    """One answer: its rows, what was assumed and noted, the derivation, and what was given.
+
+    A conversion has one result, whose name goes without saying where people read it: it is not
+    `named`.
+    """
 
     rows: tuple[Row, ...]
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
+    inputs: tuple[Input, ...] = ()
+    named: bool = True
 
     def spelled(self, spell: Callable[[str], str]) -> "Result":
         """The same with the symbols that its texts mention spelled as a gate spells them."""
@@ -94,13 +119,16 @@ class Answer(NamedTuple):
     more: "Sequence[Answer]" = ()
 
 
-def columns(results: Sequence[Result]) -> list[tuple[str, str]] | None:
-    """The name and unit of each row where several answers of a calculator have the same rows.
+def varying(inputs: Sequence[Sequence[Input]]) -> list[str]:
+    """The names of the inputs that are not the same in all answers, and of arrays."""
+    each = [{one.name: one for one in some} for some in inputs]
+    names = dict.fromkeys(name for some in each for name in some)
+    return [
+        name for name in names if any(_differ(some.get(name), each[0].get(name)) for some in each)
+    ]
 
-    Such answers are shown one a line: for plotting, or to be compared.
-    """
-    if len(results) < 2:
-        return None
-    heads = [[(row.name, row.unit) for row in result.rows] for result in results]
-    same = all(head == heads[0] for head in heads) and all(name for name, _ in heads[0])
-    return heads[0] if same else None
+
+def _differ(one: Input | None, other: Input | None) -> bool:
+    if one is None or other is None:
+        return one is not other
+    return is_array(one.value) or is_array(other.value) or one != other

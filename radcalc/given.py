@@ -1,11 +1,12 @@
 """What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from operator import index
 from typing import Any, NamedTuple
 
 from radcalc import maths
+from radcalc.answer import Input
 from radcalc.derivation import format_number
 from radcalc.errors import (
     MINUS,
@@ -84,6 +85,24 @@ class Given(NamedTuple):
 
 
 Inputs = dict[str, Given]
+
+
+def inputs_of(given: Inputs) -> tuple[Input, ...]:
+    """What was given, as an answer tells it; a place by its coordinates."""
+    return tuple(told for one in given.values() for told in _told(one))
+
+
+def _told(one: Given) -> Iterator[Input]:
+    form = one.symbol.form
+    if form == QUANTITY:
+        yield Input(one.name, one.number, one.unit_text, one.text)
+    elif form == FLAG:
+        yield Input(one.name, True)
+    elif one.name == "point":
+        for axis, metres in zip("xyz", one.value, strict=True):
+            yield Input(axis, metres, "m")
+    else:
+        yield Input(one.name, text=one.text)
 
 
 def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:

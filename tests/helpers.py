@@ -1,5 +1,6 @@
 """What several tests share."""
 
+import json
 import os
 import pty
 import select
@@ -88,6 +89,18 @@ def by_law(law: AnyLaw) -> Callable[..., Any]:
 def flagged(shape, *flags, **given):
     """A Lambertian source with the flags of a rectangle."""
     return lambertian(shape, **dict.fromkeys(flags, True), **given)
+
+
+def answers(text: str) -> list[dict[str, Any]]:
+    """The answers that JSON has: one object, or an array of them."""
+    read = json.loads(text)
+    return read if isinstance(read, list) else [read]
+
+
+def results(text: str) -> dict[str, Any]:
+    """The results of the one answer that JSON has, by their names."""
+    (answer,) = answers(text)
+    return answer["results"]
 
 
 @contextmanager

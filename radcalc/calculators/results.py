@@ -10,7 +10,7 @@ from radcalc.errors import MissingInput, NumberError, UsageError, mention, neare
 from radcalc.given import Given
 from radcalc.maths import is_array, is_column, is_lost
 from radcalc.quantities.light import GRID, describe
-from radcalc.quantities.symbols import SPECIFIC, SYMBOLS
+from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import Unit, resolve
 
@@ -110,14 +110,23 @@ def held(name: str, number: Any, of: Any = None) -> Any:
     return number + 0.0
 
 
-def pick(values: Sequence[Value], wanted: str) -> Any:
+def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     """What NAME[:UNIT] asks for; without a unit, in the one in which the listing has it first."""
-    name, _, unit = wanted.partition(":")
-    name = name.strip()
+    name, _, text = wanted.partition(":")
+    name, text = name.strip(), text.strip()
     for value in values:
         if name and name in (value.name, value.also):
             _refuse_absent(value)
-            return in_unit(value, resolve(unit)) if unit else _shown(value, value.units[0])
+            label, letter, is_given = value.label, value.letter, value.given is not None
+            if not text:
+                text = value.units[0]
+                number = _shown(value, text)
+            else:
+                unit = resolve(text)
+                number = in_unit(value, unit)
+                if unit.dimension not in value.dimensions:
+                    label, letter = _of_kind(value, unit)
+            return Row(label, letter, number, text, case, name, is_given)
     names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
@@ -126,6 +135,15 @@ def pick(values: Sequence[Value], wanted: str) -> Any:
         )
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
+
+
+def _of_kind(value: Value, unit: Unit) -> tuple[str, str]:
+    """The label and the letter of a light quantity in the kind of a unit."""
+    symbol, place = SYMBOLS.get(value.name), GRID.get(unit.dimension)
+    if symbol is None or not symbol.generic or place is None:
+        return value.label, value.letter
+    own = SYMBOLS[specific_name(symbol.generic, place[0])]
+    return own.label, own.letter if "_" in own.letter else f"{own.letter}_{place[0]}"
 
 
 def rows(values: Sequence[Value], case: str = "") -> list[Row]:

@@ -4,18 +4,17 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from radcalc import stdio
-from radcalc.answer import Answer, Result
+from radcalc.answer import Answer, Input, Result, Row
 from radcalc.calculators.results import element, pick, rows
 from radcalc.cli import check
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.given import Inputs, read, read_interval, values_of
+from radcalc.given import Inputs, inputs_of, read, read_interval, values_of
 from radcalc.maths import is_array
-from radcalc.render.formats import PLAIN, TABLE
-from radcalc.render.plain import DIGITS, number
+from radcalc.render import arrays
+from radcalc.render.formats import CSV
 from radcalc.units.ranges import MOST, one_by_one
 
-LINES = 1000  # formatted at a time
 BLOCK = 100_000  # values of a long range that are worked out at a time
 Case = tuple[str, Inputs]
 
@@ -67,6 +66,14 @@ def shape(word: str, names: Sequence[str]) -> str:
     raise UsageError(f"there is no shape '{quote(word)}'", ", ".join(near))
 
 
+class Answered(NamedTuple):
+    """An answer, which of several it is, and what was given for it."""
+
+    case: str
+    inputs: tuple[Input, ...]
+    answer: Answer
+
+
 def run(
     each: Sequence[Case],
     work_out: Callable[[Inputs], Answer],
@@ -74,20 +81,31 @@ def run(
     output: Output,
     command: str,
     shape: str = "",
+    operands: Sequence[Input] = (),
 ) -> int:
-    """Work out the answer to every case and show it, or judge one; return the exit status."""
+    """Work out the answer to every case and show it, or judge one; return the exit status.
+
+    `operands` are what was given beside the options.
+    """
     if asked.check is not None:
         from radcalc.homework.question import of_calculator
 
         check.refuse_several(len(each))
-        question = of_calculator(command, shape, each[0][1], work_out, asked.steps)
-        return check.judge(question, asked.check, asked.tolerance, output)
-    if asked.wanted:
+        given = each[0][1]
+        question = of_calculator(command, shape, given, work_out, asked.steps)
+        inputs = (*operands, *inputs_of(given))
+        return check.judge(question, asked.check, asked.tolerance, output, inputs)
+    if asked.wanted and output.has_columns:
         each = [part for one in each for part in _blocks(one)]
     else:
-        _refuse_long(each)
-    answers = (one for case, given in each for one in _every(case, work_out(given)))
-    show(answers, asked, output)
+        _refuse_long(each, asked)
+    told = [(*operands, *inputs_of(given)) for _, given in each]
+    answers = (
+        one
+        for (case, given), inputs in zip(each, told, strict=True)
+        for one in _every(case, inputs, work_out(given))
+    )
+    show(answers, asked, output, told)
     return stdio.ANSWERED
 
 
@@ -104,19 +122,13 @@ def _blocks(case: Case) -> Iterator[Case]:
         yield name, {**given, long.name: values}
 
 
-def _refuse_long(each: Sequence[Case]) -> None:
+def _refuse_long(each: Sequence[Case], asked: Asked) -> None:
     """Refuse a table of more answers than anybody reads."""
     for _, given in each:
         count = max((len(one.value) for one in given.values() if is_array(one.value)), default=1)
         if count > MOST:
-            raise UsageError(f"a table of {count} answers is too long", "-g NAME:UNIT, for columns")
-
-
-def refuse_format(output: Output) -> None:
-    """Refuse a format beside the bare numbers that were asked for."""
-    if output.format not in (PLAIN, TABLE):
-        problem = f"--get prints bare numbers, and contradicts --format {output.format}"
-        raise UsageError(problem, "one of them")
+            hint = "--format csv, for columns" if asked.wanted else "-g NAME:UNIT, for columns"
+            raise UsageError(f"a table of {count} answers is too long", hint)
 
 
 def refuse_bare(output: Output) -> None:
@@ -125,81 +137,113 @@ def refuse_bare(output: Output) -> None:
         raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
 
 
-def show(answers: Iterable[tuple[str, Answer]], asked: Asked, output: Output) -> None:
-    """Write the answers, or the numbers that were asked for; each answer with its case."""
+def show(
+    answers: Iterable[Answered],
+    asked: Asked,
+    output: Output,
+    inputs: Sequence[Sequence[Input]] = (),
+) -> None:
+    """Write the answers, or the results that were asked for; `inputs` are those of all answers."""
     if not asked.steps:
-        answers = ((case, answer._replace(steps=())) for case, answer in answers)
-    if asked.wanted:
-        refuse_format(output)
-        texts: list[str] = []
-        remarks: dict[tuple[Any, ...], Result] = {}
-        for _, answer in answers:
-            columns = [pick(answer.values, name) for name in asked.wanted]
-            is_part = any(is_array(value.given) for value in answer.values)
-            if not (is_part and texts) or any(map(is_array, columns)):
-                texts.append(lines(columns, output.style.precision))
-            steps = () if is_part and texts[1:] else answer.steps
-            said = result("", answer._replace(values=(), steps=steps))
-            remarks[said if said.steps else said[1:3]] = said
-        for text in texts:
-            stdio.write(text)
-        output.remark(list(remarks.values()))
-        return
-    refuse_bare(output)
-    output.show([result(case, answer) for case, answer in _spread(answers)])
+        answers = (one._replace(answer=one.answer._replace(steps=())) for one in answers)
+    if not asked.wanted:
+        refuse_bare(output)
+        output.show([result(one) for one in _spread(answers)])
+    elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
+        _show_columns(_picked(answers, asked.wanted), output, inputs)
+    else:
+        picked = _picked(_spread(answers), asked.wanted)
+        output.show([result(one, chosen) for one, chosen in picked])
 
 
-def _every(case: str, answer: Answer) -> list[tuple[str, Answer]]:
+def _are_arrays(inputs: Sequence[Sequence[Input]]) -> bool:
+    return any(is_array(one.value) for some in inputs for one in some)
+
+
+def _picked(
+    answers: Iterable[Answered], wanted: Sequence[str]
+) -> Iterator[tuple[Answered, list[Row]]]:
+    """Each answer with the results that were asked for, in the units of the first."""
+    for one in answers:
+        chosen = [pick(one.answer.values, name, one.case) for name in wanted]
+        wanted = [f"{row.name}:{row.unit}" for row in chosen]
+        yield one, chosen
+
+
+def _show_columns(
+    picked: Iterable[tuple[Answered, list[Row]]],
+    output: Output,
+    inputs: Sequence[Sequence[Input]],
+) -> None:
+    """Write numbers alone in plain text, or CSV of arrays."""
+    units: dict[str, str] = {}
+    if output.format == CSV:
+        from radcalc.render import csv
+
+        units = csv.units_of_varied(inputs)
+    texts: list[str] = []
+    remarks: dict[tuple[Any, ...], Result] = {}
+    for one, chosen in picked:
+        columns = [row.value for row in chosen]
+        is_part = any(is_array(value.given) for value in one.answer.values)
+        if output.format == CSV:
+            texts.append(csv.block(result(one, chosen), units, output.style, not texts))
+        elif not (is_part and texts) or any(map(is_array, columns)):
+            texts.append(arrays.lines(columns, output.style.precision))
+        steps = () if is_part and texts[1:] else one.answer.steps
+        said = result(one, ())._replace(steps=tuple(steps), inputs=())
+        remarks[said if said.steps else said[1:3]] = said
+    for text in texts:
+        stdio.write(text)
+    output.remark(list(remarks.values()))
+
+
+def _every(case: str, inputs: tuple[Input, ...], answer: Answer) -> list[Answered]:
     """The answer to a case, or all of them where several fit, each with its number."""
     if not answer.more:
-        return [(case, answer)]
+        return [Answered(case, inputs, answer)]
     of_case = f"{case}, " if case else ""
-    return [(f"{of_case}answer {k}", one) for k, one in enumerate((answer, *answer.more), start=1)]
+    return [
+        Answered(f"{of_case}answer {k}", inputs, one)
+        for k, one in enumerate((answer, *answer.more), start=1)
+    ]
 
 
-def lines(columns: Sequence[Any], precision: int | None) -> str:
-    """Numbers in tab-separated columns; of arrays a line for each element."""
-    arrays = [column for column in columns if is_array(column)]
-    if not arrays:
-        return "\t".join(number(column, precision) for column in columns) + "\n"
-    return formatted(columns, f"%.{precision or DIGITS}g", "\t")
-
-
-def formatted(columns: Sequence[Any], one: str, delimiter: str) -> str:
-    """A line for each element of arrays; `one` is the format of a number."""
-    count = max(len(column) for column in columns if is_array(column))
-    form = delimiter.join([one] * len(columns)) + "\n"
-    lists = [c.tolist() if is_array(c) else [c] * count for c in columns]
-    flat = lists[0] if len(lists) == 1 else [x for line in zip(*lists, strict=True) for x in line]
-    width = len(columns) * LINES
-    pieces = (flat[k : k + width] for k in range(0, len(flat), width))
-    return "".join([form * (len(part) // len(columns)) % tuple(part) for part in pieces])
-
-
-def _spread(answers: Iterable[tuple[str, Answer]]) -> list[tuple[str, Answer]]:
+def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
     """The answers, those of a long range one by one."""
-    found: list[tuple[str, Answer]] = []
-    for case, answer in answers:
+    for one in answers:
+        answer = one.answer
         shown = [value for value in answer.values if not value.is_absent]
         long = [v for v in shown if not isinstance(v.si, float) and is_array(v.si)]
         if not long:
-            found.append((case, answer))
+            yield one
             continue
         count = max(len(value.si) for value in long)
         given = next(value for value in long if value.given is not None)
         for k in range(count):
             name = f"{given.given[k]:.15g}{given.units[0]}"
             values = [element(value, k) for value in shown]
+            inputs = tuple(_element(told, k) for told in one.inputs)
             steps = answer.steps if k == 0 else ()
-            found.append((name, answer._replace(values=values, steps=steps)))
-    return found
+            yield Answered(name, inputs, answer._replace(values=values, steps=steps))
 
 
-def result(case: str, answer: Answer) -> Result:
-    """An answer as rows, with its case."""
+def _element(told: Input, k: int) -> Input:
+    """One element of an input that is an array, as it would be typed."""
+    if not is_array(told.value):
+        return told
+    number = float(told.value[k])
+    unit = told.unit if told.unit != "1" else ""
+    return told._replace(value=number, text=f"{number:.15g}{unit}")
+
+
+def result(one: Answered, chosen: Sequence[Row] | None = None) -> Result:
+    """An answer as rows: all of them, or those that are chosen."""
+    answer = one.answer
     return Result(
-        tuple(rows(answer.values, case)),
+        tuple(rows(answer.values, one.case) if chosen is None else chosen),
         tuple(answer.assumptions),
         tuple(answer.notes),
         tuple(answer.steps),
+        one.inputs,
     )

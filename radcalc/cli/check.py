@@ -1,10 +1,12 @@
 """--check and --tolerance: whether a number is the right answer."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import click
 
 from radcalc import stdio
+from radcalc.answer import Input, Row
 from radcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -37,11 +39,22 @@ def refuse_several(count: int) -> None:
         raise UsageError("--check takes one answer, and there are several", "one value a call")
 
 
-def judge(question: "Question", claim: str, tolerance: str | None, shown: "Output") -> int:
+def judge(
+    question: "Question",
+    claim: str,
+    tolerance: str | None,
+    shown: "Output",
+    inputs: Sequence[Input] = (),
+) -> int:
     """Say whether an answer is right, and what went wrong; return the exit status."""
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
     verdict = check(question, claim, tolerance)
-    shown.judge(Judgement(verdict, question.answer.assumptions, question.answer.notes))
+    answer = question.answer
+    right = next(one for one in answer.values if one.name == verdict.name)
+    name = right.also if question.plan else right.name
+    is_given = right.given is not None
+    row = Row(right.label, right.letter, verdict.right, verdict.unit, "", name, is_given)
+    shown.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
     return stdio.ANSWERED if verdict.is_right else stdio.WRONG

@@ -78,7 +78,7 @@ def define(
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         def call(**values: Any) -> Any:
-            shown = options.decide(**{key: values.pop(key) for key in OUTPUT_NAMES})
+            shown = options.decide(**{key: values.pop(key) for key in OUTPUT_NAMES}, command=name)
             typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
             given = {key: text for key, text in typed.items() if text not in (None, False)}
             if calculates:

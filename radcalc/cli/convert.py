@@ -6,16 +6,16 @@ from typing import Any
 import click
 
 from radcalc import stdio
-from radcalc.answer import Result, Row
+from radcalc.answer import Input, Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
 from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
-from radcalc.given import Given, read, values_of
+from radcalc.given import Given, inputs_of, read, values_of
 from radcalc.quantities.light import read as read_light
-from radcalc.units.amounts import read_operands
+from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
@@ -121,7 +121,8 @@ def command(
         for name, given in (("--steps", steps), ("--check", check)):
             if given:
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
-        shown.show([every_unit(value, source, typed, shown.style.bare)])
+        found = every_unit(value, source, typed, shown.style.bare)
+        shown.show([found._replace(inputs=inputs_of_conversion(amount, ()))])
         return stdio.ANSWERED
     target = target_of(target_text, source)
     if check is not None:
@@ -129,11 +130,24 @@ def command(
 
         checking.refuse_several(len(each))
         question = of_conversion(value, source, target, each[0][1], steps)
-        return checking.judge(question, check, tolerance, shown)
+        inputs = inputs_of_conversion(amount, each[0][1])
+        return checking.judge(question, check, tolerance, shown, inputs)
     number = f"{value:.12g}"
-    plans = [(case, plan(source, target, given, number)) for case, given in each]
-    shown.show([answer(made, value, case, steps) for case, made in plans])
+    plans = [(case, given, plan(source, target, given, number)) for case, given in each]
+    shown.show(
+        [
+            answer(made, value, case, steps, inputs_of_conversion(amount, given))
+            for case, given, made in plans
+        ]
+    )
     return stdio.ANSWERED
+
+
+def inputs_of_conversion(amount: Amount, conditions: Sequence[Given]) -> tuple[Input, ...]:
+    """The value and the conditions, as an answer tells them."""
+    unit = amount.unit.text if amount.unit else "1"
+    value = Input("value", amount.number, unit, amount.text)
+    return (value, *inputs_of({one.name: one for one in conditions}))
 
 
 def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
@@ -172,7 +186,7 @@ def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) 
         raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
     if number:
         raise UsageError("-n prints one number, and there is no target unit", "a TARGET unit")
-    from radcalc.quantities.light import name_of, symbol_of
+    from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
 
     targets = [source, *(resolve(text) for text in units_of(source) if text != source.text)]
@@ -184,5 +198,6 @@ def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) 
             converted = plan(source, target).apply(value)
         except ConversionError:
             continue  # beyond what a float holds in that unit
-        rows.append(Row(name_of(target), symbol_of(target), converted, target.text))
-    return Result(tuple(rows), notes=source.notes)
+        name = result_name(target)
+        rows.append(Row(name_of(target), symbol_of(target), converted, target.text, name=name))
+    return Result(tuple(rows), notes=source.notes, named=False)

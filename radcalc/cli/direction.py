@@ -1,11 +1,12 @@
 """`radcalc direction X Y Z`, by its angles, or by a mirror."""
 
+from radcalc.answer import Answer, texts_of
 from radcalc.calculators.direction import ANGLES, MIRRORS, ON_BALL, direction
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, option
-from radcalc.given import read_coordinates
+from radcalc.given import Inputs, read_coordinates
 
 
 @define(
@@ -43,9 +44,12 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
         raise UsageError("a direction is missing", "X Y Z, or --polar 45deg --azimuth 30deg")
     vector, unit = _read(coordinates) if words else (None, "")
     with_ball = any(map(asked.wants, ON_BALL))
-    return run(
-        each, lambda given: direction(given, vector, unit, with_ball), asked, shown, "direction"
-    )
+
+    def work_out(given: Inputs) -> Answer:
+        return direction(given, vector, unit, with_ball)
+
+    operands = texts_of({"vector": ",".join(coordinates)})
+    return run(each, work_out, asked, shown, "direction", operands=operands)
 
 
 def _read(coordinates: list[str]) -> tuple[tuple[float, float, float], str]:

@@ -5,6 +5,7 @@ from functools import partial
 
 import click
 
+from radcalc.answer import Answer, texts_of
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
 from radcalc.cli.calculator import Asked, cases, run
@@ -13,6 +14,7 @@ from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote_path
 from radcalc.geometry.sky import NAMES
+from radcalc.given import Inputs, inputs_of
 from radcalc.quantities.symbols import PROJECTIONS
 
 EXAMPLES = "radcalc environment map.hdr --unit cd/m2, or radcalc environment sky:overcast"
@@ -84,7 +86,8 @@ def command(
     """
     if not words:
         raise UsageError("a map, a sky or an expression is missing", EXAMPLES)
-    source = Source(" ".join(words))
+    operands = {"source": " ".join(words)}
+    source = Source(operands["source"])
     path = irradiance_map or reproject
     if path is None:
         for name, one, file in (
@@ -95,7 +98,11 @@ def command(
             if one:
                 raise UsageError(f"{name} has no use without {file}", f"{file} FILE with it")
         each = cases(typed)
-        return run(each, lambda given: environment(source, given), asked, shown, "environment")
+
+        def work_out(given: Inputs) -> Answer:
+            return environment(source, given)
+
+        return run(each, work_out, asked, shown, "environment", operands=texts_of(operands))
     for name in ("normal", "toward"):
         if name in typed:
             problem = f"--{name} has no use where a map is written"
@@ -109,14 +116,16 @@ def command(
         if to:
             raise UsageError("--to has no use with --irradiance-map", "the same without --to")
         make = partial(page.irradiance_map, source, given, 2 if order else None)
-        return write_map(path, "irradiance map", make, asked, shown)
+        inputs = texts_of({**operands, "irradiance-map": path, "order": order or ""})
+        return write_map(path, "irradiance map", make, asked, shown, (*inputs, *inputs_of(given)))
     if order:
         raise UsageError("--order has no use with --reproject", "the same without --order")
     if not to:
         ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
-    return write_map(path, "reprojection", make, asked, shown)
+    inputs = (*texts_of({**operands, "reproject": path, "to": to}), *inputs_of(given))
+    return write_map(path, "reprojection", make, asked, shown, inputs)
 
 
 def _refuse_source(path: str, source: str) -> None:

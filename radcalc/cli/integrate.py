@@ -2,6 +2,7 @@
 
 import click
 
+from radcalc.answer import texts_of
 from radcalc.calculators.integrate import BARE, integrand, integrate
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import define
@@ -48,4 +49,12 @@ def command(
     each = cases(typed, intervals=("polar", "azimuth"))
     text = " ".join(words)
     of = integrand(unit) if unit else BARE
-    return run(each, lambda given: integrate(text, given, of), asked, shown, "integrate")
+    operands = texts_of({"expression": text, "unit": unit or ""})
+    return run(
+        each,
+        lambda given: integrate(text, given, of),
+        asked,
+        shown,
+        "integrate",
+        operands=operands,
+    )

@@ -1,5 +1,6 @@
 """`radcalc lambertian [SHAPE]`."""
 
+from radcalc.answer import texts_of
 from radcalc.calculators.lambertian import QUANTITIES, lambertian
 from radcalc.calculators.shapes import SHAPES
 from radcalc.cli import calculator
@@ -75,4 +76,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     if len(words) > 1:
         raise UsageError(f"too many words: '{quote(' '.join(words[1:]))}'", "one shape")
     each = cases(typed, arrays=True)
-    return run(each, lambda given: lambertian(shape, given), asked, shown, "lambertian", shape)
+    operands = texts_of({"shape": shape})
+    return run(
+        each, lambda given: lambertian(shape, given), asked, shown, "lambertian", shape, operands
+    )

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from radcalc import stdio
+from radcalc.answer import Input
 from radcalc.calculators.results import pick
-from radcalc.cli.calculator import Asked, cases, refuse_bare, refuse_format, show
+from radcalc.cli.calculator import Answered, Asked, cases, refuse_bare, show
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote_path
 from radcalc.given import Inputs
@@ -26,14 +27,17 @@ def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
 
 
 def write_map(
-    path: str, task: str, make: Callable[..., "Made"], asked: Asked, shown: Output
+    path: str,
+    task: str,
+    make: Callable[..., "Made"],
+    asked: Asked,
+    shown: Output,
+    inputs: tuple[Input, ...],
 ) -> int:
     """Make a map, write it, and tell what it is; everything is checked before it is written."""
     from radcalc.distributions.maps.pictures import check_target, write_picture
 
-    if asked.wanted:
-        refuse_format(shown)
-    else:
+    if not asked.wanted:
         refuse_bare(shown)
     check_target(path)
     with progress(task, shown.style.remarks) as tick:
@@ -43,5 +47,5 @@ def write_map(
     lost = write_picture(path, made.picture)
     said = f"{quote_path(path)}: {made.what}"
     answer = made.answer._replace(notes=(*made.answer.notes, said, *lost))
-    show([("", answer)], asked, shown)
+    show([Answered("", inputs, answer)], asked, shown)
     return stdio.ANSWERED

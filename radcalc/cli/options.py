@@ -14,6 +14,7 @@ from radcalc.cli.spelling import spelled
 from radcalc.errors import UsageError
 from radcalc.quantities.language import ENGLISH, language
 from radcalc.render.formats import (
+    CSV,
     FORMATS,
     JSON,
     PLAIN,
@@ -29,10 +30,21 @@ WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
 
 
 class Output(NamedTuple):
-    """How an answer is to be shown, decided once."""
+    """How an answer is to be shown, decided once; `is_chosen` if the format was asked for."""
 
     format: str
     style: Style
+    is_chosen: bool = False
+
+    @property
+    def is_bare(self) -> bool:
+        """Whether `--get` prints bare numbers: in plain text, and unless a table is asked for."""
+        return self.format == PLAIN or (self.format == TABLE and not self.is_chosen)
+
+    @property
+    def has_columns(self) -> bool:
+        """Whether the results that `--get` asks for are columns, however many lines there are."""
+        return self.is_bare or self.format == CSV
 
     def show(self, results: Sequence[Result]) -> None:
         """Write the results to standard output, and remarks on them to standard error."""
@@ -121,20 +133,26 @@ STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
 
 
 def decide(
-    format_: str | None, json_: bool, number: bool, precision: int | None, color: str, quiet: bool
+    format_: str | None,
+    json_: bool,
+    number: bool,
+    precision: int | None,
+    color: str,
+    quiet: bool,
+    command: str = "",
 ) -> Output:
     """Choose the format from the options and from what standard output is."""
     if json_ and format_ not in (None, JSON):
         raise UsageError(f"--json and --format {format_} contradict each other", "one of them")
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number is plain text, and contradicts another format", "-n alone")
-    chosen = JSON if json_ else PLAIN if number else format_
+    asked = JSON if json_ else PLAIN if number else format_
     terminal = stdio.is_terminal()
-    if chosen is None:
-        chosen = TABLE if terminal else PLAIN
+    chosen = asked or (TABLE if terminal else PLAIN)
     spoken = language() if chosen == TABLE else ENGLISH
     colored = wants_color(color, terminal)
-    return Output(chosen, Style(precision, number, 80, colored, spoken, not quiet))
+    style = Style(precision, number, 80, colored, spoken, not quiet, command)
+    return Output(chosen, style, asked is not None)
 
 
 def wants_color(color: str, terminal: bool) -> bool:

@@ -2,6 +2,7 @@
 
 import click
 
+from radcalc.answer import texts_of
 from radcalc.cli.command import SEARCH, define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
@@ -57,4 +58,5 @@ def command(words: tuple[str, ...], lang: str | None, shown: Output) -> None:
         for q, _ in found
     ]
     notes = [f"{q.name(ENGLISH)}: {note}" for q, note in found if note]
-    shown.records(Records(rows, notes, table))
+    inputs = texts_of({"search": " ".join(words), "lang": lang or ""})
+    shown.records(Records(rows, notes, table, inputs=inputs))

@@ -7,24 +7,17 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import stdio
-from radcalc.answer import Answer
+from radcalc.answer import Answer, Input, Result, texts_of
 from radcalc.calculators.results import element, pick
-from radcalc.cli.calculator import (
-    Asked,
-    cases,
-    formatted,
-    lines,
-    refuse_bare,
-    refuse_format,
-    result,
-    run,
-)
+from radcalc.cli.calculator import Answered, Asked, cases, refuse_bare, result, run, show
 from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
 from radcalc.errors import command as call_of
-from radcalc.given import AS_GRID, IN_METRES, Given, Inputs, read_place
-from radcalc.render.formats import CSV
+from radcalc.given import AS_GRID, IN_METRES, Given, Inputs, inputs_of, read_place
+from radcalc.render import arrays
+from radcalc.render.formats import CSV, JSON
+from radcalc.units.ranges import MOST
 
 FEW = 12  # sources whose shares are shown unasked
 AT = click.Option(
@@ -90,6 +83,8 @@ def command(
     if len(each) > 1:
         raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
     given = each[0][1]
+    places = texts_of({"file": words[0], "at": " ".join(at)})
+    told = (*places, *inputs_of(given))
     points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
     names = [name.partition(":")[0].strip() for name in asked.wanted]
@@ -113,44 +108,82 @@ def command(
         return survey(given).over_all(points.blocks(), points.is_grid)
 
     by_points = shown.format == CSV or (bool(names) and not of_all)
-    if asked.check is None and by_points and not (names and points.size == 1):
-        return _stream(survey(given), points, asked, shown)
+    if asked.check is None and by_points and not of_all and points.size > 1:
+        if shown.has_columns:
+            return _stream(survey(given), told, points, asked, shown)
+        return _list(survey(given), told, points, asked, shown)
     if asked.check is None and not names and not points.is_grid and points.size > 1:
-        return _show(survey(given), points, shown)
-    return run([("", given)], work_out, asked, shown, "scene")
+        return _show(survey(given), told, points, shown)
+    links = tuple(one for one in told if one.name not in given)
+    return run([("", given)], work_out, asked, shown, "scene", operands=links)
 
 
-def _stream(survey: Any, points: "Points", asked: Asked, shown: Output) -> int:
+def _stream(
+    survey: Any, inputs: tuple[Input, ...], points: "Points", asked: Asked, shown: Output
+) -> int:
     """Write a line for each point, a block of them at a time."""
-    if asked.wanted:
-        refuse_format(shown)
-    form = f"%.{shown.style.precision}g" if shown.style.precision else "%r"
+    from radcalc.render import csv
+
     is_first = True
     for answer in survey.at_points(points.blocks()):
-        if asked.wanted:
-            columns = [pick(answer.values, name) for name in asked.wanted]
-            text = lines(columns, shown.style.precision)
+        wanted = asked.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
+        rows = [pick(answer.values, name) for name in wanted]
+        if shown.format == CSV:
+            at = _coordinates(answer)
+            units = {one.name: one.unit for one in at}
+            text = csv.block(Result(tuple(rows), inputs=at), units, shown.style, is_first)
         else:
-            names = [f"{value.name}:{unit}" for value in answer.values for unit in value.units]
-            text = formatted([pick(answer.values, name) for name in names], form, ",")
-            text = f"{','.join(names)}\n{text}" if is_first else text
+            text = arrays.lines([row.value for row in rows], shown.style.precision)
         stdio.pour(text.encode())
         is_first = False
-    shown.remark([result("", survey.remarks(points.is_grid))])
+    shown.remark([result(Answered("", inputs, survey.remarks(points.is_grid)))])
     return stdio.ANSWERED
 
 
-def _show(survey: Any, points: "Points", shown: Output) -> int:
+def _list(
+    survey: Any, inputs: tuple[Input, ...], points: "Points", asked: Asked, shown: Output
+) -> int:
+    """Write the results of each point that were asked for, as rows or objects."""
+    if points.size > MOST:
+        raise UsageError(f"a table of {points.size} points is too long", "--format csv")
+    each, _ = _each(survey, inputs, points)
+    show(each, asked, shown)
+    return stdio.ANSWERED
+
+
+def _show(survey: Any, inputs: tuple[Input, ...], points: "Points", shown: Output) -> int:
     """Write what each of a few points gets, and then what all of them do."""
     refuse_bare(shown)
-    (answer,) = survey.at_points(points.blocks())
-    each = [
-        (point, answer._replace(values=[element(value, k) for value in answer.values]))
-        for k, point in enumerate(points.names)
-    ]
-    shown.show([result(point, one._replace(assumptions=(), notes=())) for point, one in each])
-    shown.show([result("", survey.remarks(points.is_grid, with_values=True))])
+    each, over_all = _each(survey, inputs, points)
+    told = [result(one) for one in each]
+    if shown.format == JSON:
+        shown.show([*told, result(over_all)])
+    else:
+        shown.show([one._replace(assumptions=(), notes=()) for one in told])
+        shown.show([result(over_all)])
     return stdio.ANSWERED
+
+
+def _each(
+    survey: Any, inputs: tuple[Input, ...], points: "Points"
+) -> tuple[list[Answered], Answered]:
+    """The answer at each of the points, and over all of them."""
+    blocks = list(survey.at_points(points.blocks()))
+    over_all = survey.remarks(points.is_grid, with_values=True)
+    others = tuple(one for one in inputs if one.name not in ("at", "grid"))
+    each: list[Answered] = []
+    for block in blocks:
+        for k in range(len(block.values[0].si)):
+            answer = over_all._replace(values=[element(value, k) for value in block.values])
+            at = _coordinates(answer)
+            name = points.names[len(each)] if points.names else ",".join(f"{p.value:g}" for p in at)
+            each.append(Answered(name, (*others, *at), answer))
+    return each, Answered("", inputs, over_all)
+
+
+def _coordinates(answer: Answer) -> tuple[Input, ...]:
+    """The place of an answer, or the places of a block."""
+    return tuple(Input(one.name, one.si, one.units[0]) for one in answer.values[:3])
 
 
 class Points(NamedTuple):

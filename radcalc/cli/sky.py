@@ -2,6 +2,7 @@
 
 import click
 
+from radcalc.answer import texts_of
 from radcalc.calculators.sky import sky, sky_map
 from radcalc.cli.calculator import Asked, cases, run
 from radcalc.cli.command import LIGHT, define
@@ -9,6 +10,7 @@ from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote
 from radcalc.geometry.sky import NAMES
+from radcalc.given import inputs_of
 from radcalc.quantities.symbols import CHOICE
 
 SAVE = click.Option(
@@ -92,8 +94,10 @@ def command(
     name = words[0].lower() if words else "overcast"
     if save:
         given = one_case(typed, asked)
-        return write_map(save, "map", lambda progress: sky_map(name, given), asked, shown)
+        inputs = (*texts_of({"type": name, "save": save}), *inputs_of(given))
+        return write_map(save, "map", lambda progress: sky_map(name, given), asked, shown, inputs)
     if "size" in typed:
         raise UsageError("--size has no use without --save", "--save FILE with it")
     each = cases(typed, arrays=True)
-    return run(each, lambda given: sky(name, given), asked, shown, "sky", name)
+    operands = texts_of({"type": name})
+    return run(each, lambda given: sky(name, given), asked, shown, "sky", name, operands)

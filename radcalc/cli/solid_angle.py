@@ -1,6 +1,6 @@
 """`radcalc solid-angle SHAPE`."""
 
-from radcalc.answer import Answer
+from radcalc.answer import Answer, texts_of
 from radcalc.calculators.pixel import pixel
 from radcalc.calculators.solid_angle import ALIASES, NAMES, solid_angle
 from radcalc.cli import calculator
@@ -77,7 +77,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     def work_out(given: Inputs) -> Answer:
         return pixel(given) if shape == "pixel" else solid_angle(shape, given, points)
 
-    return run(each, work_out, asked, shown, "solid-angle", shape)
+    operands = texts_of({"shape": shape, "vertices": " ".join(words)})
+    return run(each, work_out, asked, shown, "solid-angle", shape, operands)
 
 
 def _shape(words: tuple[str, ...]) -> tuple[str, tuple[str, ...]]:

@@ -3,6 +3,7 @@
 import click
 
 from radcalc import stdio
+from radcalc.answer import texts_of
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.cli.calculator import Asked, run
 from radcalc.cli.command import define
@@ -72,4 +73,5 @@ def command(
         )
         for text in texts
     ]
-    return run(each, describe, asked, shown, "spectrum")
+    operands = texts_of({"column": column or ""})
+    return run(each, describe, asked, shown, "spectrum", operands=operands)

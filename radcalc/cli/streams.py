@@ -6,11 +6,12 @@ from typing import Any, NamedTuple
 import click
 
 from radcalc import stdio
+from radcalc.answer import Input
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import RadcalcError, UsageError, command
-from radcalc.given import Given
+from radcalc.given import Given, inputs_of
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
 from radcalc.units.amounts import read_stream_operands
@@ -121,11 +122,14 @@ def convert(
         unit = "" if shown.style.bare else blank + target.text
         texts = Quantities(planned, unit.encode(), shown.style.precision)
 
+    conditions = inputs_of({one.name: one for one in given})
+
     def record(line: int, field: int | None, made: Plan, value: float) -> str:
         from radcalc.render import json
 
         place = {"line": line, "field": field} if field else {"line": line}
-        return json.one(answer(made, value).spelled(spelled), shown.style, place)
+        inputs = (Input("value", value, made.source.text), *conditions)
+        return json.line(answer(made, value, inputs=inputs).spelled(spelled), shown.style, place)
 
     header = asked.header or (1 if asked.column is not None else 0)
     stream = Stream(texts, cut, fields, asked.column or "", header, record if as_json else None)

@@ -1,5 +1,6 @@
 """`radcalc typical [SEARCH]`: values for orientation, with their sources."""
 
+from radcalc.answer import texts_of
 from radcalc.cli.command import SEARCH, define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import translate
@@ -28,4 +29,5 @@ def command(words: tuple[str, ...], shown: Output) -> None:
     rows = [{field: getattr(value, field) for field in fields} for value in found]
     table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
     notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in found if v.note]
-    shown.records(Records(rows, notes, table, right=("value",)))
+    inputs = texts_of({"search": " ".join(words)})
+    shown.records(Records(rows, notes, table, right=("value",), inputs=inputs))

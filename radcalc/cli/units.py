@@ -1,5 +1,6 @@
 """`radcalc units [SEARCH]`: which units there are, what they are worth, and says who."""
 
+from radcalc.answer import texts_of
 from radcalc.cli.command import SEARCH, define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.errors import UnitError, nearest, quote
@@ -27,7 +28,8 @@ def command(
     rows = [e._asdict() for e in found]
     rows = [{"unit": row.pop("name"), **row} for row in rows]
     table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
-    shown.records(Records(rows, [e.note for e in found if e.note], table))
+    notes = [e.note for e in found if e.note]
+    shown.records(Records(rows, notes, table, inputs=texts_of({"search": " ".join(words)})))
 
 
 def _same_quantity(text: str) -> list[Entry]:

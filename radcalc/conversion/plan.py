@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from radcalc.answer import Result, Step
+    from radcalc.answer import Input, Result, Step
     from radcalc.conversion.conditions import Factor
     from radcalc.given import Given
 
@@ -157,18 +157,21 @@ def _beyond(source: Unit, target: Unit) -> ConversionError:
     )
 
 
-def answer(made: Plan, value: float, case: str = "", steps: bool = False) -> "Result":
-    """Convert one value and say everything about it."""
+def answer(
+    made: Plan, value: float, case: str = "", steps: bool = False, inputs: "tuple[Input, ...]" = ()
+) -> "Result":
+    """Convert one value and say everything about it; `inputs` are the value and the conditions."""
     from radcalc.answer import Result, Row
-    from radcalc.quantities.light import name_of, read, symbol_of
+    from radcalc.quantities.light import name_of, read, result_name, symbol_of
 
     unit = made.target
-    row = Row(name_of(unit), symbol_of(unit), made.apply(value), unit.text, case)
+    number = made.apply(value)
+    row = Row(name_of(unit), symbol_of(unit), number, unit.text, case, result_name(unit))
     derivation = tuple(derive(made, value)) if steps else ()
     notes = made.notes
     if value < 0 and read(made.source):
         notes += (f"a negative {name_of(made.source)} is a difference: no light is below 0",)
-    return Result((row,), made.assumptions, notes, derivation)
+    return Result((row,), made.assumptions, notes, derivation, inputs, named=False)
 
 
 def derive(made: Plan, value: float) -> "list[Step]":

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from radcalc.answer import Answer, Step, Value
 from radcalc.conversion.plan import Plan, derive, plan
 from radcalc.given import Given, Inputs
-from radcalc.quantities.light import name_of, symbol_of
+from radcalc.quantities.light import name_of, result_name, symbol_of
 from radcalc.units.table import Unit
 
 
@@ -54,7 +54,7 @@ def of_conversion(
             made.apply(value) * target.factor,
             (target.dimension,),
             (target.text,),
-            also=name.replace(" ", "-"),
+            also=result_name(target),
         )
         return Answer([result], made.assumptions, made.notes, derive(made, value) if steps else ())
 

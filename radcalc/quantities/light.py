@@ -208,6 +208,12 @@ def name_of(unit: Unit) -> str:
     return reading.name
 
 
+def result_name(unit: Unit) -> str:
+    """What the result of a conversion to a unit is called, as a calculator's with `--get`."""
+    name = name_of(unit).replace("(", "").replace(")", "")
+    return name.replace(" ", "-") or "value"
+
+
 def symbol_of(unit: Unit) -> str:
     """The symbol of the quantity that a unit measures, or ''."""
     reading = read(unit)

@@ -1,46 +1,73 @@
-"""CSV with a header: one row a value, or of several alike answers one row each."""
+"""CSV with a header: a line for each answer, a column NAME:UNIT for each of its numbers."""
 
 import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Result, columns
+from radcalc.answer import Input, Result, Row, varying
+from radcalc.render.arrays import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
+from radcalc.units.table import divide, resolve
 
 REMARKS_ARE_APART = True
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """All rows of all results under one header.
+    """The inputs that vary and the results of each answer on a line, under one header.
 
-    Several answers of a calculator have a column NAME:UNIT for each result, for plotting.
+    An answer that lacks a result of another has an empty cell for it.  Texts are left out where
+    numbers that were given tell the answers apart.
     """
-    if heads := columns(results):
-        lines = [[_number(row.value, style) for row in result.rows] for result in results]
-        return _write([f"{name}:{unit}" for name, unit in heads], lines)
-    rows = [row for result in results for row in result.rows]
-    with_cases = any(row.case for row in rows)
-    with_names = any(row.name for row in rows)
-    header = [*(["case"] if with_cases else []), *(["name"] if with_names else [])]
-    lines = [
-        [
-            *([row.case] if with_cases else []),
-            *([row.name] if with_names else []),
-            row.quantity,
-            row.symbol,
-            _number(row.value, style),
-            row.unit,
-        ]
-        for row in rows
-    ]
-    return _write([*header, "quantity", "symbol", "value", "unit"], lines)
+    units = units_of_varied([result.inputs for result in results])
+    given = [[row for row in result.rows if row.given] for result in results]
+    are_apart = len({tuple(row.value for row in rows) for rows in given}) == len(results)
+    units = {
+        name: unit
+        for name, unit in units.items()
+        if not (unit and all(any(_shows(row, name, unit) for row in rows) for rows in given))
+        and (unit or not are_apart)
+    }
+    lines = []
+    for result in results:
+        line = {head: _cell(value, style) for head, value in _inputs(result, units).items()}
+        for row in result.rows:
+            if not any(_shows(row, name) for name in units):
+                line[f"{row.name}:{row.unit}"] = _cell(row.value, style)
+        lines.append(line)
+    header = list(dict.fromkeys(head for line in lines for head in line))
+    return _write([header, *([line.get(head, "") for head in header] for line in lines)])
+
+
+def block(result: Result, units: Mapping[str, str], style: Style, with_header: bool) -> str:
+    """The lines of an answer whose inputs or results are arrays, as one part of many.
+
+    `units` are those of the inputs that vary in any part.
+    """
+    others = {
+        name: unit
+        for name, unit in units.items()
+        if not any(_shows(row, name) for row in result.rows)
+    }
+    columns = _inputs(result, others)
+    columns |= {f"{row.name}:{row.unit}": row.value for row in result.rows}
+    form = f"%.{style.precision}g" if style.precision else "%r"
+    cells = [_write([[x]])[:-1] if isinstance(x, str) else x for x in columns.values()]
+    return (_write([list(columns)]) if with_header else "") + formatted(cells, form, ",")
+
+
+def units_of_varied(inputs: Sequence[Sequence[Input]]) -> dict[str, str]:
+    """The inputs that vary, with the unit in which they are told; '' for a text."""
+    return {
+        name: _unit([next((one for one in some if one.name == name), None) for some in inputs])
+        for name in varying(inputs)
+    }
 
 
 def records(records: Records, style: Style) -> str:
     """The rows under their names."""
-    return _write(list(records.rows[0]), fields(records))
+    return _write([list(records.rows[0]), *fields(records)])
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
@@ -49,11 +76,44 @@ def verdict(judgement: Judgement, style: Style) -> str:
     return ""
 
 
-def _write(header: Sequence[str], lines: Iterable[Sequence[Any]]) -> str:
+def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
+    """The inputs of some names by their heads, as numbers in their units or as texts."""
+    return {
+        f"{one.name}:{unit}" if unit else one.name: _in(one, unit) if unit else one.text
+        for one in result.inputs
+        if (unit := units.get(one.name)) is not None
+    }
+
+
+def _shows(row: Row, name: str, unit: str = "") -> bool:
+    """Whether a row has what was given under a name, in a unit or in any."""
+    is_named = name in (row.name, row.quantity.replace(" ", "-"))
+    return row.given and is_named and unit in ("", row.unit)
+
+
+def _unit(cells: Sequence[Input | None]) -> str:
+    """The unit of the first of several quantities; '' where they are not all of its dimension."""
+    units = {one.unit if one else "" for one in cells}
+    if "" in units or len({resolve(unit).dimension for unit in units}) > 1:
+        return ""
+    return cells[0].unit if cells[0] else ""
+
+
+def _in(one: Input, text: str) -> Any:
+    """The number of an input in another unit of its quantity."""
+    if one.unit == text:
+        return one.value
+    unit, target = resolve(one.unit), resolve(text)
+    return one.value * divide(unit.top * target.bottom, unit.bottom * target.top)
+
+
+def _write(lines: Iterable[Sequence[Any]]) -> str:
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([header, *lines])
+    csv.writer(text, lineterminator="\n").writerows(lines)
     return text.getvalue()
 
 
-def _number(value: float, style: Style) -> str:
-    return number(value, style.precision) if style.precision else repr(value)
+def _cell(value: Any, style: Style) -> str:
+    if isinstance(value, str):
+        return value
+    return number(value, style.precision) if style.precision else repr(float(value))

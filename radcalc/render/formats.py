@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from radcalc.answer import Result
+from radcalc.answer import Input, Result, Row
 from radcalc.quantities.language import ENGLISH
 
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
@@ -17,7 +17,10 @@ FORMATS = (TABLE, PLAIN, JSON, CSV)
 
 
 class Style(NamedTuple):
-    """How a text is to look: digits, bare numbers, width, colour, language, with remarks or not."""
+    """How a text is to look: digits, bare numbers, width, colour, language, with remarks or not.
+
+    `command` is the one that answers.
+    """
 
     precision: int | None = None
     bare: bool = False
@@ -25,24 +28,29 @@ class Style(NamedTuple):
     color: bool = False
     language: str = ENGLISH
     remarks: bool = True
+    command: str = ""
 
 
 class Records(NamedTuple):
     """Rows of named fields; a table has its own, and the notes below it, not beside.
 
     A field may be a list of texts, which JSON keeps; elsewhere they are parted by commas.
+    `inputs` are what was looked for.
     """
 
     rows: Sequence[Mapping[str, Any]]
     notes: Sequence[str]
     table: Sequence[Mapping[str, str]]
     right: Sequence[str] = ()
+    inputs: Sequence[Input] = ()
 
 
 class Judgement(NamedTuple):
-    """What is said of an answer, and what was assumed and noted in working out the right one."""
+    """What is said of an answer; the right one, from what it follows, and what was assumed."""
 
     verdict: Any
+    right: Row
+    inputs: Sequence[Input]
     assumptions: Sequence[str]
     notes: Sequence[str]
 

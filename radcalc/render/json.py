@@ -1,10 +1,14 @@
-"""Strict JSON at full precision: a conversion is one flat object, a calculator has results."""
+"""Strict JSON at full precision, in one schema for every command.
+
+An answer is one object: the command, its inputs and results by their names, what was assumed and
+noted, the derivation, and what is said of a claim.  Several answers are an array of objects.
+"""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Result, Row, Step
+from radcalc.answer import Input, Result, Row, Step
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import number
 
@@ -12,70 +16,92 @@ REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """One object for each answer, on a line of its own."""
-    return "".join(one(result, style) for result in results)
+    """One object, or of several answers an array with one on each line."""
+    objects = [_text(_of_result(result, style)) for result in results]
+    together = ",\n".join(objects)
+    return f"{together}\n" if len(objects) == 1 else f"[{together}]\n"
 
 
-def one(result: Result, style: Style, place: dict[str, int] | None = None) -> str:
-    """One object, on one line; several values of one answer are its `results`.
-
-    In a stream it begins with its `place`: the line, and the field.
-    """
-    rows = [_row(row, style) for row in result.rows]
-    flat = len(rows) == 1 and not result.rows[0].name
-    answer: dict[str, Any] = rows[0] if flat else {"results": rows}
-    answer["assumptions"] = list(result.assumptions)
-    answer["notes"] = list(result.notes)
-    answer["steps"] = _steps(result.steps)
-    return _line({**(place or {}), **answer})
+def line(result: Result, style: Style, place: dict[str, int]) -> str:
+    """One object of a stream, on a line: it begins with its `place`, the line and the field."""
+    return f"{_text({**place, **_of_result(result, style)})}\n"
 
 
 def records(records: Records, style: Style) -> str:
-    """All rows in one array."""
-    return _line(list(records.rows))
+    """One object, whose `records` are the rows."""
+    told = _object(style, records.inputs, notes=records.notes)
+    return f"{_text({**told, 'records': list(records.rows)})}\n"
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
-    """The judgement for programs."""
-    said = judgement.verdict
-    return _line(
-        {
-            "right": said.is_right,
-            "name": said.name,
-            "unit": said.unit,
-            "value": _rounded(said.right, style),
-            "claimed": said.claimed,
-            "claimed-unit": said.claimed_unit,
-            "ratio": None if said.ratio is None else _rounded(said.ratio, style),
-            "tolerance": said.tolerance,
-            "diagnoses": [diagnosis._asdict() for diagnosis in said.diagnoses],
-            "assumptions": list(judgement.assumptions),
-            "notes": list(judgement.notes),
-            "steps": _steps(said.steps),
-        }
+    """One object, whose `check` is the judgement; its result is the right value."""
+    said, right = judgement.verdict, judgement.right
+    check = {
+        "right": said.is_right,
+        "name": right.name,
+        "value": _rounded(said.right, style),
+        "unit": said.unit,
+        "claimed": said.claimed,
+        "claimed_unit": said.claimed_unit,
+        "ratio": None if said.ratio is None else _rounded(said.ratio, style),
+        "tolerance": said.tolerance,
+        "diagnoses": [diagnosis._asdict() for diagnosis in said.diagnoses],
+    }
+    remarks = judgement.assumptions, judgement.notes
+    told = _object(style, judgement.inputs, [right], *remarks, said.steps, check)
+    return f"{_text(told)}\n"
+
+
+def _of_result(result: Result, style: Style) -> dict[str, Any]:
+    return _object(
+        style, result.inputs, result.rows, result.assumptions, result.notes, result.steps
     )
 
 
-def _line(data: Any) -> str:
-    return json.dumps(data, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def _steps(derivation: Sequence[Step]) -> list[dict[str, str]]:
-    return [step._asdict() for step in derivation]
-
-
-def _row(row: Row, style: Style) -> dict[str, Any]:
-    fields: dict[str, Any] = {
-        "quantity": row.quantity,
-        "symbol": row.symbol,
-        "value": _rounded(row.value, style),
-        "unit": row.unit,
+def _object(
+    style: Style,
+    inputs: Iterable[Input],
+    rows: Iterable[Row] = (),
+    assumptions: Iterable[str] = (),
+    notes: Iterable[str] = (),
+    steps: Iterable[Step] = (),
+    check: Mapping[str, Any] | None = None,
+) -> dict[str, Any]:
+    """What every answer has."""
+    return {
+        "command": style.command,
+        "inputs": {one.name: _input(one) for one in inputs},
+        "results": _results(rows, style),
+        "assumptions": list(assumptions),
+        "notes": list(notes),
+        "steps": [step._asdict() for step in steps],
+        "check": check,
     }
-    if row.name:
-        fields = {"name": row.name, **fields}
-    if row.given:
-        fields["given"] = True
-    return {"case": row.case, **fields} if row.case else fields
+
+
+def _input(one: Input) -> dict[str, Any]:
+    """A quantity as its number and unit, with the text if there was one; else a text or true."""
+    if one.is_quantity:
+        told = {"value": one.value, "unit": one.unit}
+        return {**told, "text": one.text} if one.text else told
+    return {"text": one.text} if one.value is None else {"value": one.value}
+
+
+def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
+    """The results by their names; what is shown in more than one unit has the others in `also`."""
+    found: dict[str, Any] = {}
+    for row in rows:
+        amount = {"value": _rounded(row.value, style), "unit": row.unit}
+        if row.name in found:
+            found[row.name].setdefault("also", []).append(amount)
+        else:
+            about = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}
+            found[row.name] = {**amount, **about}
+    return found
+
+
+def _text(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, allow_nan=False)
 
 
 def _rounded(value: Any, style: Style) -> Any:

@@ -26,7 +26,7 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
     """All rows of all results, a line each; a calculator's begin with their names."""
     return "".join(
         [
-            (f"{row.name}\t" if row.name and not style.bare else "")
+            (f"{row.name}\t" if result.named and not style.bare else "")
             + line(row.value, row.unit, style.precision, style.bare)
             for result in results
             for row in result.rows

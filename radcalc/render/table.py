@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from radcalc.answer import Result, Row, columns
+from radcalc.answer import Result, Row
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
@@ -85,14 +85,15 @@ def _wide(
     results: Sequence[Result], precision: int | None, language: str
 ) -> list[list[str]] | None:
     """Several alike answers, a line each, under a line of their quantities and units."""
-    if not columns(results):
+    heads = [[(row.name, row.unit) for row in result.rows] for result in results]
+    if len(results) < 2 or not results[0].named or any(head != heads[0] for head in heads):
         return None
-    heads = []
+    titles = []
     for row in results[0].rows:
         unit = "" if row.unit == "1" else f" [{row.unit}]"
-        heads.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
+        titles.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
     digits = precision or DIGITS
-    return [heads, *([number(row.value, digits) for row in r.rows] for r in results)]
+    return [titles, *([number(row.value, digits) for row in r.rows] for r in results)]
 
 
 def draw(

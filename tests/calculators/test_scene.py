@@ -2,13 +2,13 @@
 
 import csv
 import io
-import json
 import math
 import sys
 
 import numpy
 import pytest
 from conftest import python, run
+from helpers import answers
 
 import radcalc
 from radcalc import Quantity
@@ -231,18 +231,16 @@ def test_a_grid_of_four_lamps_is_symmetric_and_its_figures_are_those_of_its_rows
 
 def test_several_points_have_a_row_each_and_their_figures(tmp_path):
     done = scene(tmp_path, LAMPS, "--at", "0,0,0", "--at", "2m,0m,100cm", "-q", "--json")
-    first, second, told = (json.loads(line) for line in done.stdout.splitlines())
-    value = {row["name"]: row["value"] for row in told["results"]}
-    lights = [
-        next(row["value"] for row in one["results"] if row["name"] == "irradiance")
-        for one in (first, second)
-    ]
+    first, second, told = answers(done.stdout)
+    value = {name: row["value"] for name, row in told["results"].items()}
+    lights = [one["results"]["irradiance"]["value"] for one in (first, second)]
     # 100*3/13^1.5 + 200*9/13^2; 100*2/20^1.5 + 200/4
     expected = [300 / 13**1.5 + 1800 / 169, 200 / 20**1.5 + 50]
     assert lights == pytest.approx(expected)
     assert value["mean-irradiance"] == pytest.approx(sum(expected) / 2)
     assert value["uniformity"] == pytest.approx(2 * min(expected) / sum(expected))
-    assert first["results"][0]["case"] == "0,0,0"
+    assert [second["inputs"][axis]["value"] for axis in "xyz"] == [2, 0, 1]
+    assert [second["results"][axis]["value"] for axis in "xyz"] == [2, 0, 1]
 
 
 def test_kinds_are_linked_and_shown(tmp_path):

@@ -97,11 +97,14 @@ def test_json_says_right_ratio_and_diagnoses(said, words, claim, is_right, first
     found = said(words, "--check", claim, "--json")
     assert found.status == (0 if is_right else 1)
     assert found.err == ""
-    one = json.loads(found.out)
+    answer = json.loads(found.out)
+    one = answer["check"]
     assert one["right"] is is_right
-    assert {"right", "name", "unit", "value", "claimed", "ratio", "tolerance", "diagnoses",
-            "assumptions", "notes", "steps"} <= set(one)  # fmt: skip
-    assert one["steps"] == []
+    assert {"right", "name", "unit", "value", "claimed", "claimed_unit", "ratio", "tolerance",
+            "diagnoses"} == set(one)  # fmt: skip
+    assert answer["steps"] == []
+    result = answer["results"][one["name"]]
+    assert (result["value"], result["unit"]) == (one["value"], one["unit"])
     assert one["claimed"] == read_claim(claim).value
     if first == "wrong-unit":
         assert one["ratio"] is None  # of two quantities there is none
@@ -113,7 +116,7 @@ def test_json_says_right_ratio_and_diagnoses(said, words, claim, is_right, first
         assert set(diagnosis) >= {"mistake", "done", "right"}
         assert all(diagnosis[key] for key in ("mistake", "done", "right"))
     assert (one["diagnoses"][0]["mistake"] if one["diagnoses"] else None) == first
-    assert found.out == json.dumps(one, ensure_ascii=False) + "\n"
+    assert found.out == json.dumps(answer, ensure_ascii=False) + "\n"
 
 
 def test_words_say_right_or_wrong_and_what_would_be_right(said):

@@ -120,7 +120,7 @@ def test_conditions_work_and_what_they_assume_is_said_once():
 def test_json_is_one_object_a_number():
     done = convert(b"# c\n100,x,1\n2,x,3\n", "lx", "fc", "-d", ",", "--field", "1,3", "--json")
     found = [json.loads(line) for line in done.stdout.splitlines()]
-    assert [(o["line"], o["field"], o["value"]) for o in found] == [
+    assert [(o["line"], o["field"], o["results"]["illuminance"]["value"]) for o in found] == [
         (2, 1, 9.290304),
         (2, 3, 0.09290304),
         (3, 1, 0.18580608),
@@ -131,10 +131,14 @@ def test_json_is_one_object_a_number():
             [entry_point(), "convert", "2", "lx", "fc", "--json"], capture_output=True
         ).stdout
     )
+    assert alone["inputs"]["value"].pop("text") == "2 lx"  # a stream's is in its line
     assert {**alone, "line": 3, "field": 1} == found[2]
     done = convert(b"2 W\nx\n\n1 W", "lm", "--efficacy", "93lm/W", "--json", "--invalid", "warn")
     found = [json.loads(line) for line in done.stdout.splitlines()]
-    assert [(o["line"], o["value"]) for o in found] == [(1, 186), (4, 93)]
+    assert [(o["line"], o["results"]["luminous-flux"]["value"]) for o in found] == [
+        (1, 186),
+        (4, 93),
+    ]
     assert "field" not in found[0]
     assert found[0]["assumptions"] == ["an efficacy of 93lm/W, as given"]
     assert done.stderr == b"radcalc: stdin, line 2: 'x' is not a number\n"

@@ -139,7 +139,7 @@ def test_what_is_not_found_is_refused_with_a_hint(text):
 
 
 def test_the_formats():
-    (entry,) = json.loads(run("typical", "starlight", "--json").stdout)
+    (entry,) = json.loads(run("typical", "starlight", "--json").stdout)["records"]
     assert (entry["low"], entry["high"], entry["unit"]) == (0.0002, 0.002, "lx")
     lines = run("typical", "sr", "--format", "csv").stdout.splitlines()
     assert lines[0] == "what,quantity,value,unit,source,note,low,high"
