@@ -49,6 +49,7 @@ class Row(NamedTuple):
     case: str = ""
     name: str = ""
     given: bool = False
+    uncertainty: float = 0.0  # the standard one, in the unit
 
 
 class Result(NamedTuple):

@@ -18,7 +18,7 @@ from radcalc.errors import (
     spell,
 )
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_place
-from radcalc.maths import LARGEST, is_array
+from radcalc.maths import LARGEST, is_array, is_uncertain
 from radcalc.quantities.symbols import (
     DIRECTION,
     FLAG,
@@ -29,6 +29,7 @@ from radcalc.quantities.symbols import (
     SYMBOLS,
     VECTOR,
 )
+from radcalc.units.amounts import Amount
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import real
@@ -49,6 +50,9 @@ FUNCTIONS = (
     "ev",
     "calorimeter",
 )
+
+
+ONE_EACH = "one value of each, or without the uncertainty"
 
 
 class Python:
@@ -151,8 +155,11 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     >>> print(convert("800 lm", "cd", half_angle="60deg").round(3))
     254.648 candela
     """
-    made, magnitude = _plan(value, target, conditions)
-    found = _broadcast(lambda: made.apply(magnitude))
+    made, magnitude, given = _plan(value, target, conditions)
+    if is_uncertain(magnitude) or any(one.uncertainty for one in given):
+        found = _converted(made, magnitude, given).number
+    else:
+        found = _broadcast(lambda: made.apply(magnitude))
     return Quantity(found, light_registry().container(made.target))
 
 
@@ -182,8 +189,14 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     """
     if any(getattr(one, "shape", ()) for one in (value, *conditions.values())):
         raise ConditionError("explain takes single values, not arrays", "one of each")
-    made, magnitude = _plan(value, target, conditions)
-    return answer(made, float(magnitude), steps=True).spelled(_in_words)
+    made, magnitude, given = _plan(value, target, conditions)
+    number = float(getattr(magnitude, "nominal_value", magnitude))
+    shown = answer(made, number, steps=True)
+    if is_uncertain(magnitude) or any(one.uncertainty for one in given):
+        from radcalc.calculators.uncertainty import of_conversion
+
+        shown = of_conversion(shown, _converted(made, magnitude, given))
+    return shown.spelled(_in_words)
 
 
 @in_python
@@ -225,7 +238,7 @@ def point_source(
     from radcalc.calculators.point_source import point_source as work_out
 
     inputs = _inputs({"distribution": distribution, **given})
-    return _results(lambda: work_out(inputs, any_incidence))
+    return _results(lambda given: work_out(given, any_incidence), inputs)
 
 
 @in_python
@@ -281,7 +294,7 @@ def scene(
     from radcalc.distributions.scene import blocks
     from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
-    inputs = _inputs(links)
+    inputs = _certain(_inputs(links), "a scene")
     refuse_foreign(inputs, (*LINKS, *REFINEMENTS), "a scene")
     for one in inputs.values():
         if is_array(one.value):
@@ -346,7 +359,7 @@ def environment(source: Any, **given: Any) -> dict[str, Any]:
     from radcalc.calculators.environment import environment as work_out
 
     named, given = _surroundings(source, given)
-    return _results(lambda: work_out(named, _inputs(given)))
+    return _results(lambda inputs: work_out(named, inputs), _inputs(given))
 
 
 @in_python
@@ -386,7 +399,8 @@ def irradiance_map(source: Any, size: Any = None, *, order: int | None = None, *
     from radcalc.calculators.environment import irradiance_map as work_out
 
     named, given = _surroundings(source, given)
-    made = work_out(named, _inputs({**given, "size": size}), order)
+    inputs = _certain(_inputs({**given, "size": size}), "a map")
+    made = work_out(named, inputs, order)
     return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
 
 
@@ -425,7 +439,7 @@ def reproject(source: Any, to: str, size: Any = None, **given: Any) -> Any:
     if to not in PROJECTIONS:
         raise ConditionError(f"there is no projection '{quote(str(to))}'", ", ".join(PROJECTIONS))
     named, given = _surroundings(source, given)
-    made = work_out(named, _inputs({**given, "size": size}), to)
+    made = work_out(named, _certain(_inputs({**given, "size": size}), "a map"), to)
     return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
 
 
@@ -491,7 +505,7 @@ def lambertian(
     if not isinstance(shape, str) or shape not in SHAPES:
         raise ConditionError(f"there is no shape '{quote(str(shape))}'", ", ".join(SHAPES))
     inputs = _inputs({"corner": corner, "perpendicular": perpendicular, **given})
-    return _results(lambda: work_out(shape, inputs))
+    return _results(lambda given: work_out(shape, given), inputs)
 
 
 @in_python
@@ -530,7 +544,7 @@ def uberlight(point: Any, *, omni: bool = False, **given: Any) -> dict[str, Any]
 
     place = _place(point)
     inputs = {**_inputs({"omni": omni, **given}), place.name: place}
-    return _results(lambda: work_out(inputs))
+    return _results(work_out, inputs)
 
 
 def _place(point: Any) -> Given:
@@ -586,7 +600,7 @@ def sky(kind: str | int = "overcast", **given: Any) -> dict[str, Any]:
     from radcalc.calculators.sky import sky as work_out
 
     inputs = _inputs(given)
-    return _results(lambda: work_out(str(kind), inputs))
+    return _results(lambda given: work_out(str(kind), given), inputs)
 
 
 @in_python
@@ -616,7 +630,7 @@ def ev(**given: Any) -> dict[str, Any]:
     from radcalc.calculators.ev import ev as work_out
 
     inputs = _inputs(given)
-    return _results(lambda: work_out(inputs))
+    return _results(work_out, inputs)
 
 
 @in_python
@@ -646,7 +660,7 @@ def calorimeter(**given: Any) -> dict[str, Any]:
     from radcalc.calculators.calorimeter import calorimeter as work_out
 
     inputs = _inputs(given)
-    return _results(lambda: work_out(inputs))
+    return _results(work_out, inputs)
 
 
 def _inputs(given: dict[str, Any]) -> Inputs:
@@ -657,6 +671,14 @@ def _inputs(given: dict[str, Any]) -> Inputs:
         for keyword, value in given.items()
         if (one := _given(keyword, value, known, "input")) and (name := one.name)
     }
+
+
+def _certain(given: Inputs, what: str) -> Inputs:
+    """Inputs without uncertainties."""
+    from radcalc.calculators.uncertainty import refuse
+
+    refuse(given.values(), what)
+    return given
 
 
 def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
@@ -676,7 +698,7 @@ def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
             f"{one.magnitude} {from_container(one._units).text}" if _is_quantity(one) else str(one)
             for one in value
         )
-    return read(name, _plain(value))
+    return read(name, _plain(value), uncertain=True)
 
 
 def _plain(value: Any) -> Any:
@@ -694,9 +716,11 @@ def _broadcast(work_out: Callable[[], T]) -> T:
         raise ConditionError("the arrays do not fit together", "arrays of one shape") from None
 
 
-def _results(work_out: Callable[[], Answer]) -> dict[str, Any]:
+def _results(work_out: Callable[[Inputs], Answer], given: Inputs) -> dict[str, Any]:
     """The results as quantities, each in the first unit it is shown in."""
-    answer = _broadcast(work_out)
+    from radcalc.calculators.uncertainty import with_uncertainties
+
+    answer = _broadcast(lambda: with_uncertainties(work_out, given))
     answers = [_quantities(one) for one in (answer, *answer.more)]
     if len(answers) == 1:
         return answers[0]
@@ -715,8 +739,22 @@ def _quantities(answer: Answer) -> dict[str, Any]:
     return found
 
 
-def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any]:
-    """The plan that both need, and the magnitude to apply it to."""
+def _converted(made: Plan, magnitude: Any, given: list[Given]) -> Any:
+    """A magnitude through a plan, where it or a condition is uncertain."""
+    from radcalc.calculators.uncertainty import converted
+
+    amount = Amount("the value", magnitude, made.source)
+    of = None
+    if is_uncertain(magnitude):
+        number, size = magnitude.nominal_value, magnitude.std_dev
+        amount, of = Amount(str(magnitude), number, made.source, size), magnitude
+    elif is_array(magnitude):
+        raise ConditionError("an array stands beside an uncertain condition", ONE_EACH)
+    return converted(made, amount, given, of)
+
+
+def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any, list[Given]]:
+    """The plan that both need, the magnitude to apply it to, and the conditions."""
     if not isinstance(target, str):
         raise UnitError(
             f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
@@ -724,15 +762,20 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     if isinstance(value, str):
         value = light_registry().parse_expression(value)
     elif not _is_quantity(value):
-        value = Quantity(real(value, "the value", "a text, a quantity or numbers"), "1")
-    given = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
+        if not is_uncertain(value):
+            value = real(value, "the value", "a text, a quantity or numbers")
+        value = Quantity(value, "1")
+    read = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
+    given = [one for one in read if one]
     source = from_container(value._units)
-    made = plan(source, target_of(target, source), [g for g in given if g])
+    made = plan(source, target_of(target, source), given)
     magnitude = value.magnitude
+    if is_uncertain(magnitude):
+        return made, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
     if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
         magnitude = real(magnitude, "the value", "real numbers")
-    return made, magnitude
+    return made, magnitude, given
 
 
 def _is_quantity(value: Any) -> bool:

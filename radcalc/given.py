@@ -55,7 +55,8 @@ class Given(NamedTuple):
     """A value that was given: the symbol, the text as typed, the value in SI units.
 
     `number` and `unit` are those typed; `is_exact` where no text was, but a number of Python's.
-    `uncertainty` is the standard uncertainty in SI units; `assumptions` say how it was read.
+    `uncertainty` is the standard uncertainty in SI units, and `variable` the number with it where
+    it is one of Python's `uncertainties`; `assumptions` say how it was read.
     """
 
     symbol: Symbol
@@ -67,6 +68,7 @@ class Given(NamedTuple):
     is_exact: bool = False
     uncertainty: float = 0.0
     assumptions: tuple[str, ...] = ()
+    variable: Any = None
 
     @property
     def name(self) -> str:
@@ -81,7 +83,11 @@ class Given(NamedTuple):
     @property
     def rounding(self) -> float:
         """How far the value may be off as typed, relative to it."""
-        return 0.0 if self.is_exact else rounding(self.text)
+        if self.is_exact:
+            return 0.0
+        if self.uncertainty:
+            return abs(self.uncertainty / self.value) if self.value else 0.0
+        return rounding(self.text)
 
 
 Inputs = dict[str, Given]
@@ -123,24 +129,41 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     return read_series(text)
 
 
-def read(name: str, value: Any) -> Given:
+def read(name: str, value: Any, uncertain: bool = False) -> Given:
     """Read what was given for a symbol of the vocabulary.
 
     `value` is a text as on the command line, True for a flag, a number, or a number (or an
-    array) with a `Unit`, and with a text if that says it better.
+    array) with a `Unit`, and with a text if that says it better.  It may be `uncertain` where
+    the caller carries that.
     """
-    return read_as(SYMBOLS[name], value)
+    return read_as(SYMBOLS[name], value, uncertain)
 
 
-def read_as(symbol: Symbol, value: Any) -> Given:
+def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Given:
     """Read what was given for a symbol, which may stand in no table."""
     reader = _READERS.get(symbol.form)
-    return reader(symbol, value) if reader else _read_quantity(symbol, value)
+    given = reader(symbol, value) if reader else _read_quantity(symbol, value)
+    if given.uncertainty and not uncertain:
+        problem = f"{option(symbol.name, quote(given.text))} has an uncertainty"
+        raise ConditionError(f"{problem}, which is of no use here", "the value alone")
+    return given
+
+
+def moved(given: Given, value: float) -> Given:
+    """The same with another value [SI], within its limits."""
+    number = given.number + (value - given.value) * (
+        divide(given.unit.bottom, given.unit.top) if given.unit else 1
+    )
+    one = given._replace(
+        text=f"{number!r}{given.unit_text if given.unit else ''}", value=value, number=number
+    )
+    hold(one, given.symbol.limits)
+    return one
 
 
 def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
-    uncertainty = 0.0
+    uncertainty, variable = 0.0, None
     assumptions: tuple[str, ...] = ()
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
@@ -151,9 +174,13 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         uncertainty, assumptions = amount.uncertainty, amount.assumptions
     elif _has_unit(value):
         number, unit, *said = value
+        if maths.is_uncertain(number):
+            variable, number, uncertainty = number, number.nominal_value, number.std_dev
         number = real(number, option(name), option(name, symbol.example))
         text = said[0] if said else f"{format_number(number)} {unit.text}"
     else:
+        if maths.is_uncertain(value):
+            variable, value, uncertainty = value, value.nominal_value, value.std_dev
         number, unit = real(value, option(name), option(name, symbol.example)), None
         text = format_number(number)
     dimension = unit.dimension if unit else NUMBER
@@ -181,6 +208,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         not isinstance(value, str),
         uncertainty * unit.factor if unit else uncertainty,
         assumptions,
+        variable,
     )
     hold(given, symbol.limits)
     return given

@@ -24,6 +24,11 @@ def is_array(x: Any) -> bool:
     return hasattr(x, "dtype") and not isinstance(x, float)
 
 
+def is_uncertain(x: Any) -> bool:
+    """Whether x is a number of the `uncertainties` package."""
+    return hasattr(x, "std_dev")
+
+
 def is_column(x: Any) -> bool:
     """Whether x is an array of elements, and no single number."""
     return is_array(x) and x.ndim > 0

@@ -24,6 +24,7 @@ KEEPERS = {
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.compile",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
+    "uncertainties": ("radcalc.units.uncertain",),
     "numpy": (
         "radcalc.maths",
         "radcalc.units.ranges",
@@ -168,7 +169,7 @@ def test_the_vocabulary_has_the_names_of_observers_and_distributions():
     assert tuple(point.LAWS) == DISTRIBUTIONS == (point.ISOTROPIC, point.CONICAL, point.LOBED)
 
 
-HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy"}
+HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy", "uncertainties"}
 SLOW = {"re", "dataclasses", "typing", "json", "enum", "collections", "functools", "inspect"}
 PROBE = """
 import os, sys

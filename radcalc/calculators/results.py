@@ -8,7 +8,7 @@ from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
 from radcalc.given import Given
-from radcalc.maths import is_array, is_column, is_lost
+from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
@@ -96,6 +96,9 @@ def held(name: str, number: Any, of: Any = None) -> Any:
 
     It is too small where it has lost digits, or is 0 and what it is a multiple `of` is not.
     """
+    if is_uncertain(number):
+        held(name, number.nominal_value, getattr(of, "nominal_value", of))
+        return number
     if is_lost(number, number if of is None else of):
         raise NumberError(f"{name} is too small for a number", "less extreme values")
     if type(number) is float and number - number == 0:

@@ -115,6 +115,8 @@ def command(
         return streams.convert(list(words), asked, each, steps, shown)
     streams.refuse(asked)
     amount, target_text = read_operands(list(words))
+    if amount.uncertainty:
+        raise UsageError("an uncertain value is converted from Python", "the value alone")
     value, source = amount.number, amount.unit
     assert source is not None
     if not target_text:

@@ -72,6 +72,11 @@ class Quantities:
                 f"'{quote(text.decode())}' has no unit",
                 f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
             )
+        if amount.uncertainty:
+            raise NumberError(
+                f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
+                f"the value alone, or a call of its own: {command('convert', quote(amount.text))}",
+            )
         return self._plan(amount.unit), amount.number
 
     def _plan(self, unit: Unit) -> Plan:

@@ -4,7 +4,7 @@
 VALUE UNIT [to] TARGET.
 """
 
-from radcalc.errors import NumberError, RadcalcError, UsageError, command, quote
+from radcalc.errors import MINUS, NumberError, RadcalcError, UsageError, command, quote
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, resolve
 
@@ -51,8 +51,30 @@ def read_amount(text: str) -> Amount:
     Raises RadcalcError where it is none, or has an unknown unit.
     """
     text = text.strip()
+    try:
+        return _read_plain(text)
+    except RadcalcError:
+        if not any(mark in text for mark in UNCERTAIN):
+            raise
+        from radcalc.units.uncertain import read_uncertain
+
+        reading = read_uncertain(text)
+        if reading is None:
+            raise
+    return Amount(text, *reading)
+
+
+UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
+SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
+
+
+def _read_plain(text: str) -> Amount:
     number, unit = split_quantity(text)
-    if unit and (unit[0] in NOT_UNITS or unit.lower().startswith("x10")):
+    if unit and (
+        unit[0] in NOT_UNITS
+        or unit.lower().startswith("x10")
+        or (unit[0] == "(" and unit[1:2].isdigit())
+    ):
         raise NumberError(
             f"'{quote(text)}' is not a number and a unit", "a number such as 1000 or 1.5e3"
         )
@@ -75,6 +97,10 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     if words[1:] and words[-1] in ("-", "="):
         shell = "to in its place, or '->' in quotes: without them > is the shell's"
         raise UsageError(f"a unit is missing after {words[-1]}", shell)
+    if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
+        from radcalc.units.uncertain import join_words
+
+        words = join_words(words)
     source, separator, target = _sides(words)
     if separator:
         amount = read_amount(source)

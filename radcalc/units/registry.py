@@ -13,7 +13,9 @@ import pint
 from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError
-from radcalc.units import numbers, table
+from radcalc.units import table
+from radcalc.units.amounts import read_amount
+from radcalc.units.uncertain import variable
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
@@ -44,11 +46,14 @@ class LightRegistry(Registry):
         return self.container(table.resolve(input_string))
 
     def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
-        """Read a number and a unit with radcalc's grammar."""
+        """Read a number and a unit with radcalc's grammar; an uncertain one is a variable."""
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
-        value, unit = numbers.split_quantity(input_string)
-        return self.Quantity(value, self.container(table.resolve(unit or "1")))
+        amount = read_amount(input_string)
+        value: Any = amount.number
+        if amount.uncertainty:
+            value = variable(value, amount.uncertainty, amount.text)
+        return self.Quantity(value, self.container(amount.unit or table.resolve("1")))
 
 
 def from_container(units: Any) -> table.Unit:

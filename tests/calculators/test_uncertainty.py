@@ -1,0 +1,259 @@
+"""Uncertainties through Python: by hand, by draws, and by differences of plain calls."""
+
+import math
+
+import numpy
+import pytest
+from uncertainties import ufloat
+
+import radcalc
+from radcalc.errors import RadcalcError
+
+Q = radcalc.Quantity
+DRAWS = 100_000
+SEED = 20260801
+
+
+def parts(quantity):
+    return quantity.magnitude.nominal_value, quantity.magnitude.std_dev
+
+
+# By the rules of JCGM 100:2008, 5.1: f = c x^p y^q has (u(f)/f)^2 = (p u(x)/x)^2 + (q u(y)/y)^2.
+@pytest.mark.parametrize(
+    ("call", "value", "relative"),
+    [
+        (lambda: radcalc.convert("100+-3 lx", "fc"), 100 * 0.3048**2, 3 / 100),
+        (lambda: radcalc.convert("800(20) lm", "cd", isotropic=True), 200 / math.pi, 20 / 800),
+        (
+            lambda: radcalc.convert("100.0+-2.0 cd", "lx", distance="2.00+-0.03 m"),
+            25.0,
+            math.hypot(2 / 100, 2 * 0.03 / 2),
+        ),
+        (
+            lambda: radcalc.convert("100 lx", "cd/m2", reflectance="0.80+-0.02"),
+            80 / math.pi,
+            0.02 / 0.8,
+        ),
+        (
+            lambda: radcalc.convert("100 cd", "lx", distance="1m", incidence="60+-1deg"),
+            50.0,
+            math.tan(math.pi / 3) * math.radians(1),
+        ),
+        (
+            lambda: radcalc.convert("1.00+-0.05 W", "lm", efficacy="300+-10 lm/W"),
+            300.0,
+            math.hypot(0.05, 10 / 300),
+        ),
+        (
+            lambda: radcalc.point_source(intensity="100+-2 cd", distance="2+-0.03m")["irradiance"],
+            25.0,
+            math.hypot(2 / 100, 2 * 0.03 / 2),
+        ),
+        (
+            lambda: radcalc.point_source(intensity="100+-2 cd", irradiance="25.0+-0.3lx")[
+                "distance"
+            ],
+            2.0,
+            math.hypot(2 / 100, 0.3 / 25) / 2,
+        ),
+        (
+            lambda: radcalc.lambertian(luminance="100+-5 cd/m2", area="0.1+-0.001 m2")["flux"],
+            10 * math.pi,
+            math.hypot(0.05, 0.01),
+        ),
+        (
+            lambda: radcalc.calorimeter(
+                mass="10.0+-0.1g", specific_heat="385J/kg/K", temperature_rise="2.0+-0.1K"
+            )["energy"],
+            7.7,
+            math.hypot(0.01, 0.05),
+        ),
+        (
+            lambda: radcalc.ev(f_number="8.0+-0.1", time="1/100s", iso="100", k="12.5 cd.s/m2")[
+                "luminance"
+            ],
+            12.5 * 64,
+            2 * 0.1 / 8,
+        ),
+    ],
+)
+def test_products_and_powers_follow_the_rule(call, value, relative):
+    number, size = parts(call())
+    assert number == pytest.approx(value, rel=1e-12)
+    assert size == pytest.approx(abs(value) * relative, rel=1e-6)
+
+
+def test_a_logarithm_and_a_lobe_by_their_derivatives():
+    """EV = log2(L S / K): u = u(L) / (L ln 2); I = (n + 1) Phi / (2 pi): u = Phi u(n) / (2 pi)."""
+    ev = radcalc.ev(luminance="4096+-100 cd/m2", k="12.5 cd.s/m2")["ev100"]
+    assert parts(ev)[1] == pytest.approx(100 / (4096 * math.log(2)), rel=1e-9)
+    lobe = radcalc.point_source(flux="100 lm", exponent="5.0+-0.2", distance="1m")
+    assert parts(lobe["intensity"])[1] == pytest.approx(100 * 0.2 / (2 * math.pi), rel=1e-9)
+
+
+TABLE = {
+    "a lamp's cone": (
+        "point_source",
+        {"flux": "800 lm", "half_angle": "40 deg", "height": "2.5 m", "offset": "0.6 m"},
+    ),
+    "a lobe's exponent": (
+        "point_source",
+        {"intensity": "100 cd", "beam_angle": "35 deg", "distance": "3 m", "incidence": "20 deg"},
+    ),
+    "of another kind": (
+        "point_source",
+        {"flux": "5 mW", "wavelength": "632.8 nm", "distance": "1m"},
+    ),
+    "a disc aside": (
+        "lambertian",
+        {"shape": "disc", "luminance": "1e4 cd/m2", "radius": "25 cm", "height": "75 cm"}
+        | {"offset": "10 cm"},
+    ),
+    "a sphere": (
+        "lambertian",
+        {"shape": "sphere", "flux": "100 lm", "radius": "5 cm", "distance": "1m"},
+    ),
+    "a rectangle": (
+        "lambertian",
+        {"shape": "rectangle", "luminance": "500 cd/m2", "width": "1 m", "length": "2 m"}
+        | {"height": "1.5 m", "incidence": "10 deg"},
+    ),
+    "a reflector": ("lambertian", {"incident_irradiance": "500 lx", "reflectance": "0.7"}),
+    "a camera": ("ev", {"f_number": "5.6", "time": "0.01 s", "iso": "200"}),
+    "a calorimeter": (
+        "calorimeter",
+        {"flux": "3 W", "mass": "20 g", "specific_heat": "385 J/kg/K", "time": "30 s"}
+        | {"absorptance": "0.95", "receiver_area": "4 cm2"},
+    ),
+    "a sky": (
+        "sky",
+        {"kind": "12", "sun_elevation": "40 deg", "horizontal_illuminance": "12 klx"}
+        | {"tilt": "35 deg", "sun_azimuth": "20 deg", "azimuth": "60 deg"},
+    ),
+    "surroundings": ("environment", {"source": "sky:overcast", "zenith_luminance": "9 kcd/m2"}),
+}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_every_slope_is_the_difference_of_two_plain_calls(name):
+    """Moved by a part in 1e5 either way, the results differ as the uncertainties say."""
+    function, given = TABLE[name]
+    call = getattr(radcalc, function)
+    for key, text in given.items():
+        number, _, unit = text.partition(" ")
+        if key in ("shape", "kind", "source") or (not unit and "." not in number):
+            continue
+        number = float(number)
+        off = 1e-5 * number
+        low, high = (call(**{**given, key: f"{number + d!r} {unit}"}) for d in (-off, off))
+        found = call(**{**given, key: f"{number!r}+-{off!r} {unit}"})
+        assert found.keys() == low.keys() == high.keys()
+        for result, quantity in found.items():
+            difference = (high[result] - low[result]).magnitude / 2
+            size = getattr(quantity.magnitude, "std_dev", 0.0)
+            away = abs(size - abs(difference))
+            assert away <= 1e-4 * abs(difference) + 1e-9 * abs(high[result].magnitude), result
+
+
+# The standard error of a standard deviation s of n draws is s / sqrt(2 n); 4 of them, and what the
+# curvature adds: for f = x^p it is of the second order in u(x)/x, here below 0.2 % of s.
+@pytest.mark.parametrize(
+    ("function", "given", "result"),
+    [
+        ("convert", {"value": (100, 1, "cd"), "target": "lx", "distance": (2, 0.01, "m")}, None),
+        (
+            "convert",
+            {"value": (1, 0.01, "W"), "target": "lm", "wavelength": (600, 0.5, "nm")},
+            None,
+        ),
+        (
+            "point_source",
+            {"flux": (800, 8, "lm"), "distance": (2, 0.01, "m"), "incidence": (40, 0.5, "deg")},
+            "irradiance",
+        ),
+        (
+            "lambertian",
+            {"luminance": (1e4, 100, "cd/m2"), "area": (10, 0.1, "cm2"), "height": (1, 0.005, "m")},
+            "irradiance",
+        ),
+    ],
+)
+def test_draws_spread_as_much(function, given, result):
+    generator = numpy.random.default_rng(SEED)
+    call = getattr(radcalc, function)
+    drawn, stated = {}, {}
+    for key, one in given.items():
+        if isinstance(one, str):
+            drawn[key] = stated[key] = one
+        else:
+            value, off, unit = one
+            drawn[key] = Q(generator.normal(value, off, DRAWS), unit)
+            stated[key] = Q(ufloat(value, off), unit)
+    every, one = call(**drawn), call(**stated)
+    if result:
+        every, one = every[result], one[result]
+    number, size = parts(one)
+    bound = 4 / math.sqrt(2 * DRAWS) + 0.002
+    assert numpy.std(every.magnitude) == pytest.approx(size, rel=bound)
+    assert numpy.mean(every.magnitude) == pytest.approx(number, abs=size * 0.02)
+
+
+def test_nominal_values_are_those_without_uncertainty():
+    for function, given in TABLE.values():
+        call = getattr(radcalc, function)
+        plain = call(**given)
+        key, text = next((k, t) for k, t in given.items() if " " in t)
+        number, _, unit = text.partition(" ")
+        found = call(**{**given, key: f"{number}+-{float(number) / 50} {unit}"})
+        for name, quantity in plain.items():
+            magnitude = found[name].magnitude
+            assert getattr(magnitude, "nominal_value", magnitude) == quantity.magnitude
+
+
+def test_results_are_correlated_with_what_they_follow_from():
+    distance = ufloat(2, 0.01)
+    one, two = (
+        radcalc.point_source(flux=f"{flux} lm", distance=Q(distance, "m"))["irradiance"].magnitude
+        for flux in (800, 400)
+    )
+    assert one.std_dev == pytest.approx(0.01 * one.nominal_value, rel=1e-6)
+    assert (one / two).std_dev < 1e-12
+    assert (one - one).std_dev == 0
+    assert (one * distance**2).std_dev == pytest.approx(0, abs=1e-9)
+    assert set(one.error_components()) == {distance}
+
+
+def test_texts_are_variables_with_the_names_of_their_keywords():
+    found = radcalc.point_source(flux="800+-20 lm", distance="2.00+-0.03 m")["irradiance"]
+    shares = {one.tag: size for one, size in found.magnitude.error_components().items()}
+    value = 200 / math.pi / 4
+    assert shares == pytest.approx({"flux": value / 40, "distance": value * 0.03}, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (
+            lambda: radcalc.point_source(flux="800+-20lm", intensity="63.66cd", distance="2m"),
+            "more is given than needed",
+        ),
+        (
+            lambda: radcalc.convert(Q(numpy.ones(2), "cd"), "lx", distance="1+-0.1m"),
+            "array",
+        ),
+        (
+            lambda: radcalc.point_source(flux="8+-1lm", distance=Q(numpy.ones(2), "m")),
+            "several values",
+        ),
+        (lambda: radcalc.convert(Q([ufloat(1, 0.1)] * 2, "lx"), "fc"), "real numbers"),
+        (lambda: radcalc.scene([], [[0, 0, 0]], efficacy="100+-1lm/W"), "a scene"),
+        (lambda: radcalc.convert("100 cd", "lx", distance="1+-inf m"), "not a number"),
+        (
+            lambda: radcalc.convert("1 cd", "lx", distance=Q(ufloat(1, math.inf), "m")),
+            "uncertainty",
+        ),
+    ],
+)
+def test_what_cannot_be_carried_is_refused(call, said):
+    with pytest.raises(RadcalcError, match=said):
+        call()

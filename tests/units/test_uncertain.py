@@ -1,0 +1,119 @@
+"""Values with a standard uncertainty, as people write them."""
+
+import pytest
+from uncertainties import ufloat_fromstr
+
+from radcalc.errors import RadcalcError
+from radcalc.units.amounts import read_amount, read_operands
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "100.02147(35) g",
+        "100.02147(0.00035) g",
+        "(100.02147 ± 0.00035) g",
+        "(100.02147+-0.00035) g",
+        "100.02147 ± 0.00035 g",
+        "100.02147+/-0.00035 g",
+        "100.02147 g ± 0.35 mg",
+        "(100.02147 g ± 0.35 mg)",
+        "(1.0002147±0.0000035)e2 g",
+        "1.0002147(35)e2g",
+        "0.10002147(35) kg",
+    ],
+)
+def test_the_ways_of_the_guide_name_the_same_mass(text):
+    """JCGM 100:2008, 7.2.2: a standard of mass of 100.02147 g, and 0.35 mg."""
+    amount = read_amount(text)
+    assert amount.number * float(amount.unit.factor) == pytest.approx(0.10002147, rel=1e-15)
+    assert amount.uncertainty * float(amount.unit.factor) == pytest.approx(0.35e-6, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "number",
+    [
+        "3.14+/-0.01",
+        "3.14(1)",
+        "-3.14(1)",
+        "100(3)",
+        "100(3.0)",
+        "3.14(0.15)",
+        "0.5(1)",
+        "1234(56)",
+    ],
+)
+def test_bare_numbers_are_those_of_the_uncertainties_package(number):
+    """Its `ufloat_fromstr`, another reader of the same notation."""
+    other = ufloat_fromstr(number)
+    amount = read_amount(number)
+    assert (amount.number, amount.unit) == (other.nominal_value, None)
+    assert amount.uncertainty == pytest.approx(other.std_dev, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "uncertainty"),
+    [
+        ("100 lx ± 3%", 100, 3),
+        ("100 ± 3% lx", 100, 3),
+        ("-5±10% mW", -5, 0.5),
+        ("(80±2)%", 80, 2),
+        ("80(2)%", 80, 2),
+        ("100+-0 lx", 100, 0),
+        ("1/4±0.01 m", 0.25, 0.01),
+        ("100+-3 lx", 100, 3),  # and not 97
+    ],
+)
+def test_percents_and_fractions(text, number, uncertainty):
+    amount = read_amount(text)
+    assert (amount.number, amount.uncertainty) == (number, pytest.approx(uncertainty, rel=1e-15))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("100±3%", "(100±3)%, or 100±3"),
+        ("80%±2%", "(80±2)%, or (80±1.6)%"),
+        ("100 lx ± 3", "100±3 lx"),
+        ("1 m ± 2 s", "another quantity"),
+        ("100+--3 lx", "below 0"),
+        ("1,5±0.1 lx", "comma"),
+        ("100±3 foo", "unknown unit"),
+        ("±3 lx", "a number is missing"),
+        ("100±nan lx", "not a number"),
+        ("1±1e999 lx", "too large"),
+        ("100(3", "not a number and a unit"),
+        ("100(3)(2) lx", "not a number and a unit"),
+        ("100 lx(3)", "unit"),
+        ("100±3±1 lx", ""),
+    ],
+)
+def test_what_has_two_readings_or_none_is_refused(text, said):
+    with pytest.raises(RadcalcError) as refused:
+        read_amount(text)
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "100+-3 lx fc",
+        "100 ± 3 lx fc",
+        "100 +-3 lx to fc",
+        "100 lx ± 3 lx fc",
+        "100 lx ± 3% fc",
+        "100lx ± 3 % fc",
+        "100±3% lx fc",
+        "(100 ± 3) lx fc",
+        "100(3) lx to fc",
+    ],
+)
+def test_nothing_needs_quotes(words):
+    amount, target = read_operands(words.split())
+    assert (amount.number, amount.uncertainty, amount.unit.text) == (100, 3, "lx")
+    assert target == "fc"
+
+
+def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
+    with pytest.raises(RadcalcError, match="no unit"):
+        read_operands(["100", "lx", "±", "3", "fc"])
