@@ -162,6 +162,10 @@ class ConditionError(RadcalcError):
     """A condition that is impossible, contradictory or without use."""
 
 
+class TooMany(ConditionError):
+    """More values, or more answers, than there may be."""
+
+
 class UsageError(RadcalcError):
     """A call whose words do not fit together."""
 

@@ -102,6 +102,10 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("too near", "radcalc lambertian disc --radius 1m"),
         ("too near", "radcalc lambertian disc radius=1m"),
         ("too near", 'radcalc.lambertian("disc", radius="1 m")')),
+    "a range of too many values leads to the place where it may have them": (
+        lambda: errors.TooMany("9 values", f"at most 8, or {option('distance')} last"),
+        ("9 values", "at most 8, or --distance last"),
+        ("9 values", "at most 8, or distance last"), ("9 values", "at most 8, or distance last")),
     "a patch that is near is told its distance and its size": (
         lambda: TooNear(option("distance", "2m"), "source", "1.1", command("lambertian", "disc")),
         ("--distance 2m is less than five times the size of the source (1.1 m): the inverse square "

@@ -351,7 +351,11 @@ COMMANDS = {
     "a disc has a radius or a diameter, not both": (
         "lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
         "--radius and --diameter"),
-    "two lists at once are refused": ("point-source --flux 1lm,2lm --distance 1m,2m", "both lists"),
+    "a grid of more answers than anybody reads is refused": (
+        "point-source --flux 1lm:101lm:1lm --distance 1m:101m:1m", "101 x 101 = 10201 answers"),
+    "a long range stands behind the other lists": (
+        "point-source --flux 1lm --distance 1m:10001m:1m --half-angle 1deg,2deg -g flux",
+        "10001 values", "behind the other lists"),
     # geometry
     "a polygon of vertices in a line has no area": (
         "solid-angle polygon 0,0,1 1,0,1 2,0,1", "no area"),

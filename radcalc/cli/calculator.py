@@ -7,16 +7,16 @@ from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
 from radcalc.calculators.results import element, pick, rows
 from radcalc.cli import check
+from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.given import Inputs, inputs_of, read, read_interval, values_of
+from radcalc.given import Inputs, inputs_of
 from radcalc.maths import is_array
 from radcalc.render import arrays
 from radcalc.render.formats import CSV
-from radcalc.units.ranges import MOST, one_by_one
+from radcalc.units.ranges import MOST
 
 BLOCK = 100_000  # values of a long range that are worked out at a time
-Case = tuple[str, Inputs]
 
 
 class Asked(NamedTuple):
@@ -42,22 +42,6 @@ class Asked(NamedTuple):
         return any(one.partition(":")[0].strip() == name for one in named)
 
 
-def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] = ()) -> list[Case]:
-    """The inputs as given; several times where one of them is a list or a range.
-
-    With `arrays` a long range is one case, whose values are arrays; `intervals` are A:B.
-    """
-    given = {
-        name: [read_interval(name, text)]
-        if name in intervals
-        else [read(name, part) for part in values_of(name, text, arrays)]
-        for name, text in typed.items()
-    }
-    long = [name for name, values in given.items() if is_array(values[0].value)]
-    varied, each = one_by_one(given, long)
-    return [(case[varied].text if varied else "", case) for case in each]
-
-
 def shape(word: str, names: Sequence[str]) -> str:
     """The name of a shape, in any case."""
     if word.lower() in names:
@@ -72,6 +56,11 @@ class Answered(NamedTuple):
     case: str
     inputs: tuple[Input, ...]
     answer: Answer
+
+    @property
+    def long(self) -> Input | None:
+        """The input that is an array."""
+        return next((told for told in self.inputs if is_array(told.value)), None)
 
 
 def run(
@@ -90,20 +79,20 @@ def run(
     if asked.check is not None:
         from radcalc.homework.question import of_calculator
 
-        check.refuse_several(len(each))
-        given = each[0][1]
+        check.refuse_several(sum(case.size for case in each))
+        given = each[0].given
         question = of_calculator(command, shape, given, work_out, asked.steps)
         inputs = (*operands, *inputs_of(given))
         return check.judge(question, asked.check, asked.tolerance, output, inputs)
     if asked.wanted and output.has_columns:
-        each = [part for one in each for part in _blocks(one)]
+        each = [part for case in each for part in _blocks(case)]
     else:
         _refuse_long(each, asked)
-    told = [(*operands, *inputs_of(given)) for _, given in each]
+    told = [(*operands, *inputs_of(case.given)) for case in each]
     answers = (
         one
-        for (case, given), inputs in zip(each, told, strict=True)
-        for one in _every(case, inputs, work_out(given))
+        for case, inputs in zip(each, told, strict=True)
+        for one in _every(case, inputs, work_out(case.given))
     )
     show(answers, asked, output, told)
     return stdio.ANSWERED
@@ -111,24 +100,22 @@ def run(
 
 def _blocks(case: Case) -> Iterator[Case]:
     """A case of a long range in parts, whose answers do not fill the memory."""
-    name, given = case
-    long = next((one for one in given.values() if is_array(one.value)), None)
+    long = case.long
     if long is None:
         yield case
         return
-    for start in range(0, len(long.value), BLOCK):
+    for start in range(0, case.size, BLOCK):
         part = slice(start, start + BLOCK)
         values = long._replace(value=long.value[part], number=long.number[part])
-        yield name, {**given, long.name: values}
+        yield case._replace(given={**case.given, long.name: values})
 
 
 def _refuse_long(each: Sequence[Case], asked: Asked) -> None:
     """Refuse a table of more answers than anybody reads."""
-    for _, given in each:
-        count = max((len(one.value) for one in given.values() if is_array(one.value)), default=1)
-        if count > MOST:
-            hint = "--format csv, for columns" if asked.wanted else "-g NAME:UNIT, for columns"
-            raise UsageError(f"a table of {count} answers is too long", hint)
+    count = sum(case.size for case in each)
+    if count > MOST:
+        hint = "--format csv, for columns" if asked.wanted else "-g NAME:UNIT, for columns"
+        raise UsageError(f"a table of {count} answers is too long", hint)
 
 
 def refuse_bare(output: Output) -> None:
@@ -185,12 +172,12 @@ def _show_columns(
     remarks: dict[tuple[Any, ...], Result] = {}
     for one, chosen in picked:
         columns = [row.value for row in chosen]
-        is_part = any(is_array(value.given) for value in one.answer.values)
         if output.format == CSV:
             texts.append(csv.block(result(one, chosen), units, output.style, not texts))
-        elif not (is_part and texts) or any(map(is_array, columns)):
-            texts.append(arrays.lines(columns, output.style.precision))
-        steps = () if is_part and texts[1:] else one.answer.steps
+        else:
+            count = len(one.long.value) if one.long else 1
+            texts.append(arrays.lines(columns, output.style.precision, count))
+        steps = () if one.long and texts[1:] else one.answer.steps
         said = result(one, ())._replace(steps=tuple(steps), inputs=())
         remarks[said if said.steps else said[1:3]] = said
     for text in texts:
@@ -198,13 +185,12 @@ def _show_columns(
     output.remark(list(remarks.values()))
 
 
-def _every(case: str, inputs: tuple[Input, ...], answer: Answer) -> list[Answered]:
+def _every(case: Case, inputs: tuple[Input, ...], answer: Answer) -> list[Answered]:
     """The answer to a case, or all of them where several fit, each with its number."""
     if not answer.more:
-        return [Answered(case, inputs, answer)]
-    of_case = f"{case}, " if case else ""
+        return [Answered(case.label, inputs, answer)]
     return [
-        Answered(f"{of_case}answer {k}", inputs, one)
+        Answered(label((*case.varied, Input("answer", text=str(k)))), inputs, one)
         for k, one in enumerate((answer, *answer.more), start=1)
     ]
 
@@ -212,20 +198,17 @@ def _every(case: str, inputs: tuple[Input, ...], answer: Answer) -> list[Answere
 def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
     """The answers, those of a long range one by one."""
     for one in answers:
-        answer = one.answer
-        shown = [value for value in answer.values if not value.is_absent]
-        long = [v for v in shown if not isinstance(v.si, float) and is_array(v.si)]
-        if not long:
+        answer, long = one.answer, one.long
+        if long is None:
             yield one
             continue
-        count = max(len(value.si) for value in long)
-        given = next(value for value in long if value.given is not None)
-        for k in range(count):
-            name = f"{given.given[k]:.15g}{given.units[0]}"
+        shown = [value for value in answer.values if not value.is_absent]
+        for k in range(len(long.value)):
+            case = ", ".join(filter(None, (one.case, label([_element(long, k)]))))
             values = [element(value, k) for value in shown]
             inputs = tuple(_element(told, k) for told in one.inputs)
             steps = answer.steps if k == 0 else ()
-            yield Answered(name, inputs, answer._replace(values=values, steps=steps))
+            yield Answered(case, inputs, answer._replace(values=values, steps=steps))
 
 
 def _element(told: Input, k: int) -> Input:

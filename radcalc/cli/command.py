@@ -107,7 +107,8 @@ def of_page(name: str) -> "SectionedCommand":
     page, work_out = module.PAGE, getattr(module, name.replace("-", "_"))
 
     def calculate(typed: dict[str, Any], asked: Any, shown: options.Output) -> int:
-        from radcalc.cli.calculator import cases, run
+        from radcalc.cli.calculator import run
+        from radcalc.cli.cases import cases
 
         return run(cases(typed, page.takes_arrays), work_out, asked, shown, name)
 

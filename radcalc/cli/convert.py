@@ -1,6 +1,5 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import click
@@ -9,15 +8,15 @@ from radcalc import stdio
 from radcalc.answer import Input, Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
+from radcalc.cli.cases import cases
 from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
-from radcalc.given import Given, inputs_of, read, values_of
+from radcalc.given import Inputs, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
-from radcalc.units.ranges import one_by_one
 from radcalc.units.table import Unit, resolve
 
 
@@ -124,43 +123,33 @@ def command(
             if given:
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
         found = every_unit(value, source, typed, shown.style.bare)
-        shown.show([found._replace(inputs=inputs_of_conversion(amount, ()))])
+        shown.show([found._replace(inputs=inputs_of_conversion(amount, {}))])
         return stdio.ANSWERED
     target = target_of(target_text, source)
     if check is not None:
         from radcalc.homework.question import of_conversion
 
         checking.refuse_several(len(each))
-        question = of_conversion(value, source, target, each[0][1], steps)
-        inputs = inputs_of_conversion(amount, each[0][1])
+        conditions = list(each[0].given.values())
+        question = of_conversion(value, source, target, conditions, steps)
+        inputs = inputs_of_conversion(amount, each[0].given)
         return checking.judge(question, check, tolerance, shown, inputs)
     number = f"{value:.12g}"
-    plans = [(case, given, plan(source, target, given, number)) for case, given in each]
+    plans = [(case, plan(source, target, list(case.given.values()), number)) for case in each]
     shown.show(
         [
-            answer(made, value, case, steps, inputs_of_conversion(amount, given))
-            for case, given, made in plans
+            answer(made, value, case.label, steps, inputs_of_conversion(amount, case.given))
+            for case, made in plans
         ]
     )
     return stdio.ANSWERED
 
 
-def inputs_of_conversion(amount: Amount, conditions: Sequence[Given]) -> tuple[Input, ...]:
+def inputs_of_conversion(amount: Amount, conditions: Inputs) -> tuple[Input, ...]:
     """The value and the conditions, as an answer tells them."""
     unit = amount.unit.text if amount.unit else "1"
     value = Input("value", amount.number, unit, amount.text)
-    return (value, *inputs_of({one.name: one for one in conditions}))
-
-
-def cases(typed: dict[str, Any]) -> list[tuple[str, Sequence[Given]]]:
-    """The conditions as given; several times where one of them is a list or a range."""
-    given = {
-        name: [read(name, part) for part in values_of(name, text)] for name, text in typed.items()
-    }
-    varied, each = one_by_one(given)
-    return [
-        (f"{varied} {case[varied].text}" if varied else "", list(case.values())) for case in each
-    ]
+    return (value, *inputs_of(conditions))
 
 
 def likely_efficacy(error: MissingUnit, words: list[str]) -> str:

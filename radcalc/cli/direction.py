@@ -2,7 +2,8 @@
 
 from radcalc.answer import Answer, texts_of
 from radcalc.calculators.direction import ANGLES, MIRRORS, ON_BALL, direction
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, option

@@ -8,7 +8,8 @@ import click
 from radcalc.answer import Answer, texts_of
 from radcalc.calculators import environment as page
 from radcalc.calculators.environment import Source, environment
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import ENVIRONMENT, LIGHT, define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output

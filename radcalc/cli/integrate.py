@@ -4,7 +4,8 @@ import click
 
 from radcalc.answer import texts_of
 from radcalc.calculators.integrate import BARE, integrand, integrate
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError

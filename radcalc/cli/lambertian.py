@@ -4,7 +4,8 @@ from radcalc.answer import texts_of
 from radcalc.calculators.lambertian import QUANTITIES, lambertian
 from radcalc.calculators.shapes import SHAPES
 from radcalc.cli import calculator
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote

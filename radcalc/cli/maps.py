@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 from radcalc import stdio
 from radcalc.answer import Input
 from radcalc.calculators.results import pick
-from radcalc.cli.calculator import Answered, Asked, cases, refuse_bare, show
+from radcalc.cli.calculator import Answered, Asked, refuse_bare, show
+from radcalc.cli.cases import cases
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote_path
 from radcalc.given import Inputs
@@ -23,7 +24,7 @@ def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
     each = cases(typed)
     if len(each) > 1:
         raise UsageError("one map is written at a time", "one value in place of a list")
-    return each[0][1]
+    return each[0].given
 
 
 def write_map(

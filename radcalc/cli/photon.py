@@ -1,7 +1,8 @@
 """`radcalc photon WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY`."""
 
 from radcalc.calculators.photon import photon
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import Shell

@@ -1,7 +1,8 @@
 """`radcalc point-source`."""
 
 from radcalc.calculators.point_source import QUANTITIES, point_source
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 

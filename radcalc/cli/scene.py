@@ -9,7 +9,8 @@ import click
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, texts_of
 from radcalc.calculators.results import element, pick
-from radcalc.cli.calculator import Answered, Asked, cases, refuse_bare, result, run, show
+from radcalc.cli.calculator import Answered, Asked, refuse_bare, result, run, show
+from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
@@ -82,7 +83,7 @@ def command(
     each = cases(typed)
     if len(each) > 1:
         raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
-    given = each[0][1]
+    given = each[0].given
     places = texts_of({"file": words[0], "at": " ".join(at)})
     told = (*places, *inputs_of(given))
     points = _points(at, given.pop("grid", None))
@@ -115,7 +116,7 @@ def command(
     if asked.check is None and not names and not points.is_grid and points.size > 1:
         return _show(survey(given), told, points, shown)
     links = tuple(one for one in told if one.name not in given)
-    return run([("", given)], work_out, asked, shown, "scene", operands=links)
+    return run([Case(given)], work_out, asked, shown, "scene", operands=links)
 
 
 def _stream(

@@ -4,7 +4,8 @@ import click
 
 from radcalc.answer import texts_of
 from radcalc.calculators.sky import sky, sky_map
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.maps import one_case, write_map
 from radcalc.cli.options import Output

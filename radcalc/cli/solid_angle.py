@@ -4,7 +4,8 @@ from radcalc.answer import Answer, texts_of
 from radcalc.calculators.pixel import pixel
 from radcalc.calculators.solid_angle import ALIASES, NAMES, solid_angle
 from radcalc.cli import calculator
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote

@@ -6,6 +6,7 @@ from radcalc import stdio
 from radcalc.answer import texts_of
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import Case, told
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
@@ -66,12 +67,10 @@ def command(
         raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")
     refined = {name: read(name, text) for name, text in typed.items()}
     texts = read_spectra(words[0])
+    sources = [Given(SYMBOLS["spectrum"], one, spectrum(one, column or "")) for one in texts]
     each = [
-        (
-            text if len(texts) > 1 else "",
-            {"spectrum": Given(SYMBOLS["spectrum"], text, spectrum(text, column or "")), **refined},
-        )
-        for text in texts
+        Case({"spectrum": one, **refined}, (told(one),) if len(texts) > 1 else ())
+        for one in sources
     ]
     operands = texts_of({"column": column or ""})
     return run(each, describe, asked, shown, "spectrum", operands=operands)

@@ -7,6 +7,7 @@ import click
 
 from radcalc import stdio
 from radcalc.answer import Input
+from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
@@ -72,7 +73,7 @@ def refuse_second_reader(typed: dict[str, Any]) -> None:
 def convert(
     words: list[str],
     asked: Asked,
-    cases: Sequence[tuple[str, Sequence[Given]]],
+    cases: Sequence[Case],
     steps: bool,
     shown: Output,
 ) -> int:
@@ -137,13 +138,13 @@ def convert(
     return stdio.ANSWERED if good else stdio.FAILED
 
 
-def _given(cases: Sequence[tuple[str, Sequence[Given]]], steps: bool) -> Sequence[Given]:
+def _given(cases: Sequence[Case], steps: bool) -> Sequence[Given]:
     """The conditions, of which there is one case."""
     if steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
     if len(cases) > 1:
         raise UsageError("a list of conditions is not for a stream", "one value a condition")
-    return cases[0][1]
+    return list(cases[0].given.values())
 
 
 def _complain(error: RadcalcError) -> None:

@@ -1,7 +1,8 @@
 """`radcalc uberlight X,Y,Z ...`."""
 
 from radcalc.calculators.uberlight import uberlight
-from radcalc.cli.calculator import Asked, cases, run
+from radcalc.cli.calculator import Asked, run
+from radcalc.cli.cases import Case, cases, told
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
@@ -51,10 +52,10 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     if not words:
         raise UsageError("a point is missing", "radcalc uberlight 0,0,4 --intensity 1000cd")
     points = [read_place("point", word) for word in words]
-    several = len(points) > 1
+    places = [(told(point),) if len(points) > 1 else () for point in points]
     every = [
-        (", ".join(filter(None, (point.text if several else "", case))), given | {"point": point})
-        for point in points
-        for case, given in each
+        Case(case.given | {"point": point}, (*place, *case.varied))
+        for point, place in zip(points, places, strict=True)
+        for case in each
     ]
     return run(every, uberlight, asked, shown, "uberlight")

@@ -9,10 +9,10 @@ from radcalc.render.plain import DIGITS, number
 LINES = 1000  # formatted at a time
 
 
-def lines(columns: Sequence[Any], precision: int | None) -> str:
-    """Numbers in tab-separated columns; of arrays a line for each element."""
+def lines(columns: Sequence[Any], precision: int | None, count: int = 1) -> str:
+    """Numbers in tab-separated columns, on so many lines; of arrays an element on each."""
     if not any(map(is_array, columns)):
-        return "\t".join(number(column, precision) for column in columns) + "\n"
+        return ("\t".join(number(column, precision) for column in columns) + "\n") * count
     return formatted(columns, f"%.{precision or DIGITS}g", "\t")
 
 

@@ -1,10 +1,11 @@
 """Several values at once: a list `1m,2m,5m`, a range `START:STOP:STEP`, or an array."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, NumberError, option, quote
+from radcalc.errors import ConditionError, NumberError, TooMany, quote
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
@@ -22,7 +23,7 @@ def read_series(text: str) -> list[str]:
         return _range(text)
     parts = text.split(",")
     if len(parts) > MOST:
-        raise ConditionError(f"a list of {len(parts)} values is too long", f"at most {MOST}")
+        raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
     if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
         return parts
     return [text]  # 1,5 and 1,000: the grammar refuses them with its own words
@@ -38,25 +39,17 @@ def _is_list_of_numbers(parts: list[str]) -> bool:
     return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
 
 
-def one_by_one(
-    given: dict[str, list[T]], long: Sequence[str] = ()
-) -> tuple[str, list[dict[str, T]]]:
-    """The option that is a list ('' where none is), and every case of all of them.
+def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
+    """Every case of lists of values, of which the last runs fastest.
 
-    `long` are options that are a list already, as an array.
+    One of the values may stand for `long` of them, as an array.
     """
-    lists = [name for name, values in given.items() if len(values) > 1 or name in long]
-    if len(lists) > 1:
-        raise ConditionError(
-            f"{option(lists[0])} and {option(lists[1])} are both lists",
-            "a list for one of them, and a loop",
-        )
-    count = max((len(values) for values in given.values()), default=1)
-    cases = [
-        {name: values[k if len(values) > 1 else 0] for name, values in given.items()}
-        for k in range(count)
-    ]
-    return lists[0] if count > 1 else "", cases
+    sizes = [*(len(values) for values in given.values()), long]
+    most = MOST if long == 1 else MOST_IN_ARRAY
+    if math.prod(sizes) > most:
+        counted = " x ".join(str(size) for size in sizes if size > 1)
+        raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
+    return [dict(zip(given, case, strict=True)) for case in product(*given.values())]
 
 
 def read_spectra(text: str) -> list[str]:
@@ -109,13 +102,13 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     start, stop, step = size
     count = (stop - start) / step if step else 0.0
     if not all(map(math.isfinite, (*size, count))):
-        raise ConditionError(f"'{quote(text)}' has too many values", f"at most {most}")
+        raise TooMany(f"'{quote(text)}' has too many values", f"at most {most}")
     if step == 0 or count < 0:
         raise ConditionError(f"'{quote(text)}' never reaches its end", "a step from START to STOP")
     values = math.floor(count * (1 + 1e-12) + 1e-9) + 1
     if values > most:
         many = f"{values}" if count < 1e15 else f"{count:.2g}"
-        raise ConditionError(f"'{quote(text)}' has {many} values", f"at most {most}")
+        raise TooMany(f"'{quote(text)}' has {many} values", f"at most {most}")
     return start, step, values, numbers[0][1]
 
 
