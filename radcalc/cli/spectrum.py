@@ -12,6 +12,7 @@ from radcalc.cli.options import Output
 from radcalc.errors import UsageError
 from radcalc.given import Given, read
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
+from radcalc.render.formats import PLAIN, Records
 from radcalc.spectra.sources import names, spectrum
 from radcalc.units.ranges import read_spectra
 
@@ -60,7 +61,9 @@ def command(
     if list_:
         if words or typed or asked != Asked((), False, None, None):
             raise UsageError("--list lists the names, and nothing else", "radcalc spectrum --list")
-        stdio.write("".join(f"{name}\n" for name in (*names(), *FORMS)))
+        listed = [{"source": name} for name in (*names(), *FORMS)]
+        shown = shown._replace(format=PLAIN) if shown.is_bare else shown
+        shown.records(Records(listed, (), listed))
         return stdio.ANSWERED
     if len(words) != 1:
         problem = "a source is missing" if not words else "one source a call"

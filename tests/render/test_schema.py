@@ -1,0 +1,159 @@
+"""Every answer of every transcript is in one schema as JSON, and in one shape as CSV."""
+
+import csv
+import io
+import json
+import shlex
+import subprocess
+from pathlib import Path
+
+import jsonschema
+import pytest
+from conftest import run
+from following import call
+from helpers import answers
+from test_cases import FILES, transcripts
+
+from radcalc.cli import COMMANDS
+
+SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="utf-8"))
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+BARE = {"-n", "--number", "--json", "--format"}
+NO_ANSWERS = {"--help", "-h", "--version", "help"}
+LISTS = ("units", "quantities", "typical", "spectrum --list")  # of what there is
+MORE = ("units lux", "units W/m2", "typical sun", "spectrum --list")
+ROOM = "name,x,y,z,flux\ndesk,1,2,1.2,400lm\ndoor,5,0.5,2.5,800lm\n"
+
+
+def words_of(command):
+    """The words of a call, but for what chooses its format."""
+    words = iter(shlex.split(command, comments=True)[1:])
+    return [word for word in words if word not in BARE or (word == "--format" and next(words) * 0)]
+
+
+def calls():
+    """The calls of radcalc that are answered in the transcripts."""
+    for path in FILES:
+        for command, output in transcripts(path):
+            is_plain = command.startswith("radcalc ") and not set("|<>;&$`") & set(command)
+            if is_plain and not output.startswith("radcalc: ") and not output.endswith("[2]\n"):
+                words = words_of(command)
+                if words and not NO_ANSWERS & set(words):
+                    yield shlex.join(words)
+
+
+def streams():
+    """The calls that answer what is piped into them, with that."""
+    for path in FILES:
+        for command, output in transcripts(path):
+            text, pipe, words = command.partition(" | ")
+            is_plain = words.startswith("radcalc convert - ") and not set("|<>$") & set(words)
+            if pipe and is_plain and not output.endswith("[2]\n"):
+                yield text, shlex.join(words_of(words))
+
+
+CALLS, STREAMS = sorted({*calls(), *MORE}), sorted({*streams()})
+ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
+
+
+def command_of(text):
+    """The command of a call, which is a conversion where it begins with a value."""
+    word = shlex.split(text)[0]
+    return word if word in COMMANDS else "convert"
+
+
+def as_json(text, *more):
+    """The answers to a call, which are valid."""
+    done = call([*shlex.split(text), *more, "--json"])
+    assert done.status in (0, 1), (done.error, done.error and done.error.hint)
+    VALIDATOR.validate(json.loads(done.output))
+    return answers(done.output)
+
+
+def test_the_schema_and_the_transcripts_are_there():
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    assert len(CALLS) > 250
+    assert len(STREAMS) > 10
+    assert {"scene", *map(command_of, CALLS)} >= COMMANDS.keys()
+
+
+@pytest.mark.parametrize("text", CALLS)
+def test_every_answer_is_valid(text):
+    for answer in as_json(text):
+        assert answer["command"] == command_of(text)
+
+
+@pytest.mark.parametrize(("text", "words"), STREAMS)
+def test_every_line_of_a_stream_is_valid(text, words):
+    lines = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True).stdout
+    done = run(*shlex.split(words), "--json", input=lines)
+    assert done.stdout
+    for line in done.stdout.splitlines():
+        VALIDATOR.validate(json.loads(line))
+        assert json.loads(line)["line"]
+
+
+@pytest.mark.parametrize("text", [text for text in ANSWERS if "--check" not in text])
+def test_csv_has_the_same_numbers_on_a_line_an_answer(text):
+    found = as_json(text)
+    done = call([*shlex.split(text), "--format", "csv"])
+    assert done.status == 0
+    header, *lines = csv.reader(io.StringIO(done.output))
+    assert len(set(header)) == len(header)
+    assert {len(line) for line in lines} == {len(header)}
+    assert len(lines) == len(found)
+    for answer, line in zip(found, lines, strict=True):
+        cells = {head: cell for head, cell in zip(header, line, strict=True) if cell}
+        for name, one in answer["results"].items():
+            for amount in (one, *one.get("also", ())):
+                head = f"{name}:{amount['unit']}"
+                if not one["given"] or head in cells:
+                    assert float(cells[head]) == amount["value"]
+
+
+def listed(text):
+    """Whether a call lists all results of a calculator."""
+    return command_of(text) != "convert" and not {"-g", "--get", "--check"} & {*shlex.split(text)}
+
+
+@pytest.mark.parametrize("text", [text for text in ANSWERS if listed(text)])
+def test_every_name_of_a_result_is_one_that_get_takes(text):
+    found = as_json(text)
+    names = [*found[0]["results"]]
+    again = as_json(text, *(word for name in names for word in ("-g", name)))
+    for one, other in zip(found, again, strict=False):
+        assert one["inputs"] == other["inputs"]
+        for name in names:
+            asked = {k: v for k, v in one["results"][name].items() if k != "also"}
+            assert other["results"][name] == asked
+
+
+SCENES = {
+    "--at 0,0,0": 1,
+    "--at 0,0,0 --at 1,1,0 -q": 3,  # and over all
+    "--at 0,0,0 --at 1,1,0 -g irradiance -g share-desk": 2,
+    "--grid 0:6:7,0:4:5,0.75": 1,
+    "--grid 0:6:7,0:4:5,0.75 -g irradiance:fc": 35,
+    "--at 0,0,0 --at 1,1,0 -g uniformity": 1,
+    "--at 0,0,0 --check irradiance=9lx": 1,
+}
+
+
+@pytest.mark.parametrize("words", SCENES)
+def test_every_answer_of_a_scene_is_valid(words, tmp_path):
+    path = tmp_path / "room.csv"
+    path.write_text(ROOM)
+    found = as_json(f"scene {path} {words}")
+    assert len(found) == SCENES[words]
+    assert found[0]["inputs"]["file"]["text"] == str(path)
+
+
+def test_every_answer_that_writes_a_map_is_valid(tmp_path):
+    sky, lux, ball = (tmp_path / name for name in ("sky.pfm", "lux.pfm", "ball.pfm"))
+    (made,) = as_json(f"sky --zenith-luminance 9000cd/m2 --save {sky} --size 64x32")
+    assert made["inputs"]["save"] == {"text": str(sky)}
+    around = f"environment {sky} --unit cd/m2"
+    (made,) = as_json(f"{around} --irradiance-map {lux} --size 8x4 -g maximum-irradiance:klx")
+    assert [*made["results"]] == ["maximum-irradiance"]
+    (made,) = as_json(f"{around} --reproject {ball} --to mirror-ball")
+    assert made["inputs"]["to"] == {"text": "mirror-ball"}
