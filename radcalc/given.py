@@ -48,15 +48,17 @@ from radcalc.units.amounts import Amount, read_amount
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TEMPERATURE, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra, real
+from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
 
 class Given(NamedTuple):
     """A value that was given: the symbol, the text as typed, the value in SI units.
 
-    `number` and `unit` are those typed; `is_exact` where no text was, but a number of Python's.
-    `uncertainty` is the standard uncertainty in SI units, and `variable` the number with it where
-    it is one of Python's `uncertainties`; `assumptions` say how it was read.
+    `number` and `unit` are those typed, a reading and a `ScaleUnit` on a scale; `is_exact` where
+    no text was, but a number of Python's.  `uncertainty` is the standard uncertainty in SI units,
+    and `variable` the number with it where it is one of Python's `uncertainties`; `assumptions`
+    say how it was read.
     """
 
     symbol: Symbol
@@ -87,10 +89,15 @@ class Given(NamedTuple):
             return 0.0
         if self.uncertainty:
             return abs(self.uncertainty / self.value) if self.value else 0.0
+        if isinstance(self.unit, ScaleUnit):
+            off = rounding(self.text) * abs(self.number)
+            slope, quantity = self.unit.slope(self.number), self.unit.quantity(self.number)
+            return float(abs(off * slope / quantity))
         return rounding(self.text)
 
 
 Inputs = dict[str, Given]
+LEFT_OF_LIGHT = ("reflectance",)  # ratios that may be told in OD, stops or dB
 
 
 def inputs_of(given: Inputs) -> tuple[Input, ...]:
@@ -154,6 +161,8 @@ def moved(given: Given, value: float) -> Given:
     number = given.number + (value - given.value) * (
         divide(given.unit.bottom, given.unit.top) if given.unit else 1
     )
+    if isinstance(given.unit, ScaleUnit):
+        number = given.unit.reading(value / given.unit.factor)
     one = given._replace(
         text=f"{number!r}{given.unit_text if given.unit else ''}", value=value, number=number
     )
@@ -165,11 +174,12 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
     uncertainty, variable = 0.0, None
     assumptions: tuple[str, ...] = ()
+    amount: Amount | None = None
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
         if TEMPERATURE in symbol.dimensions:
-            _refuse_celsius(name, text)
-        amount = _read_amount(symbol, text)
+            amount = _difference(text)
+        amount = amount or _read_amount(symbol, text)
         number, unit = amount.number, amount.unit
         uncertainty, assumptions = amount.uncertainty, amount.assumptions
     elif _has_unit(value):
@@ -184,6 +194,12 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         number, unit = real(value, option(name), option(name, symbol.example)), None
         text = format_number(number)
     dimension = unit.dimension if unit else NUMBER
+    scale = amount.scale if amount else None
+    if scale and (dimension not in symbol.dimensions or not _takes(symbol, scale)):
+        raise ConditionError(
+            f"{option(name)} takes {symbol.takes}, not {quote(scale.text)}",
+            option(name, symbol.example),
+        )
     if dimension not in symbol.dimensions:
         if unit is None and maths.is_array(number):
             problem = f"{option(name)} has numbers without a unit"
@@ -203,8 +219,8 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         text,
         _in_si(name, text, number, unit),
         dimension,
-        number,
-        unit,
+        amount.reading if amount and scale else number,
+        scale or unit,
         not isinstance(value, str),
         uncertainty * unit.factor if unit else uncertainty,
         assumptions,
@@ -214,13 +230,18 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     return given
 
 
+def _takes(symbol: Symbol, scale: ScaleUnit) -> bool:
+    """Whether a symbol may be read on a scale: ratios are what is left of light, and no others."""
+    return scale.dimension != NUMBER or symbol.name in LEFT_OF_LIGHT
+
+
 def _has_unit(value: Any) -> bool:
     return isinstance(value, tuple) and len(value) > 1 and isinstance(value[1], Unit)
 
 
 def _read_amount(symbol: Symbol, text: str) -> Amount:
     try:
-        return read_amount(text)
+        return read_amount(text, symbol.dimensions)
     except NumberError as error:
         hint = error.hint
         if "," in text and symbol.dimensions == (NUMBER,):
@@ -229,18 +250,17 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 
-def _refuse_celsius(name: str, text: str) -> None:
-    """Refuse degrees of a scale, where a difference is meant."""
+def _difference(text: str) -> Amount | None:
+    """A difference of temperature, in degrees of a scale that has its 0 elsewhere; else None."""
     try:
-        number, unit = split_quantity(text)
+        number, unit_text = split_quantity(text)
     except NumberError:
-        return
-    kelvins = {"c": 1.0, "f": 5 / 9}.get(unit.lower().replace("℃", "°c").lstrip("°deg "))
-    if kelvins and unit[:1] in "°℃dDcCfF":
-        raise ConditionError(
-            f"{option(name)} takes a difference of temperature, in kelvins",
-            option(name, f"{number * kelvins:.6g}K"),
-        )
+        return None
+    unit = degree(unit_text)
+    if unit is None:
+        return None
+    said = f"a difference of temperature: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
+    return Amount(text, number, unit, 0.0, (said,))
 
 
 def _with_unit(symbol: Symbol, number: str) -> str:

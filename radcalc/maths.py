@@ -114,6 +114,11 @@ def log2(x: Number) -> Number:
     return _call("log2", x)
 
 
+def log10(x: Number) -> Number:
+    """The logarithm of x to the base 10."""
+    return _call("log10", x)
+
+
 def sqrt(x: Number) -> Number:
     """The square root of x."""
     return _call("sqrt", x)

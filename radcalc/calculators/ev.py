@@ -5,10 +5,11 @@ import math
 from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import ConditionError, MissingInput, mention
+from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.given import Inputs
-from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS, C, K
+from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS
 from radcalc.maths import any_true
+from radcalc.units.scales import CONSTANTS, C, K, ScaleUnit
 
 LIGHT = ("ev100", "luminance", "illuminance")
 PAGE = Page(
@@ -48,16 +49,20 @@ PAGE = Page(
 
 def ev(given: Inputs) -> Answer:
     """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
+    for one in given.values():
+        if isinstance(one.unit, ScaleUnit) and one.unit.scale.constant:
+            problem = f"{option(one.name, quote(one.text))} is an exposure value"
+            raise ConditionError(problem, option("ev100", f"{one.number:.12g}"))
     sheet = Worksheet(PAGE, given, with_light=False)
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
         raise MissingInput("the light is missing", hint)
     if "k" not in given:
         sheet.know("k", K)
-        sheet.assume(mention("K = 12.5 cd s/m2 (some makers have 14: {k})"))
+        sheet.assume(CONSTANTS["k"])
     if "c" not in given:
         sheet.know("c", C)
-        sheet.assume(mention("C = 250 lx s (320 to 340 with a dome: {c})"))
+        sheet.assume(CONSTANTS["c"])
     film_is_known = "ev" in given or {"f-number", "time"} <= set(given)
     light_is_known = bool(set(LIGHT) & set(given))
     if "iso" not in given and not (film_is_known and light_is_known):

@@ -76,6 +76,7 @@ def run(
 
     `operands` are what was given beside the options.
     """
+    work_out = _saying_how_read(work_out)
     if asked.check is not None:
         from radcalc.homework.question import of_calculator
 
@@ -96,6 +97,21 @@ def run(
     )
     show(answers, asked, output, told)
     return stdio.ANSWERED
+
+
+def _saying_how_read(work_out: Callable[[Inputs], Answer]) -> Callable[[Inputs], Answer]:
+    """What works an answer out, and says as well how its inputs were read."""
+
+    def told(given: Inputs) -> Answer:
+        answer = work_out(given)
+        read = tuple(dict.fromkeys(text for one in given.values() for text in one.assumptions))
+        if not read:
+            return answer
+        answers = (answer, *answer.more)
+        first, *more = (one._replace(assumptions=(*read, *one.assumptions)) for one in answers)
+        return first._replace(more=more)
+
+    return told
 
 
 def _blocks(case: Case) -> Iterator[Case]:

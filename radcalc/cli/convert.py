@@ -17,6 +17,7 @@ from radcalc.given import Inputs, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import Unit, resolve
 
 
@@ -53,6 +54,7 @@ class ConvertCommand(SectionedCommand):
             "reflectance",
             "pupil",
         ),
+        "Light meters (EV)": ("k", "c"),
         "Time and bandwidth": ("time", "bandwidth"),
         "Homework": checking.OPTIONS,
         "Streams (with - for VALUE)": streams.OPTIONS,
@@ -116,7 +118,7 @@ def command(
     amount, target_text = read_operands(list(words))
     if amount.uncertainty:
         raise UsageError("an uncertain value is converted from Python", "the value alone")
-    value, source = amount.number, amount.unit
+    value, source = amount.typed
     assert source is not None
     if not target_text:
         for name, given in (("--steps", steps), ("--check", check)):
@@ -147,8 +149,8 @@ def command(
 
 def inputs_of_conversion(amount: Amount, conditions: Inputs) -> tuple[Input, ...]:
     """The value and the conditions, as an answer tells them."""
-    unit = amount.unit.text if amount.unit else "1"
-    value = Input("value", amount.number, unit, amount.text)
+    number, unit = amount.typed
+    value = Input("value", number, unit.text if unit else "1", amount.text)
     return (value, *inputs_of(conditions))
 
 
@@ -180,7 +182,7 @@ def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) 
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
 
-    targets = [source, *(resolve(text) for text in units_of(source) if text != source.text)]
+    targets = [source, *(resolve_any(text) for text in units_of(source) if text != source.text)]
     if len(targets) == 1 and not name_of(source):
         raise UsageError(f"'{source.text}' measures no quantity radcalc knows", "a TARGET unit")
     rows = []

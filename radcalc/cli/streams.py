@@ -16,7 +16,8 @@ from radcalc.given import Given, inputs_of
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
 from radcalc.units.amounts import read_stream_operands
-from radcalc.units.table import Unit, resolve
+from radcalc.units.scales import resolve_any
+from radcalc.units.table import Unit
 
 
 class Asked(NamedTuple):
@@ -88,7 +89,7 @@ def convert(
     if format_ in (TABLE, CSV):
         raise UsageError(f"--format {format_} is not for a stream", "--format plain or json")
     as_json = shown.format == JSON
-    source = resolve(source_text) if source_text else None
+    source = resolve_any(source_text) if source_text else None
     target = target_of(target_text, source)
     said: set[str] = set()
 

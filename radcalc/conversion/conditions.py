@@ -40,6 +40,8 @@ CONDITIONS = {
     "bandwidth": BAND,
     "reflectance": REFLECTANCE,
     "pupil": PUPIL,
+    "k": REFINES,
+    "c": REFINES,
 }
 
 

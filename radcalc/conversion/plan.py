@@ -6,7 +6,7 @@ table; what stands between different quantities is in `bridges.py`, loaded only 
 
 from radcalc.errors import ConditionError, ConversionError, NumberError, UnitError, quote
 from radcalc.units.numbers import SMALLEST
-from radcalc.units.table import Unit, divide, resolve
+from radcalc.units.table import INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit, divide, resolve
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ class Plan:
     """
 
     __slots__ = ("assumptions", "factor", "links", "notes", "source", "target")
+    is_linear = True  # which a plan between scales is not
 
     def __init__(
         self,
@@ -75,6 +76,14 @@ class Plan:
             raise self._not_held()
         return result + 0.0  # no -0
 
+    def quantity(self, value: "Any") -> "Any":
+        """The result as a quantity in the target's unit."""
+        return self.apply(value)
+
+    def derive(self, value: float) -> "list[Step]":
+        """The steps of the derivation."""
+        return derive(self, value)
+
     def _not_held(self) -> ConversionError:
         return ConversionError(
             f"the result in {quote(self.target.text)} cannot be held by a number",
@@ -109,6 +118,20 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str 
     Raises ConversionError where a condition is missing, ConditionError where one is
     impossible, contradictory or without use.
     """
+    if source.is_scale or target.is_scale or are_reciprocal(source, target):
+        from radcalc.conversion import scaled
+
+        return scaled.plan(source, target, given, number)
+    return between(source, target, given, number)
+
+
+def are_reciprocal(source: Unit, target: Unit) -> bool:
+    """Whether one is of temperatures, and the other of their reciprocals, as 1/MK is."""
+    return {source.dimension, target.dimension} == {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}
+
+
+def between(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str = "1") -> Plan:
+    """Plan a conversion between units, neither of which is a scale."""
     same = source.dimension == target.dimension and source.is_exitance == target.is_exitance
     if same and not given:
         plain = Plan(source, target, exact_ratio(source, target))
@@ -125,17 +148,23 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str 
         factor = factor * supplied.value if power > 0 else factor / supplied.value
     if isinstance(factor, float) and factor - factor != 0:
         raise _beyond(source, target)
-    return Plan(source, target, factor, links)
+    made = Plan(source, target, factor, links)
+    made.assumptions = tuple([text for one in given for text in one.assumptions]) + made.assumptions
+    return made
 
 
 def target_of(text: str, source: Unit | None = None) -> Unit:
-    """Read what a conversion aims at: a unit, or the name of a quantity for its usual unit.
+    """Read what a conversion aims at: a unit, a scale, or a quantity by name for its usual unit.
 
     `source`, where it is known, decides the kind of light of a name such as flux.
     """
     try:
         return resolve(text)
     except UnitError as error:
+        from radcalc.units.scales import find
+
+        if scale := find(text):
+            return scale
         from radcalc.quantities import targets
 
         unknown = error
@@ -167,7 +196,7 @@ def answer(
     unit = made.target
     number = made.apply(value)
     row = Row(name_of(unit), symbol_of(unit), number, unit.text, case, result_name(unit))
-    derivation = tuple(derive(made, value)) if steps else ()
+    derivation = tuple(made.derive(value)) if steps else ()
     notes = made.notes
     if value < 0 and read(made.source):
         notes += (f"a negative {name_of(made.source)} is a difference: no light is below 0",)

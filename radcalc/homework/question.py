@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.conversion.plan import Plan, derive, plan
+from radcalc.conversion.plan import Plan, plan
 from radcalc.given import Given, Inputs
 from radcalc.quantities.light import name_of, result_name, symbol_of
 from radcalc.units.table import Unit
@@ -51,12 +51,12 @@ def of_conversion(
             "value",
             name or "value",
             symbol_of(target),
-            made.apply(value) * target.factor,
+            made.quantity(value) * target.factor,
             (target.dimension,),
             (target.text,),
             also=result_name(target),
         )
-        return Answer([result], made.assumptions, made.notes, derive(made, value) if steps else ())
+        return Answer([result], made.assumptions, made.notes, made.derive(value) if steps else ())
 
     conditions = {one.name: one for one in given}
     answer = work_out(conditions)

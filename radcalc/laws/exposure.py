@@ -3,8 +3,8 @@
 - exposure of a lens: b = N^2 / t, with the f-number N and the time t [s]
 - exposure value: EV = log2(b / 1 Hz)
 - exposure value at ISO 100: EV100 = EV - log2(S / 100), with the ISO speed S
-- reflected light: L = K 2^EV100 / 100, [cd/m2], with K = 12.5 cd s/m2 unless it is given
-- incident light: E = C 2^EV100 / 100, [lx], with C = 250 lx s unless it is given
+- reflected light: L = K 2^EV100 / 100, [cd/m2], with the meter's constant K
+- incident light: E = C 2^EV100 / 100, [lx], with the meter's constant C
 - `REFLECTANCE` of a scene that is not the meter's average one: L = rho E / (pi Omega0), which is
   rho = pi K / C on average
 - saturation: L_sat = 1.2 cd/m2 2^EV100, where a sensor of saturation-based speed is full
@@ -15,16 +15,16 @@ twice may differ by `STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-b
 
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.maths import log2
+from radcalc.units.scales import ILLUMINANCE_EV, LUMINANCE_EV
 
-K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of meters use
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
 STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
 REFLECTED = relation(
     "reflected light",
     "{luminance} = {k} 2^{ev100} / 100",
     {
-        "luminance": lambda at: at("k") / 100 * 2.0 ** at("ev100"),
-        "ev100": lambda at: log2(at("luminance") * 100 / at("k")),
+        "luminance": lambda at: LUMINANCE_EV.of_meter(at("k")).quantity(at("ev100")),
+        "ev100": lambda at: LUMINANCE_EV.of_meter(at("k")).reading(at("luminance")),
     },
     "ISO 2720",
 )
@@ -32,8 +32,8 @@ INCIDENT = relation(
     "incident light",
     "{illuminance} = {c} 2^{ev100} / 100",
     {
-        "illuminance": lambda at: at("c") / 100 * 2.0 ** at("ev100"),
-        "ev100": lambda at: log2(at("illuminance") * 100 / at("c")),
+        "illuminance": lambda at: ILLUMINANCE_EV.of_meter(at("c")).quantity(at("ev100")),
+        "ev100": lambda at: ILLUMINANCE_EV.of_meter(at("c")).reading(at("illuminance")),
     },
     "ISO 2720",
 )

@@ -34,9 +34,10 @@ class Bulk:
         self.made = made
         self.factor = made.factor
         self.line = b"%%.%dg\n" % precision
-        self.able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
+        able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
+        self.able = made.is_linear and able
         self.digits = LONGEST  # numbers of so many digits are multiplied as they are
-        if not made.links:
+        if not made.links and made.is_linear:
             over = made.source.top * made.target.bottom
             under = made.source.bottom * made.target.top
             self.digits = plain_digits(over, under, precision)

@@ -77,7 +77,8 @@ class Quantities:
                 f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
                 f"the value alone, or a call of its own: {command('convert', quote(amount.text))}",
             )
-        return self._plan(amount.unit), amount.number
+        value, source = amount.typed
+        return self._plan(source or amount.unit), value
 
     def _plan(self, unit: Unit) -> Plan:
         made = self.known.get(unit.text)

@@ -4,9 +4,23 @@
 VALUE UNIT [to] TARGET.
 """
 
-from radcalc.errors import MINUS, NumberError, RadcalcError, UsageError, command, quote
+from radcalc.errors import (
+    MINUS,
+    NumberError,
+    RadcalcError,
+    UnitError,
+    UsageError,
+    command,
+    quote,
+)
 from radcalc.units.numbers import split_quantity
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import Dimension, Unit, resolve
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from radcalc.units.scales import ScaleUnit
 
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
 SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
@@ -20,10 +34,11 @@ class Amount:
     """A number in a unit, as somebody typed it.
 
     `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, and 0
-    where none was given; `assumptions` say how the text was read, where that takes a word.
+    where none was given; `assumptions` say how the text was read, where that takes a word.  A
+    `reading` on a `scale` is kept beside the number that it stands for.
     """
 
-    __slots__ = ("assumptions", "number", "text", "uncertainty", "unit")
+    __slots__ = ("assumptions", "number", "reading", "scale", "text", "uncertainty", "unit")
 
     def __init__(
         self,
@@ -32,27 +47,36 @@ class Amount:
         unit: Unit | None,
         uncertainty: float = 0.0,
         assumptions: tuple[str, ...] = (),
+        scale: "ScaleUnit | None" = None,
+        reading: float = 0.0,
     ) -> None:
-        """Hold the reading of `text`."""
+        """Hold what `text` says."""
         self.text = text
         self.number = number
         self.unit = unit
         self.uncertainty = uncertainty
         self.assumptions = assumptions
+        self.scale = scale
+        self.reading = reading
+
+    @property
+    def typed(self) -> tuple[float, Unit | None]:
+        """The number and the unit that were typed, or the reading and its scale."""
+        return (self.reading, self.scale) if self.scale else (self.number, self.unit)
 
     def __repr__(self) -> str:
         """Show the text."""
         return f"Amount({self.text!r})"
 
 
-def read_amount(text: str) -> Amount:
-    """Read a value, with its unit or bare.
+def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
+    """Read a value, with its unit or bare; a scale of several readings is read as one of them.
 
     Raises RadcalcError where it is none, or has an unknown unit.
     """
     text = text.strip()
     try:
-        return _read_plain(text)
+        return _read_plain(text, dimensions)
     except RadcalcError:
         if not any(mark in text for mark in UNCERTAIN):
             raise
@@ -61,14 +85,14 @@ def read_amount(text: str) -> Amount:
         reading = read_uncertain(text)
         if reading is None:
             raise
-    return Amount(text, *reading)
+    return _amount(text, *reading, dimensions)
 
 
 UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 
-def _read_plain(text: str) -> Amount:
+def _read_plain(text: str, dimensions: "Sequence[Dimension]") -> Amount:
     number, unit = split_quantity(text)
     if unit and (
         unit[0] in NOT_UNITS
@@ -78,12 +102,42 @@ def _read_plain(text: str) -> Amount:
         raise NumberError(
             f"'{quote(text)}' is not a number and a unit", "a number such as 1000 or 1.5e3"
         )
-    return Amount(text, number, resolve(unit) if unit else None)
+    return _amount(text, number, _unit(text, unit) if unit else None, 0.0, dimensions)
 
 
 def with_unit(amount: Amount, unit: str) -> Amount:
     """A bare number with the unit that stands in another word."""
-    return Amount(f"{amount.text} {unit}", amount.number, resolve(unit), amount.uncertainty)
+    text = f"{amount.text} {unit}"
+    return _amount(text, amount.number, _unit(text, unit), amount.uncertainty)
+
+
+def _unit(text: str, unit: str) -> Unit:
+    """The unit or the scale of the number of a text."""
+    try:
+        return resolve(unit)
+    except UnitError:
+        from radcalc.units.scales import find, refuse_product
+
+        scale = find(unit)
+        if scale is None:
+            raise
+        refuse_product(text, unit)
+        return scale
+
+
+def _amount(
+    text: str,
+    number: float,
+    unit: Unit | None,
+    uncertainty: float = 0.0,
+    dimensions: "Sequence[Dimension]" = (),
+) -> Amount:
+    """A number in its unit, or what a reading on a scale stands for."""
+    if unit is None or not unit.is_scale:
+        return Amount(text, number, unit, uncertainty)
+    from radcalc.units.scales import amount_on
+
+    return amount_on(unit, text, number, uncertainty, dimensions)
 
 
 def read_operands(words: list[str]) -> tuple[Amount, str]:

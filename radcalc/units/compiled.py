@@ -570,7 +570,6 @@ REFUSED = {
     'candle_int': 'candela (the SI unit), international_candle_10187 (1.0187 cd) or international_candle_102 (1.02 cd): say which',
     'a': 'angstrom for the length, hectare or m2 for an area, year for the time',
     'mil': 'thou for 1/1000 inch, mrad for the angle',
-    'bril': 'it is a logarithmic scale of brightness, not a unit',
     'lumerg': 'lumerg_cgs (1e-7 lm s) or lumerg_talbot (1 lm s): two values are in use',
 }
 PREFIX_NAMES = {

@@ -34,6 +34,8 @@ Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
+TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, 0, 0, 0, 0, 0)
+INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, 0, 0, 0, 0, 0)
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")
@@ -49,6 +51,7 @@ class Unit:
     """
 
     __slots__ = ("atoms", "bottom", "dimension", "notes", "text", "top")
+    is_scale = False  # which counts as a unit for everything but its numbers
 
     def __init__(
         self,
@@ -240,8 +243,12 @@ def _unknown(spelling: str) -> UnitError:
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
         return UnitError(f"'{shown}' is not accepted as a unit", REFUSED[name])
+    from radcalc.units import scales
+
+    if error := scales.refuse(spelling):
+        return error
     folded = spelling.lower()
-    same = [s for s in _prefixed() if s.lower() == folded]
+    same = [s for s in (*_prefixed(), *scales.spellings()) if s.lower() == folded]
     if same:
         return UnitError(f"unknown unit '{shown}'", ", ".join(same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):

@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, quote
 from radcalc.units.amounts import SEPARATORS, SIGNS_OF_UNCERTAINTY
 from radcalc.units.numbers import DIGITS, SIGNS, parse_number, split_quantity, typed_digits
-from radcalc.units.table import Unit, divide, resolve
+from radcalc.units.scales import resolve_any, scale_of
+from radcalc.units.table import Unit, divide
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # as people type the sign
@@ -68,18 +69,18 @@ def _with_sign(text: str) -> Reading | None:
         if not behind and not power:
             return _with_sign(inside)
         value, uncertainty = (_times(part.strip(), power) for part in inside.split(SIGN))
-        return Reading(value, resolve(behind) if behind else None, uncertainty)
+        return Reading(value, resolve_any(behind) if behind else None, uncertainty)
     left, right = (part.strip() for part in text.split(SIGN))
     value, unit_text = split_quantity(left)
     uncertainty, behind = split_quantity(right)
     if unit_text:
-        return _of_quantity(text, value, resolve(unit_text), uncertainty, behind)
+        return _of_quantity(text, value, resolve_any(unit_text), uncertainty, behind)
     if behind == PERCENT:
         ways = f"({left}±{right[:-1].strip()})%, or {left}±{abs(value) * uncertainty / 100:.6g}"
         raise NumberError(f"'{quote(text)}' can be read in two ways", quote(ways))
     if behind.startswith(PERCENT):
-        return Reading(value, resolve(behind[1:].strip()), abs(value) * uncertainty / 100)
-    return Reading(value, resolve(behind) if behind else None, uncertainty)
+        return Reading(value, resolve_any(behind[1:].strip()), abs(value) * uncertainty / 100)
+    return Reading(value, resolve_any(behind) if behind else None, uncertainty)
 
 
 def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str) -> Reading:
@@ -87,6 +88,9 @@ def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str
     if not behind:
         better = f"{value:.15g}±{number:.15g} {unit.text}"
         raise UnitError(f"the uncertainty of '{quote(text)}' has no unit", quote(better))
+    if behind == PERCENT and unit.is_scale:
+        better = f"an uncertainty in {quote(unit.text)}"
+        raise UnitError(f"'{quote(text)}' has a part of a reading for its uncertainty", better)
     if behind == PERCENT and unit.text == PERCENT:
         both = f"({value:.15g}±{number:.15g})%"
         raise NumberError(
@@ -95,8 +99,8 @@ def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str
         )
     if behind == PERCENT:
         return Reading(value, unit, abs(value) * number / 100)
-    other = resolve(behind)
-    if other.dimension != unit.dimension:
+    other = resolve_any(behind)
+    if other.dimension != unit.dimension or scale_of(other) != scale_of(unit):
         raise UnitError(
             f"'{quote(text)}' has an uncertainty in another quantity than its value",
             f"an uncertainty in {quote(unit.text)}",
@@ -118,7 +122,7 @@ def _with_digits(text: str) -> Reading | None:
     if behind[:1] in OPERATORS or behind[:1] == "(":
         return None
     last = 0 if "." in inside else typed[1]
-    unit = resolve(behind) if behind else None
+    unit = resolve_any(behind) if behind else None
     return Reading(_times(number, power), unit, _times(inside, power + last))
 
 

@@ -1,0 +1,164 @@
+"""Scales: both ways, beside GNU units, and beside what others printed."""
+
+import math
+import os
+import shutil
+import subprocess
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.conversion.plan import plan
+from radcalc.errors import RadcalcError, UnitError
+from radcalc.units.amounts import read_amount
+from radcalc.units.scales import SCALES, ScaleUnit, find, resolve_any, spellings
+from radcalc.units.table import resolve
+
+ROWS = {f"{scale.name} ({scale.unit})": scale for scale in SCALES}
+
+
+def convert(number: float, source: str, target: str) -> float:
+    return plan(resolve_any(source), resolve_any(target)).apply(number)
+
+
+@pytest.mark.parametrize("row", ROWS)
+@given(st.floats(-300.0, 300.0))
+def test_a_reading_and_what_it_stands_for_are_inverse(row, number):
+    scale = ROWS[row]
+    if not scale.steps:
+        number = abs(number) + 1e-3
+    again = scale.reading(scale.quantity(number))
+    assert again == pytest.approx(number, rel=1e-12, abs=1e-12 * max(1, abs(scale.steps)))
+    assert scale.quantity(again) == pytest.approx(scale.quantity(number), rel=1e-12)
+
+
+@pytest.mark.parametrize("row", ROWS)
+@given(st.floats(1.0, 200.0))
+def test_the_slope_is_that_of_the_function(row, number):
+    scale = ROWS[row]
+    step = 1e-5
+    secant = (scale.quantity(number + step) - scale.quantity(number - step)) / (2 * step)
+    assert scale.slope(number) == pytest.approx(secant, rel=1e-6)
+
+
+def gnu_units(have: str, want: str) -> float:
+    """What GNU units answers; it must be there where CI runs."""
+    program = shutil.which("units")
+    if program is None and not os.environ.get("CI"):
+        pytest.skip("GNU units is not installed")
+    assert program, "apt-get install units"
+    words = [program, "-1", "-o", "%.17g", "-t", have, want]
+    asked = subprocess.run(words, capture_output=True, text=True, check=True, timeout=60)
+    return float(asked.stdout)
+
+
+@pytest.mark.parametrize("reading", [-27.5, -3.0, 0.0, 4.25, 21.5])
+@pytest.mark.parametrize(
+    ("scale", "function", "unit", "theirs"),
+    [
+        ("dBm", "dBm", "mW", "mW"),
+        ("dBW", "dBW", "W", "W"),
+        ("dB", "dB", "1", "1"),
+        ("mag", "vmag", "lx", "lx"),
+        ("mag/arcsec2", "SB_sec", "cd/m2", "cd/m^2"),
+        ("EV", "EV100", "cd/m2", "cd/m^2"),
+        ("EV", "iv100", "lx", "lx"),
+        ("bril", "bril", "cd/m2", "cd/m^2"),
+    ],
+)
+def test_gnu_units_reads_a_scale_so_too(scale, function, unit, theirs, reading):
+    quantity = gnu_units(f"{function}({reading})", theirs)
+    assert convert(reading, scale, unit) == pytest.approx(quantity, rel=1e-12)
+    back = gnu_units(f"{quantity!r} {theirs}", function)
+    assert convert(quantity, unit, scale) == pytest.approx(back, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("kelvins", [1667.0, 2856.0, 6504.0])
+def test_a_mired_is_one_of_a_reciprocal_megakelvin(kelvins):
+    """As ANSI/IES LS-1 has it: 10^6/T where T is in kelvins; GNU units 2.22 is off by 1e12."""
+    assert convert(kelvins, "K", "mired") == pytest.approx(1e6 / kelvins, rel=1e-15)
+    assert convert(kelvins, "K", "MK-1") == pytest.approx(1e6 / kelvins, rel=1e-15)
+    assert convert(1e6 / kelvins, "MK-1", "K") == pytest.approx(kelvins, rel=1e-15)
+    assert convert(1e6 / kelvins, "MK-1", "mired") == pytest.approx(1e6 / kelvins, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("number", "source", "target", "printed", "off"),
+    [
+        # GNU units, definitions file: the sun's visual magnitude, and the moon's surface
+        (-26.74, "mag", "lx", 126134.45, 1e-7),
+        (3.3679199, "mag/arcsec2", "cd/m2", 4858.6546, 1e-8),
+        # Unihedron, "Convert visual mags/arcsecond2 to cd/m2", with 10.8e4 for the reference
+        (21.31, "mag/arcsec2", "ucd/m2", 323.16, 2e-3),
+        (21.30, "mag/arcsec2", "ucd/m2", 326.15, 2e-3),
+        (0.0, "mag/arcsec2", "cd/m2", 10.8e4, 1e-3),
+        # Federal Standard 1037C: zero dBm equals one milliwatt; dBW from its definition
+        (0.0, "dBm", "mW", 1.0, 1e-15),
+        (0.0, "dBW", "dBm", 30.0, 1e-15),
+        (0.0, "dBu(W)", "dBm", -30.0, 1e-15),
+        # Jacobson and others, Manual of Photography: 2^EV/8 cd/m2 and 2.5 2^EV lx at ISO 100
+        (15.0, "EV", "cd/m2", 4096.0, 1e-15),
+        (15.0, "EV", "lx", 81920.0, 1e-15),
+        # a Wratten 85B: 5500 K to 3200 K is 131 mired; 10^-0.3 is half, an ND 0.9 is 3 stops
+        (3200.0, "K", "mired", 312.5, 1e-15),
+        (5500.0, "K", "mired", 181.8, 1e-3),
+        (0.3, "OD", "%", 50.1, 1e-3),
+        (0.9, "OD", "stops", -3.0, 4e-3),
+        (3.0, "stops", "1", 8.0, 1e-15),
+        (3.0, "dB", "1", 1.995, 1e-3),
+        (100.0, "bril", "lambert", 1.0, 1e-15),
+    ],
+)
+def test_printed_values_are_found(number, source, target, printed, off):
+    assert convert(number, source, target) == pytest.approx(printed, rel=off)
+
+
+@pytest.mark.parametrize("spelling", spellings())
+def test_no_spelling_of_a_scale_is_a_unit(spelling):
+    assert isinstance(find(spelling), ScaleUnit)
+    with pytest.raises(UnitError):
+        resolve(spelling)
+
+
+@pytest.mark.parametrize("unit", ["dBm/m2", "W/dB", "mag/m2", "OD.m-1", "EV s", "2 dBm", "mired2"])
+def test_a_scale_is_no_part_of_a_unit(unit):
+    assert find(unit) is None
+    with pytest.raises(UnitError):
+        resolve_any(unit)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["mag/arcsec^2", "mag arcsec-2", "mag/arcsec²", "mag·arcsec⁻²", "mpsas", "mag/arcsecond**2"],
+)
+def test_magnitudes_per_square_second_of_arc_are_spelled_as_units_are(text):
+    assert convert(0.0, text, "cd/m2") == convert(0.0, "mag/arcsec2", "cd/m2")
+
+
+@pytest.mark.parametrize(
+    ("text", "scale"),
+    [("dBµW", "dBu(W)"), ("dB (1 mW)", "dBm"), ("Decibels", "dB"), ("Optical density", "OD"),
+     ("MIRED", "mired"), ("EV100", "EV")],
+)  # fmt: skip
+def test_other_spellings_are_understood(text, scale):
+    assert find(text).scale == find(scale).scale
+
+
+def test_an_amount_on_a_scale_is_what_it_stands_for_and_says_so():
+    amount = read_amount("-30 dBm")
+    assert (amount.number, amount.unit.text) == (1e-3, "mW")
+    assert (amount.reading, amount.scale.text) == (-30.0, "dBm")
+    assert amount.assumptions == ("dBm: P = 1 mW * 10^(n/10), a level of power",)
+
+
+@pytest.mark.parametrize(
+    ("number", "source", "target"),
+    [(0.0, "W", "dBm"), (-1.0, "lx", "mag"), (1e5, "dBm", "W"), (-1e5, "dBm", "W"),
+     (0.0, "mired", "K"), (-100.0, "mired", "K"), (math.inf, "stops", "1"), (3.0, "dB", "OD"),
+     (1e9, "bril", "cd/m2"), (1e4, "mag", "lx"), (0.0, "%", "OD")],
+)  # fmt: skip
+def test_what_has_no_reading_or_stands_for_nothing_is_refused(number, source, target):
+    with pytest.raises(RadcalcError) as caught:
+        convert(number, source, target)
+    assert caught.value.hint
