@@ -21,6 +21,12 @@ from radcalc.errors import (
 from radcalc.errors import manual as mention_help
 from radcalc.units.numbers import is_sentence
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from radcalc.cli.options import Listener
+
 # The commands in the order of the help, each with its line there.
 COMMANDS = {
     "convert": "Convert units, and quantities under a condition.",
@@ -43,6 +49,7 @@ COMMANDS = {
     "units": "Units, their definitions and sources.",
     "quantities": "Names of the quantities, in three languages.",
     "typical": "Typical values: sun, sky, moon and lamps.",
+    "prompt": "One line after another, with ans and names.",
 }
 HELP_NAMES = ["-h", "--help"]
 SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 100}
@@ -180,40 +187,55 @@ def of_help(words: list[str]) -> list[str]:
 
 def run(words: list[str]) -> int:
     """Run a command; turn whatever happens into an exit status."""
+    return guarded(words, lambda: answered(words))
+
+
+def guarded(words: list[str], answer: "Callable[[], int]", place: str = "") -> int:
+    """Answer words, or say what is wrong, and at which place they stand; return the status."""
     try:
-        return _answer(words)
+        return answer()
     except RadcalcError as error:
+        problem = error
         if isinstance(error, MissingUnit):
             from radcalc.cli.complaints import join_unit
 
             join_unit(error, words)
-        return stdio.complain(error, Shell)
     except click.UsageError as error:
         from radcalc.cli.complaints import of_click
 
-        return stdio.complain(of_click(error, words), Shell)
+        problem = of_click(error, words)
     except KeyboardInterrupt:
         return stdio.INTERRUPTED
     except BrokenPipeError:
         return stdio.ANSWERED
     except MemoryError:
-        return stdio.complain(RadcalcError("not enough memory", "fewer values at a time"))
+        problem = RadcalcError("not enough memory", "fewer values at a time")
     except Exception as error:
         return _bug(error)
+    if place:
+        problem.message = f"{place}: {problem.message}"
+    return stdio.complain(problem, Shell)
 
 
-def _answer(words: list[str]) -> int:
+def answered(words: list[str], listener: "Listener | None" = None) -> int:
     """Run a command; return the exit status.
 
-    This is what Click's `main` does, without its own ways out.
+    This is what Click's `main` does, without its own ways out.  A listener is told of every
+    answer, and has options for all commands.
     """
+    words = protect_negatives(of_help(words)) if words else _alone()
+    settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None
     try:
-        words = protect_negatives(of_help(words))
-        with commands.make_context("radcalc", words) as context:
+        with commands.make_context("radcalc", words, obj=listener, default_map=settings) as context:
             status = commands.invoke(context)
     except click.exceptions.Exit as left:
         status = left.exit_code
     return status if isinstance(status, int) else stdio.ANSWERED
+
+
+def _alone() -> list[str]:
+    """What `radcalc` alone is: the prompt, where somebody can type."""
+    return ["prompt"] if stdio.is_terminal() and os.isatty(0) else []
 
 
 def _bug(error: Exception) -> int:

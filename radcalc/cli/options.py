@@ -4,7 +4,7 @@ import os
 import sys
 from collections.abc import Sequence
 from copy import copy
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import click
 
@@ -29,25 +29,48 @@ FEW = 3  # remarks that differ in their numbers alone, and are all shown
 WITHOUT_NUMBERS = str.maketrans("", "", "0123456789.+-e")
 
 
+class Listener(Protocol):
+    """The prompt, which keeps what is answered, and has options of output for every line."""
+
+    settings: dict[str, Any]
+
+    def hear(self, results: Sequence[Result]) -> None:
+        """Take what is being shown."""
+
+
 class Output(NamedTuple):
-    """How an answer is to be shown, decided once; `is_chosen` if the format was asked for."""
+    """How an answer is to be shown, decided once; `is_chosen` if the format was asked for.
+
+    A listener is told of every answer.
+    """
 
     format: str
     style: Style
     is_chosen: bool = False
+    listener: Listener | None = None
 
     @property
     def is_bare(self) -> bool:
-        """Whether `--get` prints bare numbers: in plain text, and unless a table is asked for."""
-        return self.format == PLAIN or (self.format == TABLE and not self.is_chosen)
+        """Whether `--get` prints bare numbers: in plain text, and unless a table is asked for.
+
+        At the prompt, where nothing but people reads them, a table is a line with the unit.
+        """
+        as_table = self.format == TABLE and not self.is_chosen
+        return self.format == PLAIN or (as_table and not self.style.brief)
 
     @property
     def has_columns(self) -> bool:
         """Whether the results that `--get` asks for are columns, however many lines there are."""
         return self.is_bare or self.format == CSV
 
+    def hear(self, results: Sequence[Result]) -> None:
+        """Tell the listener of results."""
+        if self.listener:
+            self.listener.hear(results)
+
     def show(self, results: Sequence[Result]) -> None:
         """Write the results to standard output, and remarks on them to standard error."""
+        self.hear(results)
         results = [result.spelled(spelled) for result in results]
         form = renderer(self.format)
         stdio.write(form.results(results, self._on_terminal()))
@@ -151,8 +174,11 @@ def decide(
     chosen = asked or (TABLE if terminal else PLAIN)
     spoken = language() if chosen == TABLE else ENGLISH
     colored = wants_color(color, terminal)
-    style = Style(precision, number, 80, colored, spoken, not quiet, command)
-    return Output(chosen, style, asked is not None)
+    context = click.get_current_context(silent=True)
+    listener: Listener | None = context.find_root().obj if context else None
+    brief = listener is not None
+    style = Style(precision, number, 80, colored, spoken, not quiet, command, brief)
+    return Output(chosen, style, asked is not None, listener)
 
 
 def wants_color(color: str, terminal: bool) -> bool:

@@ -20,6 +20,7 @@ class Style(NamedTuple):
     """How a text is to look: digits, bare numbers, width, colour, language, with remarks or not.
 
     `command` is the one that answers.
+    `brief` is a table that may be a line where there is one value, as at the prompt.
     """
 
     precision: int | None = None
@@ -29,6 +30,7 @@ class Style(NamedTuple):
     language: str = ENGLISH
     remarks: bool = True
     command: str = ""
+    brief: bool = False
 
 
 class Records(NamedTuple):

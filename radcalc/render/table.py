@@ -46,6 +46,8 @@ def results(results: Sequence[Result], style: Style) -> str:
         legend = ", ".join(dict.fromkeys(said))
         return draw(head, lines, [legend, *below], width, color, right=head)
     rows = [row for result in results for row in result.rows]
+    if style.brief and len(rows) == 1:
+        return _line(rows[0], precision, language) + draw([], [], below, width, color)
     cases = any(row.case for row in rows)
     header = [*(["for"] if cases else []), "quantity", "symbol", "value", "unit"]
     lines = [
@@ -74,6 +76,13 @@ def verdict(judgement: Judgement, style: Style) -> str:
     """The words of plain text, with the digits of a table, folded."""
     lines = plain.verdict(judgement, style, DIGITS).splitlines()
     return "".join(f"{part}\n" for line in lines for part in fold(line, style.width, HANGING))
+
+
+def _line(row: Row, precision: int | None, language: str) -> str:
+    """A single value in one line, with the name of its quantity."""
+    unit = "" if row.unit == "1" else f" {row.unit}"
+    name = _quantity(row, language)
+    return f"{number(row.value, precision or DIGITS)}{unit}{f'   ({name})' if name else ''}\n"
 
 
 def _quantity(row: Row, language: str) -> str:
@@ -119,7 +128,7 @@ def draw(
     )
     rows = list(lines)
     whole = [name for name in header if name in (*right, "for", "unit")]
-    if header[0] == "unit":  # the name of what the row is about
+    if "unit" in header[:1]:  # the name of what the row is about
         whole.remove("unit")
     widths = _widths([header, *rows], whole, width)
     if widths:

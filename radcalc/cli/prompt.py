@@ -1,0 +1,224 @@
+"""`radcalc prompt`, and `radcalc` alone on a terminal: one line after another.
+
+prompt_toolkit is loaded here alone, and only where somebody types.
+"""
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from radcalc import stdio
+from radcalc._version import __version__
+from radcalc.cli import COMMANDS
+from radcalc.cli.command import define
+from radcalc.cli.options import Output, wants_color
+from radcalc.cli.session import DEFAULTS, Session
+
+if TYPE_CHECKING:
+    from prompt_toolkit import PromptSession
+
+PROMPT = "> "
+BLOCK = 1 << 16
+LONGEST = 1 << 20  # bytes of a line, and of the history that is read again
+WORST = (stdio.BUG, stdio.FAILED, stdio.WRONG)  # of the statuses of lines
+WARM = (  # what the first answers need
+    "radcalc.cli.convert",
+    "radcalc.cli.point_source",
+    "radcalc.render.table",
+    "radcalc.cli.calculator",
+)
+
+
+@define("prompt", {}, calculates=False)
+def command(shown: Output) -> int:
+    """Answer one line after another, each a command without radcalc.
+
+    \b
+    Examples:
+      radcalc                                     (on a terminal)
+      printf '100 lx fc\\nans klx\\n' | radcalc prompt
+
+    \b
+    At the prompt:
+      100 lx fc
+      2 * 800 lm in lx --isotropic --distance 2m
+      ans klx                                     (ans is the last answer)
+      x = point-source --flux 800lm --distance 2m -g irradiance
+      x fc
+      help point-source
+      exit
+
+    What is typed needs no quotes where a shell would want them.  A name keeps an amount or an
+    answer, vars lists them; ans.NAME is one of several results.  Tab completes, Ctrl-C drops a
+    line or stops an answer, Ctrl-D leaves.
+
+    Where standard input is no terminal, each of its lines is answered, and the exit status is
+    that of the worst.  The options are for every line.
+    """
+    given = {k: v for k, v in click.get_current_context().params.items() if k in DEFAULTS}
+    settings = {name: value for name, value in given.items() if value != DEFAULTS[name]}
+    if os.isatty(0) and (os.isatty(1) or os.isatty(2)):
+        return _converse(Session(settings))
+    return answer_lines(Session(settings, has_stdin=False))
+
+
+def answer_lines(session: Session) -> int:
+    """Answer the lines of standard input; return the worst of their statuses."""
+    statuses = {stdio.ANSWERED}
+    for number, line in enumerate(_lines(), start=1):
+        try:
+            status = session.answer(line, f"line {number}")
+        except EOFError:
+            break
+        if status == stdio.INTERRUPTED:
+            return status
+        statuses.add(status)
+    return next((one for one in WORST if one in statuses), stdio.ANSWERED)
+
+
+def _lines() -> Iterator[str]:
+    """The lines of standard input as they come, as the words of a command line are decoded."""
+    rest = b""
+    while data := stdio.read(BLOCK):
+        *whole, rest = (rest + data).split(b"\n")
+        yield from map(os.fsdecode, whole)
+        if len(rest) > LONGEST:
+            break  # it is refused for its length
+    if rest:
+        yield os.fsdecode(rest)
+
+
+def _converse(session: Session) -> int:
+    """Ask for lines on the terminal and answer them until somebody leaves."""
+    asking = _prompt(session)
+    stdio.say([f"radcalc {__version__}: help says how, exit leaves"])
+    while True:
+        try:
+            text = asking.prompt(PROMPT, pre_run=_warm_up)
+        except KeyboardInterrupt:
+            continue
+        except EOFError:
+            return stdio.ANSWERED
+        for line in text.replace("\\\n", " ").splitlines():  # of what was pasted
+            try:
+                if session.answer(line) == stdio.INTERRUPTED:
+                    stdio.say([""])  # behind the ^C of the terminal
+                    break
+            except EOFError:
+                return stdio.ANSWERED
+
+
+def _prompt(session: Session) -> "PromptSession[str]":
+    """The line on which somebody types: with a history, and with completion."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.completion import CompleteEvent, Completer, Completion
+    from prompt_toolkit.document import Document
+    from prompt_toolkit.history import History
+    from prompt_toolkit.output import ColorDepth
+    from prompt_toolkit.output.defaults import create_output
+
+    class Words(Completer):
+        """What may follow, each with what it is."""
+
+        def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
+            """Offer the words that fit what is before the cursor."""
+            line = document.text_before_cursor
+            for word, said, start in completions(session, line):
+                yield Completion(word, start, display_meta=said)
+
+    class Kept(History):
+        """The lines of this session and of those before, in a file."""
+
+        def load_history_strings(self) -> Iterable[str]:
+            """Read them, the newest first."""
+            return reversed(past_lines(path))
+
+        def store_string(self, string: str) -> None:
+            """Add one."""
+            keep_line(path, string)
+
+    path = history_path()
+    color = wants_color("auto", True)
+    return PromptSession(
+        history=Kept(),
+        completer=Words(),
+        complete_while_typing=False,
+        output=create_output(always_prefer_tty=True),
+        color_depth=None if color else ColorDepth.DEPTH_1_BIT,
+    )
+
+
+def completions(session: Session, line: str) -> Iterator[tuple[str, str, int]]:
+    """The words that may follow in a line, what each is, and where it begins from the cursor."""
+    words = line.split()
+    incomplete = "" if line[-1:].isspace() or not words else words.pop()
+    if words[1:2] == ["="]:  # of a variable
+        words = words[2:]
+    if words[:1] == ["radcalc"]:
+        words = words[1:]
+    if not words:
+        for word, said in {**COMMANDS, **session.names()}.items():
+            if word.startswith(incomplete):
+                yield word, said, -len(incomplete)
+
+
+def _warm_up() -> None:
+    """Load what the first answer needs, while somebody reads and types."""
+    import asyncio
+    from importlib import import_module
+
+    from prompt_toolkit.application import get_app
+
+    async def load() -> None:
+        for name in WARM:
+            await asyncio.sleep(0)  # the keys come first
+            import_module(name)
+
+    get_app().create_background_task(load())
+
+
+def history_path() -> Path | None:
+    """Where the lines are kept: RADCALC_HISTORY, or the place of the platform; '' is nowhere."""
+    told = os.environ.get("RADCALC_HISTORY")
+    if told is not None:
+        return Path(told).expanduser() if told else None
+    if os.name == "nt":
+        state = os.environ.get("LOCALAPPDATA", "")
+    else:
+        state = os.environ.get("XDG_STATE_HOME", "")
+    if not os.path.isabs(state):
+        try:
+            state = str(Path.home() / ".local" / "state")
+        except RuntimeError:  # nobody's home
+            return None
+    return Path(state) / "radcalc" / "history"
+
+
+def past_lines(path: Path | None) -> list[str]:
+    """The lines that were kept, the oldest first; none where the file cannot be read."""
+    if path is None:
+        return []
+    try:
+        with path.open("rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(max(size - LONGEST, 0))
+            lines = file.read().decode(errors="replace").splitlines()
+    except OSError:
+        return []
+    return lines[1:] if size > LONGEST else lines
+
+
+def keep_line(path: Path | None, text: str) -> None:
+    """Add lines to the history, which their owner alone can read; a failure loses no answer."""
+    if path is None:
+        return
+    try:
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        file = os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600)
+        with open(file, "ab") as kept:
+            kept.write("".join(f"{line}\n" for line in text.splitlines()).encode(errors="replace"))
+    except OSError:
+        return

@@ -1,0 +1,392 @@
+"""What the lines of a prompt share: how one is read, the last answer, and the variables.
+
+A line is a command as at the shell, without `radcalc`.  `ans` and the names of variables stand
+for amounts: the text of the amount takes their place before anything is read, so that nothing
+below knows of them.
+"""
+
+import re
+import shlex
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import click
+
+from radcalc import cli, stdio
+from radcalc.answer import Result, Row
+from radcalc.cli import COMMANDS
+from radcalc.cli.options import decide
+from radcalc.cli.sentence import is_sentence
+from radcalc.errors import RadcalcError, UnitError, UsageError, listed, option, quote
+from radcalc.quantities.light import name_of, symbol_of
+from radcalc.quantities.symbols import (
+    DIRECTION,
+    GRID,
+    INTERVAL,
+    NUMBERS,
+    POINT,
+    QUANTITY,
+    SYMBOLS,
+    VECTOR,
+)
+from radcalc.quantities.targets import named
+from radcalc.units.amounts import SEPARATORS, Amount, read_amount, read_operands
+from radcalc.units.numbers import read_number
+from radcalc.units.table import unit_of
+
+ANS = "ans"
+LEAVING = ("exit", "quit")
+WORDS = {"help": "The commands, or the help of one.", "vars": "The variables, and ans."}
+WORDS |= dict.fromkeys(LEAVING, "Leave the prompt; Ctrl-D does as well.")
+RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATORS, "radcalc", "to", "per", "pi", "π"}
+OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
+OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
+LIMITS = ("", ",", ":")  # of a value in a list or a range
+
+ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
+NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
+SIGNS = "-+*/^·×⋅∙−"
+ARITHMETIC = re.compile(rf"[{SIGNS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]")  # in a word of several
+BARE = re.compile(rf"(^|[{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$|\)$", re.I)  # ends in a number
+
+HELP = """\
+A value and a unit are converted:  100 lx fc
+  also arithmetic, under conditions:  2 * 800 lm in lx --isotropic --distance 2m
+The last answer is ans, or ans.NAME of several:  ans klx
+A name keeps an amount, or an answer:  x = 800 lm
+vars lists these; help COMMAND says more; exit or Ctrl-D leaves.
+
+"""
+
+
+class Session:
+    """The lines of a prompt, one after another; `settings` are options of output for all."""
+
+    def __init__(self, settings: Mapping[str, Any] | None = None, has_stdin: bool = True) -> None:
+        """Take what commands are to be called with; whether they may read standard input."""
+        self.settings = dict(settings or {})
+        self.has_stdin = has_stdin
+        self.variables: dict[str, str] = {}
+        self.rows: list[Row] = []  # of the last line that had any
+
+    def names(self) -> dict[str, str]:
+        """The words of the prompt and the variables, with what each is."""
+        last = {ANS: "The last answer."} if self.rows else {}
+        return WORDS | last | self.variables
+
+    def hear(self, results: Sequence[Result]) -> None:
+        """Keep what a command answers."""
+        self.heard += [row for result in results for row in result.rows]
+
+    def answer(self, line: str, place: str = "") -> int:
+        """Answer a line as the shell would be; raise EOFError where it leaves the prompt."""
+        if line.strip() in LEAVING:
+            raise EOFError
+        words: list[str] = []
+        return cli.guarded(words, lambda: self._answer(line, words), place)
+
+    def _answer(self, line: str, words: list[str]) -> int:
+        if not line.strip() or line.lstrip().startswith("#"):
+            return stdio.ANSWERED
+        self.heard: list[Row] = []
+        assignment = ASSIGNMENT.fullmatch(line)
+        if assignment:
+            status = self._assign(assignment[1], assignment[2], words)
+        else:
+            words[:] = self.read(line)
+            status = self._run(words)
+        self.rows = self.heard or self.rows
+        return status
+
+    def read(self, line: str) -> list[str]:
+        """The words of a line as the command line takes them."""
+        words = split(line)
+        if words[:1] == ["radcalc"]:
+            words = words[1:]
+        called = words[0] if words else ""
+        if called in COMMANDS or (called[:1] == "-" and not is_sentence(words)):
+            return [called, *self._filled(called, words[1:])]
+        if is_sentence(words) or self._begins_with_name(called):
+            return ["convert", *self._filled("convert", words)]
+        return words
+
+    def _begins_with_name(self, word: str) -> bool:
+        found = NAME.match(word)
+        return found is not None and self._is_name(found[0])
+
+    def _is_name(self, name: str) -> bool:
+        return name.partition(".")[0] == ANS or name in self.variables
+
+    def _filled(self, called: str, words: list[str]) -> list[str]:
+        """The words behind a command, with amounts in the place of names."""
+        takers = _takers(called)
+        operands: list[str] = []
+        filled: list[str] = []
+        rest = iter(words)
+        for word in rest:
+            if not _is_option(word):
+                operands.append(word)
+                if called != "convert":
+                    is_amount = called in OPERANDS_ARE_AMOUNTS
+                    filled.append(self._fill(word) if is_amount else word)
+                continue
+            name, equals, value = word.partition("=")
+            filled.append(f"{name}={self._value(name, value)}" if equals else name)
+            if name in takers and not equals:
+                filled += [self._value(name, value) for value in [next(rest, None)] if value]
+        return [*self._operands(operands), *filled] if called == "convert" else filled
+
+    def _value(self, name: str, text: str) -> str:
+        symbol = SYMBOLS.get(name.removeprefix("--"))
+        if name == "--check":
+            result, equals, value = text.rpartition("=")
+            return f"{result}{equals}{self._fill(value)}"
+        return self._fill(text) if symbol and symbol.form in OF_AMOUNTS else text
+
+    def _fill(self, text: str, is_part: bool = False) -> str:
+        """A text with amounts in the place of names: in brackets, unless they stand alone."""
+
+        def amount(found: re.Match[str]) -> str:
+            if not self._is_name(found[0]):
+                return found[0]
+            before, behind = text[: found.start()], text[found.end() :]
+            is_alone = (
+                not is_part and before[-1:] in ("", ",", ":") and behind[:1] in ("", ",", ":")
+            )
+            return self._text_of(found[0]) if is_alone else f"({self._text_of(found[0])})"
+
+        return NAME.sub(amount, text)
+
+    def _text_of(self, name: str) -> str:
+        """The text of the amount that a name stands for."""
+        if name in self.variables:
+            return self.variables[name]
+        result = name.partition(".")[2]
+        return text_of(self._one(result, self.rows, name), name)
+
+    def _one(self, result: str, rows: Sequence[Row], name: str) -> Row:
+        """The only row, or the one of a result."""
+        if not rows:
+            raise UsageError(f"there is no {name} yet", "an answer before it, such as 100 lx fc")
+        named = [row for row in rows if not result or row.name == result]
+        if len(named) == 1:
+            return named[0]
+        names = list(dict.fromkeys(row.name for row in rows if row.name))
+        if not named:
+            raise UsageError(f"the last answer has no '{quote(result)}'", listed(names))
+        if len(names) < 2 or result:
+            problem = f"{name} stands for one value, and there are {len(named)}"
+            raise UsageError(problem, "a call with one answer")
+        raise UsageError(
+            f"{name} stands for one value, and the answer has several",
+            listed([f"{ANS}.{one}" for one in names])
+            if name == ANS
+            else f"{option('get', names[0])}, or another of them",
+        )
+
+    def _operands(self, words: list[str]) -> list[str]:
+        """The words of a conversion, those of a value that is arithmetic as one."""
+        if words[:1] == ["-"]:
+            return words
+        words = _closed(words)
+        last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
+        if last < 0 or any(word in ("to", *SEPARATORS) for word in words):
+            return [self._fill(word, last >= 0) for word in words]
+        end = last + (1 if words[last][-1] in SIGNS else 0)
+        value, rest = words[: end + 1], words[end + 1 :]
+        is_bare = bool(BARE.search(value[-1]))
+        if is_bare and rest[1:]:
+            value, rest = [*value, rest[0]], rest[1:]
+        head = self._fill(" ".join(value), True)
+        return _parted(head, rest[0]) if is_bare and len(rest) == 1 else [head, *rest]
+
+    def _run(self, words: list[str]) -> int:
+        """Run a command, or a word of the prompt."""
+        called = words[0] if words else ""
+        if called == "vars" and not words[1:]:
+            self._list()
+            return stdio.ANSWERED
+        if words == ["help"]:
+            stdio.write(HELP + "".join(f"  {name:14}{COMMANDS[name]}\n" for name in COMMANDS))
+            return stdio.ANSWERED
+        if called == "prompt" and not words[1:]:
+            raise UsageError("this is the prompt", "help, or exit")
+        if "-" in words and not self.has_stdin:
+            problem = "- reads standard input, where the lines of the prompt are"
+            raise UsageError(problem, "the same at a shell")
+        return cli.answered(words, self) if words else stdio.ANSWERED
+
+    def _list(self) -> None:
+        """Write the variables and the last answer, as lines that could be typed."""
+        texts = dict(self.variables)
+        if len(self.rows) == 1:
+            texts[ANS] = text_of(self.rows[0], ANS)
+        stdio.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
+
+    def _assign(self, name: str, text: str, words: list[str]) -> int:
+        """Keep an amount, or what a command answers, under a name."""
+        refuse_name(name, text)
+        words[:] = self.read(text)
+        if not words:
+            raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
+        amount = _amount(words)
+        if amount is None:
+            status = self._run(words)
+            if status == stdio.ANSWERED:
+                if not self.heard:
+                    raise UsageError(f"there is no amount for {name}", f"{name} = 800 lm")
+                self.variables[name] = text_of(self._one("", self.heard, name), name)
+            return status
+        self.variables[name] = _text(amount)
+        with click.Context(cli.commands, obj=self):
+            shown = decide(**(DEFAULTS | self.settings))
+        shown.show([_shown(amount)])
+        return stdio.ANSWERED
+
+
+def split(line: str) -> list[str]:
+    """The words of a line, which quotes may hold together as they do at a shell."""
+    try:
+        return shlex.split(line)
+    except ValueError as error:
+        mark = "\\" if "escaped" in str(error) else '"' if line.count('"') % 2 else "'"
+        missing = "nothing behind it" if mark == "\\" else "no second one"
+        raise UsageError(f"there is a {mark} with {missing}", f"the line without {mark}") from None
+
+
+def refuse_name(name: str, text: str) -> None:
+    """Refuse a name that has a meaning already."""
+    what = "a word of radcalc" if name.lower() in RESERVED else ""
+    if not what and unit_of(name):
+        what = "a unit"
+    if not what and _is_quantity(name):
+        what = "a quantity"
+    if what:
+        text = text.strip()
+        hint = f"my_{name} = {text}" if quote(text) == text else "another name"
+        raise UsageError(f"'{quote(name)}' is {what} already", hint)
+
+
+def _is_quantity(name: str) -> bool:
+    unknown = UnitError("")
+    try:
+        named(name, None, unknown)
+    except UnitError as error:
+        return error is not unknown  # which has several meanings
+    return True
+
+
+def text_of(row: Row, name: str) -> str:
+    """The exact text of a row's value, with its unit."""
+    if isinstance(row.value, bool) or not isinstance(row.value, (int, float)):
+        raise UsageError(f"{name} is no number", "a call with a number for its answer")
+    return _exact(row.value, row.unit)
+
+
+def _exact(number: float, unit: str) -> str:
+    digits = repr(float(number)).removesuffix(".0")
+    return digits if unit == "1" else f"{digits} {unit}"
+
+
+def _takers(called: str) -> set[str]:
+    """The options of a command that take the next word for their value."""
+    if called not in COMMANDS:
+        return set()
+    found = cli.commands.get_command(click.Context(cli.commands), called)
+    options = [one for one in found.params if isinstance(one, click.Option)] if found else []
+    # one whose value may be left out is written --header=2 with it
+    alone = [one.is_flag or isinstance(one.flag_value, (str, int)) for one in options]
+    pairs = zip(options, alone, strict=True)
+    return {text for one, is_alone in pairs if not is_alone for text in one.opts}
+
+
+def _is_option(word: str) -> bool:
+    return word[:1] == "-" and (word[1:2] == "-" or word[1:2].isalpha()) and not is_sentence([word])
+
+
+def _closed(words: list[str]) -> list[str]:
+    """The words, of which those from a bracket to the one that closes it are one."""
+    found: list[str] = []
+    for word in words:
+        if found and found[-1].count("(") > found[-1].count(")"):
+            found[-1] += f" {word}"
+        else:
+            found.append(word)
+    return found
+
+
+def _is_part(word: str, place: int) -> bool:
+    """Whether a word is a part of arithmetic over several words."""
+    return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(SIGNS)
+
+
+def _parted(head: str, last: str) -> list[str]:
+    """Arithmetic that ends in a number, and a word: the unit of that number, or the target.
+
+    `500 lx * 20 m2 / 0.48 klm` has a target and `800 lm / 2 m2` has none, which their quantities
+    tell; where both could be meant, it is refused.
+    """
+    whole = f"{head} {last}"
+    as_unit, value, target = _read(whole), _read(head), unit_of(last)
+    if value is None or value.unit is None:
+        return [whole]
+    if as_unit is None or not (as_unit.unit and name_of(as_unit.unit)):
+        return [head, last]
+    if target is None or target.dimension != value.unit.dimension:
+        return [whole]
+    number = head[BARE.search(head).start() :].lstrip(SIGNS + " (")  # type: ignore[union-attr]
+    raise UsageError(
+        f"'{quote(whole)}' can be read in two ways",
+        f"{quote(head)} in {quote(last)}, or ({quote(f'{number} {last}')}) in brackets",
+    )
+
+
+def _read(text: str) -> Amount | None:
+    try:
+        return read_amount(text)
+    except RadcalcError:
+        return None
+
+
+def _amount(words: list[str]) -> Amount | None:
+    """The amount that words are, where they are no more than that."""
+    if words[0] != "convert" or any(map(_is_option, words)) or words[1:2] == ["-"]:
+        return None
+    try:
+        amount, target = read_operands(words[1:])
+    except RadcalcError:
+        bare = _read(" ".join(words[1:]))
+        if bare is None or bare.unit is not None:
+            raise
+        return bare
+    return None if target else amount
+
+
+def _text(amount: Amount) -> str:
+    """The text of an amount: as it was typed, or what arithmetic came to."""
+    unit = amount.unit.text if amount.unit else ""
+    if amount.text[read_number(amount.text)[1] :].strip() == unit:
+        return amount.text
+    return _exact(amount.number, unit or "1")
+
+
+def _shown(amount: Amount) -> Result:
+    """An amount as an answer."""
+    unit = amount.unit
+    row = Row(
+        name_of(unit) if unit else "",
+        symbol_of(unit) if unit else "",
+        amount.number,
+        unit.text if unit else "1",
+    )
+    return Result((row,), amount.assumptions)
+
+
+DEFAULTS: dict[str, Any] = {
+    "format_": None,
+    "json_": False,
+    "number": False,
+    "precision": None,
+    "color": "auto",
+    "quiet": False,
+}
