@@ -23,6 +23,7 @@ KEEPERS = {
     "rich": ("radcalc.render.table", "radcalc.render.progress"),
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.compile",),
+    "prompt_toolkit": ("radcalc.cli.prompt",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
     "uncertainties": ("radcalc.units.uncertain",),
     "numpy": (
@@ -170,6 +171,7 @@ def test_the_vocabulary_has_the_names_of_observers_and_distributions():
 
 
 HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy", "uncertainties"}
+HEAVY.add("prompt_toolkit")
 SLOW = {"re", "dataclasses", "typing", "json", "enum", "collections", "functools", "inspect"}
 PROBE = """
 import os, sys

@@ -187,6 +187,7 @@ def _show_columns(
     texts: list[str] = []
     remarks: dict[tuple[Any, ...], Result] = {}
     for one, chosen in picked:
+        output.hear([result(one, chosen)])
         columns = [row.value for row in chosen]
         if output.format == CSV:
             texts.append(csv.block(result(one, chosen), units, output.style, not texts))

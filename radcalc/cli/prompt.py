@@ -3,19 +3,22 @@
 prompt_toolkit is loaded here alone, and only where somebody types.
 """
 
+import io
 import os
 from collections.abc import Iterable, Iterator
+from contextlib import redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-import click
+from typing import TYPE_CHECKING, Any
 
 from radcalc import stdio
 from radcalc._version import __version__
-from radcalc.cli import COMMANDS
-from radcalc.cli.command import define
-from radcalc.cli.options import Output, wants_color
-from radcalc.cli.session import DEFAULTS, Session
+from radcalc.cli.command import SectionedCommand
+from radcalc.cli.options import OPTIONS, decide, wants_color
+from radcalc.cli.session import ASSIGNMENT, DEFAULTS, Session
+from radcalc.completion import Completion as Word
+from radcalc.completion import completions as words_behind
+from radcalc.errors import RadcalcError
+from radcalc.quantities.symbols import WORD
 
 if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
@@ -29,11 +32,11 @@ WARM = (  # what the first answers need
     "radcalc.cli.point_source",
     "radcalc.render.table",
     "radcalc.cli.calculator",
+    "radcalc.conversion.geometric",
 )
 
 
-@define("prompt", {}, calculates=False)
-def command(shown: Output) -> int:
+def prompt(**values: Any) -> int:
     """Answer one line after another, each a command without radcalc.
 
     \b
@@ -58,11 +61,21 @@ def command(shown: Output) -> int:
     Where standard input is no terminal, each of its lines is answered, and the exit status is
     that of the worst.  The options are for every line.
     """
-    given = {k: v for k, v in click.get_current_context().params.items() if k in DEFAULTS}
-    settings = {name: value for name, value in given.items() if value != DEFAULTS[name]}
+    decide(**values)  # which refuses what contradicts itself
+    settings = {name: value for name, value in values.items() if value != DEFAULTS[name]}
     if os.isatty(0) and (os.isatty(1) or os.isatty(2)):
         return _converse(Session(settings))
     return answer_lines(Session(settings, has_stdin=False))
+
+
+command = SectionedCommand(
+    "prompt",
+    callback=prompt,
+    params=[*OPTIONS],
+    help=prompt.__doc__,
+    sections={"Output": OPTIONS},
+    operands=(WORD, ()),
+)
 
 
 def answer_lines(session: Session) -> int:
@@ -93,7 +106,7 @@ def _lines() -> Iterator[str]:
 
 def _converse(session: Session) -> int:
     """Ask for lines on the terminal and answer them until somebody leaves."""
-    asking = _prompt(session)
+    asking = _asking(session)
     stdio.say([f"radcalc {__version__}: help says how, exit leaves"])
     while True:
         try:
@@ -111,7 +124,7 @@ def _converse(session: Session) -> int:
                 return stdio.ANSWERED
 
 
-def _prompt(session: Session) -> "PromptSession[str]":
+def _asking(session: Session) -> "PromptSession[str]":
     """The line on which somebody types: with a history, and with completion."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import CompleteEvent, Completer, Completion
@@ -126,8 +139,12 @@ def _prompt(session: Session) -> "PromptSession[str]":
         def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
             """Offer the words that fit what is before the cursor."""
             line = document.text_before_cursor
-            for word, said, start in completions(session, line):
-                yield Completion(word, start, display_meta=said)
+            found, typed = completions(session, line)
+            for word in found:
+                text = f"{word.text} " if word.closes else word.text
+                yield Completion(
+                    text, -len(typed), display=word.text, display_meta=word.description
+                )
 
     class Kept(History):
         """The lines of this session and of those before, in a file."""
@@ -151,18 +168,25 @@ def _prompt(session: Session) -> "PromptSession[str]":
     )
 
 
-def completions(session: Session, line: str) -> Iterator[tuple[str, str, int]]:
-    """The words that may follow in a line, what each is, and where it begins from the cursor."""
-    words = line.split()
-    incomplete = "" if line[-1:].isspace() or not words else words.pop()
-    if words[1:2] == ["="]:  # of a variable
-        words = words[2:]
+def completions(session: Session, line: str) -> tuple[list[Word], str]:
+    """The words that may follow in a line, and what of them is typed already."""
+    assigned = ASSIGNMENT.fullmatch(line)
+    behind = assigned[2] if assigned else line
+    words = behind.split()
+    incomplete = "" if behind[-1:].isspace() or not words else words.pop()
     if words[:1] == ["radcalc"]:
         words = words[1:]
-    if not words:
-        for word, said in {**COMMANDS, **session.names()}.items():
-            if word.startswith(incomplete):
-                yield word, said, -len(incomplete)
+    is_first = not words and not assigned
+    with suppress(RadcalcError):  # which is said when the line is answered
+        words = session.read(" ".join(words))  # with what ans is
+    found = words_behind(words, incomplete)
+    if is_first or incomplete[:1].isalpha():
+        known = {word.text for word in found}
+        own = session.names(is_first).items()
+        found += [
+            Word(*one) for one in own if one[0].startswith(incomplete) and one[0] not in known
+        ]
+    return found, incomplete
 
 
 def _warm_up() -> None:
@@ -176,8 +200,16 @@ def _warm_up() -> None:
         for name in WARM:
             await asyncio.sleep(0)  # the keys come first
             import_module(name)
+        rehearse()
 
     get_app().create_background_task(load())
+
+
+def rehearse() -> None:
+    """Answer a conversion that nobody sees."""
+    nowhere = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+    with redirect_stdout(nowhere), redirect_stderr(nowhere):
+        Session().answer("1 lx fc")
 
 
 def history_path() -> Path | None:

@@ -16,9 +16,8 @@ from radcalc import cli, stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import COMMANDS
 from radcalc.cli.options import decide
-from radcalc.cli.sentence import is_sentence
 from radcalc.errors import RadcalcError, UnitError, UsageError, listed, option, quote
-from radcalc.quantities.light import name_of, symbol_of
+from radcalc.quantities.light import name_of
 from radcalc.quantities.symbols import (
     DIRECTION,
     GRID,
@@ -30,15 +29,16 @@ from radcalc.quantities.symbols import (
     VECTOR,
 )
 from radcalc.quantities.targets import named
-from radcalc.units.amounts import SEPARATORS, Amount, read_amount, read_operands
-from radcalc.units.numbers import read_number
+from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
+from radcalc.units.numbers import is_sentence, read_number
 from radcalc.units.table import unit_of
 
 ANS = "ans"
 LEAVING = ("exit", "quit")
-WORDS = {"help": "The commands, or the help of one.", "vars": "The variables, and ans."}
-WORDS |= dict.fromkeys(LEAVING, "Leave the prompt; Ctrl-D does as well.")
-RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATORS, "radcalc", "to", "per", "pi", "π"}
+WORDS = {"help": "The commands, or the help of one.", "vars": "The names, and what they keep."}
+WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
+SEPARATING = {*SEPARATORS, *ALSO_UNITS}
+RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, "radcalc", "per", "pi", "π"}
 OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
 OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
 LIMITS = ("", ",", ":")  # of a value in a list or a range
@@ -49,14 +49,15 @@ SIGNS = "-+*/^·×⋅∙−"
 ARITHMETIC = re.compile(rf"[{SIGNS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]")  # in a word of several
 BARE = re.compile(rf"(^|[{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$|\)$", re.I)  # ends in a number
 
-HELP = """\
-A value and a unit are converted:  100 lx fc
-  also arithmetic, under conditions:  2 * 800 lm in lx --isotropic --distance 2m
-The last answer is ans, or ans.NAME of several:  ans klx
-A name keeps an amount, or an answer:  x = 800 lm
-vars lists these; help COMMAND says more; exit or Ctrl-D leaves.
-
-"""
+EXAMPLES = {
+    "100 lx fc": "A value with its unit, converted.",
+    "2 * 100 lx in fc": "Arithmetic.",
+    "ans klx": "The last answer; ans.NAME is one of several results.",
+    "x = 800 lm": "A name keeps an amount, or the answer of a command.",
+    "vars": "The names, and what they keep.",
+    "help COMMAND": "More of a command.",
+    "exit": "Leave; Ctrl-D does as well.",
+}
 
 
 class Session:
@@ -69,10 +70,10 @@ class Session:
         self.variables: dict[str, str] = {}
         self.rows: list[Row] = []  # of the last line that had any
 
-    def names(self) -> dict[str, str]:
-        """The words of the prompt and the variables, with what each is."""
+    def names(self, with_words: bool = False) -> dict[str, str]:
+        """The names of amounts, with what they stand for, and the words of the prompt if asked."""
         last = {ANS: "The last answer."} if self.rows else {}
-        return WORDS | last | self.variables
+        return (WORDS if with_words else {}) | last | self.variables
 
     def hear(self, results: Sequence[Result]) -> None:
         """Keep what a command answers."""
@@ -190,7 +191,7 @@ class Session:
             return words
         words = _closed(words)
         last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
-        if last < 0 or any(word in ("to", *SEPARATORS) for word in words):
+        if last < 0 or SEPARATING.intersection(words):
             return [self._fill(word, last >= 0) for word in words]
         end = last + (1 if words[last][-1] in SIGNS else 0)
         value, rest = words[: end + 1], words[end + 1 :]
@@ -207,7 +208,7 @@ class Session:
             self._list()
             return stdio.ANSWERED
         if words == ["help"]:
-            stdio.write(HELP + "".join(f"  {name:14}{COMMANDS[name]}\n" for name in COMMANDS))
+            stdio.write(_help())
             return stdio.ANSWERED
         if called == "prompt" and not words[1:]:
             raise UsageError("this is the prompt", "help, or exit")
@@ -238,10 +239,24 @@ class Session:
                 self.variables[name] = text_of(self._one("", self.heard, name), name)
             return status
         self.variables[name] = _text(amount)
+        if amount.unit:
+            return cli.answered([*words, "to", amount.unit.text], self)
         with click.Context(cli.commands, obj=self):
             shown = decide(**(DEFAULTS | self.settings))
-        shown.show([_shown(amount)])
+        shown.show([Result((Row("", "", amount.number, "1", name="number"),), named=False)])
         return stdio.ANSWERED
+
+
+def _help() -> str:
+    """What can be typed at the prompt."""
+    from radcalc.cli.help import HelpFormatter
+
+    context = click.Context(cli.commands, **cli.commands.context_settings)
+    formatter = HelpFormatter(max_width=context.max_content_width)
+    for title, rows in (("At the prompt", EXAMPLES), ("Commands", COMMANDS)):
+        with formatter.section(title):
+            formatter.write_dl(list(rows.items()))
+    return formatter.getvalue().lstrip("\n")
 
 
 def split(line: str) -> list[str]:
@@ -368,18 +383,6 @@ def _text(amount: Amount) -> str:
     if amount.text[read_number(amount.text)[1] :].strip() == unit:
         return amount.text
     return _exact(amount.number, unit or "1")
-
-
-def _shown(amount: Amount) -> Result:
-    """An amount as an answer."""
-    unit = amount.unit
-    row = Row(
-        name_of(unit) if unit else "",
-        symbol_of(unit) if unit else "",
-        amount.number,
-        unit.text if unit else "1",
-    )
-    return Result((row,), amount.assumptions)
 
 
 DEFAULTS: dict[str, Any] = {

@@ -1,0 +1,242 @@
+"""The prompt, on a terminal and with lines from a pipe."""
+
+import os
+import re
+import select
+import stat
+import sys
+
+import pytest
+from conftest import entry_point, run
+from helpers import on_terminal
+
+from radcalc.cli import prompt
+
+ANSWERS = "9.290304\tfc\n0.1\tklx\n"
+
+
+def lines(text, *words, **more):
+    return run("prompt", *words, input=text, **more)
+
+
+def test_the_lines_of_a_pipe_are_answered_one_by_one():
+    done = lines("100 lx fc\n\n# a comment\nans klx\n")
+    assert (done.returncode, done.stdout, done.stderr) == (0, ANSWERS, "")
+
+
+def test_the_last_line_needs_no_end():
+    assert lines("100 lx fc\nans klx").stdout == ANSWERS
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [("", 0), ("100 lx fc\nexit\n100 lm cd\n", 0), ("100 lm cd\n100 lx fc\n", 2),
+     ("100 lx fc --check 9\n100 lx fc\n", 1), ("100 lx fc --check 9\nzork\n", 2)],
+)  # fmt: skip
+def test_the_status_of_lines_is_the_worst(text, status):
+    assert lines(text).returncode == status
+
+
+def test_a_refusal_names_its_line_and_the_rest_is_answered():
+    done = lines("100 lm cd\n100 lx fc\n")
+    assert done.stdout == "9.290304\tfc\n"
+    assert done.stderr.startswith("radcalc: line 1: cannot convert luminous flux (lm)")
+
+
+def test_lines_that_are_no_text_are_refused():
+    more = {"text": False, "encoding": None}
+    done = run("prompt", input=b"100 lx\xff fc\n100 lx fc\n", **more)
+    assert done.stdout == b"9.290304\tfc\n"
+    assert done.stderr.startswith(b"radcalc: line 1: ")
+
+
+def test_no_line_reads_the_lines_behind_it():
+    done = lines("convert - lx fc\n100\n")
+    assert done.returncode == 2
+    assert "line 1: - reads standard input, where the lines of the prompt are" in done.stderr
+
+
+def test_a_line_without_an_end_is_not_kept_whole():
+    done = lines("9" * (prompt.LONGEST + 2 * prompt.BLOCK))
+    assert done.returncode == 2
+    assert len(done.stderr) < 600
+
+
+def test_options_are_for_every_line():
+    assert lines("100 lx fc\n1 klx lx\n", "-n").stdout == "9.290304\n1000\n"
+    assert lines("100 lx fc\n", "--json", "-n").returncode == 2
+
+
+def test_without_a_terminal_radcalc_alone_is_no_prompt():
+    done = run(input="100 lx fc\n")
+    assert (done.returncode, done.stdout) == (2, "")
+
+
+class Screen:
+    """What a terminal was sent, without what steers it."""
+
+    def __init__(self, leader):
+        self.leader = leader
+        self.text = ""
+
+    def read(self, wanted):
+        """Read on until the text has come; it counts no more after that."""
+        while wanted not in self.text:
+            ready, _, _ = select.select([self.leader], [], [], 5)
+            assert ready, (wanted, self.text)
+            sent = os.read(self.leader, 65536).decode(errors="replace")
+            if "\x1b[6n" in sent:  # where the cursor is
+                os.write(self.leader, b"\x1b[1;1R")
+            self.text += re.sub(r"\x1b(\[[0-9;?]*[A-Za-z]|[=>])", "", sent)
+        _, _, self.text = self.text.partition(wanted)
+
+    def type(self, keys):
+        os.write(self.leader, keys.encode())
+
+
+# The terminal is the one that a Ctrl-C comes from.
+OWN_TERMINAL = """
+import fcntl, os, sys, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+os.execv(sys.argv[1], sys.argv[1:])
+"""
+
+
+@pytest.fixture
+def terminal(tmp_path, monkeypatch):
+    """The prompt on a terminal, with an empty history."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    monkeypatch.delenv("RADCALC_HISTORY", raising=False)
+    words = (sys.executable, "-c", OWN_TERMINAL, entry_point())
+    with on_terminal(*words, start_new_session=True) as (process, leader):
+        screen = Screen(leader)
+        screen.read("help says how")
+        screen.read(">")
+        yield screen, process
+        process.kill()
+
+
+def test_radcalc_alone_on_a_terminal_asks_and_answers(terminal, tmp_path):
+    screen, process = terminal
+    screen.type("100 lx fc\r")
+    screen.read("9.2903 fc   (illuminance)")
+    screen.type("ans klx\r")
+    screen.read("0.1 klx   (illuminance)")
+    screen.type("100 lm 'cd\r")
+    screen.read("there is a ' with no second one")
+    screen.type("exit\r")
+    assert process.wait(5) == 0
+    history = tmp_path / "radcalc" / "history"
+    assert history.read_text() == "100 lx fc\nans klx\n100 lm 'cd\nexit\n"
+    assert stat.S_IMODE(history.stat().st_mode) == 0o600
+
+
+def test_ctrl_c_drops_the_line_and_ctrl_d_leaves(terminal):
+    screen, process = terminal
+    screen.type("100 lm cd\x03")
+    screen.read(">")
+    screen.type("100 lx fc\r")
+    screen.read("9.2903 fc")
+    screen.type("\x04")
+    assert process.wait(5) == 0
+
+
+def test_ctrl_c_stops_an_answer_and_the_prompt_goes_on(terminal):
+    screen, process = terminal
+    screen.type("x = 5 lm\r")
+    screen.read("5 lm   (luminous flux)")
+    screen.type("integrate 'sin(1e9*theta*phi)' --sphere --accuracy 1e-14\r")
+    screen.read("1e-14")
+    screen.read("\n")
+    screen.type("\x03")
+    screen.read(">")
+    screen.type("x mlm\r")
+    screen.read("5000 mlm")
+    screen.type("\x04")
+    assert process.wait(5) == 0
+
+
+def test_tab_completes_a_command(terminal):
+    screen, process = terminal
+    screen.type("calori\t")
+    screen.read("calorimeter")
+    screen.type("\x03\x04")
+    assert process.wait(5) == 0
+
+
+def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
+    kept = tmp_path / "lines"
+    kept.write_text("250 cd/m2 nit\n")
+    monkeypatch.setenv("RADCALC_HISTORY", str(kept))
+    with on_terminal(entry_point(), "prompt") as (process, leader):
+        screen = Screen(leader)
+        screen.read("exit leaves")
+        screen.read(">")
+        screen.type("\x1b[A\r")
+        screen.read("250 nit")
+        screen.type("\x04")
+        assert process.wait(5) == 0
+    assert kept.read_text() == "250 cd/m2 nit\n250 cd/m2 nit\n"
+
+
+@pytest.mark.parametrize("place", ["", "/dev/null/history", "/proc/none/history"])
+def test_a_history_that_cannot_be_kept_stops_nothing(place, monkeypatch, tmp_path):
+    monkeypatch.setenv("RADCALC_HISTORY", place)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    with on_terminal(entry_point(), "prompt") as (process, leader):
+        screen = Screen(leader)
+        screen.read("exit leaves")
+        screen.read(">")
+        screen.type("100 lx fc\r")
+        screen.read("9.2903 fc")
+        screen.type("\x04")
+        assert process.wait(5) == 0
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_answers_of_a_prompt_can_be_kept_in_a_file(tmp_path):
+    answers = tmp_path / "answers"
+    with (
+        answers.open("w") as file,
+        on_terminal(entry_point(), "prompt", stdout=file) as (process, leader),
+    ):
+        screen = Screen(leader)
+        screen.read("exit leaves")
+        screen.read(">")
+        screen.type("100 lx fc\r\x04")
+        assert process.wait(5) == 0
+    assert answers.read_text() == "9.290304\tfc\n"
+
+
+@pytest.mark.parametrize("name", ["NO_COLOR", "TERM"])
+def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
+    monkeypatch.setenv(name, {"NO_COLOR": "1", "TERM": "dumb"}[name])
+    with on_terminal(entry_point(), "prompt") as (process, leader):
+        screen = b""
+        os.write(leader, b"800 lm cd --isotropic\r")
+        while b"assumed" not in screen:
+            screen += os.read(leader, 65536)
+            if b"\x1b[6n" in screen:
+                os.write(leader, b"\x1b[1;1R")
+        os.write(leader, b"\x04")
+        assert process.wait(5) == 0
+    assert not re.findall(rb"\x1b\[(?!0m|m)[0-9;]+m", screen)
+
+
+def test_the_history_is_bounded(tmp_path):
+    path = tmp_path / "history"
+    path.write_text("".join(f"{k} lx fc\n" for k in range(200_000)))
+    found = prompt.past_lines(path)
+    assert found[-1] == "199999 lx fc"
+    assert sum(len(line) + 1 for line in found) <= prompt.LONGEST
+    assert found[0].endswith(" lx fc")
+    assert found[0] == f"{200_000 - len(found)} lx fc"
+
+
+def test_the_history_is_in_the_place_of_the_platform(monkeypatch, tmp_path):
+    monkeypatch.delenv("RADCALC_HISTORY", raising=False)
+    monkeypatch.setenv("XDG_STATE_HOME", "/state")
+    assert str(prompt.history_path()) == "/state/radcalc/history"
+    monkeypatch.setenv("XDG_STATE_HOME", "relative")  # which the specification has ignored
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert prompt.history_path() == tmp_path / ".local" / "state" / "radcalc" / "history"

@@ -1,0 +1,173 @@
+"""The lines of a prompt: how they are read, the last answer, and the names of amounts."""
+
+import pytest
+
+from radcalc.cli.session import Session
+
+# 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc
+
+
+@pytest.fixture
+def session(monkeypatch):
+    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    return Session()
+
+
+@pytest.fixture
+def typed(session, capsys):
+    """Answer lines; return what the last one printed, and its complaint."""
+
+    def answer(*lines):
+        for line in lines:
+            capsys.readouterr()
+            status = session.answer(line)
+        shown = capsys.readouterr()
+        assert status == (2 if "radcalc: " in shown.err else 0)
+        return shown.out if not status else shown.err
+
+    return answer
+
+
+READ = {
+    "": [],
+    "  ": [],
+    "100 lx fc": ["convert", "100", "lx", "fc"],
+    "radcalc 100 lx fc": ["convert", "100", "lx", "fc"],
+    "convert 100 lx to fc": ["convert", "100", "lx", "to", "fc"],
+    "-30 mW uW": ["convert", "-30", "mW", "uW"],
+    "1 J/(m2 s) W/m2": ["convert", "1", "J/(m2 s)", "W/m2"],
+    "'5 W m-2' W/m2": ["convert", "5 W m-2", "W/m2"],
+    "- lx fc --header -d ,": ["convert", "-", "lx", "fc", "--header", "-d", ","],
+    "convert - --header lx fc": ["convert", "-", "lx", "fc", "--header"],
+    "convert - --field 2 lx fc": ["convert", "-", "lx", "fc", "--field", "2"],
+    "photon 555nm": ["photon", "555nm"],
+    "units 'photon flux'": ["units", "photon flux"],
+    "help convert": ["help", "convert"],
+    "--version": ["--version"],
+}
+
+
+@pytest.mark.parametrize("line", READ)
+def test_a_line_is_read_as_the_words_at_a_shell(session, line):
+    assert session.read(line) == READ[line]
+
+
+def test_the_last_answer_is_a_value_with_its_unit(typed):
+    assert typed("100 lx fc", "ans lx") == "100\tlx\n"
+
+
+def test_the_last_answer_is_not_rounded_as_it_was_shown(typed):
+    assert typed("2 rad deg --precision 2", "ans rad --precision 17") == "2\trad\n"
+
+
+def test_the_last_answer_stands_in_options(typed):
+    # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
+    typed("0.8 klm lm")
+    assert typed("1 klm lx --isotropic --distance 2m") == "19.8943678865\tlx\n"
+    assert typed("0.2 dam m", "1 klm lx --isotropic --distance ans") == "19.8943678865\tlx\n"
+
+
+def test_a_line_without_an_answer_leaves_the_last_one(typed):
+    assert typed("100 lx fc", "units lux", "vars", "100 zork fc", "help", "ans lx") == "100\tlx\n"
+
+
+def test_one_of_several_results_is_asked_for_by_its_name(typed):
+    typed("point-source --flux 800lm --distance 2m")
+    assert "ans stands for one value, and the answer has several" in typed("ans fc")
+    assert "ans.irradiance" in typed("ans fc")
+    assert "no 'exitance'" in typed("ans.exitance fc")
+    assert typed("ans.distance ft") == "6.56167979003\tft\n"  # 2 / 0.3048
+
+
+def test_several_answers_are_no_value(typed):
+    typed("800 lm lx --isotropic --distance 1m,2m")
+    assert "there are 2" in typed("ans fc")
+
+
+def test_there_is_no_last_answer_at_first(typed):
+    assert typed("ans fc").startswith("radcalc: there is no ans yet\ntry: ")
+
+
+def test_a_name_keeps_an_amount_as_it_was_typed(typed):
+    assert typed("x = 100 lx") == "100\tlx\n"
+    assert typed("x fc") == "9.290304\tfc\n"
+    assert typed("y=2m", "vars") == "x = 100 lx\ny = 2m\nans = 2 m\n"
+
+
+def test_a_name_stands_in_the_options_of_a_calculator(typed):
+    typed("source = 800 lm", "y = 2 m")
+    # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
+    line = "point-source --flux source --distance=y -g irradiance:lx"
+    assert typed(line) == "15.9154943092\n"
+    assert typed("point-source --flux source --distance 1m,y -g irradiance:lx -q") == (
+        "63.6619772368\n15.9154943092\n"
+    )
+
+
+def test_a_name_keeps_the_answer_of_a_conversion(typed):
+    assert typed("x = 100 lx fc") == "9.290304\tfc\n"
+    assert typed("x lx") == "100\tlx\n"
+
+
+def test_a_name_keeps_a_bare_number(typed):
+    assert typed("k = 1/4", "k lx mlx") == "250\tmlx\n"
+
+
+def test_a_name_is_no_part_of_other_words(typed):
+    typed("x = 800 lm")
+    # CIE 15:2018, table 11.3: x of D65 is 0.31272, here over 380 nm to 780 nm
+    assert typed("spectrum D65 -g x -q --precision 5") == "0.31273\n"
+
+
+REFUSED = {
+    "m = 5 lm": ("'m' is a unit already", "my_m = 5 lm"),
+    "lx = 5": ("'lx' is a unit already", "my_lx = 5"),
+    "convert = 5 lm": ("a word of radcalc already", "my_convert"),
+    "ans = 5 lm": ("a word of radcalc already", "my_ans"),
+    "pi = 3": ("a word of radcalc already", "my_pi"),
+    "illuminance = 5 lx": ("a quantity already", "my_illuminance"),
+    "flux = 5 lm": ("a quantity already", "my_flux"),
+    "x =": ("x = has no value", "x = 800 lm"),
+    "x = help": ("there is no amount for x", "x = 800 lm"),
+    "x = zork": ("there is no command 'zork'", "radcalc --help"),
+    "x = point-source --flux 800lm --distance 2m": ("x stands for one value", "-g intensity"),
+    "x = 1,5 lx": ("has a comma in its number", "1.5"),
+    "units 'lux": ("there is a ' with no second one", "the line without '"),
+    'units "lux': ('there is a " with no second one', 'the line without "'),
+    "units lux \\": ("there is a \\ with nothing behind it", "the line without \\"),
+    "zork 5": ("there is no command 'zork'", "radcalc --help"),
+    "prompt": ("this is the prompt", "exit"),
+    "y fc": ("there is no command 'y'", "radcalc --help"),
+}
+
+
+@pytest.mark.parametrize("line", REFUSED)
+def test_what_cannot_be_answered_says_why_and_what_would_do(typed, session, line):
+    *_, message, hint = typed(line).splitlines()
+    assert REFUSED[line][0] in message
+    assert REFUSED[line][1] in hint
+    assert session.variables == {}
+
+
+@pytest.mark.parametrize("line", ["exit", "quit", " exit "])
+def test_leaving_is_the_end_of_the_lines(session, line):
+    with pytest.raises(EOFError):
+        session.answer(line)
+
+
+def test_options_of_output_are_for_every_line(capsys, monkeypatch):
+    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    Session({"number": True, "precision": 3}).answer("100 lx fc")
+    assert capsys.readouterr().out == "9.29\n"
+
+
+def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
+    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: True)
+    monkeypatch.setenv("NO_COLOR", "1")
+    session = Session()
+    session.answer("800 lm cd --isotropic")
+    first, assumed = capsys.readouterr().out.splitlines()
+    assert first == "63.662 cd   (luminous intensity)"  # 800 / (4 pi)
+    assert assumed == "assumed: uniform over 4 pi sr (isotropic)"
+    session.answer("point-source --flux 800lm --distance 2m")
+    assert len(capsys.readouterr().out.splitlines()) > 5
