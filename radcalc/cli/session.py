@@ -309,10 +309,9 @@ def _takers(called: str) -> set[str]:
         return set()
     found = cli.commands.get_command(click.Context(cli.commands), called)
     options = [one for one in found.params if isinstance(one, click.Option)] if found else []
-    # one whose value may be left out is written --header=2 with it
-    alone = [one.is_flag or isinstance(one.flag_value, (str, int)) for one in options]
-    pairs = zip(options, alone, strict=True)
-    return {text for one, is_alone in pairs if not is_alone for text in one.opts}
+    # [=N] is a value that is never the next word
+    takers = [o for o in options if not o.is_flag and not (o.metavar or "").startswith("[=")]
+    return {text for one in takers for text in one.opts}
 
 
 def _is_option(word: str) -> bool:

@@ -77,14 +77,15 @@ class Screen:
 
     def __init__(self, leader):
         self.leader = leader
-        self.text = ""
+        self.text = self.raw = ""
 
     def read(self, wanted):
         """Read on until the text has come; it counts no more after that."""
         while wanted not in self.text:
-            ready, _, _ = select.select([self.leader], [], [], 5)
+            ready, _, _ = select.select([self.leader], [], [], 60)
             assert ready, (wanted, self.text)
             sent = os.read(self.leader, 65536).decode(errors="replace")
+            self.raw += sent
             if "\x1b[6n" in sent:  # where the cursor is
                 os.write(self.leader, b"\x1b[1;1R")
             self.text += re.sub(r"\x1b(\[[0-9;?]*[A-Za-z]|[=>])", "", sent)
@@ -92,6 +93,12 @@ class Screen:
 
     def type(self, keys):
         os.write(self.leader, keys.encode())
+
+    def answer(self, line, wanted):
+        """Type a line and read its answer, and the next prompt."""
+        self.type(f"{line}\r")
+        self.read(wanted)
+        self.read(">")  # keys that come before it are the terminal's
 
 
 # The terminal is the one that a Ctrl-C comes from.
@@ -118,14 +125,11 @@ def terminal(tmp_path, monkeypatch):
 
 def test_radcalc_alone_on_a_terminal_asks_and_answers(terminal, tmp_path):
     screen, process = terminal
-    screen.type("100 lx fc\r")
-    screen.read("9.2903 fc   (illuminance)")
-    screen.type("ans klx\r")
-    screen.read("0.1 klx   (illuminance)")
-    screen.type("100 lm 'cd\r")
-    screen.read("there is a ' with no second one")
+    screen.answer("100 lx fc", "9.2903 fc   (illuminance)")
+    screen.answer("ans klx", "0.1 klx   (illuminance)")
+    screen.answer("100 lm 'cd", "there is a ' with no second one")
     screen.type("exit\r")
-    assert process.wait(5) == 0
+    assert process.wait(60) == 0
     history = tmp_path / "radcalc" / "history"
     assert history.read_text() == "100 lx fc\nans klx\n100 lm 'cd\nexit\n"
     assert stat.S_IMODE(history.stat().st_mode) == 0o600
@@ -135,33 +139,30 @@ def test_ctrl_c_drops_the_line_and_ctrl_d_leaves(terminal):
     screen, process = terminal
     screen.type("100 lm cd\x03")
     screen.read(">")
-    screen.type("100 lx fc\r")
-    screen.read("9.2903 fc")
+    screen.answer("100 lx fc", "9.2903 fc")
     screen.type("\x04")
-    assert process.wait(5) == 0
+    assert process.wait(60) == 0
 
 
 def test_ctrl_c_stops_an_answer_and_the_prompt_goes_on(terminal):
     screen, process = terminal
-    screen.type("x = 5 lm\r")
-    screen.read("5 lm   (luminous flux)")
+    screen.answer("x = 5 lm", "5 lm   (luminous flux)")
     screen.type("integrate 'sin(1e9*theta*phi)' --sphere --accuracy 1e-14\r")
     screen.read("1e-14")
     screen.read("\n")
     screen.type("\x03")
     screen.read(">")
-    screen.type("x mlm\r")
-    screen.read("5000 mlm")
+    screen.answer("x mlm", "5000 mlm")
     screen.type("\x04")
-    assert process.wait(5) == 0
+    assert process.wait(60) == 0
 
 
 def test_tab_completes_a_command(terminal):
     screen, process = terminal
     screen.type("calori\t")
-    screen.read("calorimeter")
+    screen.read("meter")
     screen.type("\x03\x04")
-    assert process.wait(5) == 0
+    assert process.wait(60) == 0
 
 
 def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
@@ -172,11 +173,10 @@ def test_the_arrow_finds_the_lines_of_the_last_session(tmp_path, monkeypatch):
         screen = Screen(leader)
         screen.read("exit leaves")
         screen.read(">")
-        screen.type("\x1b[A\r")
-        screen.read("250 nit")
+        screen.answer("\x1b[A", "250 nit")
         screen.type("\x04")
-        assert process.wait(5) == 0
-    assert kept.read_text() == "250 cd/m2 nit\n250 cd/m2 nit\n"
+        assert process.wait(60) == 0
+    assert kept.read_text() == "250 cd/m2 nit\n"  # which is kept once
 
 
 @pytest.mark.parametrize("place", ["", "/dev/null/history", "/proc/none/history"])
@@ -187,10 +187,9 @@ def test_a_history_that_cannot_be_kept_stops_nothing(place, monkeypatch, tmp_pat
         screen = Screen(leader)
         screen.read("exit leaves")
         screen.read(">")
-        screen.type("100 lx fc\r")
-        screen.read("9.2903 fc")
+        screen.answer("100 lx fc", "9.2903 fc")
         screen.type("\x04")
-        assert process.wait(5) == 0
+        assert process.wait(60) == 0
     assert list(tmp_path.iterdir()) == []
 
 
@@ -204,7 +203,7 @@ def test_the_answers_of_a_prompt_can_be_kept_in_a_file(tmp_path):
         screen.read("exit leaves")
         screen.read(">")
         screen.type("100 lx fc\r\x04")
-        assert process.wait(5) == 0
+        assert process.wait(60) == 0
     assert answers.read_text() == "9.290304\tfc\n"
 
 
@@ -212,15 +211,12 @@ def test_the_answers_of_a_prompt_can_be_kept_in_a_file(tmp_path):
 def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
     monkeypatch.setenv(name, {"NO_COLOR": "1", "TERM": "dumb"}[name])
     with on_terminal(entry_point(), "prompt") as (process, leader):
-        screen = b""
-        os.write(leader, b"800 lm cd --isotropic\r")
-        while b"assumed" not in screen:
-            screen += os.read(leader, 65536)
-            if b"\x1b[6n" in screen:
-                os.write(leader, b"\x1b[1;1R")
-        os.write(leader, b"\x04")
-        assert process.wait(5) == 0
-    assert not re.findall(rb"\x1b\[(?!0m|m)[0-9;]+m", screen)
+        screen = Screen(leader)
+        screen.read(">")
+        screen.answer("800 lm cd --isotropic", "assumed")
+        screen.type("\x04")
+        assert process.wait(60) == 0
+    assert not re.findall(r"\x1b\[(?!0m)[0-9;]+m", screen.raw)
 
 
 def test_the_history_is_bounded(tmp_path):
