@@ -2,7 +2,11 @@
 
 The names of the grid are those of the CIE's vocabulary (ILV, IEC 60050-845) and ISO 80000-7 and
 of their Czech and Russian usage; where no settled name is known the place is empty, and English
-serves.  Of several names the first is the one to use.  The definitions are radcalc's own words.
+serves.  Of several names the first is the one to use; the others are found in use, as "iradiance"
+and "radiozita" are in Czech lecture notes on computer graphics, "hustota zářivého toku" in Czech
+Wikipedia ("Intenzita záření", which tells radiozita from intenzita vyzařování), "ozáření" for W/m2
+in WikiSkripta ("Radiometrické veličiny") and "poměrná spektrální světelná účinnost" in Světlopedia
+("Světelná účinnost").  The definitions are radcalc's own words.
 """
 
 from typing import NamedTuple
@@ -33,30 +37,34 @@ class Quantity(NamedTuple):
 _ROWS = (
     ("Q_e", "J", "radiant energy", "zářivá energie", "энергия излучения",
      "Energy sent out, carried or received as radiation."),
-    ("Q_v", "lm s", "luminous energy, quantity of light", "světelné množství",
+    ("Q_v", "lm s", "luminous energy, quantity of light", "světelné množství, světelná energie",
      "световая энергия",
      "Luminous flux summed over time."),
     ("Q_p", "photon", "photon number", "počet fotonů", "число фотонов",
      "How many photons are sent out, carried or received."),
-    ("Φ_e", "W", "radiant flux, radiant power", "zářivý tok", "поток излучения",
+    ("Φ_e", "W", "radiant flux, radiant power", "zářivý tok",
+     "поток излучения, лучистый поток, энергетический поток",
      "Power of radiation: radiant energy per time."),
-    ("Φ_v", "lm", "luminous flux", "světelný tok", "световой поток",
+    ("Φ_v", "lm", "luminous flux, luminous power", "světelný tok, světelný výkon", "световой поток",
      "Radiant flux as the eye weighs it: each wavelength by Km V(λ)."),
     ("Φ_p", "photon/s", "photon flux", "fotonový tok", "поток фотонов",
      "Photons per time."),
-    ("I_e", "W/sr", "radiant intensity", "zářivost", "сила излучения",
+    ("I_e", "W/sr", "radiant intensity", "zářivost",
+     "сила излучения, энергетическая сила света, энергетическая сила излучения",
      "Radiant flux of a source per solid angle, in one direction."),
     ("I_v", "cd", "luminous intensity", "svítivost", "сила света",
      "Luminous flux of a source per solid angle, in one direction."),
     ("I_p", "photon/s/sr", "photon intensity", "fotonová zářivost", "сила излучения фотонов",
      "Photon flux of a source per solid angle, in one direction."),
-    ("E_e", "W/m2", "irradiance", "ozářenost", "энергетическая освещённость, облучённость",
+    ("E_e", "W/m2", "irradiance", "ozářenost, iradiance",
+     "энергетическая освещённость, облучённость",
      "Radiant flux that falls on a surface, per area."),
-    ("E_v", "lx", "illuminance", "osvětlenost", "освещённость",
+    ("E_v", "lx", "illuminance", "osvětlenost", "освещённость, световая освещённость",
      "Luminous flux that falls on a surface, per area."),
     ("E_p", "photon/m2/s", "photon irradiance", "fotonová ozářenost", "облучённость фотонов",
      "Photon flux that falls on a surface, per area."),
-    ("M_e", "W/m2", "radiant exitance, radiosity", "intenzita vyzařování",
+    ("M_e", "W/m2", "radiant exitance, radiosity",
+     "intenzita vyzařování, intenzita vyzáření, zářivá exitance, radiozita",
      "энергетическая светимость",
      "Radiant flux that leaves a surface in all directions, per area."),
     ("M_v", "lm/m2", "luminous exitance", "světlení", "светимость",
@@ -65,7 +73,7 @@ _ROWS = (
      "Photon flux that leaves a surface in all directions, per area."),
     ("L_e", "W/m2/sr", "radiance", "zář", "энергетическая яркость",
      "Radiant flux per solid angle and per area as that direction sees it."),
-    ("L_v", "cd/m2", "luminance", "jas", "яркость",
+    ("L_v", "cd/m2", "luminance", "jas", "яркость, световая яркость",
      "Luminous flux per solid angle and per area as that direction sees it."),
     ("L_p", "photon/m2/s/sr", "photon radiance", "fotonová zář", "яркость фотонов",
      "Photon flux per solid angle and per area as that direction sees it."),
@@ -95,12 +103,14 @@ _ROWS = (
      "Luminous flux of a radiation over its radiant flux."),
     ("η_v", "lm/W", "luminous efficacy of a source", "měrný výkon", "световая отдача",
      "Luminous flux of a lamp over the power that it takes from the mains."),
-    ("V(λ)", "1", "luminous efficiency", "poměrná světelná účinnost",
+    ("V(λ)", "1", "luminous efficiency",
+     "poměrná světelná účinnost, poměrná spektrální světelná účinnost",
      "относительная световая эффективность",
      "Luminous efficacy at a wavelength over its maximum."),
     ("Ω", "sr", "solid angle", "prostorový úhel", "телесный угол",
      "Area that a cone cuts from a sphere about its tip, over the radius squared."),
-    ("Ω_p", "sr", "projected solid angle", "průmět prostorového úhlu",
+    ("Ω_p", "sr", "projected solid angle",
+     "průmět prostorového úhlu, promítnutý prostorový úhel",
      "проекция телесного угла",
      "Solid angle, each direction weighed by its cosine to a surface's normal."),
     ("G", "m2 sr", "etendue, optical extent", "étendue", "геометрический фактор",
@@ -304,7 +314,7 @@ MISNOMERS = (
         "luminosity is an astronomer's word for all the power of a star, a radiant flux (W)",
     ),
     (
-        ("radiosity",),
+        ("radiosity", "radiozita"),
         "M_e",
         "radiosity is a heat engineer's word for radiant exitance, reflected light included",
     ),
@@ -324,7 +334,7 @@ MISNOMERS = (
         "what falls on a surface, in lx, is illuminance (osvětlenost)",
     ),
     (
-        ("intenzita ozáření", "insolation", "flux density"),
+        ("intenzita ozáření", "insolation"),
         "E_e",
         "what falls on a surface, in W/m2, is irradiance (ozářenost)",
     ),
@@ -334,9 +344,44 @@ MISNOMERS = (
         "brightness is what is felt; what is measured, in cd/m2, is luminance",
     ),
     (
-        ("power", "optical power", "zářivý výkon", "мощность излучения"),
+        ("power", "optical power", "zářivý výkon", "výkon", "мощность излучения", "мощность"),
         "Φ_e",
-        "the power of radiation is its radiant flux",
+        "the power of radiation is its radiant flux; what a lamp takes from the mains is another",
+    ),
+    (
+        ("ozáření",),
+        "E_e",
+        "ozáření is radiant exposure (J/m2), but irradiance (W/m2) in some courses",
+    ),
+    (
+        ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
+        "E_e",
+        "the flux density of what falls on a surface, in W/m2, is irradiance",
+    ),
+    (
+        ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
+        "M_e",
+        "the flux density of what leaves a surface, in W/m2, is radiant exitance",
+    ),
+    (
+        ("flux density", "hustota toku", "hustota světelného toku", "плотность потока"),
+        "E_v",
+        "the flux density of light that falls on a surface, in lx, is illuminance",
+    ),
+    (
+        ("hustota světelného toku",),
+        "M_v",
+        "the flux density of light that leaves a surface, in lm/m2, is luminous exitance",
+    ),
+    (
+        ("spektrální světelná účinnost",),
+        "V(λ)",
+        "relative to its maximum, 1 at 555 nm, it is the luminous efficiency V(λ)",
+    ),
+    (
+        ("spektrální světelná účinnost",),
+        "K",
+        "in lm/W it is the luminous efficacy of one wavelength, K(λ)",
     ),
     (("emittance", "radiant emittance"), "M_e", "radiant exitance was once called emittance"),
     (

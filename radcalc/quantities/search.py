@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import GEOMETRIES, NONE, is_per_length, name_of, read
+from radcalc.quantities.light import NONE, Reading, is_per_length, name_of, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
@@ -93,7 +93,7 @@ def called(text: str) -> list[Found]:
     exact = [Found(q) for q in index().names.get(wanted, ())]
     meant = index().misnomers.get(wanted, {})
     if meant and not exact:  # "intensity" is part of some right names, too
-        exact = _by_words(text, str.__eq__)
+        exact = _by_words(text, str.__eq__, 1)
     found = [f for f in exact if f.quantity.symbol not in meant]
     return found + [Found(q, meant[q.symbol]) for q in QUANTITIES if q.symbol in meant]
 
@@ -120,13 +120,15 @@ def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
     return found
 
 
-def _by_words(text: str, alike: Callable[[str, str], bool]) -> list[Found]:
-    """The quantities in one of whose names, or kinds, every word of the text is found."""
+def _by_words(
+    text: str, alike: Callable[[str, str], bool], first: int | None = None
+) -> list[Found]:
+    """The quantities in one of whose (first) names, or kinds, every word of the text is found."""
     words = fold(text).split()
     found = []
     for q in QUANTITIES:
         kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]
-        names = [fold(name).split() + kind for lang in LANGUAGES for name in q.names(lang)]
+        names = [fold(name).split() + kind for lang in LANGUAGES for name in q.names(lang)[:first]]
         if words and any(all(any(alike(n, w) for n in name) for w in words) for name in names):
             found.append(Found(q))
     return found
@@ -142,9 +144,9 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     """The quantities that a unit measures; of a density that is not listed, what it is of."""
     if unit is None:
         return []
+    if is_per_length(unit):
+        return _per_length(unit)
     found = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
-    if is_per_length(unit):  # the lm/m of a strip has the dimension of a spectral density
-        found = []
     if unit.is_exitance:
         found = [q for q in found if q.symbol.startswith("M")]
     elif name_of(unit) == "illuminance" and not any(n.endswith("lumen") for n, _ in unit.atoms):
@@ -154,9 +156,27 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     reading = read(unit)
     if reading is None or reading.axis == NONE:
         return []
-    whole = GEOMETRIES[reading.geometry][0]["evp".index(reading.kind)]
-    note = f"{quote(unit.text)} measures {name_of(unit)}"
-    return [Found(q, note) for q in QUANTITIES if whole in q.names("en")]
+    return _whole(reading, f"{quote(unit.text)} measures {name_of(unit)}")
+
+
+def _whole(reading: Reading, note: str) -> list[Found]:
+    """The quantity of which another is a density."""
+    name = reading._replace(axis=NONE).name
+    return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
+
+
+def _per_length(unit: Unit) -> list[Found]:
+    """Both readings of W/m: of a strip, and of a spectrum."""
+    reading = read(unit)
+    if reading is None:
+        return []
+    of_strip = f"{quote(unit.text)} measures {name_of(unit)}, as of a strip of lamps"
+    of_spectrum = f"{reading.name} where the length is one of wavelength"
+    spectral = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
+    if not spectral:
+        return _whole(reading, f"{of_strip}, and {of_spectrum}")
+    note = f"{quote(unit.text)} measures {of_spectrum}"
+    return _whole(reading, of_strip) + [Found(q, note) for q in spectral]
 
 
 def _by_name_and_unit(text: str) -> list[Found]:

@@ -81,7 +81,8 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
                 manual(WITHOUT_OWN_UNIT[exact[0].symbol]),
             )
         return [_target(q) for q in exact]
-    if found := [f for f in called(text) if "λ" not in f.quantity.symbol]:
+    found = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
+    if found := [f for f in found if "λ" not in f.quantity.symbol]:
         return [_target(f.quantity, f.note) for f in found]
     return [t for name, t in _others().items() if fold(name) == wanted]
 
@@ -155,7 +156,7 @@ def _near(text: str) -> list[str]:
 def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
     """Refuse a name of several quantities."""
     told = [f"{target.name} ({target.unit})" for target in meanings]
+    units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
     return UnitError(
-        f"'{quote(text)}' may be {', '.join(told[:-1])} or {told[-1]}",
-        ", ".join(target.unit.replace(" ", ".") for target in meanings),
+        f"'{quote(text)}' may be {', '.join(told[:-1])} or {told[-1]}", ", ".join(units)
     )

@@ -35,6 +35,17 @@ GRID = [
     ("E_p", "photon irradiance", "fotonová ozářenost", "облучённость фотонов"),
     ("L_p", "photon radiance", "fotonová zář", "яркость фотонов"),
     ("Ω", "solid angle", "prostorový úhel", "телесный угол"),
+    # names beside the first ones
+    ("E_e", "irradiance", "iradiance", "энергетическая освещённость"),
+    ("M_e", "radiant exitance", "radiozita", "энергетическая светимость"),
+    ("M_e", "radiant exitance", "intenzita vyzáření", "энергетическая светимость"),
+    ("Ω_p", "projected solid angle", "promítnutý prostorový úhel", "проекция телесного угла"),
+    ("Q_v", "luminous energy", "světelná energie", "световая энергия"),
+    ("Φ_v", "luminous power", "světelný výkon", "световой поток"),
+    ("Φ_e", "radiant flux", "zářivý tok", "энергетический поток"),
+    ("I_e", "radiant intensity", "zářivost", "энергетическая сила излучения"),
+    ("E_v", "illuminance", "osvětlenost", "световая освещённость"),
+    ("L_v", "luminance", "jas", "световая яркость"),
 ]
 NAMES = [
     (q.symbol, one, name) for q in QUANTITIES for one in LANGUAGES for name in q.names(one)
@@ -128,7 +139,7 @@ def test_definitions_are_one_line_each():
         ("umol/m2/s", ["E_p", "M_p"]),
         ("lm/W", ["K", "η_v"]),
         ("spectral", ["Φ_e,λ", "I_e,λ", "E_e,λ", "M_e,λ", "L_e,λ"]),
-        ("светов", ["Q_v", "Φ_v", "H_v", "K", "η_v", "V(λ)"]),
+        ("светов", ["Q_v", "Φ_v", "E_v", "L_v", "H_v", "K", "η_v", "V(λ)"]),
         ("flux luminous", ["Φ_v"]),
         ("radiance (W/m2/sr)", ["L_e"]),
         ("etendue", ["G"]),
@@ -162,6 +173,17 @@ def test_a_search_finds_these(text, expected):
         ("PPFD", "E_p", "400 nm"),
         ("W/m2/Hz", "E_e", "per frequency"),
         ("lm/m", "Φ_v", "per length"),
+        ("lm/m", "Φ_v", "per wavelength"),
+        ("W/m", "Φ_e", "per length"),
+        ("W/m", "Φ_e,λ", "per wavelength"),
+        ("ozáření", "E_e", "some courses"),
+        ("výkon", "Φ_e", "radiant flux"),
+        ("hustota toku", "E_e", "falls on"),
+        ("hustota toku", "M_e", "leaves"),
+        ("hustota toku", "E_v", "light"),
+        ("radiozita", "M_e", "reflected"),
+        ("spektrální světelná účinnost", "V(λ)", "maximum"),
+        ("spektrální světelná účinnost", "K", "lm/W"),
     ],
 )
 def test_a_misnomer_is_answered_with_the_right_term_and_a_note(text, right, said):

@@ -44,6 +44,11 @@ USUAL = [
     ("luminous efficacy", "lm/W"),
     ("length", "m"),
     ("délka", "m"),
+    ("výkon", "W"),
+    ("power", "W"),
+    ("luminous power", "lm"),
+    ("ozáření", "J/m2"),
+    ("iradiance", "W/m2"),
     ("wavelength", "nm"),
     ("длина волны", "nm"),
 ]
@@ -90,6 +95,7 @@ def test_a_units_own_name_wins(text):
         ("intensity", ["radiant intensity (W/sr)", "luminous intensity (cd)", "irradiance (W/m2)"]),
         ("luminosity", ["radiant flux (W)", "luminous exitance (lm/m2)"]),
         ("light intensity", ["irradiance (W/m2)", "illuminance (lx)", "luminous intensity (cd)"]),
+        ("hustota toku", ["irradiance (W/m2)", "radiant exitance (W/m2)", "illuminance (lx)"]),
         ("flux", ["radiant flux (W)", "luminous flux (lm)", "photon flux (umol/s)"]),
     ],
 )
