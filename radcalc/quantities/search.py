@@ -1,14 +1,27 @@
 """Finding a quantity by what people call it: a name, a symbol, a unit, or a misnomer."""
 
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from itertools import product
 from typing import NamedTuple
 
 from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
-from radcalc.quantities.light import NONE, Reading, is_per_length, name_of, read
-from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
+from radcalc.quantities.light import (
+    GEOMETRIES,
+    KIND_NAMES,
+    NONE,
+    OTHERS,
+    PER_WAVELENGTH,
+    Reading,
+    is_per_length,
+    light_dimension,
+    name_of,
+    read,
+)
+from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES, Quantity
+from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
@@ -59,25 +72,36 @@ def search(text: str) -> list[Found]:
         raise UsageError(
             f"'{quote(text)}' measures {measured}, no quantity of light", command("quantities")
         )
-    known = {fold(name): name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)}
-    near = [known[name] for name in nearest(fold(text), known, 3)]
     raise UsageError(
         f"no quantity is called '{quote(text)}'",
-        ", ".join(near) or f"{command('quantities')}, which lists them all",
+        ", ".join(near(text, 3)) or f"{command('quantities')}, which lists them all",
     )
 
 
+class Other(NamedTuple):
+    """A quantity that the vocabulary of light does not list: a length, an efficacy, a density.
+
+    `unit` has its dimension, and no text.
+    """
+
+    names: tuple[str, ...]
+    unit: Unit
+
+
 class Index(NamedTuple):
-    """What names and misnomers stand for, by how they are compared."""
+    """What names stand for, by how they are compared: for searches, units and targets alike."""
 
     names: dict[str, list[Quantity]]
     misnomers: dict[str, dict[str, str]]  # symbols of quantities, and why
+    others: dict[str, Other]
 
 
 @cache
 def index() -> Index:
     """Every name and misnomer in every language."""
-    made = Index({}, {})
+    made = Index({}, {}, {})
+    for other in _others():
+        made.others.update({fold(name): other for name in other.names})
     for q in QUANTITIES:
         for name in dict.fromkeys(fold(n) for lang in LANGUAGES for n in q.names(lang)):
             made.names.setdefault(name, []).append(q)
@@ -85,6 +109,18 @@ def index() -> Index:
         for term in terms:
             made.misnomers.setdefault(fold(term), {})[symbol] = note
     return made
+
+
+def _others() -> Iterator[Other]:
+    """The quantities that `name_of` tells and the vocabulary does not, then the wavelength."""
+    for dimension, (name, _) in OTHERS.items():
+        if dimension != NUMBER:
+            yield Other((name, *LABELS.get(name, ())), Unit("", 1, 1, dimension, ()))
+    for kind, geometry in product(KIND_NAMES, GEOMETRIES):
+        for axis, below in ((NONE, ()), (PER_WAVELENGTH, (("nanometre", -1),))):
+            name = Reading(kind, *geometry, axis).name.partition(" (")[0]
+            yield Other((name,), Unit("", 1, 1, light_dimension(kind, geometry, axis), below))
+    yield Other(("wavelength", *LABELS["wavelength"]), Unit("", 1, 1, LENGTH, ()))
 
 
 def called(text: str) -> list[Found]:
@@ -96,6 +132,18 @@ def called(text: str) -> list[Found]:
         exact = _by_words(text, str.__eq__, 1)
     found = [f for f in exact if f.quantity.symbol not in meant]
     return found + [Found(q, meant[q.symbol]) for q in QUANTITIES if q.symbol in meant]
+
+
+def with_words(text: str) -> list[Quantity]:
+    """The quantities that have every word of the text in the name to use."""
+    return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(fold(text)) > 2 else []
+
+
+def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
+    """The names most like a text that is none, of quantities of light and of others given."""
+    names = [name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)]
+    known = {fold(name): name for name in (*names, *(n for other in others for n in other.names))}
+    return [known[name] for name in nearest(fold(text), known, count)]
 
 
 def _key(symbol: str) -> str:

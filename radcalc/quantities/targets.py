@@ -6,14 +6,14 @@ A unit's own name wins over a quantity's; a name that has several meanings is re
 from typing import NamedTuple
 
 from radcalc.errors import UnitError, manual, nearest, quote
-from radcalc.quantities.language import ENGLISH, LANGUAGES, translate
-from radcalc.quantities.light import EXITANCES, KINDS, OTHERS, read
+from radcalc.quantities.language import ENGLISH, LANGUAGES
+from radcalc.quantities.light import EXITANCES, KINDS, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
-from radcalc.quantities.search import called, fold, index
+from radcalc.quantities.search import Other, called, fold, index
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
-from radcalc.quantities.units import COMPOSED
-from radcalc.units.dimensions import COHERENT, LENGTH
-from radcalc.units.table import Dimension, Unit, resolve, suggest, unit_of
+from radcalc.quantities.units import composed
+from radcalc.units.dimensions import COHERENT
+from radcalc.units.table import Unit, resolve, suggest, unit_of
 
 # Names that serve every kind of light: the source decides which.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
@@ -84,7 +84,9 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
     found = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
     if found := [f for f in found if "λ" not in f.quantity.symbol]:
         return [_target(f.quantity, f.note) for f in found]
-    return [t for name, t in _others().items() if fold(name) == wanted]
+    other = index().others.get(wanted)
+    target = _other(other) if other else None
+    return [target] if target else []
 
 
 def _of_kinds(name: str, source: Unit | None) -> list[Target]:
@@ -115,22 +117,13 @@ def _target(quantity: Quantity, note: str = "") -> Target:
     return Target(name, "lm/m2" if name in EXITANCES and unit == "lx" else unit, note)
 
 
-def _others() -> dict[str, Target]:
-    """The names of what is no light: lengths, angles, efficacies."""
-    dimensions = {name: dimension for dimension, (name, _) in OTHERS.items()}
-    dimensions["wavelength"] = LENGTH
-    found = {}
-    for name, dimension in dimensions.items():
-        if unit := _usual(name, dimension):
-            found.update({translate(name, one): Target(name, unit) for one in LANGUAGES})
-    return found
-
-
-def _usual(name: str, dimension: Dimension) -> str:
-    """The unit in which results show a quantity; '' where there is none."""
+def _other(other: Other) -> Target | None:
+    """What is no light of the vocabulary in the unit in which results show it; None without one."""
+    name, dimension = other.names[0], other.unit.dimension
     symbol = SYMBOLS.get(name.replace(" ", "-"))
-    units = (symbol.unit if symbol else "", *COMPOSED.get(name, ()), COHERENT.get(dimension, ""))
-    return next((u for u in units if u not in ("", "1") and resolve(u).dimension == dimension), "")
+    units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
+    usual = [u for u in units if u and resolve(u).dimension == dimension]
+    return Target(name, usual[0]) if usual else None
 
 
 def _targets() -> dict[str, Target]:
@@ -138,10 +131,11 @@ def _targets() -> dict[str, Target]:
     own = [q for q in QUANTITIES if q.symbol not in WITHOUT_OWN_UNIT]
     names = [name for q in own for one in LANGUAGES for name in q.names(one)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
+    names += [name for other in index().others.values() for name in other.names]
     names = [name for name in names if unit_of(name) is None]
     found = {name: meanings[0] for name in names if len(meanings := _meanings(name, None)) == 1}
     found.update({name: _of_kinds(name, None)[0] for name in GENERIC})
-    return {name.replace(" ", "-"): target for name, target in (found | _others()).items()}
+    return {name.replace(" ", "-"): target for name, target in found.items()}
 
 
 def _near(text: str) -> list[str]:

@@ -1,6 +1,4 @@
-"""Which units measure a quantity: for `convert` without a target, and for `units`."""
-
-from typing import NamedTuple
+"""Which units measure a quantity: for `convert` without a target, `units`, and completion."""
 
 from radcalc.quantities.light import (
     LUMINOUS,
@@ -15,8 +13,8 @@ from radcalc.quantities.light import (
     read,
 )
 from radcalc.units.catalogue import CATALOGUE
-from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.table import Dimension, Unit, resolve
+from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.table import Dimension, Unit
 
 # Derived units that have no name of their own are products: a head for kind and time, then
 # what it is per.  Candelas already are per steradian.
@@ -85,55 +83,6 @@ def units_of(unit: Unit) -> list[str]:
 def named(dimension: Dimension) -> list[str]:
     """The named units of a dimension, in the order of the definitions."""
     return [name for name, (_, _, powers, _) in UNITS.items() if powers == dimension]
-
-
-class Entry(NamedTuple):
-    """What `radcalc units` shows of one unit."""
-
-    name: str
-    symbols: str
-    quantity: str
-    definition: str
-    source: str
-    note: str
-
-
-def entry(name: str) -> Entry:
-    """Everything that the definitions say of one unit."""
-    symbols, _, definition, source = CATALOGUE[name]
-    prefixes = UNITS[name][3]
-    allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
-    every = len(allowed) == len(PREFIX_NAMES)
-    takes = f" (prefixes: {'all' if every else ' '.join(allowed)})" if allowed else ""
-    shown = ", ".join(symbols) + takes
-    return Entry(
-        name, shown.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
-    )
-
-
-def search(words: str) -> list[Entry]:
-    """Find units by the quantity they measure, else by any part of a name, else by a unit."""
-    wanted = words.strip().lower().replace("-", "_")
-    entries = [entry(name) for name in UNITS]
-    if not wanted:
-        return entries
-    by_quantity = [e for e in entries if e.quantity == words.strip().lower()]
-    by_quantity = by_quantity or [e for e in entries if wanted in e.quantity.split()]
-    if by_quantity:
-        return by_quantity
-    exact = [e for e in entries if words.strip() in CATALOGUE[e.name][0]]
-    if exact and len(wanted) < 3:
-        return exact
-    return exact + [e for e in entries if e not in exact and _is_part(wanted, e.name)]
-
-
-def _is_part(wanted: str, name: str) -> bool:
-    return any(wanted in known for known in CATALOGUE[name][1])
-
-
-def quantity_names() -> list[str]:
-    """The names of the quantities that named units measure."""
-    return sorted({e.quantity for e in map(entry, UNITS)})
 
 
 def offered(unit: Unit) -> list[str]:

@@ -1,0 +1,128 @@
+"""What `radcalc units` shows: a unit, what it measures, what it is worth, and who says so.
+
+A search is for the name of a quantity, as `radcalc quantities` finds it, or for a unit.
+"""
+
+from typing import NamedTuple
+
+from radcalc.errors import UnitError, command, quote
+from radcalc.quantities.language import ENGLISH
+from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of, read
+from radcalc.quantities.units import composed, named
+from radcalc.units.catalogue import CATALOGUE
+from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.table import Unit, resolve
+
+
+class Entry(NamedTuple):
+    """What there is to say of one unit."""
+
+    name: str
+    symbols: str
+    quantity: str
+    definition: str
+    source: str
+    note: str
+
+
+def entry(name: str) -> Entry:
+    """Everything that the definitions say of one unit."""
+    symbols, _, definition, source = CATALOGUE[name]
+    prefixes = UNITS[name][3]
+    allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
+    every = len(allowed) == len(PREFIX_NAMES)
+    takes = f" (prefixes: {'all' if every else ' '.join(allowed)})" if allowed else ""
+    shown = ", ".join(symbols) + takes
+    return Entry(
+        name, shown.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
+    )
+
+
+def product(text: str, quantity: str) -> Entry:
+    """The same of a unit that has no name of its own, such as W/m2."""
+    parts = [
+        f"{'*' if power > 0 else '/'} {name}{f'**{abs(power)}' if abs(power) > 1 else ''}"
+        for name, power in sorted(resolve(text).atoms, key=lambda atom: atom[1] < 0)
+    ]
+    return Entry(text, "", quantity, " ".join(parts).removeprefix("* "), "", "")
+
+
+def search(text: str) -> list[Entry]:
+    """Find units by their name, by the quantity they measure, by a part of a name, by a unit.
+
+    The first of these that finds any decides; raises UnitError where none does.
+    """
+    text = text.strip()
+    if not text:
+        return [entry(name) for name in UNITS]
+    if text.lower().replace("-", "_") in NAMES:
+        return _of_name(text)
+    return _of_quantities(text) or _of_name(text) or _fellows(text)
+
+
+def _of_quantities(text: str) -> list[Entry]:
+    """The units of the quantities of that name, or of which it is a misnomer, with the note."""
+    from radcalc.quantities.search import called, fold, index, with_words
+
+    found = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
+    if not found and (other := index().others.get(fold(text))):
+        found = [(other.names[0], other.unit, "")]
+    if not found:
+        found = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]
+    entries: dict[str, Entry] = {}
+    for name, unit, note in found:
+        for one in _of_quantity(name, unit):
+            entries.setdefault(one.name, one._replace(note=one.note or note))
+    return list(entries.values())
+
+
+def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
+    """The named units of a quantity, those of its densities by another axis, and products."""
+    leaves = quantity in EXITANCES
+    entries = [entry(name) for name in named(unit.dimension)]
+    entries = [e for e in entries if (e.quantity in EXITANCES) == leaves]
+    entries = [e for e in entries if not leaves or e.quantity == quantity]
+    if quantity.startswith("spectral "):
+        every = [entry(name) for name in UNITS if name_of(resolve(name)).startswith("spectral ")]
+        entries = [e for e in every if e.quantity.startswith(f"{quantity} (")]
+    return entries + _products(quantity, unit)
+
+
+def _products(quantity: str, unit: Unit) -> list[Entry]:
+    """The units of a quantity that are no symbol alone, nor one with a prefix."""
+    texts = [text for text in composed(unit) if not text.isalpha()]
+    return [product(text, quantity) for text in texts]
+
+
+def _of_name(text: str) -> list[Entry]:
+    """The units of that symbol, and those in whose names the text is."""
+    wanted = text.lower().replace("-", "_")
+    exact = [name for name in UNITS if text in CATALOGUE[name][0]]
+    if exact and len(wanted) < 3:
+        return [entry(name) for name in exact]
+    part = [n for n in UNITS if n not in exact and any(wanted in k for k in CATALOGUE[n][1])]
+    return [entry(name) for name in exact + part]
+
+
+def _fellows(text: str) -> list[Entry]:
+    """Read the search as a unit, and list the units of its quantity; raise where it is none."""
+    try:
+        unit = resolve(text)
+    except UnitError as error:
+        from radcalc.quantities.search import index, near
+
+        names = near(text, 2, index().others.values())
+        raise UnitError(
+            f"no unit and no quantity is called '{quote(text)}'", ", ".join(names) or error.hint
+        ) from None
+    reading = read(unit)
+    found = []
+    if not is_per_length(unit):
+        found = [entry(name) for name in named(unit.dimension)]
+    found += _products(name_of(unit), unit)
+    if reading and is_per_length(unit):  # of a strip, and of a spectrum
+        spectral = Unit("", 1, 1, unit.dimension, (("nanometre", -1),))
+        found += _products(reading.name, spectral)
+    if not found:
+        raise UnitError(f"{describe(unit)} has no unit with a name of its own", command("units"))
+    return found
