@@ -133,3 +133,9 @@ def _differ(one: Input | None, other: Input | None) -> bool:
     if one is None or other is None:
         return one is not other
     return is_array(one.value) or is_array(other.value) or one != other
+
+
+def shows(row: Row, name: str, unit: str = "") -> bool:
+    """Whether a row has what was given under a name, in a unit or in any."""
+    is_named = name in (row.name, row.quantity.replace(" ", "-"))
+    return row.given and is_named and unit in ("", row.unit)

@@ -93,7 +93,7 @@ def run(
     answers = (
         one
         for case, inputs in zip(each, told, strict=True)
-        for one in _every(case, inputs, work_out(case.given))
+        for one in _every(case, inputs, _noted(case, work_out(case.given)))
     )
     show(answers, asked, output, told)
     return stdio.ANSWERED
@@ -200,6 +200,11 @@ def _show_columns(
     for text in texts:
         stdio.write(text)
     output.remark(list(remarks.values()))
+
+
+def _noted(case: Case, answer: Answer) -> Answer:
+    """The answer with what is to be said of its inputs."""
+    return answer._replace(notes=(*case.notes, *answer.notes)) if case.notes else answer
 
 
 def _every(case: Case, inputs: tuple[Input, ...], answer: Answer) -> list[Answered]:

@@ -10,14 +10,15 @@ from radcalc.answer import Input
 from radcalc.errors import TooMany, option
 from radcalc.given import Given, Inputs, read, read_interval, values_of
 from radcalc.maths import is_array
-from radcalc.units.ranges import grid
+from radcalc.units.ranges import grid, note_of
 
 
 class Case(NamedTuple):
-    """What is given for an answer, and what of it differs from answer to answer."""
+    """What is given for an answer, what of it differs from answer to answer, and notes on it."""
 
     given: Inputs
     varied: tuple[Input, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def label(self) -> str:
@@ -57,7 +58,10 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
     }
     names = [name for name, each in given.items() if len(each) > 1]
     long = next((len(one.value) for (one, *_) in given.values() if is_array(one.value)), 1)
-    return [Case(case, tuple(told(case[name]) for name in names)) for case in grid(given, long)]
+    notes = tuple(note for name in names for note in note_of(typed[name]))
+    return [
+        Case(case, tuple(told(case[name]) for name in names), notes) for case in grid(given, long)
+    ]
 
 
 def _varies(values: Sequence[Any]) -> bool:
@@ -72,4 +76,4 @@ def told(given: Given) -> Input:
 
 def label(varied: Sequence[Input]) -> str:
     """Which of several answers it is."""
-    return ", ".join(f"{one.name} {one.text}" for one in varied)
+    return ", ".join(f"{one.name} {one.text}".strip() for one in varied)

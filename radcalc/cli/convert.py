@@ -1,6 +1,7 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import click
 
@@ -8,15 +9,16 @@ from radcalc import stdio
 from radcalc.answer import Input, Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
-from radcalc.cli.cases import cases
+from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
-from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option
-from radcalc.given import Inputs, inputs_of
+from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option, quote
+from radcalc.given import Given, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
+from radcalc.units.ranges import note_of, read_lists, refuse_many
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import Unit, resolve
 
@@ -115,43 +117,88 @@ def command(
             raise UsageError("--check takes one answer, and a stream has several", "one value")
         return streams.convert(list(words), asked, each, steps, shown)
     streams.refuse(asked)
-    amount, target_text = read_operands(list(words))
-    if amount.uncertainty:
-        raise UsageError("an uncertain value is converted from Python", "the value alone")
-    value, source = amount.typed
-    assert source is not None
-    if not target_text:
+    calls = conversions(list(words), each)
+    first = calls[0]
+    if not first.targets:
         for name, given in (("--steps", steps), ("--check", check)):
             if given:
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
-        found = every_unit(value, source, typed, shown.style.bare)
-        shown.show([found._replace(inputs=inputs_of_conversion(amount, {}))])
+        shown.show([every_unit(call, typed, shown.style.bare) for call in calls])
         return stdio.ANSWERED
-    target = target_of(target_text, source)
     if check is not None:
         from radcalc.homework.question import of_conversion
 
-        checking.refuse_several(len(each))
-        conditions = list(each[0].given.values())
-        question = of_conversion(value, source, target, conditions, steps)
-        inputs = inputs_of_conversion(amount, each[0].given)
-        return checking.judge(question, check, tolerance, shown, inputs)
-    number = f"{value:.12g}"
-    plans = [(case, plan(source, target, list(case.given.values()), number)) for case in each]
-    shown.show(
-        [
-            answer(made, value, case.label, steps, inputs_of_conversion(amount, case.given))
-            for case, made in plans
-        ]
-    )
+        checking.refuse_several(len(calls) * len(first.targets))
+        target, conditions = first.targets[0], first.conditions
+        question = of_conversion(first.value, first.source, target, conditions, steps)
+        return checking.judge(question, check, tolerance, shown, first.inputs)
+    shown.show([call.answer(steps) for call in calls])
     return stdio.ANSWERED
 
 
-def inputs_of_conversion(amount: Amount, conditions: Inputs) -> tuple[Input, ...]:
-    """The value and the conditions, as an answer tells them."""
-    number, unit = amount.typed
-    value = Input("value", number, unit.text if unit else "1", amount.text)
-    return (value, *inputs_of(conditions))
+class Conversion(NamedTuple):
+    """A value and its targets, of which there may be none, under the conditions of a case."""
+
+    amount: Amount
+    value: float
+    source: Unit
+    targets: Sequence[Unit]
+    case: Case
+
+    @property
+    def conditions(self) -> list[Given]:
+        """What is given for it."""
+        return list(self.case.given.values())
+
+    @property
+    def inputs(self) -> tuple[Input, ...]:
+        """The value and the conditions, as an answer tells them."""
+        value = Input("value", self.value, self.source.text, self.amount.text)
+        return (value, *inputs_of(self.case.given))
+
+    def answer(self, steps: bool) -> Result:
+        """The value in the targets' units, and everything about it."""
+        number = f"{self.value:.12g}"
+        plans = [plan(self.source, target, self.conditions, number) for target in self.targets]
+        told = [answer(made, self.value, self.case.label, steps) for made in plans]
+        return Result(
+            tuple(row for one in told for row in one.rows),
+            tuple(dict.fromkeys(text for one in told for text in one.assumptions)),
+            tuple(dict.fromkeys((*self.case.notes, *(n for one in told for n in one.notes)))),
+            tuple(dict.fromkeys(step for one in told for step in one.steps)),
+            self.inputs,
+            named=False,
+        )
+
+
+def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
+    """Every conversion that is asked for: the values run slowest, and the targets fastest."""
+    lists = read_lists(words)
+    refuse_many([len(lists), len(each), len(lists[0])])
+    notes = note_of(words[0]) if len(lists) > 1 else ()
+    calls = []
+    for of_value in lists:
+        amount, texts = _read_value(of_value)
+        value, source = amount.typed
+        assert source is not None
+        targets = [target_of(text, source) for text in texts]
+        which = (Input("", text=amount.text),) if len(lists) > 1 else ()
+        for case in each:
+            told = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
+            calls.append(Conversion(amount, value, source, targets, told))
+    return calls
+
+
+def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
+    """A value, and the texts of its targets, from the words of a conversion to each of them."""
+    read = [read_operands(words) for words in calls]
+    (amount, first), *others = read
+    if others and not first:
+        several = quote(",".join(words[-1] for words in calls))
+        raise UsageError(f"'{several}' is a list where one unit is meant", "a TARGET behind it")
+    if amount.uncertainty:
+        raise UsageError("an uncertain value is converted from Python", "the value alone")
+    return amount, [target for _, target in read if target]
 
 
 def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
@@ -173,8 +220,9 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
     return option("efficacy", f"{error.text}{units[is_small]}")
 
 
-def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) -> Result:
+def every_unit(call: Conversion, typed: dict[str, Any], number: bool) -> Result:
     """The value in every unit of its quantity."""
+    source = call.source
     if typed:
         raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
     if number:
@@ -188,9 +236,11 @@ def every_unit(value: float, source: Unit, typed: dict[str, Any], number: bool) 
     rows = []
     for target in targets:
         try:
-            converted = plan(source, target).apply(value)
+            converted = plan(source, target).apply(call.value)
         except ConversionError:
             continue  # beyond what a float holds in that unit
         name = result_name(target)
-        rows.append(Row(name_of(target), symbol_of(target), converted, target.text, name=name))
-    return Result(tuple(rows), notes=source.notes, named=False)
+        row = Row(name_of(target), symbol_of(target), converted, target.text, call.case.label, name)
+        rows.append(row)
+    notes = (*call.case.notes, *source.notes)
+    return Result(tuple(rows), notes=notes, inputs=call.inputs, named=False)

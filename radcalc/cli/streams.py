@@ -11,7 +11,7 @@ from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
-from radcalc.errors import RadcalcError, UsageError, command
+from radcalc.errors import RadcalcError, UsageError, command, quote
 from radcalc.given import Given, inputs_of
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
@@ -84,6 +84,9 @@ def convert(
     from radcalc.streams.stream import Stream, run
 
     source_text, target_text = read_stream_operands(words)
+    if "," in target_text:
+        problem = f"'{quote(target_text)}' is a list, and a stream has one target"
+        raise UsageError(problem, "one unit a call")
     given = _given(cases, steps)
     format_ = click.get_current_context().params.get("format_")
     if format_ in (TABLE, CSV):

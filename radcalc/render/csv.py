@@ -5,7 +5,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Input, Result, Row, varying
+from radcalc.answer import Input, Result, shows, varying
 from radcalc.render.arrays import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
@@ -26,14 +26,14 @@ def results(results: Sequence[Result], style: Style) -> str:
     units = {
         name: unit
         for name, unit in units.items()
-        if not (unit and all(any(_shows(row, name, unit) for row in rows) for rows in given))
+        if not (unit and all(any(shows(row, name, unit) for row in rows) for rows in given))
         and (unit or not are_apart)
     }
     lines = []
     for result in results:
         line = {head: _cell(value, style) for head, value in _inputs(result, units).items()}
         for row in result.rows:
-            if not any(_shows(row, name) for name in units):
+            if not any(shows(row, name) for name in units):
                 line[f"{row.name}:{row.unit}"] = _cell(row.value, style)
         lines.append(line)
     header = list(dict.fromkeys(head for line in lines for head in line))
@@ -48,7 +48,7 @@ def block(result: Result, units: Mapping[str, str], style: Style, with_header: b
     others = {
         name: unit
         for name, unit in units.items()
-        if not any(_shows(row, name) for row in result.rows)
+        if not any(shows(row, name) for row in result.rows)
     }
     columns = _inputs(result, others)
     columns |= {f"{row.name}:{row.unit}": row.value for row in result.rows}
@@ -83,12 +83,6 @@ def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
         for one in result.inputs
         if (unit := units.get(one.name)) is not None
     }
-
-
-def _shows(row: Row, name: str, unit: str = "") -> bool:
-    """Whether a row has what was given under a name, in a unit or in any."""
-    is_named = name in (row.name, row.quantity.replace(" ", "-"))
-    return row.given and is_named and unit in ("", row.unit)
 
 
 def _unit(cells: Sequence[Input | None]) -> str:

@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from radcalc.answer import Result, Row
+from radcalc.answer import Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
@@ -48,19 +48,20 @@ def results(results: Sequence[Result], style: Style) -> str:
     rows = [row for result in results for row in result.rows]
     if style.brief and len(rows) == 1:
         return _line(rows[0], precision, language) + draw([], [], below, width, color)
-    cases = any(row.case for row in rows)
-    header = [*(["for"] if cases else []), "quantity", "symbol", "value", "unit"]
+    names, cases = _cases(results)
+    header = [*names, "quantity", "symbol", "value", "unit"]
     lines = [
         [
-            *([row.case] if cases else []),
+            *case,
             _quantity(row, language),
             row.symbol,
             number(row.value, precision or DIGITS),
             row.unit,
         ]
-        for row in rows
+        for result, case in zip(results, cases, strict=True)
+        for row in result.rows
     ]
-    return draw(header, lines, below, width, color, right=("value",))
+    return draw(header, lines, below, width, color, right=("value",), whole=names)
 
 
 def records(records: Records, style: Style) -> str:
@@ -90,6 +91,22 @@ def _quantity(row: Row, language: str) -> str:
     return translate(row.quantity, language) + (" (given)" if row.given else "")
 
 
+def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
+    """Columns of the inputs that vary, or else of what each answer is for; and its texts."""
+    labels = [next((row.case for row in result.rows), "") for result in results]
+    names = varying([result.inputs for result in results])
+    texts = [_texts(result, names) for result in results]
+    if len({tuple(line) for line in texts}) < len(results):
+        return (["for"], [[label] for label in labels]) if any(labels) else ([], [[]] * len(labels))
+    return ["from" if name == "value" else name for name in names], texts
+
+
+def _texts(result: Result, names: Sequence[str]) -> list[str]:
+    """Some of the inputs of an answer, as they were typed."""
+    typed = {one.name: one.text or f"{one.value:.12g} {one.unit}" for one in result.inputs}
+    return [typed.get(name, "") for name in names]
+
+
 def _wide(
     results: Sequence[Result], precision: int | None, language: str
 ) -> list[list[str]] | None:
@@ -97,12 +114,20 @@ def _wide(
     heads = [[(row.name, row.unit) for row in result.rows] for result in results]
     if len(results) < 2 or not results[0].named or any(head != heads[0] for head in heads):
         return None
-    titles = []
+    names = [
+        name
+        for name in varying([result.inputs for result in results])
+        if not any(shows(row, name) for row in results[0].rows)
+    ]
+    titles = [*names]
     for row in results[0].rows:
         unit = "" if row.unit == "1" else f" [{row.unit}]"
         titles.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
     digits = precision or DIGITS
-    return [titles, *([number(row.value, digits) for row in r.rows] for r in results)]
+    return [
+        titles,
+        *([*_texts(r, names), *(number(row.value, digits) for row in r.rows)] for r in results),
+    ]
 
 
 def draw(
@@ -112,8 +137,12 @@ def draw(
     width: int,
     color: bool,
     right: Sequence[str] = (),
+    whole: Sequence[str] = (),
 ) -> str:
-    """Draw a table and the lines below it, in a given width."""
+    """Draw a table and the lines below it, in a given width.
+
+    The columns that are `right` stand there, and are `whole`: not folded.
+    """
     out = io.StringIO()
     console = Console(
         file=out,
@@ -127,7 +156,7 @@ def draw(
         legacy_windows=False,
     )
     rows = list(lines)
-    whole = [name for name in header if name in (*right, "for", "unit")]
+    whole = [name for name in header if name in (*right, *whole, "unit")]
     if "unit" in header[:1]:  # the name of what the row is about
         whole.remove("unit")
     widths = _widths([header, *rows], whole, width)

@@ -155,7 +155,7 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
         from radcalc.units.uncertain import join_words
 
         words = join_words(words)
-    source, separator, target = _sides(words)
+    source, separator, target = sides(words)
     if separator:
         amount = read_amount(source)
         if not target:
@@ -179,7 +179,7 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
     """Return the units of `- UNIT [to] TARGET`; the first is '' where the lines carry their own."""
     if words.count("-") > 1:
         raise UsageError("there is more than one -, and one standard input", STREAM_EXAMPLE)
-    source, separator, target = _sides(words[1:], is_stream=True)
+    source, separator, target = sides(words[1:], is_stream=True)
     units = [source, target] if separator else words[1:]
     if not units or not all(unit.strip() for unit in units[bool(separator) :]):
         raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
@@ -188,7 +188,7 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
     return (units[0] if len(units) > 1 else ""), units[-1]
 
 
-def _sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
+def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
     """Cut the words at what separates source and target: the source, the separator, the target.
 
     All are '' where nothing does.  `in` and `as` do between a value with its unit and a target:

@@ -6,11 +6,13 @@ from itertools import product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, TooMany, quote
+from radcalc.units.amounts import sides
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
 T = TypeVar("T")
 MOST = 10_000
+GROUP = 3  # digits of thousands
 LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
 
 
@@ -32,11 +34,82 @@ def read_series(text: str) -> list[str]:
 def _is_list_of_numbers(parts: list[str]) -> bool:
     """Whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
     wholes = [part.partition(".")[0] for part in parts]
-    if parts[0].isdigit() and all(len(whole) == 3 for whole in wholes[1:]):
-        return False
     if any(len(whole) > 1 and whole[0] == "0" for whole in wholes):
         return False
+    if parts[0].isdigit() and all(len(whole) == GROUP for whole in wholes[1:]):
+        return _are_groups(parts)
     return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
+
+
+def _are_groups(parts: Sequence[str]) -> bool:
+    """Whether all have three digits: 100,200 is a list, which might be 100200 as well."""
+    return len(parts) > 1 and all(part.isdigit() and len(part) == GROUP for part in parts)
+
+
+def note_of(text: str) -> tuple[str, ...]:
+    """What is to be said of a list that might be one number with commas."""
+    word = text.split()[0]
+    word = word.removesuffix(_unit_in(word.rpartition(",")[2]))
+    parts = word.split(",")
+    if not _are_groups(parts):
+        return ()
+    return (f"{quote(word)} is read as {len(parts)} values, and not as {quote(''.join(parts))}",)
+
+
+def read_values(text: str) -> list[str]:
+    """Cut the VALUE of a conversion into its values, each with the unit that stands behind all.
+
+    `100,200 lx` are 100 lx and 200 lx, as `100lx,200lx` are.
+    """
+    mark = ":" if ":" in text else ","
+    *others, last = text.strip().split(mark)
+    if not others:
+        return [text]
+    unit = ""
+    if not any(map(_unit_in, others)):
+        unit = _unit_in(last)
+        last = last.removesuffix(unit).strip()
+    values = read_series(mark.join([*others, last]))
+    if unit and len(values) > 1:
+        return [f"{value.strip()} {unit}" for value in values]
+    if len(values) > 1 and len({bool(_unit_in(value)) for value in values}) > 1:
+        raise ConditionError(
+            f"'{quote(text)}' has values with a unit and without", "a unit behind each, or one last"
+        )
+    return values if len(values) > 1 else [text]
+
+
+def _unit_in(text: str) -> str:
+    """What stands behind the number that a text begins with; '' where none does."""
+    try:
+        return split_quantity(text)[1]
+    except NumberError:
+        return ""
+
+
+def read_lists(words: list[str]) -> list[list[list[str]]]:
+    """The words of each conversion that lists in VALUE and TARGET ask for: a list for each value.
+
+    Raises RadcalcError where there are more than there may be.
+    """
+    if not any(mark in word for word in words for mark in ",:"):
+        return [[words]]
+    source, separator, target = sides(words)
+    if separator:
+        values, between, targets = read_values(source), [separator], _targets(target)
+    else:
+        values, between = read_values(words[0]), words[1:-1]
+        targets = _targets(words[-1]) if len(words) > 1 else []
+    refuse_many([len(values), len(targets)])
+    ends = [[target] for target in targets] or [[]]
+    return [[[value, *between, *end] for end in ends] for value in values]
+
+
+def _targets(text: str) -> list[str]:
+    targets = [target.strip() for target in text.split(",")]
+    if len(targets) > 1 and not all(targets):
+        raise ConditionError(f"a unit is missing in the list '{quote(text)}'", "lx,fc")
+    return targets
 
 
 def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
@@ -45,11 +118,15 @@ def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
     One of the values may stand for `long` of them, as an array.
     """
     sizes = [*(len(values) for values in given.values()), long]
-    most = MOST if long == 1 else MOST_IN_ARRAY
+    refuse_many(sizes, MOST if long == 1 else MOST_IN_ARRAY)
+    return [dict(zip(given, case, strict=True)) for case in product(*given.values())]
+
+
+def refuse_many(sizes: Sequence[int], most: int = MOST) -> None:
+    """Refuse lists of these sizes that make too many answers."""
     if math.prod(sizes) > most:
         counted = " x ".join(str(size) for size in sizes if size > 1)
         raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
-    return [dict(zip(given, case, strict=True)) for case in product(*given.values())]
 
 
 def read_spectra(text: str) -> list[str]:

@@ -1,0 +1,77 @@
+"""Lists and ranges: cut into their values, and never taken for one number, nor one for them."""
+
+import pytest
+
+from radcalc.errors import ConditionError, RadcalcError, TooMany
+from radcalc.units.ranges import MOST, note_of, read_lists, read_series, read_values, refuse_many
+
+LISTS = {
+    "1m,2m": ["1m", "2m"],
+    "1,2,5": ["1", "2", "5"],
+    "1.5,2.5": ["1.5", "2.5"],
+    "100,200": ["100", "200"],
+    "100,200,400": ["100", "200", "400"],
+    "4pi,2pi": ["4pi", "2pi"],
+    "1:3:1": ["1", "2", "3"],
+    "3m:1m:-1m": ["3m", "2m", "1m"],
+}
+# What may be one number, by the decimal commas and the groups of thousands of several languages.
+NUMBERS = ("1,5", "1,000", "12,500", "1,500", "100,000", "100,050", "1,234,567", "100,200.5", "0,5")
+
+
+@pytest.mark.parametrize("text", LISTS)
+def test_a_list_is_cut_into_its_values(text):
+    assert read_series(text) == LISTS[text]
+    assert read_values(text) == LISTS[text]
+
+
+@pytest.mark.parametrize("text", NUMBERS)
+def test_what_may_be_one_number_is_no_list(text):
+    assert read_series(text) == [text]
+    assert read_values(f"{text} lx") == [f"{text} lx"]
+
+
+def test_what_is_both_is_said():
+    assert note_of("100,200 lx") == ("100,200 is read as 2 values, and not as 100200",)
+    assert note_of("100,200lx") == note_of("100,200")
+    for text in LISTS:
+        assert bool(note_of(text)) == text.startswith("100")
+
+
+def test_a_unit_at_the_end_is_that_of_all_values():
+    assert read_values("1,2,5 lx") == ["1 lx", "2 lx", "5 lx"]
+    assert read_values("1:3:1m") == ["1 m", "2 m", "3 m"]
+    assert read_values("1e3,2e3 W/m2") == ["1e3 W/m2", "2e3 W/m2"]
+    assert read_values("1lx,2 fc") == ["1lx", "2 fc"]
+    with pytest.raises(ConditionError, match="with a unit and without"):
+        read_values("1lx,2,3")
+
+
+@pytest.mark.parametrize(
+    ("words", "values", "targets"),
+    [
+        (["100", "lx", "fc"], ["100"], ["fc"]),
+        (["1,2,5", "lx", "fc,klx"], ["1", "2", "5"], ["fc", "klx"]),
+        (["1lx,2lx", "fc"], ["1lx", "2lx"], ["fc"]),
+        (["1,2,5 lx to fc, klx"], ["1 lx", "2 lx", "5 lx"], ["fc", "klx"]),
+        (["1:3:1", "W", "m-2", "to", "mW", "cm-2"], [f"{k} W m-2" for k in (1, 2, 3)], ["mW cm-2"]),
+        (["1in,2in", "in", "cm"], ["1in", "2in"], ["cm"]),
+    ],
+)
+def test_the_words_of_a_conversion_are_cut_into_those_of_each(words, values, targets):
+    calls = read_lists(words)
+    assert [call[0] for call, *_ in calls] == values
+    assert [call[-1] for call in calls[0]] == targets
+    assert all(len(each) == len(targets) for each in calls)
+
+
+def test_a_target_is_missing_between_commas():
+    for text in ("fc,", ",fc", "fc,,klx"):
+        with pytest.raises(RadcalcError, match="a unit is missing"):
+            read_lists(["100", "lx", text])
+
+
+def test_the_number_of_answers_is_bounded():
+    refuse_many([MOST // 4, 2, 2])
+    with pytest.raises(TooMany, match="5000 x 2 x 2 = 20000"):
+        refuse_many([MOST // 2, 2, 2])
