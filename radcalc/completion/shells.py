@@ -35,16 +35,17 @@ complete -o nospace -o nosort -F _radcalc_completion radcalc 2>/dev/null ||
 ZSH = """\
 #compdef radcalc
 _radcalc_completion() {
-    local -a closed open
+    local -a closed shown open shown_open
     local line
     for line in "${(@f)$(_RADCALC_COMPLETE=zsh_complete \\
         COMP_LINE="${(j: :)words[1,CURRENT-1]} $QIPREFIX$PREFIX" ${~words[1]} 2>/dev/null)}"; do
         case $line in
-            (' '*) closed+=("${line# }") ;;
-            (?*) open+=("$line") ;;
+            (' '*) closed+=("${${line# }%%$'\t'*}") shown+=("${line#*$'\t'}") ;;
+            (?*) open+=("${line%%$'\t'*}") shown_open+=("${line#*$'\t'}") ;;
         esac
     done
-    _describe -V radcalc closed -- open -S ''
+    compadd -V radcalc -ld shown -a closed
+    compadd -V radcalc -S '' -ld shown_open -a open
 }
 if [[ $zsh_eval_context[-1] == loadautofunc ]]; then
     _radcalc_completion "$@"
@@ -156,13 +157,14 @@ def _escaped(text: str, is_plain: "Callable[[str], bool]") -> str:
 
 
 def _zsh(typed: Typed) -> list[str]:
-    """Word and description as _describe takes them; a blank before one that ends its word."""
-    return [
-        " " * one.closes
-        + _escaped(one.text, lambda c: c not in "\\:")
-        + (f":{one.description}" if one.description else "")
-        for one in typed.completions()
-    ]
+    """Word and what is shown of it; a blank before one that ends its word."""
+    found = typed.completions()
+    width = max((len(one.text) for one in found), default=0)
+    return [f"{' ' * one.closes}{one.text}\t{_shown(one, width)}" for one in found]
+
+
+def _shown(one: Completion, width: int) -> str:
+    return f"{one.text:{width}}  -- {one.description}" if one.description else one.text
 
 
 def _fish(typed: Typed) -> list[str]:
