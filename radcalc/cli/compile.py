@@ -13,8 +13,9 @@ import click
 
 import radcalc
 from radcalc.calculators.spectrum import spectrum as describe
-from radcalc.cli import COMMANDS, check, commands, protect_negatives
+from radcalc.cli import COMMANDS, HELP, check, commands, protect_negatives
 from radcalc.cli.command import FILE, GET, MAPS, SectionedCommand, SymbolOption
+from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.given import read
 from radcalc.quantities.symbols import (
@@ -32,6 +33,7 @@ from radcalc.quantities.symbols import (
     Symbol,
     names_of_kinds,
 )
+from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra.sources import names
 from radcalc.units.table import Dimension, Unit, resolve
@@ -88,11 +90,18 @@ class Compiler:
             for name, (line, operands, listed) in rows.items()
         )
         units = "".join(f"    {key!r}: {row!r},\n" for key, row in self.units.items())
+        quantities = "".join(
+            f"    {name!r}: {('', False) if name in GENERIC else (unit, _leaves(name))},\n"
+            for name, unit in names_starting("")
+        )
         spectra = "".join(f"    {name!r}: {said!r},\n" for name, said in described_spectra())
         return (
             f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own)})\n\n"
             f"# what a quantity is measured in: the units and what they are called\n"
             f"UNITS = {{\n{units}}}\n"
+            "# the names of quantities: the unit (none where the source's kind decides it),\n"
+            "# and whether it is of what leaves a surface\n"
+            f"NAMES = {{\n{quantities}}}\n"
             f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
         )
 
@@ -108,7 +117,7 @@ class Compiler:
         if GET in command.params:
             results = {name: self.quantities(SYMBOLS[name]) for name in results_of(command)}
         listed = [one for group in command.sections.values() for one in group]
-        return [self._option(one, results) for one in _of_click(listed)]
+        return [self._option(one, results) for one in (*listed, HELP)]
 
     def _option(self, option: click.Option, results: Results) -> Row:
         form, values = self._takes(option, results)
@@ -184,6 +193,10 @@ def results_of(command: SectionedCommand) -> list[str]:
         for name in dict.fromkeys([*found, *kinds])
         if name in SYMBOLS and SYMBOLS[name].dimensions
     ]
+
+
+def _leaves(name: str) -> bool:
+    return target_of(name).is_exitance
 
 
 def described_spectra() -> Iterator[tuple[str, str]]:

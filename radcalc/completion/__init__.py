@@ -5,6 +5,7 @@ from them, so that Click, which takes longer than an answer may, stays out.
 """
 
 from radcalc.completion.table import COMMANDS, RADCALC
+from radcalc.units.numbers import is_sentence
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -82,13 +83,7 @@ class Line:
 
 def is_option(word: str) -> bool:
     """Whether a word is read as an option: a lone - and a negative number are none."""
-    return word[:1] == "-" and word != "-" and word[1] not in DIGITS + ".("
-
-
-def begins_value(word: str) -> bool:
-    """Whether a first word is a value, and the line a conversion: `100 lx`, `(2 m)^2`."""
-    bare = word.lstrip("+-\u2212( ")
-    return bare[:1].isdecimal() or bare[:1] in ("\u03c0", ".") or bare[:2] == "pi"
+    return word[:1] == "-" and not is_sentence([word])
 
 
 def completions(words: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -114,17 +109,17 @@ def _found(words: list[str], incomplete: str) -> list[Completion]:
         return _commands(incomplete) if len(words) == 1 else []
     if words[0] in COMMANDS:
         return _in_command(Line(words[0], words[1:]), incomplete)
-    if begins_value(words[0]):
+    if is_sentence(words):
         return _in_command(Line("convert", words), incomplete)
     return []
 
 
 def _first(incomplete: str) -> list[Completion]:
     """A command, an option of radcalc itself, or the value of a conversion."""
-    if begins_value(incomplete):
-        return _in_command(Line("convert", ()), incomplete)
-    if incomplete[:1] == "-":
+    if incomplete == "-" or is_option(incomplete):
         return _options(map(Option, RADCALC), incomplete)
+    if is_sentence([incomplete]):
+        return _in_command(Line("convert", ()), incomplete)
     return [*_commands(incomplete), Completion(HELP, "Show the help of a command.")]
 
 
@@ -142,7 +137,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
         if equals and (option := line.option(name)):
             found = _values(line, option, text)
             return [Completion(name + equals + o.text, o.description, o.closes) for o in found]
-        if incomplete[:1] == "-" and (incomplete == "-" or is_option(incomplete)):
+        if incomplete == "-" or is_option(incomplete):
             return _fitting_options(line, incomplete)
     form, values = line.operand
     found = []

@@ -1,6 +1,7 @@
 """The operands of a conversion: units, and which of them the source's quantity reaches."""
 
 from radcalc.completion import Completion
+from radcalc.completion.table import NAMES
 from radcalc.completion.values import split_number
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import plan
@@ -17,9 +18,10 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, SYMBOLS
 from radcalc.quantities.units import full_name, offered
-from radcalc.units.amounts import SEPARATORS, read_amount
-from radcalc.units.compiled import NAMES
-from radcalc.units.table import Unit, resolve, unit_of
+from radcalc.units.amounts import read_amount, sides
+from radcalc.units.compiled import NAMES as SPELLINGS
+from radcalc.units.compiled import UNITS
+from radcalc.units.table import Exitance, Unit, resolve, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -72,13 +74,12 @@ def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ..
 
 def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
     """The unit of VALUE UNIT, whether a separator stands behind it, and the words behind that."""
-    places = [k for k, word in enumerate(words) if word in ("to", *SEPARATORS)]
-    if places:
-        before, rest = words[: places[0]], words[places[0] + 1 :]
-        if before[0] == "-":
-            return unit_of(" ".join(before[1:])), True, rest
-        return read_amount(" ".join(before)).unit, True, rest
-    if words[0] != "-":
+    is_stream = words[0] == "-"
+    before, separator, target = sides([*words[is_stream:], "x"], is_stream)
+    if separator:
+        source = unit_of(before) if is_stream else read_amount(before).unit
+        return source, True, target.split()[:-1]
+    if not is_stream:
         last = words[0].rpartition(",")[2]  # of a list
         amount = read_amount(words[0] if last == words[0] else last)
         if amount.unit:
@@ -129,10 +130,12 @@ class Reach:
         A unit of the source's own quantity has no use for conditions, and stands last beside them.
         """
         reached, conditional, others = [], [], []
+        seen = {frozenset(self.source.atoms)}
         for text in _texts(self.source, head, typed):
             unit = unit_of(head + text)
-            if unit is None or unit.text == self.source.text or is_per_length(unit):
+            if unit is None or is_per_length(unit) or frozenset(unit.atoms) in seen:
                 continue
+            seen.add(frozenset(unit.atoms))
             lack = self.lacks(unit)
             if lack:
                 said = f"{name_of(unit)}, with {lack}"
@@ -143,7 +146,26 @@ class Reach:
                 others.append(Completion(text, full_name(unit)))
         if not typed:  # what takes least first
             conditional.sort(key=lambda one: one[0])
-        return [*reached, *(one for _, one in conditional), *others]
+        return [*reached, *(one for _, one in conditional), *others, *self._names(head, typed)]
+
+    def _names(self, head: str, typed: str) -> "Iterator[Completion]":
+        """The names of quantities that begin so and are in reach, with their units."""
+        for name, (text, is_exitance) in NAMES.items():
+            if head or not typed or not name.startswith(typed):
+                continue
+            if not text:
+                lack = "" if self.source.is_light else None
+            else:
+                lack = self.lacks(_exitance(text) if is_exitance else resolve(text))
+            if lack is not None:
+                said = text.replace(" ", ".") or "of the same kind of light"
+                yield Completion(name, f"{said}, with {lack}" if lack else said)
+
+
+def _exitance(text: str) -> Unit:
+    """A unit of what leaves a surface."""
+    unit = resolve(text)
+    return Exitance(text, unit.top, unit.bottom, unit.dimension, unit.atoms, unit.notes)
 
 
 def _units(head: str, typed: str) -> list[Completion]:
@@ -163,19 +185,20 @@ def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
         return
     own = offered(source) if source else []
     if not typed:
-        yield from (text for text in own if text not in NAMES)
+        yield from (text for text in own if text not in SPELLINGS)
         yield from USUAL
         return
     style = "**" if "**" in typed else "^" if "^" in typed else ""
-    texts = dict.fromkeys([*own, *USUAL, *(text for unit in _every() for text in offered(unit))])
-    for text in texts:
+    others = [text for unit in _every() for text in offered(unit)]
+    texts = sorted([*own, *USUAL, *others], key=lambda text: text in SPELLINGS)
+    for text in dict.fromkeys(texts):
         text = _powers(text, style) if style else text
         if text.startswith(typed):
             yield text
         elif typed.startswith(text):  # only then a density of it
             yield from (text + axis for axis in AXES if (text + axis).startswith(typed))
     if len(typed) > 1:
-        yield from (name for name in NAMES if name.startswith(typed.lower()))
+        yield from (name for name in UNITS if name.startswith(typed.lower()))
     yield typed
     cut = max(typed.rfind(mark) for mark in "/.*\u00b7 (") + 1
     if cut:

@@ -3,7 +3,7 @@
 import os
 
 from radcalc.completion import DIGITS, Completion
-from radcalc.completion.table import SPECTRA, UNITS
+from radcalc.completion.table import NAMES, SPECTRA, UNITS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls")
 PHOTOMETRIES = (".ies", ".ldt", ".csv", ".tsv", ".txt")
 MAPS = (".hdr", ".exr", ".pfm")
+LENGTHS = ("nm", "um")
 
 
 def values_of(form: str, values: "Sequence[Any]", incomplete: str) -> list[Completion]:
@@ -95,8 +96,9 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     """The kinds that take parameters, the names of sources, files."""
     kind, colon, parameters = incomplete.partition(":")
     if colon and kind in FORMS:
-        found = in_units((FORMS[kind][1],), parameters)
-        return [Completion(f"{kind}:{one.text}", one.description) for one in found]
+        head, number, typed = split_number(parameters)
+        units = [text for text in FORMS[kind][1] if number and text.startswith(typed)]
+        return [Completion(f"{kind}:{head}{number}{text}") for text in units]
     named = [
         Completion(name, said) for name, said in SPECTRA.items() if name.startswith(incomplete)
     ]
@@ -108,14 +110,20 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     return [*named, *forms, *files(TABLES, incomplete)]
 
 
-# The spectra with parameters: what they are, and the units of the parameters.
+# The spectra with parameters: what they are, and the usual units of the parameters.
 FORMS = {
-    "blackbody": ("a black body of a temperature, blackbody:2856K", "temperature"),
-    "daylight": ("daylight of a colour temperature, daylight:6500K", "temperature"),
-    "line": ("lines with their shares, line:555nm=40,600nm=30", "length"),
-    "gaussian": ("a centre and a width, gaussian:530nm,30nm", "length"),
-    "band": ("constant from one wavelength to another, band:580nm:630nm", "length"),
+    "blackbody": ("a black body of a temperature, blackbody:2856K", ("K",)),
+    "daylight": ("daylight of a colour temperature, daylight:6500K", ("K",)),
+    "line": ("lines with their shares, line:555nm=40,600nm=30", LENGTHS),
+    "gaussian": ("a centre and a width, gaussian:530nm,30nm", LENGTHS),
+    "band": ("constant from one wavelength to another, band:580nm:630nm", LENGTHS),
 }
+
+
+def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """The name of a quantity, or a unit."""
+    named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
+    return named + [Completion(t, said) for t, said in units_of(list(UNITS), incomplete)]
 
 
 def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -166,4 +174,5 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "distribution": _distributions,
     "environment": _environments,
     "file": _files,
+    "search": _searches,
 }

@@ -13,20 +13,13 @@ from radcalc.quantities.search import Other, called, fold, index
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import Unit, resolve, suggest, unit_of
+from radcalc.units.table import Exitance, Unit, resolve, suggest, unit_of
 
 # Names that serve every kind of light: the source decides which.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
 SHORTEST = 3  # letters of a name: what is shorter is a symbol
 # No unit tells these from Ω, K and a number; the commands that give them.
 WITHOUT_OWN_UNIT = {"Ω_p": "solid-angle", "η_v": "point-source", "V(λ)": "photon"}
-
-
-class Exitance(Unit):
-    """A unit of what leaves a surface, by the name of the quantity: lm/m2 is not lx then."""
-
-    __slots__ = ()
-    is_exitance = True
 
 
 class Target(NamedTuple):

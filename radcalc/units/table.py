@@ -95,6 +95,13 @@ class Unit:
         return divide(self.top, self.bottom)
 
 
+class Exitance(Unit):
+    """A unit of what leaves a surface, by the name of the quantity: lm/m2 is not lx then."""
+
+    __slots__ = ()
+    is_exitance = True
+
+
 def divide(over: int, under: int) -> float:
     """The quotient of two whole numbers, rounded once; infinite where a float cannot hold it."""
     try:

@@ -4,7 +4,7 @@ import pytest
 from conftest import run
 
 from radcalc.cli import compile as printed
-from radcalc.completion import Completion, begins_value, completions, shells
+from radcalc.completion import Completion, completions, shells
 from radcalc.completion.values import READERS
 
 
@@ -76,6 +76,17 @@ def test_a_compound_unit_completes_by_its_last_part():
     assert texts("100 lx W.m-2.s") == ["W.m-2.s", "W.m-2.sr-1"]
 
 
+def test_quantities_are_targets_by_their_names():
+    assert said("100 lx ppf", "ppfd") == ("umol/m2/s, with --wavelength, --spectrum or --efficacy")
+    assert said("100 fc ill", "illuminance") == "lx"
+    assert said("100 lx luminous-ex", "luminous-exitance") == "lm/m2, with --reflectance"
+    assert "luminous-intensity" in texts("100 lm --isotropic lumi")
+    assert said("100 lm flu", "flux") == "of the same kind of light"
+    assert "solid-angle" not in texts("100 lx sol")
+    assert texts("quantities svě") == texts("units svě")
+    assert "světelný-tok" in texts("quantities svě")
+
+
 def test_an_operand_that_is_no_target():
     assert texts("100l")[:2] == ["100lm", "100lx"]
     assert "cd/m2" in texts("convert 250 c")
@@ -100,7 +111,9 @@ def test_commands_have_their_lines():
     assert said("", "spectrum") == "Peak, efficacies and colour of a spectrum."
     assert texts("help sp") == ["spectrum"]
     assert texts("help spectrum ") == texts("nosuch ") == []
-    assert texts("--v") == ["--version"]
+    assert texts("--v") == texts("--version") == ["--version"]
+    assert "--version" in texts("-")
+    assert texts("-5")[:1] == []
 
 
 def test_a_hidden_name_completes_where_only_it_fits():
@@ -181,17 +194,7 @@ def test_every_form_has_a_reader():
 
     forms = {option[1] for _, _, listed in COMMANDS.values() for option in listed}
     forms |= {operands[0] for _, operands, _ in COMMANDS.values()}
-    assert forms - READERS.keys() == {"flag", "word", "conversion", "search"}
-
-
-@pytest.mark.parametrize("word", ["100", ".5", "-5", "(2", "+3", "\u22125", "4pi"])
-def test_a_sentence_begins_with_a_value(word):
-    assert begins_value(word)
-
-
-@pytest.mark.parametrize("word", ["", "-", "--", "-g", "convert", "lx", "("])
-def test_and_with_nothing_else(word):
-    assert not begins_value(word)
+    assert forms - READERS.keys() == {"flag", "word", "conversion"}
 
 
 # ---------------------------------------------------------------------------------------------
@@ -256,9 +259,12 @@ def test_bash_gets_what_it_replaces_with_the_blank_behind_it(ask):
 
 def test_zsh_and_fish_get_the_description_whole(ask):
     line = "Convert units, and quantities under a condition."
-    assert ask("zsh", "radcalc conv") == f" convert:{line}\n"
+    assert ask("zsh", "radcalc conv") == f" convert\tconvert  -- {line}\n"
     assert ask("fish", "radcalc conv") == f"convert\t{line}\n"
-    assert ask("zsh", "radcalc point-source -g illuminance:klx") == " illuminance\\:klx:kilolux\n"
+    assert (
+        ask("zsh", "radcalc point-source -g illuminance:klx")
+        == " illuminance:klx\tilluminance:klx  -- kilolux\n"
+    )
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

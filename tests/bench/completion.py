@@ -1,0 +1,41 @@
+"""What a Tab takes, the whole process, as ratios in one run; see README.md."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+
+from measure import RADCALC, command, report
+
+RUNS = 60
+PASS, CLICK = (sys.executable, "-c", "pass"), (sys.executable, "-c", "import click")
+CASES = [
+    ("radcalc conv", PASS, 1.5),
+    ("radcalc lambertian --", PASS, 1.5),
+    ("radcalc point-source --distance 2", PASS, 1.5),
+    ("radcalc point-source -g illuminance:", PASS, 1.5),
+    ("radcalc convert 5 mW lm --spectrum LED", PASS, 1.5),
+    ("radcalc 100 lx ", CLICK, 1.2),
+    ("radcalc 100 lx W/m", CLICK, 1.2),
+    ("radcalc 800 lm --isotropic --distance 2m ", CLICK, 1.2),
+    ("radcalc 5 mW --spectrum LED-B3 l", CLICK, 1.2),
+]
+
+
+def tab(line: str) -> Callable[[], object]:
+    """A Tab of bash behind a line."""
+    asked = {**os.environ, "_RADCALC_COMPLETE": "bash_complete", "COMP_LINE": line}
+    return lambda: subprocess.run([RADCALC], capture_output=True, check=True, env=asked)
+
+
+def main() -> int:
+    """Print every ratio; the exit status says whether all aims are met."""
+    met = True
+    for line, other, aim in CASES:
+        name = f"{line!r} / {' '.join(other[1:])}"
+        met &= report(name, tab(line), command(*other), aim, RUNS)
+    return 0 if met else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
