@@ -135,7 +135,6 @@ def _differ(one: Input | None, other: Input | None) -> bool:
     return is_array(one.value) or is_array(other.value) or one != other
 
 
-def shows(row: Row, name: str, unit: str = "") -> bool:
-    """Whether a row has what was given under a name, in a unit or in any."""
-    is_named = name in (row.name, row.quantity.replace(" ", "-"))
-    return row.given and is_named and unit in ("", row.unit)
+def shows(row: Row, name: str) -> bool:
+    """Whether a row has what was given under a name."""
+    return row.given and name in (row.name, row.quantity.replace(" ", "-"))

@@ -242,6 +242,8 @@ COMMANDS = {
         "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),
     "an option of another command before one is none of it": (
         "--f-number 2.8 convert 100 lx fc", "there is no option '--f-number'"),
+    "a conversion has one result, and needs no name of it": (
+        "convert 100 lx fc --get illuminance", "one result, and no --get", "-n"),
     "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
     "the help of what is no command names the near one": ("help covnert", "no command", "convert"),
     # too little: which quantities would do

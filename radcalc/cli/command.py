@@ -26,7 +26,8 @@ GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
     metavar="NAME[:UNIT]",
-    help="The bare number of that result (repeatable; in the unit shown, without one).",
+    help="The bare number of that result, or with --format the result alone (repeatable; in the "
+    "unit shown, without one).",
 )
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
 # The forms of operands that no symbol has.

@@ -64,9 +64,14 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     called = "convert" if is_sentence(words) else called
     help_ = f"{f'radcalc {called}'.strip()} --help"
     if isinstance(error, click.NoSuchOption):
+        from radcalc.cli.command import GET
+
         if behind := options_behind(words):
             said = f"options go behind the command, and '{quote(words[0])}' is before it"
             return RadcalcError(said, behind)
+        if called == "convert" and error.option_name in GET.opts:
+            said = f"a conversion has one result, and no {quote(error.option_name)}"
+            return RadcalcError(said, "-n, for its bare number")
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
         is_named = called and not near and error.option_name.startswith("--")

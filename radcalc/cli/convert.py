@@ -13,7 +13,15 @@ from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
-from radcalc.errors import ConversionError, MissingUnit, RadcalcError, UsageError, option, quote
+from radcalc.errors import (
+    MINUS,
+    ConversionError,
+    MissingUnit,
+    RadcalcError,
+    UsageError,
+    option,
+    quote,
+)
 from radcalc.given import Given, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
@@ -153,7 +161,8 @@ class Conversion(NamedTuple):
     @property
     def inputs(self) -> tuple[Input, ...]:
         """The value and the conditions, as an answer tells them."""
-        value = Input("value", self.value, self.source.text, self.amount.text)
+        text = self.amount.text.replace(MINUS, "-")
+        value = Input("value", self.value, self.source.text, text)
         return (value, *inputs_of(self.case.given))
 
     def answer(self, steps: bool) -> Result:

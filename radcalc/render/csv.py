@@ -5,7 +5,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Input, Result, shows, varying
+from radcalc.answer import Input, Result, Row, shows, varying
 from radcalc.render.arrays import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
@@ -26,8 +26,7 @@ def results(results: Sequence[Result], style: Style) -> str:
     units = {
         name: unit
         for name, unit in units.items()
-        if not (unit and all(any(shows(row, name, unit) for row in rows) for rows in given))
-        and (unit or not are_apart)
+        if not (_is_column(name, given) if unit else are_apart)
     }
     lines = []
     for result in results:
@@ -83,6 +82,12 @@ def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
         for one in result.inputs
         if (unit := units.get(one.name)) is not None
     }
+
+
+def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:
+    """Whether an input is among the results of all answers, in one unit."""
+    units = [{row.unit for row in rows if shows(row, name)} for rows in given]
+    return bool(set.intersection(*units))
 
 
 def _unit(cells: Sequence[Input | None]) -> str:
