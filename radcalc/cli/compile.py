@@ -28,6 +28,7 @@ from radcalc.quantities.symbols import (
     QUANTITY,
     SPECTRUM,
     SYMBOLS,
+    UNIT,
     WAVELENGTHS,
     WORD,
     Symbol,
@@ -36,6 +37,7 @@ from radcalc.quantities.symbols import (
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra.sources import names
+from radcalc.units.scales import SCALES
 from radcalc.units.table import Dimension, Unit, resolve
 
 TABLE = Path(radcalc.__file__).parent / "completion" / "table.py"
@@ -65,7 +67,7 @@ NAMED = re.compile(r"([A-Z]+(?:-[A-Z]+)?)[\d.G]*D?")
 EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
 Row = tuple[Any, ...]
-Results = Mapping[str, tuple[str, ...]]  # the quantities that each can be
+Results = Mapping[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
 
 
 class Compiler:
@@ -115,7 +117,10 @@ class Compiler:
     def _options(self, command: SectionedCommand) -> list[Row]:
         results = {}
         if GET in command.params:
-            results = {name: self.quantities(SYMBOLS[name]) for name in results_of(command)}
+            results = {
+                name: (bool(SYMBOLS[name].kind), self.quantities(SYMBOLS[name]))
+                for name in results_of(command)
+            }
         listed = [one for group in command.sections.values() for one in group]
         return [self._option(one, results) for one in (*listed, HELP)]
 
@@ -145,6 +150,8 @@ class Compiler:
         if symbol.form in (WAVELENGTHS, DIRECTION):
             parts = "wavelength" if symbol.form == WAVELENGTHS else "half-angle"
             return QUANTITY, (shown, self.quantities(SYMBOLS[parts])[:1])
+        if symbol.form == UNIT:
+            return UNIT, self.quantities(SYMBOLS["radiance"])
         if symbol.form == DISTRIBUTION:
             return DISTRIBUTION, DISTRIBUTIONS
         if symbol.form == SPECTRUM:
@@ -163,7 +170,11 @@ class Compiler:
             [symbol.unit.replace(" ", ".")] if shown.dimension == dimension and shown.atoms else []
         )
         texts = dict.fromkeys([*own, *offered(Unit("", 1, 1, dimension, ()))])
-        self.units.setdefault(name, tuple((text, full_name(resolve(text))) for text in texts))
+        called = {text: full_name(resolve(text)) for text in texts}
+        for scale in SCALES:
+            if resolve(scale.unit).dimension == dimension:
+                called[scale.name] = scale.meaning
+        self.units.setdefault(name, tuple(called.items()))
         return name
 
 

@@ -18,9 +18,10 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, SYMBOLS
 from radcalc.quantities.units import full_name, offered
-from radcalc.units.amounts import read_amount, sides
+from radcalc.units.amounts import read_amount, sides, with_unit
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
+from radcalc.units.scales import SCALES, resolve_any
 from radcalc.units.table import Exitance, Unit, resolve, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -57,13 +58,15 @@ def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> 
     if rest and not behind:
         return []
     head = f"{' '.join(rest)} " if rest else ""
-    return Reach(source, _conditions(given)).units(head, typed)
+    before, comma, last = typed.rpartition(",")  # a list of targets
+    found = Reach(source, _conditions(given)).units(head, last)
+    return [Completion(before + comma + one.text, one.description) for one in found]
 
 
 def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ...]:
     """The symbols that a conversion lacks."""
     source, _, rest = _read(words)
-    target = unit_of(" ".join(rest))
+    target = unit_of(" ".join(rest).rpartition(",")[2])  # the last of a list
     if source and target:
         try:
             plan(source, target, _conditions(given))
@@ -77,14 +80,14 @@ def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
     is_stream = words[0] == "-"
     before, separator, target = sides([*words[is_stream:], "x"], is_stream)
     if separator:
-        source = unit_of(before) if is_stream else read_amount(before).unit
+        source = resolve_any(before) if is_stream else read_amount(before).typed[1]
         return source, True, target.split()[:-1]
-    if not is_stream:
-        last = words[0].rpartition(",")[2]  # of a list
-        amount = read_amount(words[0] if last == words[0] else last)
-        if amount.unit:
-            return amount.unit, False, words[1:]
-    return (resolve(words[1]) if words[1:] else None), False, words[2:]
+    if is_stream:
+        return (resolve_any(words[1]) if words[1:] else None), False, words[2:]
+    amount = read_amount(words[0].rpartition(",")[2])  # the last of a list
+    if amount.unit:
+        return amount.typed[1], False, words[1:]
+    return (with_unit(amount, words[1]).typed[1] if words[1:] else None), False, words[2:]
 
 
 def _conditions(given: "Mapping[str, str]") -> list[Given]:
@@ -130,7 +133,7 @@ class Reach:
         A unit of the source's own quantity has no use for conditions, and stands last beside them.
         """
         reached, conditional, others = [], [], []
-        seen = {frozenset(self.source.atoms)}
+        seen = set() if self.source.is_scale else {frozenset(self.source.atoms)}
         for text in _texts(self.source, head, typed):
             unit = unit_of(head + text)
             if unit is None or is_per_length(unit) or frozenset(unit.atoms) in seen:
@@ -146,7 +149,17 @@ class Reach:
                 others.append(Completion(text, full_name(unit)))
         if not typed:  # what takes least first
             conditional.sort(key=lambda one: one[0])
+        reached += [] if head else self._scales(typed)
         return [*reached, *(one for _, one in conditional), *others, *self._names(head, typed)]
+
+    def _scales(self, typed: str) -> list[Completion]:
+        """The scales of the source's quantity that begin so; of any in reach, once typed."""
+        rows = [(text, self.lacks(unit), said) for text, unit, said in _scales(typed)]
+        return [
+            Completion(text, f"{said}, with {lack}" if lack else said)
+            for text, lack, said in sorted(rows, key=lambda row: len(row[1] or ""))
+            if text != self.source.text and (lack == "" or (typed and lack))
+        ]
 
     def _names(self, head: str, typed: str) -> "Iterator[Completion]":
         """The names of quantities that begin so and are in reach, with their units."""
@@ -171,7 +184,18 @@ def _exitance(text: str) -> Unit:
 def _units(head: str, typed: str) -> list[Completion]:
     """The units of any quantity that begin so."""
     found = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
-    return [Completion(text, full_name(unit)) for text, unit in found if unit and _is_known(unit)]
+    units = [Completion(text, full_name(unit)) for text, unit in found if unit and _is_known(unit)]
+    return units + [
+        Completion(text, said) for text, _, said in _scales(typed) if typed and not head
+    ]
+
+
+def _scales(typed: str) -> "Iterator[tuple[str, Unit, str]]":
+    """The scales that begin so, each with its unit and its meaning."""
+    for scale in SCALES:
+        for text in scale.spellings if typed else scale.spellings[:1]:
+            if text.startswith(typed):
+                yield text, resolve(scale.unit), scale.meaning
 
 
 def _is_known(unit: Unit) -> bool:

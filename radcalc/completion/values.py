@@ -73,22 +73,32 @@ def split_number(text: str) -> tuple[str, str, str]:
     return head, "", last
 
 
-def _results(results: "dict[str, Sequence[str]]", incomplete: str) -> list[Completion]:
-    """NAME or NAME:UNIT; the name of one kind where no other fits."""
+Results = dict[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
+
+
+def _results(results: Results, incomplete: str) -> list[Completion]:
+    """NAME or NAME:UNIT."""
     name, colon, unit = incomplete.partition(":")
-    if name in results and (colon or not any(o.startswith(name) for o in results if o != name)):
+    fitting = _named(results, name)
+    if name in results and (colon or len(fitting) == 1):
         found = [] if colon else [Completion(name)]
-        units = units_of(results[name], unit)
+        units = units_of(results[name][1], unit)
         return found + [Completion(f"{name}:{text}", said) for text, said in units]
-    return starting(results, incomplete, closes=False)
+    return [Completion(one, "", False) for one in fitting]
 
 
-def _claims(results: "dict[str, Sequence[str]]", incomplete: str) -> list[Completion]:
+def _named(results: Results, typed: str) -> list[str]:
+    """The results that begin so; those of one kind of light once something is typed."""
+    fitting = [one for one in results if one.startswith(typed)]
+    return fitting if typed else [one for one in fitting if not results[one][0]]
+
+
+def _claims(results: Results, incomplete: str) -> list[Completion]:
     """NAME=VALUE with its unit."""
     name, equals, value = incomplete.partition("=")
     if not equals:
-        return starting([f"{one}=" for one in results], incomplete, closes=False)
-    found = in_units(results.get(name, ()), value)
+        return [Completion(f"{one}=", "", False) for one in _named(results, name)]
+    found = in_units(results[name][1], value) if name in results else []
     return [Completion(f"{name}={one.text}", one.description) for one in found]
 
 
@@ -123,7 +133,13 @@ FORMS = {
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     """The name of a quantity, or a unit."""
     named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
-    return named + [Completion(t, said) for t, said in units_of(list(UNITS), incomplete)]
+    units = units_of(list(UNITS), incomplete) if incomplete else []
+    return named + [Completion(text, said) for text, said in units]
+
+
+def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """A unit of these quantities, or 1 for none."""
+    return [Completion(text, said) for text, said in [*units_of(quantities, incomplete), ("1", "")]]
 
 
 def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -175,4 +191,5 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "environment": _environments,
     "file": _files,
     "search": _searches,
+    "unit": _units,
 }

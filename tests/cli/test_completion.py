@@ -87,6 +87,22 @@ def test_quantities_are_targets_by_their_names():
     assert "světelný-tok" in texts("quantities svě")
 
 
+def test_scales_are_units_too():
+    assert said("100 lx ", "EV") == "of the illuminance, at ISO 100"
+    assert said("100 cd/m2 ", "EV") == "of the luminance, at ISO 100"
+    assert {"mW", "W", "dBW"} <= set(texts("10 dBm "))
+    assert "dBm" not in texts("10 dBm ")
+    assert {"cd/m2", "lx"} <= set(texts("10 EV "))
+    assert texts("4000 K mi") == ["mired", "mireds"]
+    assert texts("point-source --flux 10dB") == ["10dBm", "10dBW", "10dBu(W)"]
+
+
+def test_lists_complete_at_their_ends():
+    assert texts("100,200 lx k")[0] == "klx"
+    assert texts("100 lx fc,kl")[0] == "fc,klx"
+    assert texts("100 lx fc,cd ") == ["--distance"]
+
+
 def test_an_operand_that_is_no_target():
     assert texts("100l")[:2] == ["100lm", "100lx"]
     assert "cd/m2" in texts("convert 250 c")
@@ -155,7 +171,9 @@ def test_an_option_is_offered_once_unless_it_repeats():
         ("sky ov", ["overcast"]),
         ("environment sky:ov", ["sky:overcast"]),
         ("point-source --distribution co", ["cone"]),
-        ("point-source -g illum", ["illuminance"]),
+        ("point-source -g lumi", ["luminous-efficacy", "luminous-flux"]),
+        ("point-source -g ", ["flux", "intensity", "irradiance", "exposure", "energy"]),
+        ("environment map.hdr --unit c", ["cd/m2"]),
         ("point-source -g illuminance:", ["illuminance:lx"]),
         ("point-source --check beam-fl", ["beam-flux="]),
         ("point-source --check flux=800l", ["flux=800lm"]),
