@@ -16,7 +16,7 @@ from radcalc import cli, stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import COMMANDS
 from radcalc.cli.options import decide
-from radcalc.errors import RadcalcError, UnitError, UsageError, listed, option, quote
+from radcalc.errors import RadcalcError, UsageError, listed, option, quote
 from radcalc.quantities.light import name_of
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -28,7 +28,7 @@ from radcalc.quantities.symbols import (
     SYMBOLS,
     VECTOR,
 )
-from radcalc.quantities.targets import named
+from radcalc.quantities.targets import is_name
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
 from radcalc.units.numbers import is_sentence, read_number
 from radcalc.units.table import unit_of
@@ -274,21 +274,12 @@ def refuse_name(name: str, text: str) -> None:
     what = "a word of radcalc" if name.lower() in RESERVED else ""
     if not what and unit_of(name):
         what = "a unit"
-    if not what and _is_quantity(name):
+    if not what and is_name(name):
         what = "a quantity"
     if what:
         text = text.strip()
         hint = f"my_{name} = {text}" if quote(text) == text else "another name"
         raise UsageError(f"'{quote(name)}' is {what} already", hint)
-
-
-def _is_quantity(name: str) -> bool:
-    unknown = UnitError("")
-    try:
-        named(name, None, unknown)
-    except UnitError as error:
-        return error is not unknown  # which has several meanings
-    return True
 
 
 def text_of(row: Row, name: str) -> str:

@@ -4,9 +4,9 @@ A plan between two units of one quantity is a ratio of whole numbers, and needs 
 table; what stands between different quantities is in `bridges.py`, loaded only when it is needed.
 """
 
-from radcalc.errors import ConditionError, ConversionError, NumberError, UnitError, quote
+from radcalc.errors import ConditionError, ConversionError, NumberError, quote
 from radcalc.units.numbers import SMALLEST
-from radcalc.units.table import INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit, divide, resolve
+from radcalc.units.table import INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit, divide, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -158,17 +158,15 @@ def target_of(text: str, source: Unit | None = None) -> Unit:
 
     `source`, where it is known, decides the kind of light of a name such as flux.
     """
-    try:
-        return resolve(text)
-    except UnitError as error:
-        from radcalc.units.scales import find
+    if unit := unit_of(text):
+        return unit
+    from radcalc.units.scales import find
 
-        if scale := find(text):
-            return scale
-        from radcalc.quantities import targets
+    if scale := find(text):
+        return scale
+    from radcalc.quantities import targets
 
-        unknown = error
-    return targets.named(text, source, unknown)
+    return targets.named(text, source)
 
 
 def exact_ratio(source: Unit, target: Unit) -> float:

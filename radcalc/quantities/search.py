@@ -94,17 +94,20 @@ class Index(NamedTuple):
     names: dict[str, list[Quantity]]
     misnomers: dict[str, dict[str, str]]  # symbols of quantities, and why
     others: dict[str, Other]
+    words: dict[str, list[list[list[str]]]]  # of the names of a quantity in each language
 
 
 @cache
 def index() -> Index:
     """Every name and misnomer in every language."""
-    made = Index({}, {}, {})
+    made = Index({}, {}, {}, {})
     for other in _others():
         made.others.update({fold(name): other for name in other.names})
     for q in QUANTITIES:
-        for name in dict.fromkeys(fold(n) for lang in LANGUAGES for n in q.names(lang)):
+        names = [[fold(name) for name in q.names(lang)] for lang in LANGUAGES]
+        for name in dict.fromkeys(name for group in names for name in group):
             made.names.setdefault(name, []).append(q)
+        made.words[q.symbol] = [[name.split() for name in group] for group in names]
     for terms, symbol, note in MISNOMERS:
         for term in terms:
             made.misnomers.setdefault(fold(term), {})[symbol] = note
@@ -176,7 +179,7 @@ def _by_words(
     found = []
     for q in QUANTITIES:
         kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]
-        names = [fold(name).split() + kind for lang in LANGUAGES for name in q.names(lang)[:first]]
+        names = [name + kind for group in index().words[q.symbol] for name in group[:first]]
         if words and any(all(any(alike(n, w) for n in name) for w in words) for name in names):
             found.append(Found(q))
     return found

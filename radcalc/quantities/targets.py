@@ -37,27 +37,28 @@ class Target(NamedTuple):
         return made(unit.text, unit.top, unit.bottom, unit.dimension, unit.atoms, notes)
 
 
-def named(text: str, source: Unit | None, error: UnitError) -> Unit:
-    """The usual unit of the quantity of that name, which is no unit for the reason given.
+def named(text: str, source: Unit | None = None) -> Unit:
+    """The usual unit of the quantity of that name, which is the name of no unit.
 
     `source` decides the kind of a name that serves every kind, where it is known.  Raises
     UnitError for what is no quantity either, and for a name that has several meanings.
     """
     meanings = _meanings(text, source)
     if not meanings:
-        if near := _near(text):
-            error.hint = ", ".join(near)
-        raise error
+        raise _without_unit(text) or _unknown(text)
     if len(meanings) > 1:
         raise _ambiguous(text, meanings)
     return meanings[0].as_unit()
 
 
+def is_name(text: str) -> bool:
+    """Whether a quantity, or several, are called that."""
+    return bool(_meanings(text, None)) or fold(text) in index().names
+
+
 def names_starting(prefix: str) -> list[tuple[str, str]]:
     """The names of quantities that begin so, each as one word, with their usual units."""
-    wanted = fold(prefix)
-    targets = _targets()
-    return sorted((name, t.unit) for name, t in targets.items() if fold(name).startswith(wanted))
+    return sorted((name, target.unit) for name, target in _targets(fold(prefix)).items())
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
@@ -68,12 +69,7 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
     if wanted in GENERIC:
         return _of_kinds(wanted, source)
     if exact := index().names.get(wanted):
-        if exact[0].symbol in WITHOUT_OWN_UNIT:
-            raise UnitError(
-                f"no unit is of {exact[0].name(ENGLISH)} alone",
-                manual(WITHOUT_OWN_UNIT[exact[0].symbol]),
-            )
-        return [_target(q) for q in exact]
+        return [_target(q) for q in exact if q.symbol not in WITHOUT_OWN_UNIT]
     found = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
     if found := [f for f in found if "λ" not in f.quantity.symbol]:
         return [_target(f.quantity, f.note) for f in found]
@@ -115,29 +111,50 @@ def _other(other: Other) -> Target | None:
     name, dimension = other.names[0], other.unit.dimension
     symbol = SYMBOLS.get(name.replace(" ", "-"))
     units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
-    usual = [u for u in units if u and resolve(u).dimension == dimension]
-    return Target(name, usual[0]) if usual else None
+    usual = next((u for u in units if u and resolve(u).dimension == dimension), None)
+    return Target(name, usual) if usual else None
 
 
-def _targets() -> dict[str, Target]:
-    """Every name with one meaning, as one word."""
-    own = [q for q in QUANTITIES if q.symbol not in WITHOUT_OWN_UNIT]
-    names = [name for q in own for one in LANGUAGES for name in q.names(one)]
+def _targets(start: str) -> dict[str, Target]:
+    """Every name with one meaning that begins so, as one word."""
+    found = {}
+    for folded, name in _names().items():
+        if folded.startswith(start) and unit_of(name) is None:
+            meanings = _meanings(name, None)
+            if len(meanings) == 1 or folded in GENERIC:
+                found[name.replace(" ", "-")] = meanings[0]
+    return found
+
+
+def _names() -> dict[str, str]:
+    """Every name, by how it is compared."""
+    names = [name for q in QUANTITIES for one in LANGUAGES for name in q.names(one)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
     names += [name for other in index().others.values() for name in other.names]
-    names = [name for name in names if unit_of(name) is None]
-    found = {name: meanings[0] for name in names if len(meanings := _meanings(name, None)) == 1}
-    found.update({name: _of_kinds(name, None)[0] for name in GENERIC})
-    return {name.replace(" ", "-"): target for name, target in found.items()}
+    return {fold(name): name for name in (*names, *GENERIC)}
 
 
-def _near(text: str) -> list[str]:
-    """The names of quantities like a text that is none, and then those of units."""
-    if not all(c.isalpha() or c in " -_" for c in text):
-        return []
-    known = {fold(name): name for name in _targets()}
-    near = [known[name] for name in nearest(fold(text), known, 2, 0.75)]
-    return near and [*near, *(name for name in suggest(text) if name not in near)]
+def _without_unit(text: str) -> UnitError | None:
+    """Refuse a quantity that no unit tells from another; None for every other text."""
+    for quantity in index().names.get(fold(text), ()):
+        name, symbol = quantity.name(ENGLISH), quantity.symbol
+        return UnitError(f"no unit is of {name} alone", manual(WITHOUT_OWN_UNIT[symbol]))
+    return None
+
+
+def _unknown(text: str) -> UnitError:
+    """Refuse what is neither a unit nor a quantity, with the names of quantities like it."""
+    try:
+        resolve(text)
+    except UnitError as error:
+        unknown = error
+    if all(c.isalpha() or c in " -_" for c in text):
+        known = _names()
+        alike = [known[name] for name in nearest(fold(text), known, 4, 0.75)]
+        near = [name for name in alike if len(_meanings(name, None)) == 1][:2]
+        if near:
+            unknown.hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
+    return unknown
 
 
 def _ambiguous(text: str, meanings: list[Target]) -> UnitError:

@@ -145,12 +145,29 @@ def resolve(text: str) -> Unit:
 
     Raises UnitError for a text that is not a unit, with the nearest names as the hint.
     """
+    unit = _read(text)
+    if isinstance(unit, str):
+        raise _unknown(unit)
+    return unit
+
+
+def unit_of(text: str) -> Unit | None:
+    """A text as a unit; None where it is none, at the cost of no suggestions."""
+    try:
+        unit = _read(text) if text else None
+    except RadcalcError:
+        return None
+    return None if isinstance(unit, str) else unit
+
+
+def _read(text: str) -> Unit | str:
+    """The unit of a text, or the spelling in it that is none; raise what else is wrong."""
     text = " ".join(text.split())  # it is shown as typed, but for blanks that part lines
     whole = text.lower().replace(" ", "_")
     if " " in text and whole in NAMES:  # a name of two words: foot lambert
-        unit = resolve(whole)
-        unit.text = text
-        return unit
+        named = resolve(whole)
+        named.text = text
+        return named
     top = bottom = 1
     loose = ""
     light = False
@@ -160,14 +177,16 @@ def resolve(text: str) -> Unit:
     notes: tuple[str, ...] = ()
     try:
         parsed = parse_unit(text)
-    except UnitError as error:
-        return _in_another_language(text, error)
+    except UnitError:
+        if unit := _in_another_language(text):
+            return unit
+        raise
     for spelling, exponent, below in parsed:
         if spelling == "1":
             continue
         found = lookup(spelling)
         if found is None:
-            return _in_another_language(text, spelling=spelling)
+            return _in_another_language(text) or spelling
         prefix, name = found
         unit_top, unit_bottom, powers, _ = UNITS[name]
         if prefix:
@@ -197,24 +216,15 @@ def resolve(text: str) -> Unit:
     return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
 
 
-def _in_another_language(text: str, error: UnitError | None = None, spelling: str = "") -> Unit:
-    """Read a unit that is none in English as Czech or Russian; raise what is wrong with it."""
+def _in_another_language(text: str) -> Unit | str:
+    """Read a unit that is none in English as Czech or Russian; '' where it is none there."""
     from radcalc.units.languages import in_english
 
-    is_refused = spelling.lower().replace("-", "_") in REFUSED
-    if is_refused or not (english := in_english(text)):
-        raise error or _unknown(spelling)
-    unit = resolve(english)
-    unit.text = text
+    english = in_english(text)
+    unit = _read(english) if english else ""
+    if isinstance(unit, Unit):
+        unit.text = text
     return unit
-
-
-def unit_of(text: str) -> Unit | None:
-    """A text as a unit; None where it is none."""
-    try:
-        return resolve(text) if text else None
-    except RadcalcError:
-        return None
 
 
 def _with(text: str, old: str, new: str) -> str:
