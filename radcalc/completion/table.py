@@ -791,7 +791,6 @@ NAMES = {
     'zářivá-exitance': ('W/m2', True),
     'zářivý-tok': ('W', False),
     'zářivý-výkon': ('W', False),
-    'étendue': ('m2 sr', False),
     'úhel': ('rad', False),
     'čas': ('s', False),
     'волновое-число': ('cm-1', False),
