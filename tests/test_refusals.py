@@ -347,6 +347,17 @@ COMMANDS = {
         "point-source --flux 5lm --half-angle 9deg --exponent 3", "--half-angle", "--exponent"),
     "a lobe has no half angle": (
         "point-source --flux 5lm --half-angle 9deg --distribution lobe", "--half-angle"),
+    "a hemisphere has no width of its own": (
+        "point-source --flux 5lm --hemisphere --half-angle 90deg", "--hemisphere", "--half-angle"),
+    "a hemisphere is no lobe": (
+        "point-source --flux 5lm --hemisphere --beam-angle 30deg", "--hemisphere", "--beam-angle"),
+    "a hemisphere is not all directions": (
+        "point-source --flux 5lm --hemisphere --isotropic", "--hemisphere", "--isotropic"),
+    "an isotropic source is no cone": (
+        "point-source --flux 5lm --isotropic --distribution cone", "--isotropic", "cone"),
+    "a hemisphere is no expression": (
+        "point-source --flux 5lm --hemisphere --distribution cos(theta)", "--hemisphere",
+        "cos(theta)"),
     "a disc has no width": ("lambertian disc --luminance 9cd/m2 --width 1m", "--width"),
     "a disc has no corner": ("lambertian disc --luminance 9cd/m2 --corner --radius 1m", "--corner"),
     "a Lambertian cube is not known": ("lambertian cube --luminance 9cd/m2", "cube"),

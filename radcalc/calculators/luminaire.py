@@ -13,12 +13,14 @@ from radcalc.calculators import light
 from radcalc.calculators.point_source import (
     ASSUMED,
     DIRECTED,
+    FLAGS,
     LYING,
     POSITION,
     QUANTITIES,
     RECEIVER,
     SHAPED,
     compare_mean,
+    know_hemisphere,
     refuse_foreign,
     require_height,
     solve,
@@ -70,7 +72,7 @@ LIGHT = (
 SCALING = ("peak-intensity", *QUANTITIES)
 PAGE = Page(
     "a point source",
-    (*QUANTITIES, *POSITION, *RECEIVER, "distribution", *DIRECTED),
+    (*QUANTITIES, *POSITION, *RECEIVER, "distribution", *FLAGS, *DIRECTED),
     LIGHT,
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
@@ -143,6 +145,7 @@ class _Luminaire:
         self.sheet.takes = (*SCALING, *shaped, *POSITION, *RECEIVER)
         self.sheet.defaults.add("incidence")
         refuse_foreign(self.sheet.lit, SCALING)
+        know_hemisphere(self.sheet)
         self.photometry: Photometry = self._shaped(shape) if self.of_shape else chosen
         source: Any = self.photometry.distribution
         self.source, self.figures = source, _figures(source)

@@ -13,6 +13,7 @@ from radcalc.calculators.worksheet import OFFSETS, Page, Worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import (
     ConditionError,
+    Exclusive,
     MissingInput,
     RadcalcError,
     command,
@@ -60,9 +61,11 @@ LOBE = ("exponent", "beam-angle", "field-angle")
 POSITION = ("distance", "height", *OFFSETS, "incidence")
 RECEIVER = ("within", "time", "receiver-area")
 SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
+FLAGS = {"isotropic": ISOTROPIC, "hemisphere": CONICAL}  # which tell all of a distribution
+OF = {ISOTROPIC: "an isotropic source", CONICAL: "a uniform cone", LOBED: "a cosine-power lobe"}
 PAGE = Page(
     "a point source",
-    (*QUANTITIES, *CONE, *LOBE, *POSITION, *RECEIVER, "distribution"),
+    (*QUANTITIES, *CONE, *LOBE, *POSITION, *RECEIVER, "distribution", *FLAGS),
     (
         "intensity",
         "flux",
@@ -121,13 +124,15 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
     sheet.defaults.add("incidence")
     refuse_foreign(sheet.lit)
+    know_hemisphere(sheet)
     laws = [*LAWS[shape], *ANY_LAWS]
     if not sheet.lit.values:
         return _width(sheet, shape, [*laws, INVERSE_SQUARE])
     laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
     laws += _beam(sheet, shape, "height" if is_aside or "height" in sheet.given else "distance")
     sheet.assume(ASSUMED[shape])
-    if shape == ISOTROPIC and "intensity" in sheet.lit.values and "distribution" not in given:
+    is_told = not given.keys().isdisjoint(("distribution", "isotropic"))
+    if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_told:
         sheet.notes.append(
             mention("4 pi times the intensity is not the flux of a beam: {beam-angle} gives that")
         )
@@ -140,7 +145,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
 
 def _width(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
     """How wide the beam is, by any of its widths; `laws` tell what light would be of use for."""
-    if sheet.lit.links or not set(SHAPED[shape]) & set(sheet.given):
+    if sheet.lit.links or not {*SHAPED[shape], "hemisphere"} & set(sheet.given):
         hint = mention("{flux}, {intensity} or {irradiance}")
         raise MissingInput("a light quantity is missing", hint)
     away = next((name for name in ("height", "distance") if name in sheet.given), "")
@@ -234,23 +239,32 @@ def refuse_foreign(lit: Lit, takes: Sequence[str] = QUANTITIES) -> None:
 def spread(given: Inputs) -> str:
     """How the light is spread: as it was chosen, or as an input of its own tells."""
     chosen = given["distribution"].value if "distribution" in given else None
-    told = {shape: [n for n in names if n in given] for shape, names in SHAPED.items()}
-    if told[CONICAL] and told[LOBED]:
+    told = {name: shape for shape, names in SHAPED.items() for name in names if name in given}
+    told |= {name: shape for name, shape in FLAGS.items() if name in given}
+    if not told:
+        return str(chosen or ISOTROPIC)
+    (first, shape), *others = told.items()
+    for name, other in others:
+        if other != shape:
+            raise ConditionError(
+                f"{option(first)} is of {OF[shape]}, {option(name)} of {OF[other]}", "one of them"
+            )
+        if name in FLAGS:
+            raise Exclusive([first, name], "contradict each other: both give the cone")
+    if chosen not in (None, shape):
         raise ConditionError(
-            f"{option(told[CONICAL][0])} is of a uniform cone, "
-            f"{option(told[LOBED][0])} of a cosine-power lobe",
+            f"{option(first)} is of {OF[shape]}, and contradicts "
+            f"{option('distribution', quote(given['distribution'].text))}",
             "one of them",
         )
-    for shape, names in told.items():
-        if names:
-            if chosen not in (None, shape):
-                raise ConditionError(
-                    f"{option(names[0])} is of a {shape}, and contradicts "
-                    f"{option('distribution', quote(given['distribution'].text))}",
-                    "one of them",
-                )
-            return shape
-    return str(chosen or ISOTROPIC)
+    return shape
+
+
+def know_hemisphere(sheet: Worksheet) -> None:
+    """A hemisphere is a cone of a right angle."""
+    if "hemisphere" in sheet.given:
+        sheet.know("half-angle", math.pi / 2)
+        sheet.assume("uniform over 2 pi sr (a hemisphere)")
 
 
 def _on_axis(sheet: Worksheet, shape: str) -> list[AnyLaw]:

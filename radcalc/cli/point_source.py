@@ -13,6 +13,8 @@ from radcalc.cli.options import Output
         "Light": (*QUANTITIES, "peak-intensity"),
         "Its directions": (
             "distribution",
+            "isotropic",
+            "hemisphere",
             "half-angle",
             "apex-angle",
             "solid-angle",
@@ -47,6 +49,7 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --intensity 250cd --height 6m --offset 8m
       radcalc point-source --intensity 250cd --height 6m --illuminance 3lx   (the offset)
       radcalc point-source --flux 4.5klm --half-angle 12.5deg --distance 1m,2m,5m
+      radcalc point-source --flux 800lm --hemisphere --distance 2m
       radcalc point-source --intensity 1000cd --beam-angle 30deg
       radcalc point-source --beam-angle 30deg                (exponent, field angle)
       radcalc point-source --half-angle 15deg --height 2m -g beam-diameter

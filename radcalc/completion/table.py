@@ -162,6 +162,8 @@ COMMANDS = {
         (('--peak-luminous-intensity',), 'quantity', ('100cd', ('luminous intensity',)), 'The greatest intensity in any direction, as peak luminous intensity.', True, False),
         (('--peak-photon-intensity',), 'quantity', ('100umol/s/sr', ('photon intensity',)), 'The greatest intensity in any direction, as peak photon intensity.', True, False),
         (('--distribution',), 'distribution', ('isotropic', 'cone', 'lobe'), "How the light is spread: isotropic (unless an option of a cone or a lobe is given), cone, lobe, a file (IES, EULUMDAT, CSV), or 'EXPRESSION cd' in theta and phi.", False, False),
+        (('--isotropic',), 'flag', (), 'Uniform in all directions, over 4 pi sr.', False, False),
+        (('--hemisphere',), 'flag', (), 'Uniform over a hemisphere.', False, False),
         (('--half-angle',), 'quantity', ('30deg', ('angle',)), 'Half angle of a cone, from its axis to its edge.', False, False),
         (('--apex-angle',), 'quantity', ('60deg', ('angle',)), 'Full angle of a cone, from edge to edge.', False, False),
         (('--solid-angle',), 'quantity', ('1sr', ('solid angle',)), 'Solid angle of a uniform cone.', False, False),

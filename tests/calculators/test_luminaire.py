@@ -345,8 +345,8 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
     ("given", "said"),
     [
         ({"distribution": "cos(theta)^2"}, "relative, and what scales it is missing"),
-        ({"distribution": "1 cd", "half_angle": "30deg"}, "half_angle is of a cone"),
-        ({"distribution": "1 cd", "exponent": 3}, "exponent is of a lobe"),
+        ({"distribution": "1 cd", "half_angle": "30deg"}, "half_angle is of a uniform cone"),
+        ({"distribution": "1 cd", "exponent": 3}, "exponent is of a cosine-power lobe"),
         ({"distribution": "theta cd", "intensity": "5cd"}, "where this distribution has none"),
         ({"distribution": "0 cd"}, "no intensity in any direction"),
         ({"distribution": "(abs(theta-1)<1e-5) cd"}, "narrower than 0.0"),

@@ -13,17 +13,18 @@ from radcalc.calculators import point_source as point_module
 from radcalc.errors import RadcalcError
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 
-# A distribution may be named beside an option that tells it already.
-PLACED = [name for name in point_module.PAGE.takes if name != "distribution"]
+# A distribution may be named beside an option that tells it already, or where it goes without.
+NAMED = ("distribution", "isotropic")
+PLACED = [name for name in point_module.PAGE.takes if name not in NAMED]
 POINT = (*PLACED, *LINKS, *REFINEMENTS)
 SURFACES = (*lambertian_module.QUANTITIES, *lambertian_module.PAGE.takes, *LINKS, *REFINEMENTS)
 CALORIMETER = (*calorimeter_module.QUANTITIES, *calorimeter_module.PAGE.takes)
 EV = ev_module.PAGE.takes
-EXAMPLE = {
+EXAMPLE: dict[str, Any] = {
     "wavelength": "555nm", "spectrum": "D65", "efficacy": "93lm/W", "observer": "scotopic",
     "range": "400nm:700nm", "photon-range": "380nm:780nm", "k": "14cd.s/m2", "c": "320lx.s",
     "iso": "800", "absorptance": "0.9", "offset": "10cm", "offset-y": "10cm", "tilt": "10deg",
-    "incidence": "10deg", "half-angle": "20deg", "apex-angle": "50deg",
+    "incidence": "10deg", "half-angle": "20deg", "apex-angle": "50deg", "hemisphere": True,
 }  # fmt: skip
 BASES: list[tuple[Any, tuple[str, ...], tuple[str, ...], dict[str, str]]] = [
     *(
@@ -89,7 +90,7 @@ def answer_of(call: Any, words: tuple[str, ...], values: dict[str, str]) -> dict
         return None
 
 
-def example_of(name: str) -> str:
+def example_of(name: str) -> Any:
     return EXAMPLE.get(name) or SYMBOLS[name].example
 
 

@@ -7,7 +7,7 @@ import pytest
 from helpers import Q, number
 from mpmath import mpf
 
-from radcalc import point_source
+from radcalc import convert, point_source
 from radcalc.calculators.point_source import point_source as work_out
 from radcalc.errors import ConditionError
 from radcalc.given import read
@@ -196,3 +196,17 @@ def test_a_beam_angle_says_what_a_uniform_cone_would_give():
         inputs = {name: read(name, text) for name, text in given.items()}
         answer = work_out({**inputs, "beam-angle": read("beam-angle", "30deg")})
         assert f"a uniform cone of that full angle would have {said}" in answer.notes
+
+
+@pytest.mark.parametrize(("flag", "angle"), [("isotropic", 4 * math.pi), ("hemisphere", math.tau)])
+@pytest.mark.parametrize("place", [{"distance": "2m"}, {"height": "2m", "offset": "1m"}])
+def test_what_fills_space_or_half_of_it_is_told_as_in_a_conversion(flag, angle, place):
+    """By the definition of the solid angle: I = Phi / 4 pi sr, or / 2 pi sr."""
+    answer = point_source(flux="800lm", **{flag: True}, **place)
+    assert answer["intensity"].m_as("cd") == pytest.approx(800 / angle, rel=1e-14)
+    converted = convert("800lm", "lx", **{flag: True}, distance="2m")
+    if "distance" in place:
+        assert answer["irradiance"].m_as("lx") == pytest.approx(converted.m_as("lx"), rel=1e-14)
+    same = {"isotropic": {"distribution": "isotropic"}, "hemisphere": {"half_angle": "90deg"}}
+    other = point_source(flux="800lm", **same[flag], **place)
+    assert {n: str(q) for n, q in answer.items()} == {n: str(q) for n, q in other.items()}
