@@ -18,12 +18,16 @@ class Step(NamedTuple):
 
 
 class Input(NamedTuple):
-    """What somebody gave: a number in a unit, a text that is none, or True for a flag."""
+    """What somebody gave: a number in a unit, a text that is none, or True for a flag.
+
+    `uncertainty` is the standard one of the number, in the unit.
+    """
 
     name: str
     value: Any = None
     unit: str = ""
     text: str = ""
+    uncertainty: float = 0.0
 
     @property
     def is_quantity(self) -> bool:
@@ -39,7 +43,8 @@ def texts_of(texts: Mapping[str, str]) -> tuple[Input, ...]:
 class Row(NamedTuple):
     """One value of an answer; `case` says which of several answers it belongs to.
 
-    `name` is what `--get` calls the result.  `given` tells what the user gave from what follows.
+    `name` is what `--get` calls the result.  `given` tells what the user gave from what follows;
+    `uncertainty` is the standard one, in the unit.
     """
 
     quantity: str
@@ -49,7 +54,7 @@ class Row(NamedTuple):
     case: str = ""
     name: str = ""
     given: bool = False
-    uncertainty: float = 0.0  # the standard one, in the unit
+    uncertainty: float = 0.0
 
 
 class Result(NamedTuple):
@@ -83,6 +88,7 @@ class Value(NamedTuple):
     may be a function, where working it out is worth waiting until it is looked at.  `reach` has
     the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
     is the number that the user gave, in the first of the units; `also` is another name of it.
+    Where what was given is uncertain, the numbers are those of the `uncertainties` package.
     A result that does not follow has no units; `lacking` tells in words what would do, or
     `because` why none would.
     """

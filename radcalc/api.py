@@ -17,7 +17,7 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.given import TOO_FAR, Given, Inputs, read, read_place
+from radcalc.given import TOO_FAR, Given, Inputs, read, read_place, refuse_uncertain
 from radcalc.maths import LARGEST, is_array, is_uncertain
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -294,7 +294,8 @@ def scene(
     from radcalc.distributions.scene import blocks
     from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
-    inputs = _certain(_inputs(links), "a scene")
+    inputs = _inputs(links)
+    refuse_uncertain(inputs.values(), "a scene")
     refuse_foreign(inputs, (*LINKS, *REFINEMENTS), "a scene")
     for one in inputs.values():
         if is_array(one.value):
@@ -399,7 +400,8 @@ def irradiance_map(source: Any, size: Any = None, *, order: int | None = None, *
     from radcalc.calculators.environment import irradiance_map as work_out
 
     named, given = _surroundings(source, given)
-    inputs = _certain(_inputs({**given, "size": size}), "a map")
+    inputs = _inputs({**given, "size": size})
+    refuse_uncertain(inputs.values(), "a map")
     made = work_out(named, inputs, order)
     return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
 
@@ -439,7 +441,9 @@ def reproject(source: Any, to: str, size: Any = None, **given: Any) -> Any:
     if to not in PROJECTIONS:
         raise ConditionError(f"there is no projection '{quote(str(to))}'", ", ".join(PROJECTIONS))
     named, given = _surroundings(source, given)
-    made = work_out(named, _certain(_inputs({**given, "size": size}), "a map"), to)
+    inputs = _inputs({**given, "size": size})
+    refuse_uncertain(inputs.values(), "a map")
+    made = work_out(named, inputs, to)
     return Quantity(made.pixels, light_registry().container(resolve(made.unit)))
 
 
@@ -671,14 +675,6 @@ def _inputs(given: dict[str, Any]) -> Inputs:
         for keyword, value in given.items()
         if (one := _given(keyword, value, known, "input")) and (name := one.name)
     }
-
-
-def _certain(given: Inputs, what: str) -> Inputs:
-    """Inputs without uncertainties."""
-    from radcalc.calculators.uncertainty import refuse
-
-    refuse(given.values(), what)
-    return given
 
 
 def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:

@@ -1,7 +1,7 @@
 """What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import index
 from typing import Any, NamedTuple
 
@@ -83,6 +83,13 @@ class Given(NamedTuple):
         return self.unit.text if self.unit else "1"
 
     @property
+    def size(self) -> float:
+        """How large a single number is [SI]: of an uncertain spectrum its parameter."""
+        if self.symbol.form == SPECTRUM:
+            return float(self.number * self.unit.factor if self.unit else self.number)
+        return float(self.value)
+
+    @property
     def rounding(self) -> float:
         """How far the value may be off as typed, relative to it."""
         if self.is_exact:
@@ -108,7 +115,10 @@ def inputs_of(given: Inputs) -> tuple[Input, ...]:
 def _told(one: Given) -> Iterator[Input]:
     form = one.symbol.form
     if form == QUANTITY:
-        yield Input(one.name, one.number, one.unit_text, one.text)
+        off = one.uncertainty and one.uncertainty / float(one.unit.factor if one.unit else 1)
+        if isinstance(one.unit, ScaleUnit):
+            off /= abs(one.unit.slope(one.number))
+        yield Input(one.name, one.number, one.unit_text, one.text, off)
     elif form == FLAG:
         yield Input(one.name, True)
     elif one.name == "point":
@@ -151,16 +161,33 @@ def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Given:
     reader = _READERS.get(symbol.form)
     given = reader(symbol, value) if reader else _read_quantity(symbol, value)
     if given.uncertainty and not uncertain:
-        problem = f"{option(symbol.name, quote(given.text))} has an uncertainty"
-        raise ConditionError(f"{problem}, which is of no use here", "the value alone")
+        told = option(symbol.name, quote(given.text))
+        raise ConditionError(f"{told} cannot be uncertain here", "the value alone")
     return given
 
 
-def moved(given: Given, value: float) -> Given:
-    """The same with another value [SI], within its limits."""
-    number = given.number + (value - given.value) * (
-        divide(given.unit.bottom, given.unit.top) if given.unit else 1
-    )
+def refuse_uncertain(given: Iterable[Given], what: str) -> None:
+    """Refuse uncertain inputs of what does not carry them."""
+    for one in given:
+        if one.uncertainty:
+            told = option(one.name, quote(one.text))
+            problem = f"{told} has an uncertainty, which {what} does not carry"
+            raise ConditionError(problem, "the value alone")
+
+
+def moved(given: Given, shift: float) -> Given:
+    """The same with its value moved by so much [SI], within its limits.
+
+    Of a spectrum it is the parameter that is uncertain.
+    """
+    number = given.number + shift * (divide(given.unit.bottom, given.unit.top) if given.unit else 1)
+    if given.symbol.form == SPECTRUM:
+        from radcalc.spectra.sources import uncertain_parameter
+
+        parameter = uncertain_parameter(given.text)
+        assert parameter is not None
+        return given._replace(text=f"{given.text}, {number!r}", value=parameter.source(number))
+    value = given.value + shift
     if isinstance(given.unit, ScaleUnit):
         number = given.unit.reading(value / given.unit.factor)
     one = given._replace(
@@ -325,10 +352,21 @@ def _read_flag(symbol: Symbol, value: Any) -> Given:
 
 
 def _read_spectrum(symbol: Symbol, value: Any) -> Given:
-    from radcalc.spectra.sources import spectrum
+    from radcalc.spectra.sources import spectrum, uncertain_parameter
 
     text = str(value).strip()
-    return Given(symbol, text, spectrum(text))
+    uncertain = uncertain_parameter(text)
+    if uncertain is None:
+        return Given(symbol, text, spectrum(text))
+    amount = uncertain.amount
+    return Given(
+        symbol,
+        text,
+        uncertain.source(amount.number),
+        number=amount.number,
+        unit=amount.unit,
+        uncertainty=amount.uncertainty * float(amount.unit.factor if amount.unit else 1),
+    )
 
 
 def _read_wavelengths(symbol: Symbol, value: Any) -> Given:

@@ -21,11 +21,11 @@ Number = Any  # a float, or anything that NumPy can work on element by element
 
 def is_array(x: Any) -> bool:
     """Whether NumPy must serve x: neither a number nor a text, a flag or nothing."""
-    return hasattr(x, "dtype") and not isinstance(x, float)
+    return hasattr(x, "dtype") and not isinstance(x, float) and not is_uncertain(x)
 
 
 def is_uncertain(x: Any) -> bool:
-    """Whether x is a number of the `uncertainties` package."""
+    """Whether x is a number of the `uncertainties` package, which counts as no array."""
     return hasattr(x, "std_dev")
 
 

@@ -29,7 +29,7 @@ def write(text: str) -> None:
     try:
         data = text.encode(encoding, out.errors or "strict")
     except UnicodeEncodeError:
-        data = text.encode(encoding, "backslashreplace")
+        data = text.replace("±", "+-").encode(encoding, "backslashreplace")
     try:
         pour(data)
     except BrokenPipeError:  # nobody reads on, and the exit status is still of use

@@ -14,6 +14,7 @@ from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import Unit, resolve
 
+OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 
 
@@ -114,9 +115,15 @@ def held(name: str, number: Any, of: Any = None) -> Any:
 
 
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
-    """What NAME[:UNIT] asks for; without a unit, in the one in which the listing has it first."""
+    """What NAME[:UNIT] asks for; without a unit, in the one in which the listing has it first.
+
+    NAME-uncertainty asks for the standard uncertainty of NAME, 0 where nothing is uncertain.
+    """
     name, _, text = wanted.partition(":")
     name, text = name.strip(), text.strip()
+    if name.endswith(OF_UNCERTAINTY):
+        row = pick(values, f"{name.removesuffix(OF_UNCERTAINTY)}:{text}", case)
+        return row._replace(value=row.uncertainty, name=name, uncertainty=0.0, given=False)
     for value in values:
         if name and name in (value.name, value.also):
             _refuse_absent(value)
@@ -129,7 +136,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 number = in_unit(value, unit)
                 if unit.dimension not in value.dimensions:
                     label, letter = _of_kind(value, unit)
-            return Row(label, letter, number, text, case, name, is_given)
+            return _apart(Row(label, letter, number, text, case, name, is_given))
     names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
@@ -138,6 +145,13 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         )
     near = nearest(name, names) or names
     raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
+
+
+def _apart(row: Row) -> Row:
+    """A row in which the number stands beside its uncertainty."""
+    if not is_uncertain(row.value):
+        return row
+    return row._replace(value=row.value.nominal_value, uncertainty=row.value.std_dev)
 
 
 def _of_kind(value: Value, unit: Unit) -> tuple[str, str]:
@@ -155,7 +169,7 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     Of several answers each begins with what was given, which tells them apart.
     """
     found = [
-        Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None)
+        _apart(Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None))
         for v in values
         for text in v.units
     ]

@@ -56,20 +56,12 @@ class Bend(NamedTuple):
 
     def note(self, label: str, low: str, high: str) -> str:
         """What to say of a result."""
-        return f"{label} is far from linear within {_told(self.given)}: {low} to {high}"
+        return f"{label} is far from linear within {_named(self.given)}: {low} to {high}"
 
 
 def any_uncertain(given: Iterable[Given]) -> bool:
     """Whether an input has an uncertainty."""
     return any(one.uncertainty for one in given)
-
-
-def refuse(given: Iterable[Given], what: str) -> None:
-    """Refuse uncertain inputs of what does not carry them."""
-    for one in given:
-        if one.uncertainty:
-            problem = f"{_told(one)} has an uncertainty, which {what} does not carry"
-            raise ConditionError(problem, "the same without it")
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:
@@ -104,7 +96,7 @@ def of_conversion(shown: Result, found: "Converted") -> Result:
     notes = [bend.problem for bend in found.bends if bend.problem]
     for bend in found.bends:
         for ends in bend.ends.values():
-            low, high = (f"{format_number(end)} {row.unit}" for end in ends)
+            low, high = (_amount(end, row.unit) for end in ends)
             notes.append(bend.note(name, low, high))
     return shown._replace(
         rows=(row._replace(uncertainty=getattr(found.number, "std_dev", 0.0)),),
@@ -133,17 +125,15 @@ def converted(made: Plan, amount: Amount, given: Sequence[Given], of: Any = None
         again = plan(made.source, made.target, conditions)
         return {KEY: again.apply(inputs[""].value)}
 
-    value = Given(
-        VALUE,
-        amount.text,
-        amount.number,
-        number=amount.number,
-        uncertainty=amount.uncertainty,
-        variable=of,
-    )
-    inputs = {"": value, **{one.name: one for one in given}}
-    numbers, bends = _carry(work_out, inputs, {KEY: made.apply(amount.number)})
+    inputs = {"": value_of(amount)._replace(variable=of), **{one.name: one for one in given}}
+    numbers, bends = _carry(work_out, inputs, {KEY: made.apply(amount.typed[0])})
     return Converted(numbers[KEY], _assumed(inputs), bends)
+
+
+def value_of(amount: Amount) -> Given:
+    """The value of a conversion as an input: in the unit that was typed, and with no name."""
+    number, off = amount.typed[0], amount.typed_uncertainty
+    return Given(VALUE, amount.text, number, number=number, uncertainty=off)
 
 
 KEY = ("",)
@@ -152,6 +142,11 @@ KEY = ("",)
 def _assumed(given: Inputs) -> str:
     """What carrying assumes; variables of Python's know themselves what they depend on."""
     return INDEPENDENT if all(one.variable is None for one in given.values()) else ASSUMED
+
+
+def _named(given: Given) -> str:
+    """An input as it was typed, behind its name, for a note."""
+    return f"{given.symbol.label or 'the value'} {quote(given.text)}"
 
 
 def _told(given: Given) -> str:
@@ -185,7 +180,7 @@ def _carry(
 def _shift(given: Given) -> Any:
     """An input less its nominal value [SI]: a variable of the `uncertainties` package."""
     if given.variable is None:
-        return variable(given.value, given.uncertainty, given.name or "value") - given.value
+        return variable(given.size, given.uncertainty, given.name or "value") - given.size
     factor = float(given.unit.factor) if given.unit else 1.0
     return (given.variable - given.variable.nominal_value) * factor
 
@@ -204,7 +199,7 @@ class _Run:
         """What follows with the input moved by so much [SI]; nothing where that is refused."""
         one = self.given[self.name]
         try:
-            return self.work_out({**self.given, self.name: moved(one, one.value + shift)})
+            return self.work_out({**self.given, self.name: moved(one, shift)})
         except (Contradiction, Exclusive) as error:
             raise ConditionError(
                 f"more is given than needed beside {_told(self.input)}, which is uncertain, and "
@@ -217,7 +212,7 @@ class _Run:
 
     def slopes(self, nominal: Numbers) -> dict[Key, float]:
         """The slope of each number over the input; one-sided next to a limit."""
-        size, off = abs(self.input.value), self.input.uncertainty
+        size, off = abs(self.input.size), self.input.uncertainty
         step = max(min(size * STEP or off / OF_ZERO, off / 2), size * LEAST_STEP)
         points = {k: self.at(k * step) for k in (-2, -1, 1, 2)}
         found = {}
@@ -238,7 +233,7 @@ class _Run:
         low, high = self.at(-off), self.at(off)
         if self.refused:
             limit = f": {self.refused.limit}" if isinstance(self.refused, Impossible) else ""
-            problem = f"{_told(self.input)} reaches what is not possible{limit}"
+            problem = f"{_named(self.input)} reaches what is not possible{limit}"
             return Bend(self.input, {}, problem)
         ends = {}
         for key, value in nominal.items():
@@ -304,21 +299,23 @@ def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
 
 
 def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
-    """What to say of the bends of one answer: one result of each, and how many there are."""
+    """What to say of the bends of one answer: one result of each, and how many more there are."""
     notes = [bend.problem for bend in bends if bend.problem]
     for bend in bends:
         bent = [key for key in bend.ends if key[:-1] in values and not key[-1]]
         if not bent:
             continue
         value = values[bent[0][:-1]]
-        unit = resolve(value.units[0])
-        low, high = (
-            f"{format_number(in_unit(value._replace(si=end, given=None), unit))} {unit.text}"
-            for end in bend.ends[bent[0]]
-        )
-        more = f" ({len(bent) - 1} more are)" if len(bent) > 1 else ""
-        notes.append(bend.note(value.label, low, high.removesuffix(" 1")) + more)
+        unit = value.units[0]
+        ends = (value._replace(si=end, given=None) for end in bend.ends[bent[0]])
+        low, high = (_amount(in_unit(end, resolve(unit)), unit) for end in ends)
+        more = f" (and {len(bent) - 1} more results)" if len(bent) > 1 else ""
+        notes.append(bend.note(value.label, low, high) + more)
     return notes
+
+
+def _amount(number: float, unit: str) -> str:
+    return format_number(number) if unit == "1" else f"{format_number(number)} {unit}"
 
 
 class _WithShares(Sequence[Step]):
@@ -360,5 +357,5 @@ def _shares(label: str, number: Any, unit: str) -> list[Step]:
         f"{format_number(size)} by {name} ({(size / whole) ** 2 * 100:.3g} %)" if whole else name
         for name, size in sorted(parts.items(), key=lambda part: -part[1])
     ]
-    amount = f"{format_number(whole)} {unit}".removesuffix(" 1")
-    return [Step(f"uncertainty of {label}", FORMULA, f"{amount}: {', '.join(told)}", REFERENCE)]
+    numbers = f"{_amount(whole, unit)}: {', '.join(told)}"
+    return [Step(f"uncertainty of {label}", FORMULA, numbers, REFERENCE)]

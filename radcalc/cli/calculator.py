@@ -1,6 +1,7 @@
 """What every calculator shares: reading its inputs, --get, --check, and showing answers."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from radcalc import stdio
@@ -89,6 +90,10 @@ def run(
         each = [part for case in each for part in _blocks(case)]
     else:
         _refuse_long(each, asked)
+    if any(one.uncertainty for case in each for one in case.given.values()):
+        from radcalc.calculators.uncertainty import with_uncertainties
+
+        work_out = partial(with_uncertainties, work_out)
     told = [(*operands, *inputs_of(case.given)) for case in each]
     answers = (
         one

@@ -53,7 +53,10 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
                 error.hint += f", or {option(name)} behind the other lists"
             raise
     given = {
-        name: [read_interval(name, one) if name in intervals else read(name, one) for one in each]
+        name: [
+            read_interval(name, one) if name in intervals else read(name, one, uncertain=True)
+            for one in each
+        ]
         for name, each in reversed(values.items())
     }
     names = [name for name, each in given.items() if len(each) > 1]

@@ -55,6 +55,8 @@ def judge(
     right = next(one for one in answer.values if one.name == verdict.name)
     name = right.also if question.plan else right.name
     is_given = right.given is not None
-    row = Row(right.label, right.letter, verdict.right, verdict.unit, "", name, is_given)
+    about = right.label, right.letter
+    off = verdict.uncertainty
+    row = Row(*about, verdict.right, verdict.unit, "", name, is_given, off)
     shown.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
     return stdio.ANSWERED if verdict.is_right else stdio.WRONG

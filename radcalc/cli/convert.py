@@ -138,7 +138,8 @@ def command(
 
         checking.refuse_several(len(calls) * len(first.targets))
         target, conditions = first.targets[0], first.conditions
-        question = of_conversion(first.value, first.source, target, conditions, steps)
+        amount, value = first.amount, first.value
+        question = of_conversion(value, first.source, target, conditions, steps, amount)
         return checking.judge(question, check, tolerance, shown, first.inputs)
     shown.show([call.answer(steps) for call in calls])
     return stdio.ANSWERED
@@ -161,15 +162,27 @@ class Conversion(NamedTuple):
     @property
     def inputs(self) -> tuple[Input, ...]:
         """The value and the conditions, as an answer tells them."""
-        text = self.amount.text.replace(MINUS, "-")
-        value = Input("value", self.value, self.source.text, text)
+        text, off = self.amount.text.replace(MINUS, "-"), self.amount.typed_uncertainty
+        value = Input("value", self.value, self.source.text, text, off)
         return (value, *inputs_of(self.case.given))
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether the value or a condition has an uncertainty."""
+        return bool(self.amount.uncertainty) or any(one.uncertainty for one in self.conditions)
 
     def answer(self, steps: bool) -> Result:
         """The value in the targets' units, and everything about it."""
         number = f"{self.value:.12g}"
         plans = [plan(self.source, target, self.conditions, number) for target in self.targets]
         told = [answer(made, self.value, self.case.label, steps) for made in plans]
+        if self.is_uncertain:
+            from radcalc.calculators.uncertainty import converted, of_conversion
+
+            told = [
+                of_conversion(one, converted(made, self.amount, self.conditions))
+                for one, made in zip(told, plans, strict=True)
+            ]
         return Result(
             tuple(row for one in told for row in one.rows),
             tuple(dict.fromkeys(text for one in told for text in one.assumptions)),
@@ -205,8 +218,6 @@ def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
         raise UsageError(f"'{several}' is a list where one unit is meant", "a TARGET behind it")
-    if amount.uncertainty:
-        raise UsageError("an uncertain value is converted from Python", "the value alone")
     return amount, [target for _, target in read if target]
 
 
@@ -229,13 +240,14 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
     return option("efficacy", f"{error.text}{units[is_small]}")
 
 
-def every_unit(call: Conversion, typed: dict[str, Any], number: bool) -> Result:
+def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
     """The value in every unit of its quantity."""
     source = call.source
     if typed:
         raise UsageError(f"--{next(iter(typed))} needs a unit to convert to", "a TARGET unit")
-    if number:
+    if is_bare:
         raise UsageError("-n prints one number, and there is no target unit", "a TARGET unit")
+    from radcalc.calculators import uncertainty
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
 
@@ -245,11 +257,15 @@ def every_unit(call: Conversion, typed: dict[str, Any], number: bool) -> Result:
     rows = []
     for target in targets:
         try:
-            converted = plan(source, target).apply(call.value)
+            made = plan(source, target)
+            number, off = made.apply(call.value), 0.0
+            if call.is_uncertain:
+                off = uncertainty.converted(made, call.amount, ()).number.std_dev
         except ConversionError:
             continue  # beyond what a float holds in that unit
+        about = name_of(target), symbol_of(target)
         name = result_name(target)
-        row = Row(name_of(target), symbol_of(target), converted, target.text, call.case.label, name)
+        row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
     notes = (*call.case.notes, *source.notes)
     return Result(tuple(rows), notes=notes, inputs=call.inputs, named=False)

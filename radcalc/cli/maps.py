@@ -10,7 +10,7 @@ from radcalc.cli.calculator import Answered, Asked, refuse_bare, show
 from radcalc.cli.cases import cases
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, quote_path
-from radcalc.given import Inputs
+from radcalc.given import Inputs, refuse_uncertain
 from radcalc.render.progress import progress
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
     each = cases(typed)
     if len(each) > 1:
         raise UsageError("one map is written at a time", "one value in place of a list")
+    refuse_uncertain(each[0].given.values(), "a map")
     return each[0].given
 
 

@@ -15,7 +15,15 @@ from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import ConditionError, UsageError, quote
 from radcalc.errors import command as call_of
-from radcalc.given import AS_GRID, IN_METRES, Given, Inputs, inputs_of, read_place
+from radcalc.given import (
+    AS_GRID,
+    IN_METRES,
+    Given,
+    Inputs,
+    inputs_of,
+    read_place,
+    refuse_uncertain,
+)
 from radcalc.render import arrays
 from radcalc.render.formats import CSV, JSON
 from radcalc.units.ranges import MOST
@@ -84,6 +92,7 @@ def command(
     if len(each) > 1:
         raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
     given = each[0].given
+    refuse_uncertain(given.values(), "a scene")
     places = texts_of({"file": words[0], "at": " ".join(at)})
     told = (*places, *inputs_of(given))
     points = _points(at, given.pop("grid", None))

@@ -70,10 +70,17 @@ def command(
         raise UsageError(problem, "radcalc spectrum D65, or radcalc spectrum --list")
     refined = {name: read(name, text) for name, text in typed.items()}
     texts = read_spectra(words[0])
-    sources = [Given(SYMBOLS["spectrum"], one, spectrum(one, column or "")) for one in texts]
+    sources = [_source(one, column) for one in texts]
     each = [
         Case({"spectrum": one, **refined}, (told(one),) if len(texts) > 1 else ())
         for one in sources
     ]
     operands = texts_of({"column": column or ""})
     return run(each, describe, asked, shown, "spectrum", operands=operands)
+
+
+def _source(text: str, column: str | None) -> Given:
+    """A source, which has a column where it is a file."""
+    if column:
+        return Given(SYMBOLS["spectrum"], text, spectrum(text, column))
+    return read("spectrum", text, uncertain=True)

@@ -12,7 +12,7 @@ from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import RadcalcError, UsageError, command, quote
-from radcalc.given import Given, inputs_of
+from radcalc.given import Given, inputs_of, refuse_uncertain
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
 from radcalc.units.amounts import read_stream_operands
@@ -148,6 +148,7 @@ def _given(cases: Sequence[Case], steps: bool) -> Sequence[Given]:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
     if len(cases) > 1:
         raise UsageError("a list of conditions is not for a stream", "one value a condition")
+    refuse_uncertain(cases[0].given.values(), "a stream")
     return list(cases[0].given.values())
 
 

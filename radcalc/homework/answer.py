@@ -6,6 +6,7 @@ from typing import NamedTuple
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
 from radcalc.given import read_as
 from radcalc.quantities.symbols import ANY, Symbol
+from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.table import NUMBER, Unit, divide
 
@@ -17,6 +18,7 @@ class Claim(NamedTuple):
 
     The zeros at the end of a whole number may stand for digits or for none: `half_unit` is half a
     unit of the last digit with them, `widest` without them, of two digits at least.
+    `uncertainty` is the standard one that is claimed, in the unit.
     """
 
     text: str
@@ -27,6 +29,7 @@ class Claim(NamedTuple):
     digits: int
     half_unit: float
     widest: float = 0.0
+    uncertainty: float = 0.0
 
 
 def read_claim(text: str) -> Claim:
@@ -39,16 +42,21 @@ def read_claim(text: str) -> Claim:
             f"{option('check', quote(text))} has no name before =",
             option("check", "illuminance=25lx"),
         )
-    rest = rest.strip().replace(MINUS, "-")
+    rest, off = rest.strip().replace(MINUS, "-"), 0.0
     try:
+        if any(mark in rest for mark in UNCERTAIN):
+            from radcalc.units.uncertain import read_uncertain
+
+            if reading := read_uncertain(rest):
+                off, rest = reading.uncertainty, reading.nominal
         value, end = read_number(rest)
     except NumberError as error:
         raise NumberError(
             f"{option('check')}: {error.message}", f"{option('check', '25lx')}; {error.hint}"
         ) from None
-    number = rest[:end]
+    number, unit = rest[:end], rest[end:].strip()
     digits, half, widest = _digits(number, value)
-    return Claim(text, name.strip(), value, rest[end:].strip(), number, digits, half, widest)
+    return Claim(text, name.strip(), value, unit, number, digits, half, widest, off)
 
 
 def _digits(number: str, value: float) -> tuple[int, float, float]:

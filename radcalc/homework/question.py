@@ -4,9 +4,11 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.uncertainty import value_of
 from radcalc.conversion.plan import Plan, plan
 from radcalc.given import Given, Inputs
 from radcalc.quantities.light import name_of, result_name, symbol_of
+from radcalc.units.amounts import Amount
 from radcalc.units.table import Unit
 
 
@@ -14,7 +16,8 @@ class Question(NamedTuple):
     """The right answer, what was given, and how to work it out anew from other inputs.
 
     `shape` is that of the source or of the solid angle; `steps` are the derivation, where one is
-    asked for.  A conversion has a plan, and the number that is converted.
+    asked for.  A conversion has a plan, and the number that is converted.  Where what was given
+    is uncertain, `uncertain` is the right answer with the uncertainties.
     """
 
     answer: Answer
@@ -25,6 +28,7 @@ class Question(NamedTuple):
     steps: tuple[Step, ...] = ()
     plan: Plan | None = None
     number: float = 0.0
+    uncertain: Answer | None = None
 
 
 def of_calculator(
@@ -35,17 +39,38 @@ def of_calculator(
     steps: bool = False,
 ) -> Question:
     """The question that a calculator answers from what is given."""
-    answer = work_out(given)
-    return Question(answer, given, work_out, command, shape, tuple(answer.steps) if steps else ())
+    question = Question(work_out(given), given, work_out, command, shape)
+    return _with_uncertainties(question, given, steps)
+
+
+def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Question:
+    """The question with its steps, and with the uncertainties that what was given leads to."""
+    answer = question.answer
+    if any(one.uncertainty for one in given.values()):
+        from radcalc.calculators.uncertainty import with_uncertainties
+
+        told = with_uncertainties(question.work_out, given)
+        answer = told._replace(values=answer.values, more=answer.more)
+        question = question._replace(answer=answer, uncertain=told)
+    return question._replace(steps=tuple(answer.steps)) if steps else question
 
 
 def of_conversion(
-    value: float, source: Unit, target: Unit, given: Sequence[Given], steps: bool = False
+    number: float,
+    source: Unit,
+    target: Unit,
+    given: Sequence[Given],
+    steps: bool = False,
+    amount: Amount | None = None,
 ) -> Question:
-    """The question what a value is in another unit, under conditions."""
+    """The question what a value is in another unit, under conditions.
 
-    def work_out(conditions: Inputs) -> Answer:
-        made = plan(source, target, list(conditions.values()))
+    `amount` is the value as it was read, which may be uncertain.
+    """
+
+    def work_out(inputs: Inputs) -> Answer:
+        value = inputs[""].value if "" in inputs else number
+        made = plan(source, target, [one for name, one in inputs.items() if name])
         name = name_of(target)
         result = Value(
             "value",
@@ -61,5 +86,6 @@ def of_conversion(
     conditions = {one.name: one for one in given}
     answer = work_out(conditions)
     made = plan(source, target, given)
-    steps_told = tuple(answer.steps)
-    return Question(answer, conditions, work_out, "convert", "", steps_told, made, value)
+    question = Question(answer, conditions, work_out, "convert", plan=made, number=number)
+    inputs = {**conditions, "": value_of(amount)} if amount else conditions
+    return _with_uncertainties(question, inputs, steps)

@@ -2,26 +2,31 @@
 
 import math
 from collections.abc import Sequence
+from itertools import repeat
 from typing import NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import in_unit, pick
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, option, quote
+from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
 from radcalc.units.table import Unit, resolve
 
 ROUNDED = "rounded"  # which is no mistake
-TOLERANCE = "1%"
+TOLERANCE, ONE_PERCENT = "1%", 0.01
 REMARKS = ("error",)  # results that say how good another is
 ASKED = {"sky": ("irradiance",)}  # by a command's plane, before what has the same unit
 WAYS = 4  # to say an answer clearly, that are shown
 
 
 class Verdict(NamedTuple):
-    """What is said of an answer; `ratio` is the answer over the right value, if that is not 0."""
+    """What is said of an answer; `ratio` is the answer over the right value, if that is not 0.
+
+    The standard uncertainties are those of the right value and of the answer.
+    """
 
     is_right: bool
     name: str
@@ -33,17 +38,22 @@ class Verdict(NamedTuple):
     tolerance: str
     diagnoses: tuple[Diagnosis, ...]
     steps: tuple[Step, ...]
+    uncertainty: float = 0.0
+    claimed_uncertainty: float = 0.0
 
 
 def check(question: Question, claim: str, tolerance: str | None = None) -> Verdict:
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
-    Without a tolerance it is 1%, or the digits typed where these are at least two and leave more.
-    Where several answers fit what is given, one of them is right.
+    Without a tolerance it is 1%, or the digits typed where these are at least two and leave more,
+    or the standard uncertainty of the right value or of the answer.  Where several answers fit what
+    is given, one of them is right.
     """
+    uncertain = question.uncertain
+    others = (uncertain, *uncertain.more) if uncertain else repeat(None)
     verdicts = (
-        _check(question._replace(answer=answer), claim, tolerance)
-        for answer in (question.answer, *question.answer.more)
+        _check(question._replace(answer=answer, uncertain=other), claim, tolerance)
+        for answer, other in zip((question.answer, *question.answer.more), others, strict=False)
     )
     first = next(verdicts)
     return first if first.is_right else next((v for v in verdicts if v.is_right), first)
@@ -61,7 +71,11 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     if target.name == "azimuth":  # whole turns make no difference
         turn = 2 * math.pi / unit.factor
         said = said._replace(value=said.value + turn * round((right - said.value) / turn))
+    number = uncertainty.of_result(question, target, unit)
+    off = getattr(number, "std_dev", 0.0)
     allowed = read_tolerance(tolerance, unit)
+    if not asked and max(off, said.uncertainty) > ONE_PERCENT * abs(right):
+        allowed = uncertainty.tolerance(off, said, unit_text)
     is_near = allowed.holds(said.value, right)
     ratio = said.value / right if right else math.inf
     verdict = Verdict(
@@ -75,9 +89,12 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
         allowed.text,
         (),
         question.steps,
+        off,
+        said.uncertainty,
     )
     if verdict.is_right:
-        return verdict
+        found = uncertainty.judge(number, said, question.given) if off else ()
+        return verdict._replace(is_right=not found, diagnoses=found)
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
     if said.value and abs(right - said.value) <= max(said.half_unit, said.widest):

@@ -34,6 +34,8 @@ def results(results: Sequence[Result], style: Style) -> str:
         for row in result.rows:
             if not any(shows(row, name) for name in units):
                 line[f"{row.name}:{row.unit}"] = _cell(row.value, style)
+                if row.uncertainty:
+                    line[f"{row.name}-uncertainty:{row.unit}"] = _cell(row.uncertainty, style)
         lines.append(line)
     header = list(dict.fromkeys(head for line in lines for head in line))
     return _write([header, *([line.get(head, "") for head in header] for line in lines)])

@@ -40,8 +40,10 @@ def verdict(judgement: Judgement, style: Style) -> str:
         "right": said.is_right,
         "name": right.name,
         "value": _rounded(said.right, style),
+        **({"uncertainty": _rounded(said.uncertainty, style)} if said.uncertainty else {}),
         "unit": said.unit,
         "claimed": said.claimed,
+        **({"claimed_uncertainty": off} if (off := said.claimed_uncertainty) else {}),
         "claimed_unit": said.claimed_unit,
         "ratio": None if said.ratio is None else _rounded(said.ratio, style),
         "tolerance": said.tolerance,
@@ -82,7 +84,7 @@ def _object(
 def _input(one: Input) -> dict[str, Any]:
     """A quantity as its number and unit, with the text if there was one; else a text or true."""
     if one.is_quantity:
-        told = {"value": one.value, "unit": one.unit}
+        told = _amount(one.value, one.uncertainty, one.unit)
         return {**told, "text": one.text} if one.text else told
     return {"text": one.text} if one.value is None else {"value": one.value}
 
@@ -91,13 +93,20 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
     """The results by their names; what is shown in more than one unit has the others in `also`."""
     found: dict[str, Any] = {}
     for row in rows:
-        amount = {"value": _rounded(row.value, style), "unit": row.unit}
+        off = row.uncertainty and _rounded(row.uncertainty, style)
+        amount = _amount(_rounded(row.value, style), off, row.unit)
         if row.name in found:
             found[row.name].setdefault("also", []).append(amount)
         else:
             about = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}
             found[row.name] = {**amount, **about}
     return found
+
+
+def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
+    """A number in a unit, with its standard uncertainty where it has one."""
+    off = {"uncertainty": uncertainty} if uncertainty else {}
+    return {"value": value, **off, "unit": unit}
 
 
 def _text(data: Any) -> str:

@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from radcalc.render.formats import Judgement, Records, Style
 
 DIGITS, RATIO_DIGITS = 12, 4
+LEAST_FIXED, MOST_FIXED = -4, 6  # powers of ten of an uncertain number without an exponent
 REMARKS_ARE_APART = True
 
 
@@ -16,9 +17,32 @@ def number(value: float, precision: int | None = None) -> str:
     return f"{value:.{precision or DIGITS}g}"
 
 
-def line(value: float, unit: str, precision: int | None = None, bare: bool = False) -> str:
+def uncertain(value: float, off: float, precision: int | None = None, digits: int = DIGITS) -> str:
+    """A number and its standard uncertainty: 9.29 ± 0.28, or the number alone where it has none.
+
+    The uncertainty has two significant digits and the number as many places, or both have as many
+    digits as asked for.
+    """
+    if not off:
+        return number(value, precision or digits)
+    if precision:
+        return f"{number(value, precision)} ± {number(off, precision)}"
+    tens = int(f"{off:.1e}".partition("e")[2]) - 1  # of the last digit
+    first = tens + 1  # of the first digit of both
+    if value:
+        first = max(first, int(f"{abs(value):e}".partition("e")[2]))
+    if LEAST_FIXED <= first < MOST_FIXED:
+        places = max(-tens, 0)
+        return f"{round(value, -tens):.{places}f} ± {round(off, -tens):.{places}f}"
+    scale, places = 10.0**first, first - tens
+    return f"({value / scale:.{places}f} ± {off / scale:.{places}f})e{first:+03d}"
+
+
+def line(
+    value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
+) -> str:
     """One converted value: VALUE, a tab and UNIT, or the bare number."""
-    text = number(value, precision)
+    text = number(value, precision) if bare else uncertain(value, off, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 
@@ -27,7 +51,7 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
     return "".join(
         [
             (f"{row.name}\t" if result.named and not style.bare else "")
-            + line(row.value, row.unit, style.precision, style.bare)
+            + line(row.value, row.unit, style.precision, style.bare, row.uncertainty)
             for result in results
             for row in result.rows
         ]
@@ -55,13 +79,14 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     digits = style.precision or digits
     unit = "" if said.unit == "1" else f" {said.unit}"
     other = "" if said.claimed_unit == "1" else f" {said.claimed_unit}"
-    right = f"{said.name} is {number(said.right, digits)}{unit}"
+    size = uncertain(said.right, said.uncertainty, style.precision, digits)
+    right = f"{said.name} is {size}{unit}"
     if said.is_right:
         nearer = "".join(f"; {diagnosis.right}" for diagnosis in said.diagnoses)
         return f"right ({said.tolerance}): {right}{nearer}\n"
     times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times that)" if times != "1" else ""
-    claimed = f"{number(said.claimed, digits)}{other}"
+    claimed = uncertain(said.claimed, said.claimed_uncertainty, style.precision, digits) + other
     lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"
     for diagnosis in said.diagnoses:

@@ -17,7 +17,7 @@ from radcalc.answer import Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import derivation, number
+from radcalc.render.plain import derivation, uncertain
 from radcalc.stdio import HANGING, fold
 
 DIGITS = 6
@@ -55,7 +55,7 @@ def results(results: Sequence[Result], style: Style) -> str:
             *case,
             _quantity(row, language),
             row.symbol,
-            number(row.value, precision or DIGITS),
+            _number(row, precision),
             row.unit,
         ]
         for result, case in zip(results, cases, strict=True)
@@ -83,7 +83,7 @@ def _line(row: Row, precision: int | None, language: str) -> str:
     """A single value in one line, with the name of its quantity."""
     unit = "" if row.unit == "1" else f" {row.unit}"
     name = _quantity(row, language)
-    return f"{number(row.value, precision or DIGITS)}{unit}{f'   ({name})' if name else ''}\n"
+    return f"{_number(row, precision)}{unit}{f'   ({name})' if name else ''}\n"
 
 
 def _quantity(row: Row, language: str) -> str:
@@ -123,11 +123,15 @@ def _wide(
     for row in results[0].rows:
         unit = "" if row.unit == "1" else f" [{row.unit}]"
         titles.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
-    digits = precision or DIGITS
-    return [
-        titles,
-        *([*_texts(r, names), *(number(row.value, digits) for row in r.rows)] for r in results),
+    lines = [
+        [*_texts(one, names), *(_number(row, precision) for row in one.rows)] for one in results
     ]
+    return [titles, *lines]
+
+
+def _number(row: Row, precision: int | None) -> str:
+    """The number of a row, with its uncertainty."""
+    return uncertain(row.value, row.uncertainty, precision, DIGITS)
 
 
 def draw(

@@ -2,11 +2,13 @@
 
 import math
 import os
+from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
+from radcalc.units.amounts import UNCERTAIN, Amount, read_amount
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
@@ -47,6 +49,37 @@ def spectrum(text: str, column: str = "") -> Spectrum:
 
         return read_file(path, column or name)
     raise _unknown(text)
+
+
+class Parameter(NamedTuple):
+    """A parameter of a kind of source that is uncertain, and the text around it."""
+
+    before: str
+    amount: Amount
+    behind: str
+
+    def source(self, number: float) -> Spectrum:
+        """The source with another number for it, in its unit."""
+        unit = self.amount.unit.text if self.amount.unit else ""
+        return spectrum(f"{self.before}{number!r}{unit}{self.behind}")
+
+
+def uncertain_parameter(text: str) -> Parameter | None:
+    """The first parameter with an uncertainty: of `blackbody:2856+-20K` the temperature."""
+    kind, colon, parameters = text.strip().partition(":")
+    if not colon or kind.lower() not in KINDS:
+        return None
+    parts = parameters.split(",")
+    for k, part in enumerate(parts):
+        size, equals, weight = part.partition("=")
+        if not any(mark in size for mark in UNCERTAIN):
+            continue
+        amount = read_amount(size)
+        if amount.uncertainty:
+            before = "".join(f"{one}," for one in parts[:k])
+            behind = "".join(f",{one}" for one in parts[k + 1 :])
+            return Parameter(f"{kind}:{before}", amount, f"{equals}{weight}{behind}")
+    return None
 
 
 def _unknown(text: str) -> RadcalcError:

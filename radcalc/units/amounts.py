@@ -64,6 +64,13 @@ class Amount:
         """The number and the unit that were typed, or the reading and its scale."""
         return (self.reading, self.scale) if self.scale else (self.number, self.unit)
 
+    @property
+    def typed_uncertainty(self) -> float:
+        """The uncertainty of the number that was typed."""
+        if self.scale:
+            return self.uncertainty / float(abs(self.scale.slope(self.reading)))
+        return self.uncertainty
+
     def __repr__(self) -> str:
         """Show the text."""
         return f"Amount({self.text!r})"
@@ -85,7 +92,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
         reading = read_uncertain(text)
         if reading is None:
             raise
-    return _amount(text, *reading, dimensions)
+    return _amount(text, reading.number, reading.unit, reading.uncertainty, dimensions)
 
 
 UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)

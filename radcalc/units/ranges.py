@@ -6,7 +6,7 @@ from itertools import product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, TooMany, quote
-from radcalc.units.amounts import sides
+from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides
 from radcalc.units.numbers import split_quantity
 from radcalc.units.table import Unit, divide, resolve
 
@@ -166,6 +166,9 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         if len(parts) == 2 and all(part.strip().isdigit() for part in parts):
             hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
         raise ConditionError(f"'{quote(text)}' is not a range", hint)
+    if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
+        problem = f"'{quote(text)}' is a range, and has no uncertainties"
+        raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
     numbers = [split_quantity(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in numbers]
     if len({unit.dimension for unit in units}) > 1:

@@ -11,7 +11,14 @@ from typing import Any, NamedTuple
 
 from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, quote
 from radcalc.units.amounts import SEPARATORS, SIGNS_OF_UNCERTAINTY
-from radcalc.units.numbers import DIGITS, SIGNS, parse_number, split_quantity, typed_digits
+from radcalc.units.numbers import (
+    DIGITS,
+    SIGNS,
+    parse_number,
+    read_number,
+    split_quantity,
+    typed_digits,
+)
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide
 
@@ -29,6 +36,7 @@ class Reading(NamedTuple):
     number: float
     unit: Unit | None
     uncertainty: float
+    nominal: str = ""  # the text without the uncertainty
 
 
 def signed(text: str) -> str:
@@ -43,7 +51,6 @@ def read_uncertain(text: str) -> Reading | None:
 
     Raises RadcalcError where it has the form and a part of it is wrong, or is read in two ways.
     """
-    text = signed(text.strip())
     told = signed(text.strip())
     try:
         found = _with_sign(told) if SIGN in told else _with_digits(told)
@@ -53,7 +60,11 @@ def read_uncertain(text: str) -> Reading | None:
         raise
     if found and found.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
-    return found
+    if found is None:
+        return None
+    head = told.lstrip("(")
+    unit = found.unit.text if found.unit else ""
+    return found._replace(nominal=f"{head[: read_number(head)[1]]}{unit}")
 
 
 def _with_sign(text: str) -> Reading | None:

@@ -1,0 +1,68 @@
+"""Answers where values are uncertain: how near is near enough, and whether their ± is right.
+
+What people do with uncertainties in place of adding their squares is recognised.
+"""
+
+import math
+from typing import Any
+
+from radcalc.answer import Value
+from radcalc.calculators.results import in_unit
+from radcalc.derivation import format_number
+from radcalc.given import Inputs
+from radcalc.homework.answer import Claim, Diagnosis, Tolerance
+from radcalc.homework.question import Question
+from radcalc.units.table import Unit
+
+NEAR = 0.05  # of an uncertainty, which has two digits at most
+WRONG = "uncertainty"  # the mistake that has no better name
+SQUARES = "independent uncertainties add as squares"
+SLOPES = "each uncertainty counts with the slope of the result: of 1/d^2 twice the part of d"
+
+
+def of_result(question: Question, target: Value, unit: Unit) -> Any:
+    """A result with its uncertainty, of the `uncertainties` package, or a float without."""
+    if question.uncertain is None:
+        return 0.0
+    values = zip(question.answer.values, question.uncertain.values, strict=True)
+    return next(in_unit(other, unit) for value, other in values if value is target)
+
+
+def tolerance(off: float, said: Claim, unit: str) -> Tolerance:
+    """The larger of the uncertainties of the right value and of the answer."""
+    told = "" if unit == "1" else f" {unit}"
+    if said.uncertainty > off:
+        size, whose = said.uncertainty, "the uncertainty claimed"
+    else:
+        size, whose = off, "the standard uncertainty"
+    return Tolerance(f"within {format_number(size, 2)}{told}, {whose}", "absolute", size)
+
+
+def judge(number: Any, said: Claim, given: Inputs) -> tuple[Diagnosis, ...]:
+    """What is wrong with the uncertainty that an answer claims; nothing where that is right."""
+    off, claimed = number.std_dev, said.uncertainty
+    if not claimed or _is_near(claimed, off):
+        return ()
+    right = f"it is {format_number(off, 2)}"
+    parts = [abs(size) for size in number.error_components().values()]
+    sizes = [one.uncertainty / one.value for one in given.values() if one.uncertainty and one.value]
+    without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
+    found = [
+        ("uncertainties-added", sum(parts), "the uncertainties were added up", SQUARES),
+        ("uncertainty-expanded", 2 * off, "that is twice it, for k = 2", "k = 1 is asked for"),
+        ("uncertainty-slope", without_slopes, "parts of the inputs were added as they are", SLOPES),
+        *(
+            ("uncertainty-left-out", part, "only one input's uncertainty was counted", SQUARES)
+            for part in parts
+            if len(parts) > 1
+        ),
+    ]
+    for name, size, done, why in found:
+        if _is_near(claimed, size):
+            return (Diagnosis(name, done, f"{why}: {right}"),)
+    return (Diagnosis(WRONG, "the uncertainty is another one", right),)
+
+
+def _is_near(claimed: float, size: float) -> bool:
+    """Whether an uncertainty is that one, or that one rounded to a digit."""
+    return abs(claimed - size) <= NEAR * size or claimed == float(f"{size:.1g}")
