@@ -47,7 +47,7 @@ ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
 SIGNS = "-+*/^·×⋅∙−"
 ARITHMETIC = re.compile(rf"[{SIGNS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]")  # in a word of several
-BARE = re.compile(rf"(^|[{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$|\)$", re.I)  # ends in a number
+NUMBER_AT_END = re.compile(rf"(?<![^{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$", re.I)
 
 EXAMPLES = {
     "100 lx fc": "A value with its unit, converted.",
@@ -77,7 +77,8 @@ class Session:
 
     def hear(self, results: Sequence[Result]) -> None:
         """Keep what a command answers."""
-        self.heard += [row for result in results for row in result.rows]
+        for result in results:  # a conversion has one value, if in many units
+            self.heard += result.rows if result.named else result.rows[:1]
 
     def answer(self, line: str, place: str = "") -> int:
         """Answer a line as the shell would be; raise EOFError where it leaves the prompt."""
@@ -91,13 +92,24 @@ class Session:
             return stdio.ANSWERED
         self.heard: list[Row] = []
         assignment = ASSIGNMENT.fullmatch(line)
+        name, text = (assignment[1], assignment[2]) if assignment else ("", line)
         if assignment:
-            status = self._assign(assignment[1], assignment[2], words)
-        else:
-            words[:] = self.read(line)
+            refuse_name(name, text)
+        words[:] = self.read(text)
+        amount = _amount(words)
+        if amount and (name or not _is_plain(amount) or self._has_names(text)):
+            status = self._show(amount, words)
+        elif words or not name:
             status = self._run(words)
+        else:
+            raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
+        if name and status == stdio.ANSWERED:
+            self.variables[name] = _text(amount) if amount else self._kept(name)
         self.rows = self.heard or self.rows
         return status
+
+    def _has_names(self, text: str) -> bool:
+        return any(self._is_name(found) for found in NAME.findall(text))
 
     def read(self, line: str) -> list[str]:
         """The words of a line as the command line takes them."""
@@ -195,7 +207,7 @@ class Session:
             return [self._fill(word, last >= 0) for word in words]
         end = last + (1 if words[last][-1] in SIGNS else 0)
         value, rest = words[: end + 1], words[end + 1 :]
-        is_bare = bool(BARE.search(value[-1]))
+        is_bare = value[-1][-1] == ")" or bool(NUMBER_AT_END.search(value[-1]))
         if is_bare and rest[1:]:
             value, rest = [*value, rest[0]], rest[1:]
         head = self._fill(" ".join(value), True)
@@ -224,21 +236,14 @@ class Session:
             texts[ANS] = text_of(self.rows[0], ANS)
         stdio.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
 
-    def _assign(self, name: str, text: str, words: list[str]) -> int:
-        """Keep an amount, or what a command answers, under a name."""
-        refuse_name(name, text)
-        words[:] = self.read(text)
-        if not words:
-            raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
-        amount = _amount(words)
-        if amount is None:
-            status = self._run(words)
-            if status == stdio.ANSWERED:
-                if not self.heard:
-                    raise UsageError(f"there is no amount for {name}", f"{name} = 800 lm")
-                self.variables[name] = text_of(self._one("", self.heard, name), name)
-            return status
-        self.variables[name] = _text(amount)
+    def _kept(self, name: str) -> str:
+        """The text of what a command answered, to be kept under a name."""
+        if not self.heard:
+            raise UsageError(f"there is no amount for {name}", f"{name} = 800 lm")
+        return text_of(self._one("", self.heard, name), name)
+
+    def _show(self, amount: Amount, words: list[str]) -> int:
+        """Show an amount in its own unit."""
         if amount.unit:
             return cli.answered([*words, "to", amount.unit.text], self)
         with click.Context(cli.commands, obj=self):
@@ -328,21 +333,22 @@ def _is_part(word: str, place: int) -> bool:
 def _parted(head: str, last: str) -> list[str]:
     """Arithmetic that ends in a number, and a word: the unit of that number, or the target.
 
-    `500 lx * 20 m2 / 0.48 klm` has a target and `800 lm / 2 m2` has none, which their quantities
-    tell; where both could be meant, it is refused.
+    `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one, which their quantities tell; where
+    both make sense, it is refused.
     """
     whole = f"{head} {last}"
     as_unit, value, target = _read(whole), _read(head), unit_of(last)
     if value is None or value.unit is None:
         return [whole]
-    if as_unit is None or not (as_unit.unit and name_of(as_unit.unit)):
+    if as_unit is None or (as_unit.unit and not name_of(as_unit.unit)):
         return [head, last]
     if target is None or target.dimension != value.unit.dimension:
         return [whole]
-    number = head[BARE.search(head).start() :].lstrip(SIGNS + " (")  # type: ignore[union-attr]
+    number = NUMBER_AT_END.search(head)
+    other = f"{head[: number.start()]}({number[0]} {last})" if number else "more brackets"
     raise UsageError(
         f"'{quote(whole)}' can be read in two ways",
-        f"{quote(head)} in {quote(last)}, or ({quote(f'{number} {last}')}) in brackets",
+        f"{quote(head)} in {quote(last)}, or {quote(other)}",
     )
 
 
@@ -355,24 +361,30 @@ def _read(text: str) -> Amount | None:
 
 def _amount(words: list[str]) -> Amount | None:
     """The amount that words are, where they are no more than that."""
-    if words[0] != "convert" or any(map(_is_option, words)) or words[1:2] == ["-"]:
+    if words[:1] != ["convert"] or any(map(_is_option, words)) or words[1:2] == ["-"]:
         return None
     try:
         amount, target = read_operands(words[1:])
-    except RadcalcError:
+    except RadcalcError:  # a bare number; or what the command says best
         bare = _read(" ".join(words[1:]))
-        if bare is None or bare.unit is not None:
-            raise
-        return bare
+        return bare if bare and bare.unit is None else None
     return None if target else amount
+
+
+def _is_plain(amount: Amount) -> bool:
+    """Whether it was typed as a number with a unit, and not as arithmetic."""
+    unit = amount.unit.text if amount.unit else ""
+    try:
+        return amount.text[read_number(amount.text)[1] :].strip() == unit
+    except RadcalcError:
+        return False
 
 
 def _text(amount: Amount) -> str:
     """The text of an amount: as it was typed, or what arithmetic came to."""
-    unit = amount.unit.text if amount.unit else ""
-    if amount.text[read_number(amount.text)[1] :].strip() == unit:
+    if _is_plain(amount):
         return amount.text
-    return _exact(amount.number, unit or "1")
+    return _exact(amount.number, amount.unit.text if amount.unit else "1")
 
 
 DEFAULTS: dict[str, Any] = {
