@@ -7,6 +7,7 @@ import io
 import os
 from collections.abc import Iterable, Iterator
 from contextlib import redirect_stderr, redirect_stdout, suppress
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -190,23 +191,24 @@ def completions(session: Session, line: str) -> tuple[list[Word], str]:
 
 
 def _warm_up() -> None:
-    """Load what the first answer needs, while somebody reads and types."""
+    """Load what the first answers need, while somebody reads and types."""
     import asyncio
-    from importlib import import_module
 
     from prompt_toolkit.application import get_app
 
     async def load() -> None:
-        for name in WARM:
+        for _ in load_what_answers_need():
             await asyncio.sleep(0)  # the keys come first
-            import_module(name)
-        rehearse()
 
     get_app().create_background_task(load())
 
 
-def rehearse() -> None:
-    """Answer a conversion that nobody sees."""
+def load_what_answers_need() -> Iterator[None]:
+    """Load modules one by one, and answer a conversion that nobody sees."""
+    for name in WARM:
+        yield
+        import_module(name)
+    yield
     nowhere = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
     with redirect_stdout(nowhere), redirect_stderr(nowhere):
         Session().answer("1 lx fc")

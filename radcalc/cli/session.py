@@ -29,6 +29,8 @@ from radcalc.quantities.symbols import (
     VECTOR,
 )
 from radcalc.quantities.targets import is_name
+from radcalc.quantities.units import full_name
+from radcalc.units import scales
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
 from radcalc.units.numbers import is_sentence, read_number
 from radcalc.units.table import unit_of
@@ -276,15 +278,19 @@ def split(line: str) -> list[str]:
 
 def refuse_name(name: str, text: str) -> None:
     """Refuse a name that has a meaning already."""
-    what = "a word of radcalc" if name.lower() in RESERVED else ""
-    if not what and unit_of(name):
-        what = "a unit"
-    if not what and is_name(name):
+    if name in RESERVED:
+        what = "a word of radcalc"
+    elif scales.find(name):
+        what = "a scale"
+    elif unit := unit_of(name):
+        what = " ".join(["the unit", full_name(unit)]).rstrip()
+    elif is_name(name):
         what = "a quantity"
-    if what:
-        text = text.strip()
-        hint = f"my_{name} = {text}" if quote(text) == text else "another name"
-        raise UsageError(f"'{quote(name)}' is {what} already", hint)
+    else:
+        return
+    text = text.strip()
+    hint = f"my_{name} = {text}" if quote(text) == text else "another name"
+    raise UsageError(f"'{quote(name)}' is {what} already", hint)
 
 
 def text_of(row: Row, name: str) -> str:

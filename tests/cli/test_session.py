@@ -1,6 +1,9 @@
 """The lines of a prompt: how they are read, the last answer, and the names of amounts."""
 
+import re
+
 import pytest
+from conftest import ROOT
 
 from radcalc.cli.session import Session
 
@@ -120,13 +123,15 @@ def test_a_name_is_no_part_of_other_words(typed):
 
 
 REFUSED = {
-    "m = 5 lm": ("'m' is a unit already", "my_m = 5 lm"),
-    "lx = 5": ("'lx' is a unit already", "my_lx = 5"),
+    "m = 5 lm": ("'m' is the unit metre already", "my_m = 5 lm"),
+    "lx = 5": ("'lx' is the unit lux already", "my_lx = 5"),
     "convert = 5 lm": ("a word of radcalc already", "my_convert"),
     "ans = 5 lm": ("a word of radcalc already", "my_ans"),
     "pi = 3": ("a word of radcalc already", "my_pi"),
     "illuminance = 5 lx": ("a quantity already", "my_illuminance"),
     "flux = 5 lm": ("a quantity already", "my_flux"),
+    "dBm = 5": ("'dBm' is a scale already", "my_dBm = 5"),
+    "EV = 5": ("'EV' is a scale already", "my_EV = 5"),
     "x =": ("x = has no value", "x = 800 lm"),
     "x = help": ("there is no amount for x", "x = 800 lm"),
     "x = zork": ("there is no command 'zork'", "radcalc --help"),
@@ -147,6 +152,17 @@ def test_what_cannot_be_answered_says_why_and_what_would_do(typed, session, line
     assert REFUSED[line][0] in message
     assert REFUSED[line][1] in hint
     assert session.variables == {}
+
+
+def test_a_conversion_into_every_unit_is_one_value(typed):
+    typed("250 cd/m2")
+    # a footlambert is 1/pi cd/ft2
+    assert typed("ans fL --precision 6") == "72.9659\tfL\n"
+
+
+def test_what_is_kept_is_shown_by_its_name(typed):
+    assert typed("x = 100 lx", "x") == "100\tlx\n"
+    assert typed("100 lx fc", "ans") == "9.290304\tfc\n"
 
 
 @pytest.mark.parametrize("line", ["exit", "quit", " exit "])
@@ -171,3 +187,15 @@ def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
     assert assumed == "assumed: uniform over 4 pi sr (isotropic)"
     session.answer("point-source --flux 800lm --distance 2m")
     assert len(capsys.readouterr().out.splitlines()) > 5
+
+
+def test_the_session_in_the_readme_is_what_is_printed(monkeypatch, capsys):
+    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: True)
+    monkeypatch.setenv("NO_COLOR", "1")
+    found = re.search(r"```text\n(> .*?)```", (ROOT / "README.md").read_text("utf-8"), re.S)
+    assert found
+    session = Session()
+    for entry in re.split(r"^> ", found[1], flags=re.M)[1:]:
+        line, _, answer = entry.partition("\n")
+        session.answer(line)
+        assert capsys.readouterr().out == answer, line

@@ -1,0 +1,50 @@
+"""From Enter to the answer at the prompt, in one process; see README.md."""
+
+import io
+import os
+import statistics
+import sys
+from contextlib import redirect_stderr, redirect_stdout
+from unittest.mock import patch
+
+from measure import command, seconds
+
+from radcalc.cli.prompt import load_what_answers_need
+from radcalc.cli.session import Session
+
+RUNS = 200
+PASS = (sys.executable, "-c", "pass")
+LINES = ("100 lx fc", "ans klx", "800 lm lx --isotropic --distance 2m", "800 lm cd")
+AIM = 0.1  # of a start of Python, which is some 12 ms
+
+
+def main() -> int:
+    """Print the median and the first of every line; the exit status says whether aims are met."""
+    start = statistics.median(seconds(command(*PASS)) for _ in range(20))
+    for _ in load_what_answers_need():
+        pass
+    met = True
+    for line in LINES:
+        session = Session()
+        taken = []
+        with (
+            open(os.devnull, "w") as nowhere,
+            redirect_stdout(nowhere),
+            redirect_stderr(io.TextIOWrapper(io.BytesIO())),
+            patch("radcalc.stdio.is_terminal", lambda: True),
+        ):
+            for _ in range(RUNS):
+                session.answer("100 lx fc")
+                taken.append(seconds(lambda: session.answer(line)))  # noqa: B023
+        median = statistics.median(taken)
+        ratio = median / start
+        print(
+            f"{line}: {median * 1e3:.2f} ms, first {taken[0] * 1e3:.2f} ms; of a start of Python "
+            f"{ratio:.2f} (aim {AIM})"
+        )
+        met &= ratio <= AIM
+    return 0 if met else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
