@@ -29,12 +29,13 @@ from radcalc.quantities.symbols import (
     SYMBOLS,
     VECTOR,
 )
-from radcalc.units.amounts import Amount
+from radcalc.units.amounts import Amount, read_amount
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import real
 from radcalc.units.registry import from_container, light_registry
-from radcalc.units.table import resolve
+from radcalc.units.scales import in_which
+from radcalc.units.table import Unit, resolve
 
 Quantity: Any = light_registry().Quantity
 T = TypeVar("T")
@@ -133,7 +134,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
         A text such as ``"100 lx"``, or a `radcalc.Quantity`, whose magnitude may be an array
         of any shape.  A bare number is dimensionless.
     target : str
-        The unit of the result.
+        The unit of the result, or a scale: ``"dBm"``.
     **conditions
         As the options of ``radcalc convert``, with underscores: ``wavelength="555nm"``,
         ``half_angle=Quantity(30, "deg")``, ``isotropic=True``.
@@ -142,7 +143,8 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     -------
     Quantity
         In the unit `target`, of the shape of the magnitude of `value` (broadcast with those of
-        the conditions).
+        the conditions).  On a scale the bare readings, a float or an array: they are no
+        quantity, which could be multiplied.
 
     Raises
     ------
@@ -154,12 +156,16 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     --------
     >>> print(convert("800 lm", "cd", half_angle="60deg").round(3))
     254.648 candela
+    >>> convert("10 mW", "dBm"), str(convert("-30 dBm", "uW"))
+    (10.0, '1.0 microwatt')
     """
     made, magnitude, given = _plan(value, target, conditions)
     if is_uncertain(magnitude) or any(one.uncertainty for one in given):
         found = _converted(made, magnitude, given).number
     else:
         found = _broadcast(lambda: made.apply(magnitude))
+    if made.target.is_scale:
+        return found
     return Quantity(found, light_registry().container(made.target))
 
 
@@ -730,7 +736,7 @@ def _quantities(answer: Answer) -> dict[str, Any]:
     for value in answer.values:
         name = value.name.replace("-", "_")
         if not value.is_absent and name not in found:
-            unit = resolve(value.units[0])
+            unit = in_which(value.units[0], value.dimensions)
             found[name] = Quantity(in_unit(value, unit), light_registry().container(unit))
     return found
 
@@ -755,7 +761,11 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         raise UnitError(
             f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
         )
-    if isinstance(value, str):
+    scale: Unit | None = None
+    if isinstance(value, str) and (amount := read_amount(value)).scale and not amount.uncertainty:
+        reading, scale = amount.typed
+        value = Quantity(reading, "1")
+    elif isinstance(value, str):
         value = light_registry().parse_expression(value)
     elif not _is_quantity(value):
         if not is_uncertain(value):
@@ -763,7 +773,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         value = Quantity(value, "1")
     read = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
     given = [one for one in read if one]
-    source = from_container(value._units)
+    source = scale or from_container(value._units)
     made = plan(source, target_of(target, source), given)
     magnitude = value.magnitude
     if is_uncertain(magnitude):

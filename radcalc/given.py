@@ -45,7 +45,7 @@ from radcalc.quantities.symbols import (
     Symbol,
 )
 from radcalc.units.amounts import Amount, read_amount
-from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TEMPERATURE, TIME
+from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra, real
 from radcalc.units.scales import ScaleUnit, degree
@@ -105,6 +105,7 @@ class Given(NamedTuple):
 
 Inputs = dict[str, Given]
 LEFT_OF_LIGHT = ("reflectance",)  # ratios that may be told in OD, stops or dB
+DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and not in mired
 
 
 def inputs_of(given: Inputs) -> tuple[Input, ...]:
@@ -204,7 +205,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     amount: Amount | None = None
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
-        if TEMPERATURE in symbol.dimensions:
+        if name in DIFFERENCES:
             amount = _difference(text)
         amount = amount or _read_amount(symbol, text)
         number, unit = amount.number, amount.unit
@@ -222,7 +223,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         text = format_number(number)
     dimension = unit.dimension if unit else NUMBER
     scale = amount.scale if amount else None
-    if scale and (dimension not in symbol.dimensions or not _takes(symbol, scale)):
+    if scale and (dimension not in symbol.dimensions or not is_on_scale(name, scale)):
         raise ConditionError(
             f"{option(name)} takes {symbol.takes}, not {quote(scale.text)}",
             option(name, symbol.example),
@@ -257,9 +258,11 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     return given
 
 
-def _takes(symbol: Symbol, scale: ScaleUnit) -> bool:
-    """Whether a symbol may be read on a scale: ratios are what is left of light, and no others."""
-    return scale.dimension != NUMBER or symbol.name in LEFT_OF_LIGHT
+def is_on_scale(name: str, scale: Unit) -> bool:
+    """Whether a symbol may be read on a scale: no difference, and of ratios light that is left."""
+    if scale.dimension == NUMBER:
+        return name in LEFT_OF_LIGHT
+    return name not in DIFFERENCES
 
 
 def _has_unit(value: Any) -> bool:

@@ -1,5 +1,6 @@
 import doctest
 import importlib
+import math
 import re
 
 import numpy as np
@@ -238,3 +239,44 @@ def test_the_python_example_of_the_readme_runs():
     assert found, done.stderr
     assert int(found[2]) > 0
     assert int(found[1]) == 0, done.stdout
+
+
+def test_a_reading_on_a_scale_is_a_quantity_and_back_a_bare_number():
+    """By definition 0 dBm is 1 mW; K = 12.5 cd s/m2 and C = 250 lx s of ISO 2720."""
+    assert radcalc.convert("-30 dBm", "uW") == Q(1.0, "uW")
+    assert radcalc.convert("15 EV", "lx") == Q(81920.0, "lx")
+    assert radcalc.convert("15 EV", "cd/m2", k="14 cd s/m2").m == pytest.approx(0.14 * 2**15)
+    readings = radcalc.convert(Q(np.array([1.0, 10.0, 100.0]), "mW"), "dBm")
+    assert type(readings) is np.ndarray
+    assert readings.tolist() == [0.0, 10.0, 20.0]
+    assert type(radcalc.convert("1 %", "OD")) is float
+    assert radcalc.Quantity("10 dBm") == Q(10.0, "mW")
+    shown = radcalc.point_source(flux="10 dBm", distance="2 m")
+    assert shown["flux"] == Q(10.0, "mW")
+    assert shown["intensity"].m == pytest.approx(0.01 / (4 * math.pi))
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (lambda: Q("15 EV"), "may be a number of cd/m2 or lx"),
+        (lambda: Q(10.0, "dBm"), "is a scale"),
+        (lambda: radcalc.convert(Q(np.array([0.0, 1.0]), "W"), "dBm"), "no reading on dBm"),
+        (lambda: radcalc.convert("5 lx", "EV", k="14 cd s/m2"), "k has no use"),
+        (
+            lambda: radcalc.lambertian(incident_irradiance="1 lx", reflectance="3 dB"),
+            "not possible",
+        ),
+    ],
+)
+def test_a_reading_that_means_nothing_or_two_things_is_refused(ask, said):
+    with pytest.raises(RadcalcError, match=said):
+        ask()
+
+
+def test_an_uncertain_reading_is_carried_by_the_slope_of_its_scale():
+    """0.1 dB of 10 mW are 10 ln(10)/10 times 0.1 mW; 0.1 mW of 10 mW 10/ln(10) times 0.01 dB."""
+    power = radcalc.convert("10±0.1 dBm", "mW").m
+    assert (power.nominal_value, power.std_dev) == pytest.approx((10.0, math.log(10) / 10))
+    level = radcalc.convert("10±0.1 mW", "dBm")
+    assert (level.nominal_value, level.std_dev) == pytest.approx((10.0, 0.1 / math.log(10)))

@@ -474,6 +474,48 @@ COMMANDS = {
         "environment 2 --sun-elevation 30deg", "--sun-elevation has no use with an expression"),
     "relative radiances are of no kind": (
         "environment sky:overcast --spectrum D65", "--spectrum has no use with relative"),
+    # scales
+    "a reading cannot be multiplied": (
+        "convert 2*10 dBm W", "'2*10 dBm' multiplies", "one number: 20 dBm"),
+    "a level is no part of a unit": (
+        "convert 10 dBm/m2 W/m2", "'dBm' is a scale, 10 lg(P / 1 mW), and no unit", "mW"),
+    "no power has no level": ("convert 0 W dBm", "0 mW has no reading on dBm", "more than 0"),
+    "a power below 0 has no level": ("convert -- -5 W dBm", "-5000 mW has no reading", "more than"),
+    "no light has no magnitude": ("convert 0 lx mag", "0 lx has no reading on mag", "more than 0"),
+    "no light is no exposure value": ("convert 0 cd/m2 EV", "0 cd/m2 has no reading", "more than"),
+    "nothing that is left has no density": ("convert 0 % OD", "0 has no reading on OD", "more"),
+    "no reciprocal is of 0": ("convert 0 mired K", "0 mired is nothing", "readings above 0"),
+    "a level beyond numbers is refused": (
+        "convert 1e5 dBm W", "100000 dBm is beyond what a number holds", "less extreme"),
+    "a level of nothing but 0 is refused": (
+        "convert -- -1e5 dBm W", "-100000 dBm is beyond what a number holds", "less extreme"),
+    "more light is no density of a filter": (
+        "convert 3 stops OD", "3 stops is more light", "-3 stops, for a loss"),
+    "a gain is no density of a filter": ("convert 3 dB OD", "3 dB is more light", "-3 dB"),
+    "dBu is a level of a voltage": ("convert 3 dBu W", "'dBu' is not accepted", "dBu(W)"),
+    "a scale in small letters is told in its own": ("convert 10 dbm W", "unknown unit", "dBm"),
+    "a meter's constant has no use for the other light": (
+        "convert 15 EV lx --k 14cd.s/m2", "--k has no use from EV to lx", "without --k"),
+    "a meter's constant has no use between units": (
+        "convert 15 lx fc --c 320lx.s", "--c has no use", "without --c"),
+    "a magnitude is no power": ("convert 5 mag dBm", "illuminance (lx) to radiant flux", "--area"),
+    "a range of readings has steps of the scale": (
+        "point-source --flux 0dBm:10dBm:5mW --distance 2m", "mixes quantities", "one unit in"),
+    "a reflectance is no gain": (
+        "lambertian --incident-irradiance 1lx --reflectance 3dB", "3dB is not possible", "0 to 1"),
+    "an absorptance is no density": (
+        "calorimeter --mass 1kg --temperature-rise 2K --absorptance 0.3OD",
+        "--absorptance takes a number from 0 to 1, not OD", "--absorptance 0.95"),
+    "an f-number is not told in stops": (
+        "ev --f-number 3stops --time 1s", "--f-number takes a number, not stops", "--f-number"),
+    "an exposure value is given as one": (
+        "ev --luminance 12EV", "--luminance 12EV is an exposure value", "--ev100 12"),
+    "an exposure value has no reading on a scale": (
+        "ev --ev100 12 -g ev100:stops", "ev100 is not measured in stops", "ev100:1"),
+    "a difference of temperature has no reciprocal": (
+        "calorimeter --mass 1kg --temperature-rise 200mired", "not mired", "--temperature-rise 2K"),
+    "a level is no distance": (
+        "point-source --flux 1W --distance 3dBm", "--distance takes a length, not dBm", "2m"),
 }  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.given import Inputs
 from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS
 from radcalc.maths import any_true
-from radcalc.units.scales import CONSTANTS, C, K, ScaleUnit
+from radcalc.units.scales import C, K, ScaleUnit, usual
 
 LIGHT = ("ev100", "luminance", "illuminance")
 PAGE = Page(
@@ -59,10 +59,10 @@ def ev(given: Inputs) -> Answer:
         raise MissingInput("the light is missing", hint)
     if "k" not in given:
         sheet.know("k", K)
-        sheet.assume(CONSTANTS["k"])
+        sheet.assume(usual("k", settable=True))
     if "c" not in given:
         sheet.know("c", C)
-        sheet.assume(CONSTANTS["c"])
+        sheet.assume(usual("c", settable=True))
     film_is_known = "ev" in given or {"f-number", "time"} <= set(given)
     light_is_known = bool(set(LIGHT) & set(given))
     if "iso" not in given and not (film_is_known and light_is_known):

@@ -7,12 +7,13 @@ from typing import Any
 from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
-from radcalc.given import Given
+from radcalc.given import Given, is_on_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import Unit, resolve
+from radcalc.units.scales import ScaleUnit, find, resolve_any
+from radcalc.units.table import Unit
 
 OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
@@ -45,8 +46,10 @@ def known(given: Given, *others: str) -> Value:
 
 
 def in_unit(value: Value, unit: Unit) -> Any:
-    """A value in one of the units it may be asked for."""
+    """A value in one of the units it may be asked for, or its reading on a scale."""
     _refuse_absent(value)
+    if isinstance(unit, ScaleUnit):
+        return _on_scale(value, unit)
     amount = value.reach.get(unit.dimension)
     if unit.dimension in value.dimensions:
         amount = value.amount
@@ -65,13 +68,38 @@ def in_unit(value: Value, unit: Unit) -> Any:
     return held(value.name, amount * (float(ratio) if is_array(amount) else ratio), amount)
 
 
+def _on_scale(value: Value, unit: ScaleUnit) -> Any:
+    """The reading of a value; what is no part of light has none in dB."""
+    if value.given is not None and unit.text == value.units[0]:
+        return value.given + 0.0
+    scale = unit.measures((*value.dimensions, *value.reach))
+    if not is_on_scale(value.name, scale):
+        raise UsageError(
+            f"{value.name} is not measured in {quote(unit.text)}",
+            ", ".join(f"{value.name}:{text}" for text in value.units),
+        )
+    return scale.reading(in_unit(value, scale.unit))
+
+
+def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]:
+    """How the scales are read in which results are asked for, NAME:SCALE."""
+    found = []
+    for one in wanted:
+        name, _, text = one.partition(":")
+        scale = find(text) if text else None
+        for value in values:
+            if scale and name.strip() in (value.name, value.also):
+                found.append(scale.measures((*value.dimensions, *value.reach)).assumption)
+    return tuple(found)
+
+
 def _shown(value: Value, text: str) -> Any:
     """A value in one of the units it is shown in, of which most are coherent or as typed."""
     if value.given is not None and text == value.units[0]:
         return value.given + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
         return held(value.name, value.amount)
-    return in_unit(value, resolve(text))
+    return in_unit(value, resolve_any(text))
 
 
 def _refuse_absent(value: Value) -> None:
@@ -132,9 +160,9 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 text = value.units[0]
                 number = _shown(value, text)
             else:
-                unit = resolve(text)
+                unit = resolve_any(text)
                 number = in_unit(value, unit)
-                if unit.dimension not in value.dimensions:
+                if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)
             return _apart(Row(label, letter, number, text, case, name, is_given))
     names = list(dict.fromkeys(value.name for value in values if not value.is_absent))

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
-from radcalc.calculators.results import element, pick, rows
+from radcalc.calculators.results import element, pick, rows, scales_of
 from radcalc.cli import check
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
@@ -172,9 +172,15 @@ def _picked(
     answers: Iterable[Answered], wanted: Sequence[str]
 ) -> Iterator[tuple[Answered, list[Row]]]:
     """Each answer with the results that were asked for, in the units of the first."""
+    said: tuple[str, ...] | None = None  # of scales
     for one in answers:
         chosen = [pick(one.answer.values, name, one.case) for name in wanted]
         wanted = [f"{row.name}:{row.unit}" for row in chosen]
+        if said is None:
+            said = scales_of(one.answer.values, wanted)
+        if said:
+            assumptions = dict.fromkeys((*one.answer.assumptions, *said))
+            one = one._replace(answer=one.answer._replace(assumptions=tuple(assumptions)))
         yield one, chosen
 
 

@@ -37,8 +37,9 @@ from radcalc.quantities.symbols import (
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra.sources import names
-from radcalc.units.scales import SCALES
-from radcalc.units.table import Dimension, Unit, resolve
+from radcalc.units.dimensions import TEMPERATURE
+from radcalc.units.scales import on
+from radcalc.units.table import NUMBER, Dimension, Unit, resolve
 
 TABLE = Path(radcalc.__file__).parent / "completion" / "table.py"
 HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do not edit."""
@@ -171,9 +172,8 @@ class Compiler:
         )
         texts = dict.fromkeys([*own, *offered(Unit("", 1, 1, dimension, ()))])
         called = {text: full_name(resolve(text)) for text in texts}
-        for scale in SCALES:
-            if resolve(scale.unit).dimension == dimension:
-                called[scale.name] = scale.meaning
+        if dimension not in (NUMBER, TEMPERATURE):  # most of which no scale is for
+            called.update({scale.name: scale.meaning for scale in on(dimension)})
         self.units.setdefault(name, tuple(called.items()))
         return name
 

@@ -27,7 +27,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import note_of, read_lists, refuse_many
-from radcalc.units.scales import resolve_any
+from radcalc.units.scales import ScaleUnit, names_of, resolve_any
 from radcalc.units.table import Unit, resolve
 
 
@@ -251,10 +251,14 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
 
-    targets = [source, *(resolve_any(text) for text in units_of(source) if text != source.text)]
+    texts = units_of(source)
+    if isinstance(source, ScaleUnit):
+        readings = (source, *source.others)
+        texts = [text for one in readings for text in (*units_of(one), *names_of(one.dimension))]
+    targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
         raise UsageError(f"'{source.text}' measures no quantity radcalc knows", "a TARGET unit")
-    rows = []
+    rows, assumptions = [], {}
     for target in targets:
         try:
             made = plan(source, target)
@@ -263,9 +267,10 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
                 off = uncertainty.converted(made, call.amount, ()).number.std_dev
         except ConversionError:
             continue  # beyond what a float holds in that unit
+        assumptions.update(dict.fromkeys(made.assumptions))
         about = name_of(target), symbol_of(target)
         name = result_name(target)
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
     notes = (*call.case.notes, *source.notes)
-    return Result(tuple(rows), notes=notes, inputs=call.inputs, named=False)
+    return Result(tuple(rows), tuple(assumptions), notes, inputs=call.inputs, named=False)

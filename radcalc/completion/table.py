@@ -601,7 +601,7 @@ RADCALC = (
 # what a quantity is measured in: the units and what they are called
 UNITS = {
     'length': (('m', 'metre'), ('cm', 'centimetre'), ('um', 'micrometre'), ('nm', 'nanometre'), ('km', 'kilometre'), ('mm', 'millimetre'), ('Å', 'angstrom'), ('in', 'inch'), ('ft', 'foot'), ('yd', 'yard'), ('mi', 'mile'), ('nmi', 'nautical mile'), ('au', 'astronomical unit'), ('ly', 'light year'), ('kly', 'kilolight year'), ('pc', 'parsec'), ('kpc', 'kiloparsec'), ('micron', 'micron'), ('thou', 'thou'), ('light_second', 'light second'), ('solar_radius', 'solar radius')),
-    'temperature': (('K', 'kelvin'), ('kK', 'kilokelvin'), ('mK', 'millikelvin'), ('mired', 'reciprocal colour temperature, in 1/MK')),
+    'temperature': (('K', 'kelvin'), ('kK', 'kilokelvin'), ('mK', 'millikelvin')),
     'frequency': (('Hz', 'hertz'), ('kHz', 'kilohertz'), ('mHz', 'millihertz'), ('rpm', 'rpm')),
     'wavenumber': (('cm-1', 'wavenumber'), ('m-1', 'wavenumber'), ('kayser', 'kayser')),
     'radiant energy': (('J', 'joule'), ('kJ', 'kilojoule'), ('mJ', 'millijoule'), ('uJ', 'microjoule'), ('eV', 'electronvolt'), ('keV', 'kiloelectronvolt'), ('meV', 'millielectronvolt'), ('Wh', 'watt hour'), ('kWh', 'kilowatt hour'), ('mWh', 'milliwatt hour'), ('Ws', 'watt second'), ('kWs', 'kilowatt second'), ('mWs', 'milliwatt second'), ('cal', 'calorie'), ('kcal', 'kilocalorie'), ('cal_th', 'calorie th'), ('kcal_th', 'kilocalorie th'), ('cal_it', 'calorie it'), ('kcal_it', 'kilocalorie it'), ('Btu', 'british thermal unit'), ('Btu_it', 'btu it'), ('Btu_th', 'btu th'), ('erg', 'erg'), ('foot_pound', 'foot pound')),
@@ -613,7 +613,7 @@ UNITS = {
     'photons per luminous energy': (),
     'solid angle': (('sr', 'steradian'), ('msr', 'millisteradian'), ('deg2', 'solid angle'), ('arcmin2', 'solid angle'), ('arcsec2', 'solid angle'), ('sqdeg', 'square degree'), ('sp', 'spat'), ('hemisphere', 'hemisphere')),
     'angle': (('deg', 'degree'), ('rad', 'radian'), ('mrad', 'milliradian'), ('arcmin', 'arcminute'), ('arcsec', 'arcsecond'), ('marcsec', 'milliarcsecond'), ('mas', 'milliarcsec'), ('rev', 'turn'), ('gon', 'gon'), ('hour_angle', 'hour angle')),
-    'number': (('percent', 'percent'), ('permille', 'permille'), ('ppm', 'ppm'), ('ppb', 'ppb'), ('OD', 'optical density, of the part of the light that is left'), ('stops', 'a ratio, above 0 for more light: a filter has less than 0'), ('dB', 'a ratio of powers, above 0 for more light: a loss is below 0')),
+    'number': (('percent', 'percent'), ('permille', 'permille'), ('ppm', 'ppm'), ('ppb', 'ppb')),
     'area': (('m2', 'area'), ('cm2', 'area'), ('mm2', 'area'), ('ft2', 'area'), ('in2', 'area'), ('ha', 'hectare'), ('sqft', 'square foot'), ('sqm', 'square metre'), ('acre', 'acre')),
     'time-integrated luminance': (('cd.s/m2', 'time-integrated luminance'), ('cd.s/cm2', 'time-integrated luminance'), ('cd.s/ft2', 'time-integrated luminance'), ('cd.s/in2', 'time-integrated luminance')),
     'luminous exposure': (('lx.s', 'luminous exposure'), ('mcs', 'metre candle second'), ('lxs', 'lux second'), ('klxs', 'kilolux second'), ('mlxs', 'millilux second'), ('lxh', 'lux hour'), ('klxh', 'kilolux hour'), ('mlxh', 'millilux hour'), ('lm.s/m2', 'luminous exposure'), ('lm.s/cm2', 'luminous exposure'), ('lm.h/m2', 'luminous exposure'), ('lm.h/cm2', 'luminous exposure'), ('lm.s/ft2', 'luminous exposure'), ('lm.s/in2', 'luminous exposure'), ('footcandle_second', 'footcandle second'), ('footcandle_hour', 'footcandle hour')),

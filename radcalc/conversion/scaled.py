@@ -24,7 +24,7 @@ class ScaledPlan(Plan):
         super().__init__(linear.source, linear.target, linear.factor, linear.links)
         self.notes = linear.notes
         self.linear, self.source, self.target = linear, source, target
-        read = [one.assumption for one in (source, target) if isinstance(one, ScaleUnit)]
+        read = [one.told(settable=True) for one in (source, target) if isinstance(one, ScaleUnit)]
         self.assumptions = (*dict.fromkeys(read), *linear.assumptions)
 
     def quantity(self, value: Any) -> Any:

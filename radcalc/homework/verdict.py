@@ -13,7 +13,8 @@ from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
-from radcalc.units.table import Unit, resolve
+from radcalc.units.scales import ScaleUnit, resolve_any
+from radcalc.units.table import Unit
 
 ROUNDED = "rounded"  # which is no mistake
 TOLERANCE, ONE_PERCENT = "1%", 0.01
@@ -62,7 +63,11 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
 def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     said, tolerance = read_claim(claim), asked or TOLERANCE
     target, unit_text, is_of_another = _target(question, said, tolerance)
-    unit = resolve(unit_text)
+    unit = resolve_any(unit_text)
+    if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
+        unit = unit.measures((*target.dimensions, *target.reach))
+        said, unit = _stands_for(said, unit), unit.unit
+        unit_text = unit.text
     right = in_unit(target, unit)
     if not isinstance(right, float):
         raise ConditionError(
@@ -111,6 +116,17 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     return verdict._replace(diagnoses=found)
 
 
+def _stands_for(said: Claim, scale: ScaleUnit) -> Claim:
+    """A reading as what it stands for; half a unit of its digits becomes a part of that."""
+    slope = abs(scale.slope(said.value))
+    return said._replace(
+        value=scale.quantity(said.value),
+        unit=scale.unit.text,
+        half_unit=said.half_unit * slope,
+        widest=said.widest * slope,
+    )
+
+
 def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
     """How the likeliest mistake leads from the right value to the answer."""
     unit = "" if verdict.unit == "1" else f" {verdict.unit}"
@@ -135,7 +151,7 @@ def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnos
     number = "the number would be right" if is_near else "check both"
     return Diagnosis(
         "wrong-unit",
-        f"{describe(resolve(said.unit))} is not {target.label}; {number}",
+        f"{describe(resolve_any(said.unit))} is not {target.label}; {number}",
         f"{target.label} is in {unit}",
     )
 
@@ -153,7 +169,7 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
             missing = "in which unit" if said.name else "which result is meant"
             raise ConditionError(f"{told}: say {missing}", _ways(pool, said))
         return pool[0], pool[0].units[0], False
-    unit = resolve(said.unit)
+    unit = resolve_any(said.unit)
     fitting = [value for value in pool if said.unit in value.units] or [
         value for value in pool if unit.dimension in (*value.dimensions, *value.reach)
     ]
@@ -167,7 +183,7 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
         return fitting[0], said.unit, False
     for value in pool:  # the one that the number fits, if any
         for text in value.units:
-            if _holds(value, resolve(text), said, tolerance):
+            if _holds(value, resolve_any(text), said, tolerance):
                 return value, text, True
     return pool[0], pool[0].units[0], True
 

@@ -3,6 +3,7 @@
 A search is for the name of a quantity, as `radcalc quantities` finds it, or for a unit.
 """
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from radcalc.errors import UnitError, command, quote
@@ -11,6 +12,7 @@ from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of
 from radcalc.quantities.units import composed, named
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.scales import SCALES, Scale, find, on, usual
 from radcalc.units.table import Unit, resolve
 
 
@@ -47,6 +49,22 @@ def product(text: str, quantity: str) -> Entry:
     return Entry(text, "", quantity, " ".join(parts).removeprefix("* "), "", "")
 
 
+def scales(rows: Iterable[Scale]) -> list[Entry]:
+    """The same of scales, which have a function where a unit has a definition."""
+    return [
+        Entry(
+            scale.name,
+            ", ".join(scale.spellings[1:]),
+            name_of(resolve(scale.unit)),
+            f"{scale.formula}: {scale.meaning}"
+            + (f", {usual(scale.constant)}" if scale.constant else ""),
+            scale.source,
+            "",
+        )
+        for scale in rows
+    ]
+
+
 def search(text: str) -> list[Entry]:
     """Find units by their name, by the quantity they measure, by a part of a name, by a unit.
 
@@ -54,7 +72,11 @@ def search(text: str) -> list[Entry]:
     """
     text = text.strip()
     if not text:
-        return [entry(name) for name in UNITS]
+        return [entry(name) for name in UNITS] + scales(SCALES)
+    if text.lower() in ("scale", "scales"):
+        return scales(SCALES)
+    if found := find(text):
+        return scales(one.scale for one in (found, *found.others))
     if text.lower().replace("-", "_") in NAMES:
         return _of_name(text)
     return _of_quantities(text) or _of_name(text) or _fellows(text)
@@ -69,10 +91,10 @@ def _of_quantities(text: str) -> list[Entry]:
         found = [(other.names[0], other.unit, "")]
     if not found:
         found = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]
-    entries: dict[str, Entry] = {}
+    entries: dict[tuple[str, str], Entry] = {}
     for name, unit, note in found:
         for one in _of_quantity(name, unit):
-            entries.setdefault(one.name, one._replace(note=one.note or note))
+            entries.setdefault((one.name, one.quantity), one._replace(note=one.note or note))
     return list(entries.values())
 
 
@@ -85,7 +107,7 @@ def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
     if quantity.startswith("spectral "):
         every = [entry(name) for name in UNITS if name_of(resolve(name)).startswith("spectral ")]
         entries = [e for e in every if e.quantity.startswith(f"{quantity} (")]
-    return entries + _products(quantity, unit)
+    return entries + _products(quantity, unit) + ([] if leaves else scales(on(unit.dimension)))
 
 
 def _products(quantity: str, unit: Unit) -> list[Entry]:
@@ -101,7 +123,9 @@ def _of_name(text: str) -> list[Entry]:
     if exact and len(wanted) < 3:
         return [entry(name) for name in exact]
     part = [n for n in UNITS if n not in exact and any(wanted in k for k in CATALOGUE[n][1])]
-    return [entry(name) for name in exact + part]
+    wanted = wanted.replace("_", " ")
+    read = [one for one in SCALES if any(wanted in known.lower() for known in one.spellings)]
+    return [entry(name) for name in exact + part] + scales(read)
 
 
 def _fellows(text: str) -> list[Entry]:
@@ -120,6 +144,7 @@ def _fellows(text: str) -> list[Entry]:
     if not is_per_length(unit):
         found = [entry(name) for name in named(unit.dimension)]
     found += _products(name_of(unit), unit)
+    found += [] if unit.is_exitance else scales(on(unit.dimension))
     if reading and is_per_length(unit):  # of a strip, and of a spectrum
         spectral = Unit("", 1, 1, unit.dimension, (("nanometre", -1),))
         found += _products(reading.name, spectral)

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 from radcalc.errors import ConditionError, NumberError, TooMany, quote
 from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides
 from radcalc.units.numbers import split_quantity
+from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide, resolve
 
 T = TypeVar("T")
@@ -146,7 +147,7 @@ def read_array(text: str) -> tuple[Any, Unit, str] | None:
     if text.count(":") != 2:
         return None
     start, step, values, unit = _steps(text, MOST_IN_ARRAY)
-    if values <= LONG:
+    if values <= LONG or resolve_any(unit or "1").is_scale:
         return None
     import numpy
 
@@ -170,8 +171,8 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         problem = f"'{quote(text)}' is a range, and has no uncertainties"
         raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
     numbers = [split_quantity(part) for part in parts]
-    units = [resolve(unit or "1") for _, unit in numbers]
-    if len({unit.dimension for unit in units}) > 1:
+    units = [resolve_any(unit or "1") for _, unit in numbers]
+    if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
         raise ConditionError(
             f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP"
         )

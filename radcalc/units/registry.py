@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pint
 from pint.util import UnitsContainer
 
-from radcalc.errors import UnitError
+from radcalc.errors import UnitError, quote
 from radcalc.units import table
 from radcalc.units.amounts import read_amount
 from radcalc.units.uncertain import variable
@@ -50,6 +50,9 @@ class LightRegistry(Registry):
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
         amount = read_amount(input_string)
+        if amount.scale and amount.scale.others:
+            read = " or ".join(one.unit.text for one in (amount.scale, *amount.scale.others))
+            raise UnitError(f"'{quote(amount.text)}' may be a number of {read}", "one of them")
         value: Any = amount.number
         if amount.uncertainty:
             value = variable(value, amount.uncertainty, amount.text)

@@ -20,9 +20,9 @@ from radcalc.units.numbers import read_number
 from radcalc.units.table import TEMPERATURE_ALONE, Dimension, Unit, lookup, resolve
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of light meters use
-CONSTANTS = {  # what is assumed of a light meter where nobody says it
-    "k": mention("K = 12.5 cd s/m2 (some makers have 14: {k})"),
-    "c": mention("C = 250 lx s (320 to 340 with a dome: {c})"),
+CONSTANTS = {  # what is assumed of a light meter where nobody says it, and what others have
+    "k": ("K = 12.5 cd s/m2", "some makers have 14"),
+    "c": ("C = 250 lx s", "320 to 340 with a dome"),
 }
 
 
@@ -185,10 +185,14 @@ class ScaleUnit(Unit):
     @property
     def assumption(self) -> str:
         """How a reading is read, in one line."""
+        return self.told()
+
+    def told(self, settable: bool = False) -> str:
+        """How a reading is read; a constant of light meters may be one that can be given."""
         scale = self.scale
         told = f"{quote(self.text)}: {scale.inverse()}, {scale.meaning}"
         if scale.constant and scale.size == SIZES[scale.constant]:
-            told += f", {CONSTANTS[scale.constant]}"
+            told += f", {usual(scale.constant, settable)}"
         return told
 
     def quantity(self, reading: Any) -> Any:
@@ -236,6 +240,12 @@ class ScaleUnit(Unit):
 
 
 SIZES = {scale.constant: scale.size for scale in SCALES if scale.constant}
+
+
+def usual(constant: str, settable: bool = False) -> str:
+    """What is assumed of a light meter's constant, where it can be given with its symbol."""
+    assumed, others = CONSTANTS[constant]
+    return f"{assumed} ({others}{mention(f': {{{constant}}}') if settable else ''})"
 
 
 def find(text: str) -> ScaleUnit | None:
@@ -322,6 +332,13 @@ def degree(text: str) -> Unit | None:
     return Unit(text, *ratio, TEMPERATURE_ALONE, ((name, 1),)) if ratio else None
 
 
+def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:
+    """The unit of what was typed as a reading, or in degrees that count a difference."""
+    if scale := find(text):
+        return scale.measures(dimensions).unit
+    return resolve("K" if degree(text) else text)
+
+
 def refuse(spelling: str) -> UnitError | None:
     """What to say of a spelling that is no unit, but a scale or nearly one."""
     shown = quote(spelling)
@@ -334,6 +351,16 @@ def refuse(spelling: str) -> UnitError | None:
             f"a number of {scale.unit}" if scale.unit != "1" else "the ratio as a number",
         )
     return None
+
+
+def on(dimension: Dimension) -> list[Scale]:
+    """The scales on which a quantity is read."""
+    return [scale for scale in SCALES if resolve(scale.unit).dimension == dimension]
+
+
+def names_of(dimension: Dimension) -> list[str]:
+    """Their names."""
+    return [scale.name for scale in on(dimension)]
 
 
 def spellings() -> list[str]:
