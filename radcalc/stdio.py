@@ -29,11 +29,21 @@ def write(text: str) -> None:
     try:
         data = text.encode(encoding, out.errors or "strict")
     except UnicodeEncodeError:
-        data = text.replace("±", "+-").encode(encoding, "backslashreplace")
+        import codecs
+
+        codecs.register_error("radcalc", _escaped)
+        data = text.replace("±", "+-").encode(encoding, "radcalc")
     try:
         pour(data)
     except BrokenPipeError:  # nobody reads on, and the exit status is still of use
         return
+
+
+def _escaped(error: "Any") -> "tuple[str, int]":
+    """What an encoding lacks, escaped as JSON has it."""
+    data = error.object[error.start : error.end].encode("utf-16-be", "surrogatepass")
+    units = [data[k : k + 2].hex() for k in range(0, len(data), 2)]
+    return "".join([f"\\u{unit}" for unit in units]), error.end
 
 
 def pour(data: bytes) -> None:

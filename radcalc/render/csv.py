@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import Input, Result, Row, shows, varying
+from radcalc.errors import printable
 from radcalc.render.arrays import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
@@ -80,7 +81,7 @@ def verdict(judgement: Judgement, style: Style) -> str:
 def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
     """The inputs of some names by their heads, as numbers in their units or as texts."""
     return {
-        f"{one.name}:{unit}" if unit else one.name: _in(one, unit) if unit else one.text
+        f"{one.name}:{unit}" if unit else one.name: _in(one, unit) if unit else printable(one.text)
         for one in result.inputs
         if (unit := units.get(one.name)) is not None
     }

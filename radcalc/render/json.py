@@ -110,7 +110,11 @@ def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:
 
 
 def _text(data: Any) -> str:
-    return json.dumps(data, ensure_ascii=False, allow_nan=False)
+    """An object on one line, in which what is not printable is escaped."""
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False)
+    if text.isprintable():
+        return text
+    return "".join([c if c.isprintable() else json.dumps(c)[1:-1] for c in text])
 
 
 def _rounded(value: Any, style: Style) -> Any:
