@@ -5,6 +5,7 @@ prompt_toolkit is loaded here alone, and only where somebody types.
 
 import io
 import os
+import shlex
 from collections.abc import Iterable, Iterator
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from importlib import import_module
@@ -142,7 +143,8 @@ def _asking(session: Session) -> "PromptSession[str]":
             line = document.text_before_cursor
             found, typed = completions(session, line)
             for word in found:
-                text = f"{word.text} " if word.closes else word.text
+                text = quoted(word.text)
+                text += " " if word.closes else ""
                 yield Completion(
                     text, -len(typed), display=word.text, display_meta=word.description
                 )
@@ -188,6 +190,11 @@ def completions(session: Session, line: str) -> tuple[list[Word], str]:
             Word(*one) for one in own if one[0].startswith(incomplete) and one[0] not in known
         ]
     return found, incomplete
+
+
+def quoted(text: str) -> str:
+    """A word as it is typed: in quotes where it has blanks."""
+    return shlex.quote(text) if " " in text else text
 
 
 def _warm_up() -> None:

@@ -34,6 +34,7 @@ from radcalc.units import scales
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
 from radcalc.units.numbers import is_sentence, read_number
 from radcalc.units.table import unit_of
+from radcalc.units.uncertain import SIGN
 
 ANS = "ans"
 LEAVING = ("exit", "quit")
@@ -47,7 +48,7 @@ LIMITS = ("", ",", ":")  # of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
-SIGNS = "-+*/^·×⋅∙−"
+SIGNS = "-+*/^·×⋅∙−±"
 ARITHMETIC = re.compile(rf"[{SIGNS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]")  # in a word of several
 NUMBER_AT_END = re.compile(rf"(?<![^{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$", re.I)
 
@@ -71,6 +72,8 @@ class Session:
         self.has_stdin = has_stdin
         self.variables: dict[str, str] = {}
         self.rows: list[Row] = []  # of the last line that had any
+        self.origins: dict[str, set[int]] = {}  # of what is uncertain in a name, or in ans
+        self.count = 0  # lines
 
     def names(self, with_words: bool = False) -> dict[str, str]:
         """The names of amounts, with what they stand for, and the words of the prompt if asked."""
@@ -97,6 +100,7 @@ class Session:
         name, text = (assignment[1], assignment[2]) if assignment else ("", line)
         if assignment:
             refuse_name(name, text)
+        self.count += 1
         words[:] = self.read(text)
         amount = _amount(words)
         if amount and (name or not _is_plain(amount) or self._has_names(text)):
@@ -107,7 +111,9 @@ class Session:
             raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
         if name and status == stdio.ANSWERED:
             self.variables[name] = _text(amount) if amount else self._kept(name)
-        self.rows = self.heard or self.rows
+            self.origins[name] = self.used | {self.count}
+        if self.heard:
+            self.rows, self.origins[ANS] = self.heard, self.used | {self.count}
         return status
 
     def _has_names(self, text: str) -> bool:
@@ -115,6 +121,7 @@ class Session:
 
     def read(self, line: str) -> list[str]:
         """The words of a line as the command line takes them."""
+        self.used: set[int] = set()  # origins of what is uncertain in it
         words = split(line)
         if words[:1] == ["radcalc"]:
             words = words[1:]
@@ -173,11 +180,18 @@ class Session:
         return NAME.sub(amount, text)
 
     def _text_of(self, name: str) -> str:
-        """The text of the amount that a name stands for."""
-        if name in self.variables:
-            return self.variables[name]
-        result = name.partition(".")[2]
-        return text_of(self._one(result, self.rows, name), name)
+        """The text of the amount that a name stands for.
+
+        What is uncertain may stand in a line once: values are taken to be off independently.
+        """
+        owner, _, result = name.partition(".")
+        text = self.variables.get(name) or text_of(self._one(result, self.rows, name), name)
+        if SIGN in text:
+            if self.used & self.origins[owner]:
+                problem = f"{name} is uncertain, and so is what it comes of or with in this line"
+                raise UsageError(problem, "a line in which each uncertain value stands once")
+            self.used |= self.origins[owner]
+        return text
 
     def _one(self, result: str, rows: Sequence[Row], name: str) -> Row:
         """The only row, or the one of a result."""
@@ -297,11 +311,13 @@ def text_of(row: Row, name: str) -> str:
     """The exact text of a row's value, with its unit."""
     if isinstance(row.value, bool) or not isinstance(row.value, (int, float)):
         raise UsageError(f"{name} is no number", "a call with a number for its answer")
-    return _exact(row.value, row.unit)
+    return _exact(row.value, row.unit, row.uncertainty)
 
 
-def _exact(number: float, unit: str) -> str:
+def _exact(number: float, unit: str, uncertainty: float) -> str:
     digits = repr(float(number)).removesuffix(".0")
+    if uncertainty:
+        digits += f"{SIGN}{repr(float(uncertainty)).removesuffix('.0')}"
     return digits if unit == "1" else f"{digits} {unit}"
 
 
@@ -390,7 +406,7 @@ def _text(amount: Amount) -> str:
     """The text of an amount: as it was typed, or what arithmetic came to."""
     if _is_plain(amount):
         return amount.text
-    return _exact(amount.number, amount.unit.text if amount.unit else "1")
+    return _exact(amount.number, amount.unit.text if amount.unit else "1", amount.uncertainty)
 
 
 DEFAULTS: dict[str, Any] = {

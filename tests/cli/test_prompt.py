@@ -219,6 +219,46 @@ def test_a_plain_terminal_gets_no_colours(name, monkeypatch):
     assert not re.findall(r"\x1b\[(?!0m)[0-9;]+m", screen.raw)
 
 
+OFFERED = {  # what is typed: a word that is offered, and what it says
+    "": ("convert", "Convert units"),
+    "va": ("vars", "The names"),
+    "ex": ("exit", "Leave"),
+    "help ca": ("calorimeter", "Radiant flux"),
+    "100 lx k": ("klx", "kilolux"),
+    "radcalc 100 lx k": ("klx", "kilolux"),
+    "ans m": ("mfc", "millifootcandle"),  # of an answer in foot-candles
+    "source m": ("mlm", "millilumen"),
+    "point-source --flux so": ("source", "800 lm"),
+    "point-source --spectrum D6": ("D65", "6503 K"),
+    "x = so": ("source", "800 lm"),
+    "x = calo": ("calorimeter", "Radiant flux"),
+    "x = 100 lx k": ("klx", "kilolux"),
+}
+
+
+@pytest.mark.parametrize("line", OFFERED)
+def test_what_may_follow_is_offered_with_what_it_is(line, capsys):
+    session = prompt.Session()
+    session.answer("source = 800 lm")
+    session.answer("100 lx fc")
+    found, typed = prompt.completions(session, line)
+    said = {word.text: word.description for word in found}
+    word, description = OFFERED[line]
+    assert description in said[word]
+    assert line.endswith(typed)
+    assert len(said) == len(found)
+
+
+@pytest.mark.parametrize("line", ["'", "exit ", "100 lx 'k", "x == ", "zork ", "ans.zork "])
+def test_whatever_is_typed_can_be_completed(line):
+    assert isinstance(prompt.completions(prompt.Session(), line)[0], list)
+
+
+def test_a_word_with_blanks_is_completed_in_quotes():
+    assert prompt.quoted("Daylight FL") == "'Daylight FL'"
+    assert prompt.quoted("cd/m2") == "cd/m2"
+
+
 def test_the_history_is_bounded(tmp_path):
     path = tmp_path / "history"
     path.write_text("".join(f"{k} lx fc\n" for k in range(200_000)))

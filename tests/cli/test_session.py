@@ -165,6 +165,24 @@ def test_what_is_kept_is_shown_by_its_name(typed):
     assert typed("100 lx fc", "ans") == "9.290304\tfc\n"
 
 
+@pytest.mark.parametrize(
+    "line", ["100 ± 3 lx fc", "100 +- 3 lx in fc", "100 lx ± 3% fc", "(100 ± 3) lx fc"]
+)
+def test_an_uncertain_value_needs_no_quotes(typed, line):
+    # 100 lx are 9.290304 fc, and 3% of that is 0.2787
+    assert typed(line) == "9.29 ± 0.28\tfc\n"
+    assert typed("ans lx") == "100.0 ± 3.0\tlx\n"
+
+
+def test_what_is_uncertain_stands_in_a_line_once(typed):
+    """Two of one origin are off together, and would be carried as if each was off for itself."""
+    typed("side = 2 ± 0.1 m", "same = side ft", "other = 2 ± 0.1 m")
+    line = "solid-angle rectangle --width side --length {} --height 1m -g solid-angle"
+    assert "side is uncertain, and so is" in typed(line.format("side"))
+    assert "same is uncertain, and so is" in typed(line.format("same"))
+    assert "is uncertain" not in typed(line.format("other"))
+
+
 @pytest.mark.parametrize("line", ["exit", "quit", " exit "])
 def test_leaving_is_the_end_of_the_lines(session, line):
     with pytest.raises(EOFError):
