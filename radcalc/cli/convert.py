@@ -28,7 +28,7 @@ from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import note_of, read_lists, refuse_many
 from radcalc.units.scales import ScaleUnit, names_of, resolve_any
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import Unit
 
 
 class ConvertCommand(SectionedCommand):
@@ -225,7 +225,8 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
     """The hint for an efficacy without a unit: one that links the kinds of the two units."""
     try:
         amount, target = read_operands(words)
-        readings = [read_light(unit) for unit in (amount.unit, resolve(target)) if unit]
+        ends = (amount.unit, target_of(target, amount.unit))
+        readings = [read_light(unit) for unit in ends if unit]
     except RadcalcError:  # which is said when the unit is there
         return error.hint
     kinds = {reading.kind for reading in readings if reading}
