@@ -4,6 +4,8 @@ The commands, their options and results are in `table`, which `python -m radcalc
 from them, so that Click, which takes longer than an answer may, stays out.
 """
 
+import os
+
 from radcalc.completion.table import COMMANDS, RADCALC
 from radcalc.units.numbers import is_sentence
 
@@ -94,6 +96,8 @@ def completions(words: "Sequence[str]", incomplete: str) -> list[Completion]:
     try:
         found = _found(list(words), incomplete)
     except Exception:  # whatever was typed, a Tab says nothing of it
+        if os.environ.get("RADCALC_DEBUG") == "1":
+            raise
         return []
     once: dict[str, Completion] = {}
     for one in found:

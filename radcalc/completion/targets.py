@@ -16,7 +16,7 @@ from radcalc.quantities.light import (
     is_per_length,
     name_of,
 )
-from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, SYMBOLS
+from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.quantities.units import full_name, offered
 from radcalc.units.amounts import read_amount, sides, with_unit
 from radcalc.units.compiled import NAMES as SPELLINGS
@@ -91,16 +91,18 @@ def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
 
 
 def _conditions(given: "Mapping[str, str]") -> list[Given]:
-    """The conditions as typed; where that is no value (yet), as their examples have them."""
+    """The conditions as typed; what is no value (yet), or a file, as its example has it."""
     found = []
     for option, text in given.items():
         name = option.lstrip("-")
-        if name in CONDITIONS:
-            symbol = SYMBOLS[name]
-            try:
-                found.append(read(name, symbol.form == FLAG or values_of(name, text)[0]))
-            except RadcalcError:
-                found.append(read(name, symbol.example))
+        if name not in CONDITIONS:
+            continue
+        symbol = SYMBOLS[name]
+        try:
+            as_typed = values_of(name, text)[0] if symbol.form == QUANTITY else symbol.example
+            found.append(read(name, symbol.form == FLAG or as_typed))
+        except RadcalcError:
+            found.append(read(name, symbol.example))
     return found
 
 

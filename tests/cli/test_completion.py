@@ -63,7 +63,8 @@ def test_conditions_that_are_typed_count():
     assert "--" not in said("800 lm --isotropic ", "cd")
     assert texts("800 lm --isotropic --distance 1m,2m ")[0] == "lx"
     assert texts("5 mW --wavelength 632.8nm ")[0] == "lm"
-    assert texts("5 mW --spectrum no-such-file ")[0] == "lm"
+    for spectrum in ("LED-B3", "no-such-file", "-"):
+        assert texts(f"5 mW --spectrum {spectrum} ")[0] == "lm"
 
 
 def test_a_compound_unit_completes_by_its_last_part():
