@@ -5,7 +5,13 @@ from conftest import run
 
 from radcalc.cli import compile as printed
 from radcalc.completion import Completion, completions, shells
+from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.values import READERS
+from radcalc.conversion.plan import plan, target_of
+from radcalc.errors import MissingCondition
+from radcalc.quantities.light import name_of
+from radcalc.units.scales import resolve_any
+from radcalc.units.table import unit_of
 
 
 def complete(line: str) -> list[Completion]:
@@ -54,6 +60,23 @@ def test_units_of_the_quantity_come_before_those_with_a_condition(line):
 )
 def test_what_a_target_takes_is_said(line, target, condition):
     assert said(line, target) == condition
+
+
+SOURCES = ["lx", "W", "cd/m2", "umol/m2/s", "lm.s", "W/m2/nm", "nm", "dBm", "EV", "K"]
+
+
+@pytest.mark.parametrize("typed", ["", "l", "m", "W/m", "p"])
+@pytest.mark.parametrize("source", SOURCES)
+def test_what_is_offered_converts_or_lacks_just_that(source, typed):
+    unit = resolve_any(source)
+    for one in complete(f"1 {source} {typed}"):
+        is_free = "with --" not in one.description
+        try:
+            plan(unit, target_of(one.text, unit))
+        except MissingCondition:
+            assert not is_free, one
+        else:
+            assert is_free, one
 
 
 def test_conditions_that_are_typed_count():
@@ -209,11 +232,16 @@ def test_files_of_the_kind_come_alone_and_else_all(tmp_path, monkeypatch):
 
 
 def test_every_form_has_a_reader():
-    from radcalc.completion.table import COMMANDS
-
     forms = {option[1] for _, _, listed in COMMANDS.values() for option in listed}
     forms |= {operands[0] for _, operands, _ in COMMANDS.values()}
     assert forms - READERS.keys() == {"flag", "word", "conversion"}
+
+
+@pytest.mark.parametrize("quantity", UNITS)
+def test_the_units_of_a_quantity_measure_it(quantity):
+    units = [unit for text, _ in UNITS[quantity] if (unit := unit_of(text))]  # no scales
+    assert len({unit.dimension for unit in units}) <= 1
+    assert {name_of(unit) for unit in units[:1]} <= {quantity}
 
 
 # ---------------------------------------------------------------------------------------------
