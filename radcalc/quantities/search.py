@@ -22,6 +22,7 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.dimensions import LENGTH
+from radcalc.units.scales import find
 from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
@@ -187,7 +188,7 @@ def _by_words(
 
 def _unit(text: str) -> Unit | None:
     """The text as a unit; None where it is none."""
-    unit = unit_of(text)
+    unit = find(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
 

@@ -14,7 +14,7 @@ have to give the same, and there are two ways to know that they do:
 from math import gcd
 
 from radcalc.conversion.plan import Plan
-from radcalc.errors import ConversionError
+from radcalc.errors import RadcalcError
 from radcalc.units.table import divide
 
 SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # any digit is 0, to look for long numbers
@@ -35,7 +35,7 @@ class Bulk:
         self.factor = made.factor
         self.line = b"%%.%dg\n" % precision
         able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
-        self.able = made.is_linear and able
+        self.able = able or not made.is_linear
         self.digits = LONGEST  # numbers of so many digits are multiplied as they are
         if not made.links and made.is_linear:
             over = made.source.top * made.target.bottom
@@ -68,12 +68,14 @@ class Bulk:
                 return None
             if exponents and not _in_range(texts):
                 return None
-            if b"0" * (self.digits + 1) not in shape:
+            if not self.made.is_linear:
+                values = [self.made.apply(value) for value in map(float, texts)]
+            elif b"0" * (self.digits + 1) not in shape:
                 factor = self.factor
                 values = [value * factor for value in map(float, texts)]
             else:
                 values = self.exact(texts)
-        except (ValueError, ConversionError):
+        except (ValueError, RadcalcError):
             return None
         if b"-" in block:
             values = [value + 0.0 for value in values]  # no -0

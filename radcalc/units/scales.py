@@ -122,8 +122,8 @@ ILLUMINANCE_EV = LUMINANCE_EV._replace(
     letter="E", unit="lx", size=C / 100, meaning="of the illuminance, at ISO 100", constant="c",
 )  # fmt: skip
 SCALES = (
-    _power("dBm dB(mW) dB(1mW) dBmW", "mW"),
-    _power("dBW dB(W) dB(1W)", "W"),
+    _power("dBm dB(mW) dB(1mW) dBmW дБм", "mW"),
+    _power("dBW dB(W) dB(1W) дБВт", "W"),
     _power("dBu(W) dBuW dB(uW) dB(1uW)", "uW"),
     MAGNITUDE,
     MAGNITUDE._replace(
@@ -147,7 +147,7 @@ SCALES = (
         "a step of exposure values (ISO 2720)",
     ),
     Scale(
-        ("dB", "decibel", "decibels"), "x", "1", 1, 10, 10, 0,
+        ("dB", "decibel", "decibels", "дБ"), "x", "1", 1, 10, 10, 0,
         "a ratio of powers, above 0 for more light: a loss is below 0", "IEC 60027-3",
     ),
     Scale(
@@ -215,6 +215,9 @@ class ScaleUnit(Unit):
 
     def reading(self, quantity: Any) -> Any:
         """The reading of a quantity in `unit`, of which there is none for 0 and below."""
+        if maths.is_uncertain(quantity):
+            reading = self.reading(quantity.nominal_value)
+            return reading + (quantity - quantity.nominal_value) / self.slope(reading)
         if maths.any_true(quantity <= 0):
             told = f"{quantity:.6g} {self.unit.text}" if isinstance(quantity, float) else "0"
             told = told.removesuffix(" 1")

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from radcalc.conversion.plan import plan
 from radcalc.streams import blocks
 from radcalc.streams.blocks import Bulk
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
 LX_FC = plan(resolve("lx"), resolve("fc"))
@@ -62,3 +63,13 @@ def test_a_block_is_not_taken_where_a_line_is_unusual():
                  b"x", b"1,5", b"1\r", b"\xd9\xa3", b"1" * 100, b"+", b".", b"1-2"):  # fmt: skip
         assert ready.lines(b"1\n" + text + b"\n2\n") is None, text
     assert ready.lines(b"1\n1.5e3\n-2\n") == b"0.09290304\n139.35456\n-0.18580608\n"
+
+
+@given(st.sampled_from([("dBm", "mW"), ("mag", "lx"), ("EV", "cd/m2"), ("mired", "K")]),
+       st.lists(st.integers(1, 10**6).map(lambda n: n / 1000), min_size=1))  # fmt: skip
+def test_readings_on_a_scale_are_each_converted_as_alone(units, values):
+    made = plan(*map(resolve_any, units))
+    texts = [b"%r" % value for value in values if value < 200]
+    wanted = b"".join([b"%.12g\n" % made.apply(float(text)) for text in texts])
+    assert Bulk(made, 12).lines(b"".join([text + b"\n" for text in texts])) == wanted
+    assert Bulk(made, 12).lines(b"1e5\n") is None or units[0] == "mired"  # which is refused alone
