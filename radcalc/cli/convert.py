@@ -98,6 +98,7 @@ def command(
       radcalc convert 1 W/sr W --area 20mm2 --distance 1m
       radcalc convert 100 W/m2 ppfd --spectrum D65
       radcalc convert 250 cd/m2                    (every unit of luminance)
+      radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
       cut -f3 log.tsv | radcalc convert - lx fc
       radcalc convert - lx fc -d , --column illuminance < log.csv
       printf '100 lx\\n3 fc\\n' | radcalc convert - klx

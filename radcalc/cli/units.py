@@ -22,6 +22,7 @@ def command(
       radcalc units освещённость       the same, by its Russian name
       radcalc units lambert            the units with that in their name
       radcalc units cd/m2              what a unit measures, and its fellows
+      radcalc units scales             dBm, mag, EV and others, with their formulas
     """
     refuse_number_options(shown, "units")
     found = search(" ".join(words))
