@@ -176,7 +176,7 @@ def decide(
     colored = wants_color(color, terminal)
     context = click.get_current_context(silent=True)
     listener: Listener | None = context.find_root().obj if context else None
-    brief = listener is not None
+    brief = listener is not None and asked is None
     style = Style(precision, number, 80, colored, spoken, not quiet, command, brief)
     return Output(chosen, style, asked is not None, listener)
 

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
 
 PROMPT = "> "
+BOM = "\ufeff"
 BLOCK = 1 << 16
 LONGEST = 1 << 20  # bytes of a line, and of the history that is read again
 WORST = (stdio.BUG, stdio.FAILED, stdio.WRONG)  # of the statuses of lines
@@ -85,7 +86,7 @@ def answer_lines(session: Session) -> int:
     statuses = {stdio.ANSWERED}
     for number, line in enumerate(_lines(), start=1):
         try:
-            status = session.answer(line, f"line {number}")
+            status = session.answer(line.removeprefix(BOM), f"line {number}")
         except EOFError:
             break
         if status == stdio.INTERRUPTED:

@@ -8,6 +8,7 @@ below knows of them.
 import re
 import shlex
 from collections.abc import Mapping, Sequence
+from string import ascii_letters
 from typing import Any
 
 import click
@@ -218,6 +219,8 @@ class Session:
         if words[:1] == ["-"]:
             return words
         words = _closed(words)
+        if words and words[-1][-1:] in tuple(SIGNS):  # what is missing there, convert says
+            return [self._fill(word) for word in words]
         last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
         if last < 0 or SEPARATING.intersection(words):
             return [self._fill(word, last >= 0) for word in words]
@@ -260,8 +263,8 @@ class Session:
 
     def _show(self, amount: Amount, words: list[str]) -> int:
         """Show an amount in its own unit."""
-        if amount.unit:
-            return cli.answered([*words, "to", amount.unit.text], self)
+        if unit := amount.typed[1]:
+            return cli.answered([*words, "to", unit.text], self)
         with click.Context(cli.commands, obj=self):
             shown = decide(**(DEFAULTS | self.settings))
         shown.show([Result((Row("", "", amount.number, "1", name="number"),), named=False)])
@@ -333,12 +336,20 @@ def _takers(called: str) -> set[str]:
 
 
 def _is_option(word: str) -> bool:
-    return word[:1] == "-" and (word[1:2] == "-" or word[1:2].isalpha()) and not is_sentence([word])
+    """Whether a word begins with a dash, and is no number below 0."""
+    return word[:1] == "-" and word[1:2] in ("-", *ascii_letters) and not _is_negative(word)
+
+
+def _is_negative(word: str) -> bool:
+    return cli.protect_negatives([word]) != [word]
 
 
 def _closed(words: list[str]) -> list[str]:
     """The words, of which those from a bracket to the one that closes it are one."""
     found: list[str] = []
+    text = " ".join(words)
+    if text.count("(") != text.count(")"):
+        return words
     for word in words:
         if found and found[-1].count("(") > found[-1].count(")"):
             found[-1] += f" {word}"
@@ -396,6 +407,8 @@ def _amount(words: list[str]) -> Amount | None:
 def _is_plain(amount: Amount) -> bool:
     """Whether it was typed as a number with a unit, and not as arithmetic."""
     unit = amount.unit.text if amount.unit else ""
+    if amount.scale:
+        return True
     try:
         return amount.text[read_number(amount.text)[1] :].strip() == unit
     except RadcalcError:

@@ -24,6 +24,11 @@ def test_the_lines_of_a_pipe_are_answered_one_by_one():
     assert (done.returncode, done.stdout, done.stderr) == (0, ANSWERS, "")
 
 
+@pytest.mark.parametrize("text", ["\ufeff100 lx fc\nans klx\n", "100 lx fc\r\nans klx\r\n"])
+def test_lines_of_other_systems_are_lines(text):
+    assert lines(text).stdout == ANSWERS
+
+
 def test_the_last_line_needs_no_end():
     assert lines("100 lx fc\nans klx").stdout == ANSWERS
 

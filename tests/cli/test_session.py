@@ -1,10 +1,13 @@
 """The lines of a prompt: how they are read, the last answer, and the names of amounts."""
 
 import re
+import shlex
 
 import pytest
 from conftest import ROOT
+from test_cases import FILES, transcripts
 
+from radcalc import cli
 from radcalc.cli.session import Session
 
 # 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc
@@ -53,6 +56,18 @@ READ = {
 @pytest.mark.parametrize("line", READ)
 def test_a_line_is_read_as_the_words_at_a_shell(session, line):
     assert session.read(line) == READ[line]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_a_line_is_answered_as_at_the_shell(path, monkeypatch, capsys):
+    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    for command, _ in transcripts(path):
+        if not command.startswith("radcalc ") or set("|<>;$&`\n") & set(command):
+            continue
+        words = shlex.split(command)[1:]
+        if words[0] not in ("prompt", "--completion"):
+            at_the_shell = cli.run(words), capsys.readouterr()
+            assert (Session().answer(command), capsys.readouterr()) == at_the_shell, command
 
 
 def test_the_last_answer_is_a_value_with_its_unit(typed):
