@@ -196,7 +196,7 @@ def answer(
     row = Row(name_of(unit), symbol_of(unit), number, unit.text, case, result_name(unit))
     derivation = tuple(made.derive(value)) if steps else ()
     notes = made.notes
-    if value < 0 and read(made.source):
+    if value < 0 and read(made.source) and not made.source.is_scale:
         notes += (f"a negative {name_of(made.source)} is a difference: no light is below 0",)
     return Result((row,), made.assumptions, notes, derivation, inputs, named=False)
 

@@ -95,11 +95,12 @@ def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
     for row in rows:
         off = row.uncertainty and _rounded(row.uncertainty, style)
         amount = _amount(_rounded(row.value, style), off, row.unit)
-        if row.name in found:
-            found[row.name].setdefault("also", []).append(amount)
-        else:
+        first = found.get(row.name)
+        if first is None:
             about = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}
             found[row.name] = {**amount, **about}
+        elif row.unit not in {one["unit"] for one in (first, *first.get("also", ()))}:
+            first.setdefault("also", []).append(amount)
     return found
 
 
