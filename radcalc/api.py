@@ -132,7 +132,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     ----------
     value : str, Quantity or float
         A text such as ``"100 lx"``, or a `radcalc.Quantity`, whose magnitude may be an array
-        of any shape.  A bare number is dimensionless.
+        of any shape, or a number of the `uncertainties` package.  A bare number is dimensionless.
     target : str
         The unit of the result, or a scale: ``"dBm"``.
     **conditions
@@ -145,6 +145,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
         In the unit `target`, of the shape of the magnitude of `value` (broadcast with those of
         the conditions).  On a scale the bare readings, a float or an array: they are no
         quantity, which could be multiplied.
+        Where something is uncertain the magnitude is, correlated with that.
 
     Raises
     ------

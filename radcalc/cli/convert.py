@@ -106,7 +106,8 @@ def command(
     Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
     in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
     shown.  A condition's value carries its unit and is one word (2m, 30deg); one
-    of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
+    of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.  Values and conditions
+    may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
     for VALUE and UNIT they carry their own units.  Every other byte stays as it is.
