@@ -88,6 +88,7 @@ class Value(NamedTuple):
     may be a function, where working it out is worth waiting until it is looked at.  `reach` has
     the same thing of other kinds, by their dimensions, where the conditions link them.  `given`
     is the number that the user gave, in the first of the units; `also` is another name of it.
+    `exact` is the number in that unit where it is known so, and not by way of SI units.
     Where what was given is uncertain, the numbers are those of the `uncertainties` package.
     A result that does not follow has no units; `lacking` tells in words what would do, or
     `because` why none would.
@@ -104,6 +105,12 @@ class Value(NamedTuple):
     also: str = ""
     lacking: Callable[[], str] | None = None
     because: RadcalcError | None = None
+    exact: Any = None
+
+    @property
+    def in_first(self) -> Any:
+        """The number in the first of the units, as it was typed or is known; None elsewhere."""
+        return self.exact if self.given is None else self.given
 
     @property
     def amount(self) -> Any:

@@ -639,10 +639,16 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
                 f"'{quote(bare)}' has no unit, and another coordinate has one",
                 f"{quote(bare + first)} in place of {quote(bare)}",
             )
-    sizes = tuple(number * unit.factor for (number, _), unit in zip(read, units, strict=True))
+    sizes = tuple(_exactly(number, unit) for (number, _), unit in zip(read, units, strict=True))
     if max(map(abs, sizes)) > LARGEST:
         raise ConditionError(*TOO_FAR)
     return sizes, first
+
+
+def _exactly(number: float, unit: Unit) -> float:
+    """A number in SI units, rounded once: 3 ft are 0.9144 m."""
+    over, under = number.as_integer_ratio()
+    return divide(over * unit.top, under * unit.bottom)
 
 
 def read_place(name: str, text: str, said: str = "") -> Given:

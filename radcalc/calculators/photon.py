@@ -3,12 +3,13 @@
 from typing import Any
 
 from radcalc.answer import Answer, Value
-from radcalc.calculators.results import value
+from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
 from radcalc.given import Given, Inputs
 from radcalc.laws.photon import LAWS
 from radcalc.laws.solver import Derivation, Known, solve
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, PHOTON_ENERGY, WAVENUMBER
 
@@ -33,7 +34,14 @@ def photon(given: Inputs) -> Answer:
     solution = solve(LAWS, {SYMBOL_OF[wave.dimension]: Known(wave.value)})
     light = spectral.light(wave, given.get("observer"))
     names = dict.fromkeys(SYMBOL_OF.values())
-    values = [value(name, solution.values[name].value, *UNITS.get(name, ())) for name in names]
+    own = SYMBOL_OF[wave.dimension]
+    units = {name: UNITS.get(name, (SYMBOLS[name].unit,)) for name in names}
+    values = [
+        known(wave._replace(symbol=SYMBOLS[name]), *units[name])
+        if name == own
+        else value(name, solution.values[name].value, *units[name])
+        for name in names
+    ]
     scotopic = OBSERVERS["scotopic"]
     if light.observer is not scotopic:
         values += _seen("luminous", light.table, light.observer)

@@ -62,16 +62,16 @@ def in_unit(value: Value, unit: Unit) -> Any:
             f"{value.name} is not measured in {describe(unit)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
-    if value.given is not None and unit.text == value.units[0]:
-        return value.given + 0.0
+    if value.in_first is not None and unit.text == value.units[0]:
+        return value.in_first + 0.0
     ratio = exact_ratio(Unit("SI", 1, 1, unit.dimension, ()), unit)
     return held(value.name, amount * (float(ratio) if is_array(amount) else ratio), amount)
 
 
 def _on_scale(value: Value, unit: ScaleUnit) -> Any:
     """The reading of a value; what is no part of light has none in dB."""
-    if value.given is not None and unit.text == value.units[0]:
-        return value.given + 0.0
+    if value.in_first is not None and unit.text == value.units[0]:
+        return value.in_first + 0.0
     scale = unit.measures((*value.dimensions, *value.reach))
     if not is_on_scale(value.name, scale):
         raise UsageError(
@@ -95,8 +95,8 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
 
 def _shown(value: Value, text: str) -> Any:
     """A value in one of the units it is shown in, of which most are coherent or as typed."""
-    if value.given is not None and text == value.units[0]:
-        return value.given + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
+    if value.in_first is not None and text == value.units[0]:
+        return value.in_first + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
         return held(value.name, value.amount)
     return in_unit(value, resolve_any(text))
@@ -117,7 +117,9 @@ def element(value: Value, k: int) -> Value:
         return float(x[k]) if is_column(x) else x
 
     reach = {dimension: of(amount) for dimension, amount in value.reach.items()}
-    return value._replace(si=of(value.si), reach=reach, given=of(value.given))
+    return value._replace(
+        si=of(value.si), reach=reach, given=of(value.given), exact=of(value.exact)
+    )
 
 
 def held(name: str, number: Any, of: Any = None) -> Any:

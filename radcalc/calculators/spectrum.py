@@ -60,7 +60,8 @@ def spectrum(given: Inputs) -> Answer:
 
 
 def _nanometres(name: str, size: float) -> Value:
-    return value(name, size * 1e-9)
+    """A wavelength [nm]."""
+    return value(name, size * 1e-9)._replace(exact=size)
 
 
 def _shape(counts: Counts) -> list[Value]:
@@ -140,6 +141,9 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
         like = colorimetry.reference(temperature)
     except colorimetry.Undefined as error:
         return [*found, absent("cri", str(error), "cct and duv")], []
+    if not colorimetry.is_adapted(light):
+        why = "the adaptation of CIE 13.3 has no meaning for its chromaticity"
+        return [*found, absent("cri", why, "cct and duv")], []
     found.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
     away = colorimetry.difference(light, like)
     if away <= colorimetry.SIMILAR:

@@ -1,13 +1,13 @@
 """`radcalc photon WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY`."""
 
-from radcalc.calculators.photon import photon
+from radcalc.calculators.photon import SYMBOL_OF, photon
 from radcalc.cli.calculator import Asked, run
-from radcalc.cli.cases import cases
+from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, spell
-from radcalc.quantities.symbols import QUANTITY
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 
 
 @define(
@@ -38,7 +38,17 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
         error.message = spell(error.message, Operand)
         error.hint = spell(error.hint, Command)
         raise
-    return run(each, photon, asked, shown, "photon")
+    return run([_named(case) for case in each], photon, asked, shown, "photon")
+
+
+def _named(case: Case) -> Case:
+    """A case in which what is given for the wavelength is called what it is."""
+    wave = case.given["wavelength"]
+    wave = wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
+    given = {**case.given, "wavelength": wave}
+    names = {"wavelength": wave.name}
+    varied = tuple(one._replace(name=names.get(one.name, one.name)) for one in case.varied)
+    return case._replace(given=given, varied=varied)
 
 
 class Operand(Shell):

@@ -201,6 +201,11 @@ def colour_rendering_index(light: Light, like: Light) -> float:
     return total / len(SAMPLES)
 
 
+def is_adapted(light: Light) -> bool:
+    """Whether the adaptation of CIE 13.3 has a meaning for a light: it divides by its c and d."""
+    return all(_cd(_uv(light)))
+
+
 def _cd(colour: Colour) -> tuple[float, float]:
     """The c and d of the adaptation of CIE 13.3."""
     u, v = colour

@@ -5,6 +5,7 @@ import math
 
 import pytest
 from conftest import run
+from following import call
 
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
@@ -152,3 +153,12 @@ def test_a_colour_far_from_its_reference_is_rendered_with_a_note():
     # CIE 13.3-1995 wants at most 5.4e-3 in (u, v); the low-pressure sodium lamp has more
     assert "CIE 13.3 is for up to 0.0054" in run("spectrum", "LPS").stderr
     assert "CIE 13.3" not in run("spectrum", "HP1").stderr
+
+
+@pytest.mark.parametrize("nanometres", ["670", "670.5", "671"])
+def test_a_deep_red_line_has_no_colour_rendering_index(nanometres):
+    """Where c = (4 - u - 10 v) / v of CIE 13.3-1995 is 0, its adaptation divides by 0."""
+    done = call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cri"])
+    assert done.status == 2
+    assert "adaptation of CIE 13.3" in done.error.message
+    assert call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cct"]).status == 0
