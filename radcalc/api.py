@@ -19,6 +19,7 @@ from radcalc.errors import (
 )
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_place, refuse_uncertain
 from radcalc.maths import LARGEST, is_array, is_uncertain
+from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
     FLAG,
@@ -84,6 +85,11 @@ class Python:
     def manual(name: str) -> str:
         """Where the function is described."""
         return f"help(radcalc.{name.replace('-', '_')})"
+
+    @staticmethod
+    def measured(unit: str) -> str:
+        """`illuminance (lx)`."""
+        return describe(resolve(unit))
 
 
 class PythonHint(Python):

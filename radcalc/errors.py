@@ -87,8 +87,16 @@ def manual(name: str) -> str:
     return f"{START}{VALUE}{WORD}{name}{END}"
 
 
+def measured(unit: str) -> str:
+    """Mention the quantity that a unit measures: illuminance (lx)."""
+    return f"{START}{WORD}{unit}{END}"
+
+
 def spell(text: str, spelling: "Any") -> str:
-    """A text with its mentions spelled: `spelling` has `option`, `command` and `manual`."""
+    """A text with its mentions spelled.
+
+    `spelling` has `option`, `command`, `manual` and `measured`.
+    """
     if START not in text:
         return text
     head, *mentions = text.split(START)
@@ -96,7 +104,9 @@ def spell(text: str, spelling: "Any") -> str:
     for mention in mentions:
         inner, _, rest = mention.partition(END)
         name, _, value = inner.partition(VALUE)
-        if name:
+        if name.startswith(WORD):
+            parts.append(spelling.measured(name[1:]))
+        elif name:
             parts.append(spelling.option(name, value))
         elif value.startswith(WORD):
             parts.append(spelling.manual(value[1:]))
@@ -124,6 +134,11 @@ class Plain:
         """Where the help is."""
         return f"the help of {name}"
 
+    @staticmethod
+    def measured(unit: str) -> str:
+        """The unit alone."""
+        return f"'{unit}'"
+
 
 class RadcalcError(Exception):
     """Something the user can mend: `message` says what is wrong, `hint` what to do.
@@ -148,6 +163,10 @@ class RadcalcError(Exception):
 
 class NumberError(RadcalcError):
     """A text that is not a number radcalc reads, or a number that cannot be held."""
+
+
+class ExpressionError(NumberError):
+    """Arithmetic that has no value: malformed, of unlike quantities, beyond all bounds."""
 
 
 class UnitError(RadcalcError):

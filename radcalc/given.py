@@ -44,7 +44,7 @@ from radcalc.quantities.symbols import (
     Limits,
     Symbol,
 )
-from radcalc.units.amounts import Amount, read_amount
+from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
 from radcalc.units.ranges import read_array, read_series, read_spectra, real
@@ -58,7 +58,7 @@ class Given(NamedTuple):
     `number` and `unit` are those typed, a reading and a `ScaleUnit` on a scale; `is_exact` where
     no text was, but a number of Python's.  `uncertainty` is the standard uncertainty in SI units,
     and `variable` the number with it where it is one of Python's `uncertainties`; `assumptions`
-    say how it was read.
+    say how it was read.  `off` is how far an expression may be off as typed, relative to it.
     """
 
     symbol: Symbol
@@ -71,6 +71,7 @@ class Given(NamedTuple):
     uncertainty: float = 0.0
     assumptions: tuple[str, ...] = ()
     variable: Any = None
+    off: float | None = None
 
     @property
     def name(self) -> str:
@@ -100,7 +101,7 @@ class Given(NamedTuple):
             off = rounding(self.text) * abs(self.number)
             slope, quantity = self.unit.slope(self.number), self.unit.quantity(self.number)
             return float(abs(off * slope / quantity))
-        return rounding(self.text)
+        return rounding(self.text) if self.off is None else self.off
 
 
 Inputs = dict[str, Given]
@@ -192,7 +193,10 @@ def moved(given: Given, shift: float) -> Given:
     if isinstance(given.unit, ScaleUnit):
         number = given.unit.reading(value / given.unit.factor)
     one = given._replace(
-        text=f"{number!r}{given.unit_text if given.unit else ''}", value=value, number=number
+        text=f"{number!r}{given.unit_text if given.unit else ''}",
+        value=value,
+        number=number,
+        off=None,
     )
     hold(one, given.symbol.limits)
     return one
@@ -233,7 +237,9 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
             problem = f"{option(name)} has numbers without a unit"
             raise ConditionError(problem, "an array with its unit, a radcalc.Quantity")
         if unit is None:
-            raise MissingUnit(name, quote(text), _with_unit(symbol, quote(text)))
+            is_sum = amount is not None and amount.rounding is not None
+            whole = f"({quote(text)})" if is_sum else quote(text)
+            raise MissingUnit(name, quote(text), _with_unit(symbol, whole))
         example = symbol.example
         if name == "bandwidth" and dimension == ENERGY:
             from radcalc.spectra.planck import PLANCK
@@ -253,6 +259,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         uncertainty * unit.factor if unit else uncertainty,
         assumptions,
         variable,
+        amount.rounding if amount else None,
     )
     hold(given, symbol.limits)
     return given
@@ -393,7 +400,7 @@ def _read_wavelengths(symbol: Symbol, value: Any) -> Given:
 
 def _is_length(text: str) -> bool:
     try:
-        value, unit = split_quantity(text)
+        value, unit = split_value(text)
         return value > 0 and bool(unit) and resolve(unit).dimension == LENGTH
     except RadcalcError:
         return False
@@ -434,7 +441,7 @@ def _ends(symbol: Symbol, text: str) -> tuple[Given, Given]:
     try:
         low, high = (read_as(end, part) for part in parts)
     except MissingUnit:
-        whole = (part if split_quantity(part)[1] else _with_unit(end, part) for part in parts)
+        whole = (part if split_value(part)[1] else _with_unit(end, part) for part in parts)
         raise MissingUnit(symbol.name, quote(text), quote(":".join(whole))) from None
     return low, high
 
@@ -503,7 +510,7 @@ def _read_angle(text: str, whole: str, what: str) -> float:
             "one direction, or at a shell a range of polar angles: 0deg:90deg:15deg,90deg",
         )
     try:
-        number, unit_text = split_quantity(text)
+        number, unit_text = split_value(text)
     except NumberError as error:
         raise NumberError(f"{what} '{quote(whole)}': {error.message}", AS_DIRECTION) from None
     try:
@@ -624,7 +631,7 @@ def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
     """
     if any(":" in part for part in parts):
         raise ConditionError("a coordinate is one number, not a range", "one point at a time")
-    read = [split_quantity(part) for part in parts]
+    read = [split_value(part) for part in parts]
     units = [resolve(unit or "1") for _, unit in read]
     first = next((unit for _, unit in read if unit), "")
     for part, (number, unit_text), unit in zip(parts, read, units, strict=True):

@@ -30,8 +30,8 @@ from radcalc.laws.solver import Known
 from radcalc.laws.solver import solve as follow
 from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
+from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.numbers import parse_number, split_quantity
 from radcalc.units.table import NUMBER, Unit, resolve
 
 LAMBERTIAN = "lambertian"
@@ -159,7 +159,7 @@ def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: b
             row[column] = row[column].replace(",", ".")
     for row, column in places:
         if column in units and _is_bare(row[column]):
-            number = parse_number(row[column])
+            number = split_value(row[column])[0]
             row[column] = (number, units[column], f"{row[column]} {units[column].text}")
 
 
@@ -508,6 +508,6 @@ def _is_bare(value: Any) -> bool:
     if not isinstance(value, str):
         return not isinstance(value, tuple)
     try:
-        return not split_quantity(value)[1]
+        return not split_value(value)[1]
     except NumberError:
         return False

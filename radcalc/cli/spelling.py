@@ -27,6 +27,14 @@ class Shell:
         """Where the command is described."""
         return f"radcalc {name} --help"
 
+    @staticmethod
+    def measured(unit: str) -> str:
+        """`illuminance (lx)`."""
+        from radcalc.quantities.light import describe
+        from radcalc.units.table import resolve
+
+        return describe(resolve(unit))
+
 
 def spelled(text: str) -> str:
     """A text with what it mentions, as one types it at a shell."""

@@ -8,8 +8,9 @@ from radcalc.given import read_as
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
-from radcalc.units.table import NUMBER, Unit, divide
+from radcalc.units.table import NUMBER, Unit, divide, unit_of
 
+DIGITS_OF_EXACT = 15
 LEAST_MEANT = 2  # digits that a number is meant to have
 
 
@@ -49,6 +50,8 @@ def read_claim(text: str) -> Claim:
 
             if reading := read_uncertain(rest):
                 off, rest = reading.uncertainty, reading.nominal
+        if found := _arithmetic(rest):
+            return Claim(text, name.strip(), *found)
         value, end = read_number(rest)
     except NumberError as error:
         raise NumberError(
@@ -59,11 +62,30 @@ def read_claim(text: str) -> Claim:
     return Claim(text, name.strip(), value, unit, number, digits, half, widest, off)
 
 
+def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
+    """What a claim has of an expression, such as 2 * 12.5 lx; None where it is a plain number."""
+    try:
+        _, end = read_number(text)
+        if unit_of(text[end:].strip() or "1"):
+            return None
+    except NumberError:
+        pass
+    from radcalc.units.expressions import read_expression
+
+    found = read_expression(text)
+    if found is None:
+        return None
+    value, unit, off = found
+    half = abs(value) * off
+    digits = min(DIGITS_OF_EXACT, max(1, -math.floor(math.log10(2 * off))))
+    return value, unit.text if unit else "", f"{value:.12g}", digits, half, half
+
+
 def _digits(number: str, value: float) -> tuple[int, float, float]:
     """How many digits a number has, half a unit of the last, and of the last that is no zero."""
     typed = typed_digits(number)
     if typed is None:  # pi/6, 2*pi
-        return 15, abs(value) * 1e-9, abs(value) * 1e-9
+        return DIGITS_OF_EXACT, abs(value) * 1e-9, abs(value) * 1e-9
     digits, power = typed[0].lstrip("0"), min(typed[1], 308)
     zeros = 0 if "." in number else len(digits) - len(digits.rstrip("0"))
     zeros = max(0, min(zeros, len(digits) - LEAST_MEANT))

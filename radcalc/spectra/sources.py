@@ -8,9 +8,8 @@ from radcalc.errors import ConditionError, RadcalcError, command, nearest, optio
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
-from radcalc.units.amounts import UNCERTAIN, Amount, read_amount
+from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
-from radcalc.units.numbers import split_quantity
 from radcalc.units.table import resolve
 
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
@@ -160,7 +159,7 @@ def _in_lengths(centre: str, fwhm: str) -> str:
     """The gaussian of an energy, or of a width in frequency, in wavelengths; else nothing."""
     (place, of_place), (width, of_width) = (
         (value * unit.factor, unit.dimension)
-        for value, unit_text in map(split_quantity, (centre, fwhm))
+        for value, unit_text in map(split_value, (centre, fwhm))
         if (unit := resolve(unit_text or "1"))
     )
     if not place or (of_place != ENERGY and of_width not in TIMES_WAVELENGTH):
@@ -189,7 +188,7 @@ def _width(parameter: str, text: str) -> float:
 
 
 def _quantity(parameter: str, text: str, dimension: tuple[int, ...], form: str) -> float:
-    value, unit_text = split_quantity(parameter)
+    value, unit_text = split_value(parameter)
     unit = resolve(unit_text or "1")
     if unit.dimension != dimension:
         raise _malformed(text, form)
@@ -198,7 +197,7 @@ def _quantity(parameter: str, text: str, dimension: tuple[int, ...], form: str) 
 
 def wavelength(parameter: str, text: str) -> float:
     """A wavelength [nm] from a length or a frequency."""
-    value, unit_text = split_quantity(parameter)
+    value, unit_text = split_value(parameter)
     unit = resolve(unit_text or "1")
     if value > 0 and unit.dimension == ENERGY:
         length = standard_air_wavelength(TIMES_WAVELENGTH[ENERGY] / (value * unit.factor))
@@ -215,7 +214,7 @@ def wavelength(parameter: str, text: str) -> float:
 
 def _line(part: str, text: str) -> tuple[float, float]:
     place, equals, weight = part.partition("=")
-    watts = split_quantity(weight) if equals else (1.0, "")
+    watts = split_value(weight) if equals else (1.0, "")
     if watts[1] or watts[0] <= 0:
         raise _malformed(text, "line:555nm=40,600nm=30, with weights above 0 and no unit")
     return wavelength(place, text), watts[0]

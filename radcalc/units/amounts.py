@@ -14,7 +14,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.units.numbers import split_quantity
-from radcalc.units.table import Dimension, Unit, resolve
+from radcalc.units.table import Dimension, Unit, resolve, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -35,10 +35,20 @@ class Amount:
 
     `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, and 0
     where none was given; `assumptions` say how the text was read, where that takes a word.  A
-    `reading` on a `scale` is kept beside the number that it stands for.
+    `reading` on a `scale` is kept beside the number that it stands for.  `rounding` is how far an
+    expression may be off as typed, relative to it; None for what is none.
     """
 
-    __slots__ = ("assumptions", "number", "reading", "scale", "text", "uncertainty", "unit")
+    __slots__ = (
+        "assumptions",
+        "number",
+        "reading",
+        "rounding",
+        "scale",
+        "text",
+        "uncertainty",
+        "unit",
+    )
 
     def __init__(
         self,
@@ -49,6 +59,7 @@ class Amount:
         assumptions: tuple[str, ...] = (),
         scale: "ScaleUnit | None" = None,
         reading: float = 0.0,
+        rounding: float | None = None,
     ) -> None:
         """Hold what `text` says."""
         self.text = text
@@ -58,6 +69,7 @@ class Amount:
         self.assumptions = assumptions
         self.scale = scale
         self.reading = reading
+        self.rounding = rounding
 
     @property
     def typed(self) -> tuple[float, Unit | None]:
@@ -85,14 +97,47 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     try:
         return _read_plain(text, dimensions)
     except RadcalcError:
-        if not any(mark in text for mark in UNCERTAIN):
-            raise
-        from radcalc.units.uncertain import read_uncertain
+        if any(mark in text for mark in UNCERTAIN):
+            from radcalc.units.uncertain import read_uncertain
 
-        reading = read_uncertain(text)
-        if reading is None:
+            if reading := read_uncertain(text):
+                number, unit, off = reading.number, reading.unit, reading.uncertainty
+                return _amount(text, number, unit, off, dimensions)
+        from radcalc.units.expressions import read_expression
+
+        found = read_expression(text)
+        if found is None:
             raise
-    return _amount(text, reading.number, reading.unit, reading.uncertainty, dimensions)
+        number, unit, off = found
+    return Amount(text, number, unit, rounding=off)
+
+
+def split_value(text: str) -> tuple[float, str]:
+    """Cut a value into its number and the text of its unit, '' where it is bare.
+
+    An expression is read as `read_amount` does, but nothing that is uncertain; whether the unit
+    of a number is one is for others to say.
+    """
+    problem: RadcalcError | None = None
+    number, unit = 0.0, ""
+    try:
+        number, unit = split_quantity(text)
+        if not unit or unit_of(unit):
+            return number, unit
+        from radcalc.units.scales import find
+
+        if find(unit):
+            return number, unit
+    except NumberError as error:
+        problem = error
+    from radcalc.units.expressions import read_expression
+
+    found = read_expression(text)
+    if found:
+        return found[0], found[1].text if found[1] else ""
+    if problem:
+        raise problem
+    return number, unit
 
 
 UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
@@ -114,7 +159,8 @@ def _read_plain(text: str, dimensions: "Sequence[Dimension]") -> Amount:
 
 def with_unit(amount: Amount, unit: str) -> Amount:
     """A bare number with the unit that stands in another word."""
-    text = f"{amount.text} {unit}"
+    is_sum = amount.rounding is not None
+    text = f"({amount.text}) {unit}" if is_sum else f"{amount.text} {unit}"
     return _amount(text, amount.number, _unit(text, unit), amount.uncertainty)
 
 

@@ -8,7 +8,7 @@ character at a time, bounded in length, depth and exponent.
     EXPONENT = digits | sign digits | ("^" | "**") [sign] digits | superscripts
 """
 
-from radcalc.errors import MINUS, UnitError, quote
+from radcalc.errors import MINUS, RadcalcError, UnitError, quote
 from radcalc.units.numbers import DIGITS, MAX_LENGTH, SIGNS
 
 MAX_DEPTH = 16
@@ -49,21 +49,21 @@ def parse_unit(text: str) -> list[Atom]:
     plain = "".join([SAME.get(c, c) for c in text]).strip()
     if not plain:
         raise UnitError("a unit is missing", "a unit such as lx, cd/m2 or W/(m2 sr)")
-    scanner = _Scanner(plain)
+    scanner = Scanner(plain)
     atoms = scanner.group(0)
     if scanner.at < len(plain):
         raise scanner.error("has a closing bracket too many")
     return [(name, n, inverse and n == 1) for name, n, inverse in atoms]
 
 
-class _Scanner:
+class Scanner:
     """One pass over the text of a unit."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
 
-    def error(self, problem: str, hint: str = "") -> UnitError:
+    def error(self, problem: str, hint: str = "") -> RadcalcError:
         hint = hint or "a unit such as lx, cd/m2 or W/(m2 sr)"
         return UnitError(f"the unit '{quote(self.text)}' {problem}", hint)
 
@@ -133,7 +133,7 @@ class _Scanner:
             return "/"
         return ""
 
-    def ambiguous(self, start: int, solidus: int) -> UnitError:
+    def ambiguous(self, start: int, solidus: int) -> RadcalcError:
         """Refuse a product after a solidus, with both its readings."""
         over = self.text[start:solidus].strip().removesuffix("per").strip() or "1"
         under = self.text[solidus + 1 :].strip().lstrip("/").strip()

@@ -23,6 +23,7 @@ SMALLEST = float_info.min  # below it a float loses digits
 EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
 
+FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
 DIGITS = "0123456789"
 MINUSES = "-" + MINUS
 SIGNS = "+" + MINUSES
@@ -42,10 +43,10 @@ def read_number(text: str) -> tuple[float, int]:
             f"at most {MAX_LENGTH} characters are read",
         )
     at = 1 if text[:1] and text[0] in SIGNS else 0
-    value, _, at = _term(text, at)
+    value, _, at = read_term(text, at)
     while at + 1 < len(text) and text[at] in "*/" and _term_starts(text, at + 1):
         operator, start = text[at], at + 1
-        right, bare, at = _term(text, start)
+        right, bare, at = read_term(text, start)
         if operator == "/" and bare > start:
             _refuse_pi_below(text, bare)
             if right == 0:
@@ -56,7 +57,7 @@ def read_number(text: str) -> tuple[float, int]:
         value = found
         if value == INFINITE:
             raise _too_large(text[:at])
-    _refuse_lookalikes(text, at)
+    refuse_lookalikes(text, at)
     return (-value if text[0] in MINUSES else value), at
 
 
@@ -70,9 +71,9 @@ def is_sentence(words: list[str]) -> bool:
     begun = first[start : start + 1]
     if begun == ".":
         begun = first[start + 1 : start + 2]
-    return (
-        first == "-" or begun.isnumeric() or begun in ("(", "±") or _pi_ends(first, start) > start
-    )
+    is_function = first[start:].startswith(tuple([f"{name}(" for name in FUNCTIONS]))
+    is_number = begun.isnumeric() or _pi_ends(first, start) > start
+    return first == "-" or is_number or begun in ("(", "±") or is_function
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:
@@ -117,7 +118,7 @@ def _pi_ends(text: str, at: int) -> int:
     return at if end < len(text) and (text[end].isalnum() or text[end] == "_") else end
 
 
-def _term(text: str, at: int) -> tuple[float, int, int]:
+def read_term(text: str, at: int) -> tuple[float, int, int]:
     """Read a term: its value, where its decimal ends, and where it ends itself."""
     start = at
     while at < len(text) and text[at] in DIGITS:
@@ -188,7 +189,7 @@ def _not_a_number(text: str) -> NumberError:
     return NumberError(f"'{quote(text)}' is not a number", "a number such as 1.5e3, 1/3 or 4pi")
 
 
-def _refuse_lookalikes(text: str, at: int) -> None:
+def refuse_lookalikes(text: str, at: int) -> None:
     """Refuse what goes on, after the number, in a way that people read as a number."""
     rest = text[at : at + 2]
     if rest[:1] == "," and rest[1:] in tuple(DIGITS):
@@ -239,6 +240,11 @@ def rounding(text: str) -> float:
     A short number counts as three digits: 2m is meant as 2.00 m.  Products, fractions,
     multiples of pi and 0 are exact, but for the rounding of the arithmetic.
     """
-    typed = typed_digits(text[: read_number(text)[1]])
+    return relative_rounding(text[: read_number(text)[1]]) or EXACT
+
+
+def relative_rounding(number: str) -> float:
+    """Half a unit of the last digit of a decimal number, relative to it; 0 where it is none."""
+    typed = typed_digits(number)
     digits = typed[0].lstrip("0") if typed else ""
-    return 0.5 / float(digits.ljust(FEWEST_DIGITS, "0")) if digits else EXACT
+    return 0.5 / float(digits.ljust(FEWEST_DIGITS, "0")) if digits else 0.0

@@ -6,8 +6,7 @@ from itertools import product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, TooMany, quote
-from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides
-from radcalc.units.numbers import split_quantity
+from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides, split_value
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide, resolve
 
@@ -170,7 +169,7 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
         problem = f"'{quote(text)}' is a range, and has no uncertainties"
         raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
-    numbers = [split_quantity(part) for part in parts]
+    numbers = [split_value(part) for part in parts]
     units = [resolve_any(unit or "1") for _, unit in numbers]
     if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
         raise ConditionError(

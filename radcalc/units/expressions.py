@@ -1,0 +1,634 @@
+"""Arithmetic with units: `500 lx * 20 m2 / (0.6*0.8)`, `1 m + 2 ft`, `10^3 lx`.
+
+One pass over the text, bounded in length, depth and size.  Numbers are ratios of whole numbers
+until the answer is rounded once, and pi is the ratio of the table of units.
+
+    SUM     = [sign] PRODUCT { ("+" | "-") PRODUCT }
+    PRODUCT = TERM { ("*" | "/") TERM }
+    TERM    = (NUMBER | "(" SUM ")" | FUNCTION "(" SUM ")") [EXPONENT] { UNIT } | UNIT { UNIT }
+
+Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  What people read in two
+ways (`1/2 m` beside something else, `100 W / 5 W/m2`) is refused with both readings.
+"""
+
+import math
+
+from radcalc.errors import ExpressionError, NumberError, UnitError, measured, quote
+from radcalc.units.compiled import NAMES, UNITS
+from radcalc.units.grammar import (
+    MAX_DEPTH,
+    NAMED,
+    SAME,
+    SUPERSCRIPTS,
+    Scanner,
+    parse_unit,
+)
+from radcalc.units.numbers import (
+    DIGITS,
+    EXACT,
+    FUNCTIONS,
+    MAX_LENGTH,
+    MINUSES,
+    SIGNS,
+    read_term,
+    refuse_lookalikes,
+    relative_rounding,
+    typed_digits,
+)
+from radcalc.units.table import BASES, NUMBER, Dimension, Unit, lookup, resolve
+
+MAX_POWER = 1000  # of a number
+MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
+SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
+PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])
+COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td")  # in the order of BASES
+SINES = {0: 0, 30: 1, 90: 2, 150: 1}  # twice the sines of degrees that have exact ones
+TANGENTS = {0: 0, 45: 1, 135: -1}
+HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
+
+
+class Value:
+    """A number top / bottom in coherent SI units, and the units it was typed in, with powers.
+
+    `off` is how far it may be off as typed, relative to it.
+    """
+
+    __slots__ = ("bottom", "dimension", "off", "top", "units")
+
+    def __init__(
+        self,
+        top: int,
+        bottom: int = 1,
+        dimension: Dimension = NUMBER,
+        units: "dict[str, int] | None" = None,
+        off: float = 0.0,
+    ) -> None:
+        """Hold the ratio in lowest terms."""
+        common = math.gcd(top, bottom) or 1
+        self.top = top // common
+        self.bottom = bottom // common
+        self.dimension = dimension
+        self.units = units or {}
+        self.off = off
+        if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
+            raise ExpressionError("a number in the expression has too many digits", "fewer")
+
+    def times(self, other: "Value", power: int = 1) -> "Value":
+        """This value times a power of another."""
+        top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
+        if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
+            raise ExpressionError("a number in the expression has too many digits", "fewer")
+        if bottom == 0:
+            raise ExpressionError("the expression divides by zero", "a number other than 0")
+        if bottom < 0:
+            top, bottom = -top, -bottom
+        size = abs(power)
+        units = dict(self.units)
+        for name, exponent in other.units.items():
+            units[name] = units.get(name, 0) + power * exponent
+        return Value(
+            self.top * top**size,
+            self.bottom * bottom**size,
+            tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
+            {name: exponent for name, exponent in units.items() if exponent},
+            self.off + size * other.off,
+        )
+
+    def plus(self, other: "Value", sign: int) -> "Value":
+        """The sum, or the difference, in this value's unit."""
+        a, b = self.top * other.bottom, sign * other.top * self.bottom
+        off = 0.0
+        if a + b:
+            off = (abs(_divide(a, a + b)) * self.off) + abs(_divide(b, a + b)) * other.off
+        return Value(a + b, self.bottom * other.bottom, self.dimension, self.units, off)
+
+    def is_bare(self) -> bool:
+        """Whether it has no unit."""
+        return not self.units
+
+    def unit(self) -> Unit | None:
+        """The unit that it is shown in; None for a bare number."""
+        if self.dimension == NUMBER:
+            (name, power), *others = self.units.items() or [("", 0)]
+            return resolve(name) if power == 1 and not others and _is_part(name) else None
+        units = {name: power for name, power in self.units.items() if not _is_part(name)}
+        text = _unit_text(units)
+        try:
+            return resolve(text)
+        except UnitError as error:
+            if "multiplies light" not in error.message:  # as typed with a *, which is plain enough
+                raise
+            return resolve(f"({text})")
+
+
+PARTS = ("percent", "permille", "ppm", "ppb")
+
+
+def _is_part(name: str) -> bool:
+    found = lookup(name)
+    return found is not None and found[1] in PARTS
+
+
+def _divide(over: int, under: int) -> float:
+    try:
+        return over / under
+    except OverflowError:
+        return math.inf
+
+
+def _unit_text(units: dict[str, int]) -> str:
+    """Units with their powers as one writes them: W.h/m2."""
+
+    def factor(name: str, power: int) -> str:
+        if power == 1:
+            return name
+        name = f"({name})" if name.endswith("-1") else name
+        return f"{name}^{power}" if name[-1] in DIGITS else f"{name}{power}"
+
+    over = [factor(name, power) for name, power in units.items() if power > 0]
+    if not over:
+        return ".".join([factor(name, power) for name, power in units.items()])
+    under = [factor(name, -power) for name, power in units.items() if power < 0]
+    return "/".join([".".join(over), *under])
+
+
+class Term:
+    """A term of a product: its value, where it stands, and how it was written."""
+
+    __slots__ = ("end", "has_number", "middle", "start", "units", "value")
+
+    def __init__(
+        self, value: Value, start: int, middle: int, end: int, has_number: bool, units: int
+    ) -> None:
+        """Hold the value between `start` and `end`, of which the number ends at `middle`."""
+        self.value = value
+        self.start, self.middle, self.end = start, middle, end
+        self.has_number = has_number
+        self.units = units  # how many stand behind the number
+
+
+class Calculator(Scanner):
+    """One pass over the text of an expression."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.depth = 0
+        self.is_arithmetic = False  # and not a number with a unit that nobody can read
+
+    def error(self, problem: str, hint: str = "") -> ExpressionError:
+        return self.wrong(problem, hint or HINT)
+
+    def wrong(self, problem: str, hint: str = HINT) -> ExpressionError:
+        return ExpressionError(f"'{quote(self.text)}' {problem}", hint)
+
+    def two_ways(self, first: str, second: str) -> ExpressionError:
+        ways = " or ".join(quote(" ".join(way.split())) for way in (first, second))
+        return self.wrong("can be read in two ways", ways)
+
+    def slice(self, start: int, end: int) -> str:
+        return self.text[start:end].strip()
+
+    def answer(self) -> Value:
+        """The value of the whole text."""
+        value = self.sum()
+        if self.peek() == ")":
+            raise self.wrong("has a closing bracket too many", "as many ( as )")
+        if self.peek():
+            raise self.unreadable()
+        return value
+
+    def unreadable(self) -> ExpressionError:
+        rest = self.text[self.at :]
+        if rest[:1] in tuple(DIGITS) or rest[:1] in ("(", ".") or self.is_function():
+            return self.wrong(
+                f"runs two values together at '{quote(rest)}'", "a * or a + between them"
+            )
+        return self.wrong(f"cannot be read from '{quote(rest)}' on")
+
+    def sum(self) -> Value:
+        """Read terms that are added, up to the end or a closing bracket."""
+        self.skip_blanks()
+        is_negative = self.peek() in MINUSES and bool(self.peek())
+        if self.peek() and self.peek() in SIGNS:
+            self.at += 1
+            self.skip_blanks()
+        start = self.at
+        value, has_number = self.product(is_negative)
+        if is_negative:
+            value = value.times(Value(-1))
+        while self.peek() and self.peek() in SIGNS:
+            sign = -1 if self.peek() in MINUSES else 1
+            self.at += 1
+            self.is_arithmetic = True
+            self.skip_blanks()
+            if self.peek() and (self.peek() in SIGNS or self.peek() == "±"):
+                raise self.wrong(f"has two signs in a row at '{quote(self.text[self.at - 1 :])}'")
+            before = start
+            start = self.at
+            other, is_numbered = self.product()
+            if not has_number or not is_numbered:
+                bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
+                raise self.wrong(f"has no number at '{quote(bare)}'", f"1 {quote(bare)}")
+            self.refuse_unlike(value, other, sign, start)
+            value = value.plus(other, sign)
+        return value
+
+    def refuse_unlike(self, value: Value, other: Value, sign: int, start: int) -> None:
+        """Refuse the sum of two quantities that are not the same."""
+        units = value.unit(), other.unit()
+        (a, b) = [
+            (unit.dimension, unit.is_exitance, unit.has_wavelength) if unit else None
+            for unit in units
+        ]
+        if a == b or (value.dimension == other.dimension == NUMBER):
+            return
+        hint = "terms of one quantity"
+        if other.dimension == NUMBER and other.units:  # 100 lx + 10%
+            part = self.slice(start, self.at)
+            hint = f"{quote(self.slice(0, start - 1))} * (1 {'+' if sign > 0 else '-'} {part})"
+        named = [measured(unit.text) if unit else "a bare number" for unit in units]
+        link = " and " if sign > 0 else " from "
+        if sign < 0:
+            named.reverse()
+        raise ExpressionError(
+            f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}",
+            hint,
+        )
+
+    def product(self, is_negative: bool = False) -> tuple[Value, bool]:
+        """Read terms that are multiplied and divided; whether a number is among them."""
+        first = self.term(is_negative)
+        value, has_number = first.value, first.has_number
+        solidus: Term | None = None  # what was divided by last
+        while True:
+            self.skip_blanks()
+            sign_at = self.at
+            operator = self.times_ten() or (self.operator() if self.peek() else "")
+            if not operator:
+                return value, has_number
+            if self.text[sign_at : sign_at + 1] == "." and self.peek() in tuple(DIGITS):
+                raise self.wrong("has a point that may be a product", "a * for a product")
+            self.skip_blanks()
+            if not self.peek() or self.peek() == ")":
+                raise self.wrong(f"ends with '{quote(self.slice(sign_at, self.at))}'")
+            is_negative = self.peek() in tuple(MINUSES)
+            self.at += is_negative
+            self.is_arithmetic |= is_negative or self.begins_number()
+            term = self.term(is_negative)
+            if is_negative:
+                term.value = term.value.times(Value(-1))
+            if operator == "/":
+                self.refuse_two_ways(first.start, value, sign_at, term)
+            if solidus and not term.has_number and (operator == "*" or solidus.has_number):
+                left = self.slice(first.start, solidus.start).rstrip("/ ").removesuffix("per")
+                under = self.slice(solidus.start, term.end)
+                whole = self.slice(first.start, solidus.end)
+                rest = self.slice(sign_at, term.end)
+                raise self.two_ways(f"{left} / ({under})", f"({whole}) {rest}")
+            if operator == "/" and (term.units or not term.has_number):
+                solidus = term
+            elif term.has_number:
+                solidus = None
+            has_number |= term.has_number
+            value = value.times(term.value, 1 if operator == "*" else -1)
+
+    def times_ten(self) -> str:
+        """Read the x of 5x10^3."""
+        if self.peek() not in ("x", "X"):
+            return ""
+        start, self.at = self.at, self.at + 1
+        self.skip_blanks()
+        behind = self.text[self.at + 2 : self.at + 3]
+        if self.text.startswith("10", self.at) and (behind in ("^", "*") or behind in SUPERSCRIPTS):
+            return "*"
+        self.at = start
+        return ""
+
+    def refuse_two_ways(self, start: int, left: Value, solidus: int, term: Term) -> None:
+        """Refuse a divisor that people end at its number or at its unit: 1/2 m, 3/4pi, 1/m s."""
+        over = self.slice(start, solidus)
+        under = self.slice(term.start, term.end)
+        number, units = self.slice(term.start, term.middle), self.slice(term.middle, term.end)
+        digits = number.removesuffix("pi").removesuffix("π").strip()
+        has_pi = digits != number and digits[-1:] in (".", *DIGITS)
+        if term.has_number and left.is_bare() and has_pi:
+            ways = f"({over}*pi/{digits}) {units}", f"({over}/({number})) {units}"
+            raise self.two_ways(*ways)
+        if term.has_number and term.units and left.is_bare():
+            raise self.two_ways(f"({over}/{number}) {units}", f"{over}/({under})")
+        if not term.has_number and term.units > 1:
+            raise self.two_ways(f"{over} / ({under})", f"{over} / {under.replace(' ', ' * ', 1)}")
+        if term.has_number and not term.units and has_pi:
+            raise self.two_ways(f"{over}/({number})", f"{over}/{digits}*pi")
+        if term.value.top == 0:
+            raise self.wrong("divides by zero", "a number other than 0")
+
+    def term(self, is_negative: bool = False) -> Term:
+        """Read a number, a bracket or a function with the units behind it, or units alone."""
+        start = self.at
+        value = self.number(is_negative)
+        has_number = value is not None
+        middle = self.at
+        count = 0
+        self.skip_blanks()
+        begun = self.at
+        while self.begins_unit(has_number and not count):
+            end = self.at
+            self.factor(0)
+            count += 1
+            end = self.at
+            self.skip_blanks()
+        if count:
+            self.at = end
+            unit = self.unit(self.text[begun:end])
+            value = value.times(unit) if value else unit
+            self.skip_blanks()
+        if value is None:
+            if not self.peek() or self.peek() == ")":
+                raise self.wrong("has nothing where a number is meant")
+            raise self.unreadable()
+        return Term(value, start, middle, self.at, has_number, count)
+
+    def begins_unit(self, behind_number: bool) -> bool:
+        c = self.peek()
+        if not (c.isalpha() or c in NAMED or c == "_") or c in SUPERSCRIPTS or not c:
+            return False
+        if self.text[self.at : self.at + 4].lower() == "per " or self.is_function():
+            return False
+        return not (behind_number and self.is_times_ten())
+
+    def begins_number(self) -> bool:
+        """Whether a number, a bracket around one or a function stands here."""
+        if self.peek() == "(":
+            start, self.at = self.at, self.at + 1
+            self.skip_blanks()
+            found = self.begins_number()
+            self.at = start
+            return found
+        c = self.peek()
+        return c in (".", *DIGITS) or bool(self.is_function()) or self.pi_ends() > self.at
+
+    def is_times_ten(self) -> bool:
+        start = self.at
+        found = bool(self.times_ten())
+        self.at = start
+        return found
+
+    def is_function(self) -> str:
+        """The name of the function that stands here, or ''."""
+        return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
+
+    def exponent(self) -> int:
+        """Read the exponent of a unit; the sign of 1m+2m, and of 5m-2m, begins another term."""
+        if self.peek() and self.peek() in SIGNS:
+            end = self.at + 1
+            while self.text[end : end + 1] in tuple(DIGITS):
+                end += 1
+            behind = self.text[end : end + 1]
+            if self.peek() == "+" or behind.isalpha() or behind in (".", *NAMED):
+                return 1
+        return super().exponent()
+
+    def unit(self, text: str) -> Value:
+        """What a text of units that stand beside each other is worth."""
+        text = " ".join(text.split())
+        joined = text.lower().replace(" ", "_")
+        is_name = " " in text and joined in NAMES  # foot lambert
+        try:
+            unit = resolve(joined if is_name else text)
+        except UnitError:
+            from radcalc.units.scales import find
+
+            if find(text) is None:
+                raise
+            self.is_arithmetic = True
+            raise self.wrong(
+                f"calculates with {quote(text)}, which is read through a function",
+                "what it stands for in a unit",
+            ) from None
+        atoms = parse_unit(joined if is_name else text)
+        dimension = unit.dimension
+        units: dict[str, int] = {}
+        for name, power, _ in atoms:
+            units[name] = units.get(name, 0) + power
+        if len(unit.atoms) > len(atoms):  # an inverse length alone, read as a wavenumber
+            units = {f"{atoms[0][0]}-1": 1}
+            cycle = BASES.index("cycle")
+            dimension = (*dimension[:cycle], 0, *dimension[cycle + 1 :])
+        units = {name: power for name, power in units.items() if power}
+        return Value(unit.top, unit.bottom, dimension, units)
+
+    def number(self, is_negative: bool) -> Value | None:
+        """Read a number, a bracket or a function with its exponent; None where a unit begins."""
+        start = self.at
+        c = self.peek()
+        name = self.is_function()
+        if c == "(" or name:
+            self.at += len(name)
+            value = self.bracket()
+            if name:
+                value = self.function(name, value, start)
+        elif c in tuple(DIGITS) or c == "." or self.pi_ends() > self.at:
+            value = self.literal()
+        else:
+            return None
+        base_end = self.at
+        power = self.power()
+        if power is None:
+            return value
+        if is_negative and power % 2 == 0:
+            base, raised = self.slice(start, base_end), self.slice(start, self.at)
+            raise self.two_ways(f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})")
+        whole, _, part = self.slice(start, base_end).partition(".")
+        if part == "10" and whole:
+            shown = self.slice(base_end, self.at)
+            raise self.two_ways(f"{whole}*10{shown}", f"({whole}.10){shown}")
+        self.is_arithmetic = True
+        return Value(1).times(value, power) if power else Value(1)
+
+    def bracket(self) -> Value:
+        self.is_arithmetic |= self.begins_number()
+        if self.depth >= MAX_DEPTH:
+            raise self.wrong("has too many brackets", f"at most {MAX_DEPTH}, one in the other")
+        self.depth += 1
+        self.at += 1
+        value = self.sum()
+        if self.peek() != ")":
+            if self.peek():
+                raise self.unreadable()
+            raise self.wrong("has a bracket that is not closed", "as many ) as (")
+        self.at += 1
+        self.depth -= 1
+        return value
+
+    def pi_ends(self) -> int:
+        """Where a pi that stands here ends, or this place: 40piW has one, 3 picometre none."""
+        end = self.at + (2 if self.text.startswith("pi", self.at) else 1)
+        if not self.text.startswith(("pi", "π"), self.at):
+            return self.at
+        behind = end
+        while self.text[behind : behind + 1].isalpha():
+            behind += 1
+        if behind == end:
+            return end
+        is_unit = lookup(self.text[self.at : behind]) or not lookup(self.text[end:behind])
+        self.is_arithmetic |= not is_unit
+        return self.at if is_unit else end
+
+    def literal(self) -> Value:
+        """Read a decimal, with a pi behind it, or a pi."""
+        start = self.at
+        off = 0.0
+        value = Value(1)
+        if self.pi_ends() == start:
+            _, self.at, _ = read_term(self.text, start)
+            decimal = self.text[start : self.at]
+            if self.peek() not in SUPERSCRIPTS:
+                refuse_lookalikes(self.text, self.at)
+            digits, power = typed_digits(decimal) or ("0", 0)
+            top = int(digits)
+            power = power if top else 0
+            if "." in decimal or "e" in decimal.lower():
+                off = relative_rounding(decimal)
+            value = Value(top * 10 ** max(power, 0), 10 ** max(-power, 0), off=off)
+        here = self.at
+        if here > start:
+            self.skip_blanks()
+        end = self.pi_ends()
+        if end > self.at:
+            self.is_arithmetic |= self.at > here > start
+            self.at = end
+            return value.times(Value(*PI))
+        self.at = here
+        return value
+
+    def power(self) -> int | None:
+        """Read the exponent of a number or a bracket, a whole number; None where there is none."""
+        before = self.at
+        self.skip_blanks()
+        if self.text.startswith("**", self.at):
+            self.at += 2
+        elif self.peek() == "^":
+            self.at += 1
+        elif self.peek() not in SUPERSCRIPTS:
+            self.at = before
+            return None
+        self.is_arithmetic = True
+        self.skip_blanks()
+        start = self.at
+        digits = ""
+        if self.peek() in SUPERSCRIPTS:
+            while self.peek() in SUPERSCRIPTS:
+                digits += SUPERSCRIPTS[self.peek()]
+                self.at += 1
+        else:
+            closes = self.peek() == "("
+            self.at += closes
+            if self.peek() and self.peek() in SIGNS:
+                digits = "-" if self.peek() in MINUSES else ""
+                self.at += 1
+            while self.peek() and self.peek() in DIGITS:
+                digits += self.peek()
+                self.at += 1
+            if closes:
+                if self.peek() != ")":
+                    digits = ""
+                self.at += 1
+        size = digits.lstrip("+-")
+        shown = quote(self.text[start:])
+        if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):
+            raise self.wrong(f"has an exponent at '{shown}' that is not a whole number", "one")
+        if len(size) > 4 or int(size) > MAX_POWER:
+            raise self.wrong(f"has an exponent too large at '{shown}'", f"at most {MAX_POWER}")
+        here = self.at
+        self.skip_blanks()
+        if self.peek() == "^" or self.text.startswith("**", self.at):
+            raise self.wrong("has an exponent on an exponent", "brackets around one of them")
+        self.at = here
+        return int(digits.replace("+", ""))
+
+    def function(self, name: str, value: Value, start: int) -> Value:
+        """The value of a function of radians, of a bare number, or a root."""
+        self.is_arithmetic = True
+        shown = quote(self.slice(start, self.at))
+        if name == "sqrt":
+            return self.root(value, shown)
+        angle = BASES.index("angle")
+        wanted = tuple([int(i == angle) for i in range(len(BASES))])
+        if name in ("sin", "cos", "tan"):
+            if value.dimension != wanted:
+                hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
+                raise self.wrong(f"has no angle in {shown}", hint)
+            degrees, rest = divmod(value.top * PI[1] * 180, value.bottom * PI[0])
+            turned = degrees + 90 if name == "cos" else degrees
+            if name == "tan" and not rest and degrees % 180 in TANGENTS:
+                return Value(TANGENTS[degrees % 180])
+            if name != "tan" and not rest and turned % 180 in SINES:
+                return Value(SINES[turned % 180] * (1 if turned % 360 < 180 else -1), 2)
+        elif value.dimension != NUMBER:
+            unit = value.unit()
+            raise self.wrong(
+                f"has {measured(unit.text) if unit else 'a unit'} in {shown}", "a bare number"
+            )
+        try:
+            found = getattr(math, "log" if name == "ln" else name)(value.top / value.bottom)
+        except (OverflowError, ValueError):
+            raise self.wrong(f"has no value for {shown}", "another number") from None
+        return Value(*found.as_integer_ratio())
+
+    def root(self, value: Value, shown: str) -> Value:
+        """The square root, exact where it is a ratio of whole numbers."""
+        if value.top < 0 or any(power % 2 for power in value.dimension):
+            raise self.wrong(f"has no value for {shown}", "a square, such as 4 m2")
+        top, bottom = math.isqrt(value.top), math.isqrt(value.bottom)
+        if top * top != value.top or bottom * bottom != value.bottom:
+            shift = 256  # of binary digits, far more than a float has
+            top = math.isqrt((value.top << (2 * shift)) // value.bottom)
+            bottom = 1 << shift
+        dimension = tuple([power // 2 for power in value.dimension])
+        units = {name: power // 2 for name, power in value.units.items()}
+        if any(power % 2 for power in value.units.values()):
+            pairs = zip(COHERENT, dimension, strict=True)
+            units = {name: power for name, power in pairs if power}
+        return Value(top, bottom, dimension, units, value.off / 2)
+
+
+def evaluate(text: str) -> Value | None:
+    """The value of an expression; None where the text is a number and a unit, or neither.
+
+    Raises RadcalcError for arithmetic that has no value, or has two readings.
+    """
+    if len(text) > MAX_LENGTH:
+        return None
+    plain = "".join([SAME.get(c, c) for c in text]).strip()
+    calculator = Calculator(plain)
+    begun = plain[:1]
+    if not (begun in ("(", ".", *SIGNS, *DIGITS) or calculator.is_function() or begun in "pπ"):
+        return None
+    try:
+        value = calculator.answer()
+    except (NumberError, UnitError):
+        if not calculator.is_arithmetic:
+            return None
+        raise
+    return value if calculator.is_arithmetic else None
+
+
+def read_expression(text: str) -> tuple[float, Unit | None, float] | None:
+    """The number and the unit of an expression, and how far it may be off as typed.
+
+    None where the text is none.
+    """
+    value = evaluate(text)
+    if value is None:
+        return None
+    unit = value.unit()
+    top, bottom = value.top, value.bottom
+    if unit:
+        top, bottom = top * unit.bottom, bottom * unit.top
+    number = _divide(top, bottom)
+    if math.isinf(number):
+        raise ExpressionError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
+    if abs(number) < SMALLEST and top:
+        raise ExpressionError(f"'{quote(text)}' is too small for a number", "more than 2.3e-308")
+    return number, unit, max(value.off, EXACT)
