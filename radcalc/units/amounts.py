@@ -154,7 +154,10 @@ def _read_plain(text: str, dimensions: "Sequence[Dimension]") -> Amount:
         raise NumberError(
             f"'{quote(text)}' is not a number and a unit", "a number such as 1000 or 1.5e3"
         )
-    return _amount(text, number, _unit(text, unit) if unit else None, 0.0, dimensions)
+    amount = _amount(text, number, _unit(text, unit) if unit else None, 0.0, dimensions)
+    if "+" in unit.replace("^+", "").replace("*+", ""):  # 5m+2 cm is a sum, and not m2 cm
+        raise NumberError(f"'{quote(text)}' is not a number and a unit", "m^2 for a power")
+    return amount
 
 
 def with_unit(amount: Amount, unit: str) -> Amount:

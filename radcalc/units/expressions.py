@@ -229,11 +229,12 @@ class Calculator(Scanner):
             if not has_number or not is_numbered:
                 bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
                 raise self.wrong(f"has no number at '{quote(bare)}'", f"1 {quote(bare)}")
-            self.refuse_unlike(value, other, sign, start)
+            left = self.slice(before, start).rstrip(f"{SIGNS} ")
+            self.refuse_unlike(value, other, sign, left, self.slice(start, self.at))
             value = value.plus(other, sign)
         return value
 
-    def refuse_unlike(self, value: Value, other: Value, sign: int, start: int) -> None:
+    def refuse_unlike(self, value: Value, other: Value, sign: int, left: str, part: str) -> None:
         """Refuse the sum of two quantities that are not the same."""
         units = value.unit(), other.unit()
         (a, b) = [
@@ -244,8 +245,7 @@ class Calculator(Scanner):
             return
         hint = "terms of one quantity"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
-            part = self.slice(start, self.at)
-            hint = f"{quote(self.slice(0, start - 1))} * (1 {'+' if sign > 0 else '-'} {part})"
+            hint = f"{quote(left)} * (1 {'+' if sign > 0 else '-'} {quote(part)})"
         named = [measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:
@@ -537,7 +537,9 @@ class Calculator(Scanner):
         size = digits.lstrip("+-")
         shown = quote(self.text[start:])
         if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):
-            raise self.wrong(f"has an exponent at '{shown}' that is not a whole number", "one")
+            raise self.wrong(
+                f"has an exponent at '{shown}' that is not a whole number", "a whole number"
+            )
         if len(size) > 4 or int(size) > MAX_POWER:
             raise self.wrong(f"has an exponent too large at '{shown}'", f"at most {MAX_POWER}")
         here = self.at

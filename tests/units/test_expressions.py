@@ -1,0 +1,189 @@
+"""Arithmetic with units, by definitions; `fuzz/expressions.py` holds it against Pint."""
+
+import math
+
+import pytest
+from helpers import shell
+
+import radcalc
+from radcalc.conversion.plan import plan
+from radcalc.errors import ExpressionError, RadcalcError
+from radcalc.given import read
+from radcalc.homework.answer import read_claim
+from radcalc.units.amounts import read_amount, split_value
+from radcalc.units.ranges import read_series
+from radcalc.units.table import resolve
+
+# text, number, unit: exact by the definitions of the units (foot 0.3048 m, inch 0.0254 m)
+READ = {
+    "500 lx * 20 m2 / (0.6*0.8)": (62500 / 3, "lx.m2"),
+    "800 lm / 2 m2": (400.0, "lm/m2"),
+    "800 lm per 2 m2": (400.0, "lm/m2"),
+    "100 lx/2 m": (50.0, "lx/m"),
+    "6 lx / 2 m2 * 3": (9.0, "lx/m2"),
+    "1 m + 2 ft": (1.6096, "m"),
+    "1 h + 30 min": (1.5, "h"),
+    "5m*4m": (20.0, "m2"),
+    "1m+1m": (2.0, "m"),
+    "5m-2m": (3.0, "m"),
+    "33m+7 cm": (33.07, "m"),
+    "5 m -2 m": (3.0, "m"),
+    "3 m * -2": (-6.0, "m"),
+    "10^3 lx": (1000.0, "lx"),
+    "10**3 lx": (1000.0, "lx"),
+    "10³ lx": (1000.0, "lx"),
+    "5x10^3 lx": (5000.0, "lx"),
+    "5 x 10^-3 lx": (0.005, "lx"),
+    "5×10³ lx": (5000.0, "lx"),
+    "2·10⁻³ lx": (0.002, "lx"),
+    "(-2)^2 m": (4.0, "m"),
+    "2^-3 m": (0.125, "m"),
+    "(10^10)^10 m": (1e100, "m"),
+    "(2 m)^2": (4.0, "m2"),
+    "40piW": (40 * math.pi, "W"),
+    "2 pi rad": (2 * math.pi, "rad"),
+    "4pi sr / pi": (4.0, "sr"),
+    "180 deg / (pi rad)": (1.0, None),
+    "800 lm/4pi sr": (800 / (4 * math.pi), "lm/sr"),
+    "60deg/2": (30.0, "deg"),
+    "(1+2)": (3.0, None),
+    "(1+2) lx": (3.0, "lx"),
+    "100 lx / 2 lx": (50.0, None),
+    "1 m / 1 in": (1 / 0.0254, None),
+    "500 lx * 80%": (400.0, "lx"),
+    "50% + 30%": (80.0, "percent"),
+    "0.1 m + 0.2 m": (0.3, "m"),  # which floats make 0.30000000000000004
+    "1/(500 nm)": (0.002, "nm-1"),
+    "10 W / 5 cm-1": (2.0, "W/cm-1"),
+    "0.5 cm-1 * 2 cm": (1.0, None),
+    "500 W m-2 * 2 m2": (1000.0, "W"),
+    "5 W * 3 m": (15.0, "(W.m)"),
+    "sqrt(4 m2)": (2.0, "m"),
+    "sqrt(2) m": (math.sqrt(2), "m"),
+    "500 lx * cos(60deg)": (250.0, "lx"),
+    "sin(210deg)": (-0.5, None),
+    "cos(0.1 rad)": (math.cos(0.1), None),
+    "tan(45deg)": (1.0, None),
+    "ln(10)": (math.log(10), None),
+    "log10(1000)": (3.0, None),
+    "exp(-1)": (math.exp(-1), None),
+    "2 * 3 foot lambert": (6.0, "foot_lambert"),
+    "\u2212(1 lx + 2 lx)": (-3.0, "lx"),
+}
+
+
+@pytest.mark.parametrize("text", READ)
+def test_an_expression_is_worked_out_and_rounded_once(text):
+    amount = read_amount(text)
+    assert (amount.number, amount.unit.text if amount.unit else None) == READ[text]
+    assert amount.text == text
+
+
+# What was read before there were expressions keeps its reading.
+PLAIN = {
+    "1/2 m": (0.5, "m"),
+    "100/2 m": (50.0, "m"),
+    "2*100 lx": (200.0, "lx"),
+    "4pi sr": (4 * math.pi, "sr"),
+    "5 W m-2": (5.0, "W m-2"),
+    "3 picometre": (3.0, "picometre"),
+    "5 m^+2": (5.0, "m^+2"),
+}
+
+
+@pytest.mark.parametrize("text", PLAIN)
+def test_a_number_with_a_unit_is_no_expression(text):
+    amount = read_amount(text)
+    assert (amount.number, amount.unit.text, amount.rounding) == (*PLAIN[text], None)
+
+
+REFUSED = {
+    "100 lx + 5 lm": ("cannot add illuminance (lx) and luminous flux (lm)", "one quantity"),
+    "100 lx - 5 lm": ("cannot subtract luminous flux (lm) from illuminance (lx)", "one quantity"),
+    "100 lx + 3": ("illuminance (lx) and a bare number", "one quantity"),
+    "30deg + 0.5": ("angle (deg) and a bare number", "one quantity"),
+    "100 lx + 10%": ("cannot add", "100 lx * (1 + 10%)"),
+    "100 radlux + 5 lx": ("luminous exitance (radlux) and illuminance (lx)", "one quantity"),
+    "1 W/m2/nm + 1 W/m3 * 1": ("cannot add", "one quantity"),
+    "1/2 m + 1/2 m": ("two ways", "(1/2) m or 1/(2 m)"),
+    "2 * pi / 3 rad": ("two ways", "(2 * pi/3) rad or 2 * pi/(3 rad)"),
+    "100 W / 5 W/m2": ("two ways", "100 W / (5 W/m2) or (100 W / 5 W) /m2"),
+    "800 lm / 4pi": ("two ways", "800 lm/(4pi) or 800 lm/4*pi"),
+    "5.10^3 lx": ("two ways", "5*10^3 or (5.10)^3"),
+    "-2^2 m": ("two ways", "(-2)^2 or -(2^2)"),
+    "10**10**10": ("an exponent on an exponent", "brackets"),
+    "9^9^9": ("an exponent on an exponent", "brackets"),
+    "2^1000000": ("an exponent too large", "at most 1000"),
+    "(9^999)^999": ("too many digits", "fewer"),
+    "2^0.5 m": ("not a whole number", "a whole number"),
+    "1 lx/(2-2)": ("divides by zero", "other than 0"),
+    "0^-1 * 2": ("divides by zero", "other than 0"),
+    "1e300 lx * 1e300 lx": ("too large", "1.8e308"),
+    "1e-300 lx * 1e-300 lx": ("too small", "2.3e-308"),
+    "2 * (3 lx": ("a bracket that is not closed", ")"),
+    "(2 * 3)) lx": ("a closing bracket too many", "("),
+    "(" * 17 + "1" + ")" * 17: ("too many brackets", "at most 16"),
+    "2 * 3 zork": ("unknown unit 'zork'", "units"),
+    "(1+2)(3+4) lx": ("runs two values together", "*"),
+    "3 lx * 2 3": ("runs two values together at '3'", "*"),
+    "5 m + -3 m": ("two signs in a row", "arithmetic"),
+    "5 lx +": ("has nothing where a number is meant", "arithmetic"),
+    "5 lx + lx": ("has no number at 'lx'", "1 lx"),
+    "500 lx * cos(60)": ("no angle in cos(60)", "cos(30deg)"),
+    "exp(1000)": ("no value for exp(1000)", "another number"),
+    "sqrt(2 m)": ("no value for sqrt(2 m)", "a square"),
+    "ln(2 m)": ("length (m) in ln(2 m)", "a bare number"),
+    "10 dBm + 3 dBm": ("calculates with dBm", "stands for"),
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_has_no_value_or_two_is_refused(text):
+    with pytest.raises(RadcalcError) as caught:
+        read_amount(text)
+    message, hint = shell(caught.value)
+    assert REFUSED[text][0] in message
+    assert REFUSED[text][1] in hint
+
+
+@pytest.mark.parametrize(
+    "text", ["100 zork", "abc", "lx*2", "5 lx * (", "2 3 m", "1,5 lx", "5 W*m", "5 W/m2 sr"]
+)
+def test_what_is_no_arithmetic_has_the_error_of_a_number_or_a_unit(text):
+    with pytest.raises(RadcalcError) as caught:
+        read_amount(text)
+    assert not isinstance(caught.value, ExpressionError)
+
+
+@pytest.mark.parametrize(
+    "text", ["((1" * 300, "2^" * 400 + "2", "9*" * 400 + "9", "1+" * 499 + "1"]
+)
+def test_a_long_text_is_soon_done_with(text):
+    """As many steps as letters; the sum of bare numbers and a unit is none."""
+    with pytest.raises(RadcalcError):
+        read_amount(f"{text} lx")
+
+
+def test_a_decimal_in_an_expression_is_as_rounded_as_it_was_typed():
+    """Half a hundredth of 2.50, and of 4.00, relative to each; whole numbers are exact."""
+    assert read("area", "5m*4m").rounding == pytest.approx(1e-9)
+    assert read("area", "2.50m*4.00m").rounding == pytest.approx(0.005 / 2.5 + 0.005 / 4)
+    assert read("distance", "2.50m + 7.5 m").rounding == pytest.approx((0.005 + 0.005) / 10)
+
+
+def test_expressions_are_read_wherever_a_value_is():
+    assert read("distance", "1 m + 2 ft").value == pytest.approx(1.6096)
+    assert read("range", "300nm*2:1um - 300nm").value == (600.0, 700.0)
+    assert [read("distance", one).value for one in read_series("1m+1m,3m")] == [2.0, 3.0]
+    assert read_series("1m:1m+2m:2m/2") == ["1m", "2m", "3m"]
+    assert split_value("(1+2) m") == (3.0, "m")
+    claim = read_claim("illuminance=2 * 12.5 lx")
+    assert (claim.value, claim.unit) == (25.0, "lx")
+    assert claim.half_unit == pytest.approx(25 * 0.05 / 12.5)
+    assert radcalc.convert("2*100 lx + 1 klx", "lx").magnitude == 1200.0
+    assert radcalc.Quantity("500 lx * 20 m2").to("lm").magnitude == 10000.0
+
+
+def test_a_product_is_the_quantity_that_it_measures():
+    amount = read_amount("500 lx * 20 m2 / 0.5")
+    assert plan(amount.unit, resolve("klm")).apply(amount.number) == 20.0
