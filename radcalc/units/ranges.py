@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, NumberError, TooMany, quote
+from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
 from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides, split_value
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide, resolve
@@ -68,6 +68,7 @@ def read_values(text: str) -> list[str]:
     unit = ""
     if not any(map(_unit_in, others)):
         unit = _unit_in(last)
+        unit = unit if last.rstrip().endswith(unit) else ""
         last = last.removesuffix(unit).strip()
     values = read_series(mark.join([*others, last]))
     if unit and len(values) > 1:
@@ -82,8 +83,8 @@ def read_values(text: str) -> list[str]:
 def _unit_in(text: str) -> str:
     """What stands behind the number that a text begins with; '' where none does."""
     try:
-        return split_quantity(text)[1]
-    except NumberError:
+        return split_value(text)[1]
+    except RadcalcError:
         return ""
 
 
