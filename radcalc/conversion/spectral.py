@@ -21,6 +21,7 @@ from radcalc.quantities.light import (
     RATIOS,
     Reading,
     is_per_length,
+    name_of,
 )
 from radcalc.quantities.symbols import EFFICACIES
 from radcalc.spectra.observers import (
@@ -33,6 +34,7 @@ from radcalc.spectra.observers import (
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.units.dimensions import FREQUENCY, LENGTH, WAVENUMBER
 from radcalc.units.numbers import parse_number
+from radcalc.units.table import Photosynthetic
 
 if TYPE_CHECKING:
     from radcalc.conversion.bridges import Bridge, Links
@@ -102,7 +104,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         )
     if PHOTON in (over, under):
         from radcalc.laws import photon
-        from radcalc.spectra.spectrum import PAR
+        from radcalc.spectra.spectrum import OUTSIDE, PAR
 
         found = f"{format_number(energy)} J"
         steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, found),)
@@ -112,7 +114,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
         low, high = (end * 1e-9 for end in PAR)
         outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
         if maths.any_true(outside):
-            notes += (f"{given.text} lies outside 400-700 nm, where PPFD is counted",)
+            notes += (f"{given.text} {OUTSIDE}",)
     unit = KIND_UNITS[over, under]
     if LUMINOUS not in (over, under):
         symbol, value = "Q", energy
@@ -338,7 +340,23 @@ def band_axis(given: Given) -> str:
 
 def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
     """What stands between two kinds, and between two axes of spectral density."""
-    return [*_kind(bridge, start, end), *_axis(bridge, start, end)]
+    links = [*_kind(bridge, start, end), *_axis(bridge, start, end)]
+    if isinstance(bridge.target, Photosynthetic):
+        _refuse_other_photons(bridge, bridge.target, links)
+    return links
+
+
+def _refuse_other_photons(bridge: "Bridge", target: Photosynthetic, links: "Links") -> None:
+    """Refuse a PPFD of photons that are not from 400 nm to 700 nm."""
+    from radcalc.spectra.spectrum import OUTSIDE, PAR
+
+    asked = bridge.conditions.given.get("photon-range")
+    notes = [note for factor, _ in links for note in factor.notes]
+    if (asked and tuple(asked.value) != PAR) or any(OUTSIDE in note for note in notes):
+        raise ConditionError(
+            f"{quote(target.name)} counts photons from 400 nm to 700 nm alone",
+            f"{name_of(target).replace(' ', '-')} in place of {quote(target.name)}",
+        )
 
 
 def _wavelength(bridge: "Bridge") -> Light | None:

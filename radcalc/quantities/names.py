@@ -296,6 +296,7 @@ PARTS = {
     "sun": ("{} od Slunce", "{} от Солнца"),
 }
 
+PPFD, PPF = ("ppfd", "photosynthetic photon flux density", "par"), ("ppf",)
 # What people say instead: the terms, then the quantity that is meant by its symbol, and why.
 MISNOMERS = (
     (
@@ -395,11 +396,11 @@ MISNOMERS = (
         "of a beam that meets a surface squarely the fluence, or dose, is its radiant exposure",
     ),
     (
-        ("ppfd", "photosynthetic photon flux density", "par"),
+        PPFD,
         "E_p",
         "PPFD is the photon irradiance from 400 nm to 700 nm, mostly in umol/m2/s",
     ),
-    (("ppf",), "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, mostly in umol/s"),
+    (PPF, "Φ_p", "PPF is the photon flux from 400 nm to 700 nm, mostly in umol/s"),
     (("throughput", "geometrical extent"), "G", "that is the etendue of a beam"),
     (
         ("W m-1 sr-1", "W/m/sr", "Вт м-1 ср-1", "Вт/м/ср"),

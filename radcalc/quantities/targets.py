@@ -8,12 +8,12 @@ from typing import NamedTuple
 from radcalc.errors import UnitError, manual, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import EXITANCES, KINDS, read
-from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
+from radcalc.quantities.names import MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import Other, called, fold, index
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import Exitance, Unit, resolve, suggest, unit_of
+from radcalc.units.table import Exitance, Photosynthetic, Unit, resolve, suggest, unit_of
 
 # Names that serve every kind of light: the source decides which.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
@@ -48,7 +48,13 @@ def named(text: str, source: Unit | None = None) -> Unit:
         raise _without_unit(text) or _unknown(text)
     if len(meanings) > 1:
         raise _ambiguous(text, meanings)
-    return meanings[0].as_unit()
+    unit = meanings[0].as_unit()
+    if fold(text) in (*PPFD, *PPF):
+        unit = Photosynthetic(
+            unit.text, unit.top, unit.bottom, unit.dimension, unit.atoms, unit.notes
+        )
+        unit.name = text
+    return unit
 
 
 def is_name(text: str) -> bool:

@@ -15,6 +15,7 @@ Range = tuple[float, float]
 WHOLE: Range = (0.0, math.inf)
 VISIBLE: Range = (380.0, 780.0)
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
+OUTSIDE = "lies outside 400-700 nm, where PPFD is counted"
 
 
 def range_text(limits: Range) -> str:
@@ -175,7 +176,7 @@ class Lines(Spectrum):
         """Hold the lines; all their photons are counted."""
         notes: tuple[str, ...] = ()
         if any(not PAR[0] <= place <= PAR[1] for place, _ in lines):
-            notes = ("a line lies outside 400-700 nm, where PPFD is counted; it counts here",)
+            notes = (f"a line {OUTSIDE}; it counts here",)
         super().__init__(label, WHOLE, notes)
         self.lines = lines
         self.longest = max(lines)[0]

@@ -102,6 +102,16 @@ class Exitance(Unit):
     is_exitance = True
 
 
+class Photosynthetic(Unit):
+    """A unit of the photons from 400 nm to 700 nm alone, by the name of PPFD or PPF.
+
+    `name` is what was typed.
+    """
+
+    __slots__ = ("name",)
+    name: str
+
+
 def divide(over: int, under: int) -> float:
     """The quotient of two whole numbers, rounded once; infinite where a float cannot hold it."""
     try:

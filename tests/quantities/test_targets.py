@@ -127,6 +127,30 @@ def test_a_quantity_that_no_unit_tells_from_another_is_no_target(text):
         target_of(text)
 
 
+@pytest.mark.parametrize(
+    ("name", "conditions"),
+    [
+        ("ppfd", {"wavelength": "900nm"}),
+        ("PPFD", {"wavelength": "399nm"}),
+        ("ppfd", {"spectrum": "line:850nm"}),
+        ("ppfd", {"spectrum": "D65", "photon_range": "300nm:800nm"}),
+    ],
+)
+def test_ppfd_is_of_no_photons_beyond_400_and_700_nm(name, conditions):
+    with pytest.raises(radcalc.errors.RadcalcError, match="400 nm to 700 nm alone"):
+        radcalc.convert("1 W/m2", name, **conditions)
+    assert radcalc.convert("1 W/m2", "photon irradiance", **conditions).magnitude > 0
+
+
+def test_ppfd_of_a_wavelength_within_is_its_photons():
+    # E lambda / (h c N_A) = 1 * 600e-9 / (6.62607015e-34 * 299792458 * 6.02214076e23) mol/m2/s
+    expected = 600e-9 / (6.62607015e-34 * 299792458 * 6.02214076e23) * 1e6
+    found = radcalc.convert("1 W/m2", "ppfd", wavelength="600nm")
+    assert found.magnitude == pytest.approx(expected, rel=1e-12)
+    same = radcalc.convert("1 W/m2", "ppfd", spectrum="D65", photon_range="400nm:700nm")
+    assert same == radcalc.convert("1 W/m2", "ppfd", spectrum="D65")
+
+
 def test_what_leaves_a_surface_is_not_what_arrives():
     # Half of 100 lm/m2 leaves a surface of reflectance 0.5; 1 W at 555 nm is 683 lm (SI, Kcd)
     assert name_of(target_of("radiant exitance")) == "radiant exitance"
