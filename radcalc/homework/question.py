@@ -71,15 +71,16 @@ def of_conversion(
     def work_out(inputs: Inputs) -> Answer:
         value = inputs[""].value if "" in inputs else number
         made = plan(source, target, [one for name, one in inputs.items() if name])
-        name = name_of(target)
+        unit = made.target  # of a scale the reading that was meant
+        name = name_of(unit)
         result = Value(
             "value",
             name or "value",
-            symbol_of(target),
-            made.quantity(value) * target.factor,
-            (target.dimension,),
-            (target.text,),
-            also=result_name(target),
+            symbol_of(unit),
+            made.quantity(value) * unit.factor,
+            (unit.dimension,),
+            (unit.text,),
+            also=result_name(unit),
         )
         return Answer([result], made.assumptions, made.notes, made.derive(value) if steps else ())
 

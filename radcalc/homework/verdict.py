@@ -65,9 +65,25 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     target, unit_text, is_of_another = _target(question, said, tolerance)
     unit = resolve_any(unit_text)
     if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
-        unit = unit.measures((*target.dimensions, *target.reach))
-        said, unit = _stands_for(said, unit), unit.unit
-        unit_text = unit.text
+        scale = unit.measures((*target.dimensions, *target.reach))
+        if is_of_another:
+            return _judged(question, said, target, scale.unit.text, True, tolerance, asked)
+        meant = _stands_for(said, scale), target, scale.unit.text, False
+        return _in_readings(_judged(question, *meant, tolerance, asked), said, scale)
+    return _judged(question, said, target, unit_text, is_of_another, tolerance, asked)
+
+
+def _judged(
+    question: Question,
+    said: Claim,
+    target: Value,
+    unit_text: str,
+    is_of_another: bool,
+    tolerance: str,
+    asked: str | None,
+) -> Verdict:
+    """Judge an answer that is meant for one of the results, in a unit."""
+    unit = resolve_any(unit_text)
     right = in_unit(target, unit)
     if not isinstance(right, float):
         raise ConditionError(
@@ -122,8 +138,31 @@ def _stands_for(said: Claim, scale: ScaleUnit) -> Claim:
     return said._replace(
         value=scale.quantity(said.value),
         unit=scale.unit.text,
+        uncertainty=said.uncertainty * slope,
         half_unit=said.half_unit * slope,
         widest=said.widest * slope,
+    )
+
+
+def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
+    """A verdict with readings for what they stand for, which have no ratio."""
+    right = scale.reading(verdict.right)
+    tolerance = verdict.tolerance
+    if tolerance.startswith("within"):
+        tolerance += " of what it stands for"
+    diagnoses = tuple(
+        _rounded(said, right) if one.mistake == ROUNDED else one for one in verdict.diagnoses
+    )
+    return verdict._replace(
+        right=right,
+        unit=scale.text,
+        claimed=said.value,
+        claimed_unit=scale.text,
+        ratio=None,
+        tolerance=tolerance,
+        diagnoses=diagnoses,
+        uncertainty=verdict.uncertainty / abs(scale.slope(right)),
+        claimed_uncertainty=said.uncertainty,
     )
 
 

@@ -13,6 +13,8 @@ from radcalc.errors import ConditionError, NumberError, RadcalcError
 from radcalc.given import read
 from radcalc.homework import Question, Verdict, check
 from radcalc.homework.question import of_calculator, of_conversion
+from radcalc.units.amounts import read_amount
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
 
@@ -147,6 +149,8 @@ import sys
 from radcalc.given import read
 from radcalc.homework import check
 from radcalc.homework.question import of_conversion
+from radcalc.units.amounts import read_amount
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
 given = [read("distance", "2m"), read("incidence", "50deg")]
@@ -179,3 +183,29 @@ def test_the_library_refuses_by_exceptions():
         check(question, "flux=3lm")
     with pytest.raises(RadcalcError):
         check(question, "solid-angle=0.7sr", "0sf")
+
+
+@pytest.mark.parametrize(
+    ("value", "target", "claim", "is_right", "right", "unit"),
+    [
+        # lb(1000 / 2.5) = 8.6439, and half a unit of the last digit typed leaves more than 1 %
+        ("1000 lx", "EV", "8.6", True, 8.6439, "EV"),
+        ("1000 lx", "EV", "8.7", False, 8.6439, "EV"),
+        ("1000 lx", "EV", "9.64", False, 8.6439, "EV"),
+        # 10 lg 10 = 10; 0.05 dB are 1.2 %, and 0.04 dB are 0.9 %
+        ("10 mW", "dBm", "10", True, 10.0, "dBm"),
+        ("10 mW", "dBm", "10.05", False, 10.0, "dBm"),
+        ("10 mW", "dBm", "10.04", True, 10.0, "dBm"),
+        ("10 mW", "dBm", "10mW", True, 10.0, "mW"),
+        ("10 mW", "dBm", "10lx", False, 10.0, "mW"),
+        ("10 dBm", "mW", "10dBm", True, 10.0, "dBm"),
+    ],
+)
+def test_an_answer_on_a_scale_is_judged_by_what_it_stands_for(
+    value, target, claim, is_right, right, unit
+):
+    amount = read_amount(value)
+    number, source = amount.typed
+    judged = check(of_conversion(number, source, resolve_any(target), []), claim)
+    assert (judged.is_right, judged.unit) == (is_right, unit)
+    assert judged.right == pytest.approx(right, abs=1e-4)
