@@ -161,6 +161,13 @@ def resolve(text: str) -> Unit:
     return unit
 
 
+def _is_celsius(spelling: str) -> bool:
+    from radcalc.units.scales import degree
+
+    unit = degree(spelling)
+    return unit is not None and unit.top == unit.bottom
+
+
 def unit_of(text: str) -> Unit | None:
     """A text as a unit; None where it is none, at the cost of no suggestions."""
     try:
@@ -195,6 +202,9 @@ def _read(text: str) -> Unit | str:
         if spelling == "1":
             continue
         found = lookup(spelling)
+        if found is None and (len(parsed) > 1 or exponent != 1) and _is_celsius(spelling):
+            found = "", "kelvin"
+            notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
         if found is None:
             return _in_another_language(text) or spelling
         prefix, name = found

@@ -85,3 +85,17 @@ def test_a_wavenumber_is_told_from_a_length():
     assert per_kayser.dimension != resolve("W/m").dimension
     assert "wavenumber" in per_kayser.notes[0]
     assert resolve("W cm-2 sr-1 um-1").dimension == resolve("flick").dimension
+
+
+@pytest.mark.parametrize("text", ["J/kg/°C", "J/(kg degC)", "J kg-1 celsius-1", "J/kg/℃"])
+def test_a_degree_celsius_in_a_product_is_a_difference(text):
+    """As the SI brochure has it: the unit degree Celsius is equal in size to the kelvin."""
+    unit, coherent = resolve(text), resolve("J/kg/K")
+    assert (unit.dimension, unit.factor) == (coherent.dimension, coherent.factor)
+    assert "a difference" in unit.notes[0]
+
+
+@pytest.mark.parametrize("text", ["°C", "celsius", "J/kg/°F"])
+def test_a_degree_alone_is_refused(text):
+    with pytest.raises(UnitError, match="not accepted"):
+        resolve(text)
