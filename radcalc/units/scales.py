@@ -17,7 +17,7 @@ from radcalc.errors import ConversionError, NumberError, RadcalcError, UnitError
 from radcalc.units.amounts import Amount
 from radcalc.units.grammar import SAME, parse_unit
 from radcalc.units.numbers import read_number
-from radcalc.units.table import TEMPERATURE_ALONE, Dimension, Unit, lookup, resolve
+from radcalc.units.table import CELSIUS, TEMPERATURE_ALONE, Dimension, Unit, lookup, resolve
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of light meters use
 CONSTANTS = {  # what is assumed of a light meter where nobody says it, and what others have
@@ -320,19 +320,16 @@ def reciprocal(unit: Unit) -> ScaleUnit:
     return ScaleUnit(unit.text, RECIPROCAL._replace(size=unit.bottom / unit.top))
 
 
-DEGREES = {  # kelvins in a degree, as a ratio
-    **dict.fromkeys(
-        ("°c", "degc", "deg c", "degree celsius", "degrees celsius", "celsius"), (1, 1)
-    ),
-    **dict.fromkeys(("°f", "degf", "deg f", "degree fahrenheit", "degrees fahrenheit"), (5, 9)),
-}
+FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit", "fahrenheit")
 
 
 def degree(text: str) -> Unit | None:
     """A degree Celsius or Fahrenheit, where a difference is meant; None for what is neither."""
-    name = "".join([SAME.get(c, c) for c in text]).strip().lower().replace("_", " ")
-    ratio = DEGREES.get(name.replace("° ", "°"))
-    return Unit(text, *ratio, TEMPERATURE_ALONE, ((name, 1),)) if ratio else None
+    name = "".join([SAME.get(c, c) for c in text]).strip().lower().replace("° ", "°")
+    name = name.replace(" ", "_").replace("-", "_")
+    if name in CELSIUS:
+        return Unit(text, 1, 1, TEMPERATURE_ALONE, ((name, 1),))
+    return Unit(text, 5, 9, TEMPERATURE_ALONE, ((name, 1),)) if name in FAHRENHEIT else None
 
 
 def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:

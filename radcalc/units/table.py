@@ -35,6 +35,8 @@ NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
 TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, 0, 0, 0, 0, 0)
+# A degree of a scale that has its 0 elsewhere, where a difference is meant.
+CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
 INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, 0, 0, 0, 0, 0)
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
@@ -161,13 +163,6 @@ def resolve(text: str) -> Unit:
     return unit
 
 
-def _is_celsius(spelling: str) -> bool:
-    from radcalc.units.scales import degree
-
-    unit = degree(spelling)
-    return unit is not None and unit.top == unit.bottom
-
-
 def unit_of(text: str) -> Unit | None:
     """A text as a unit; None where it is none, at the cost of no suggestions."""
     try:
@@ -202,7 +197,8 @@ def _read(text: str) -> Unit | str:
         if spelling == "1":
             continue
         found = lookup(spelling)
-        if found is None and (len(parsed) > 1 or exponent != 1) and _is_celsius(spelling):
+        is_product = len(parsed) > 1 or exponent != 1
+        if found is None and is_product and spelling.lower().replace("-", "_") in CELSIUS:
             found = "", "kelvin"
             notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
         if found is None:
