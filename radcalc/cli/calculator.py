@@ -158,6 +158,8 @@ def show(
         refuse_bare(output)
         output.show([result(one) for one in _spread(answers)])
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
+        hint = "--format table, or a unit: -g NAME:UNIT"
+        output.refuse_auto("--get prints bare numbers", hint)
         _show_columns(_picked(answers, asked.wanted), output, inputs)
     else:
         picked = _picked(_spread(answers), asked.wanted)

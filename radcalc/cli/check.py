@@ -50,6 +50,7 @@ def judge(
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
+    shown.refuse_auto("--check holds an answer to what is claimed", "the same without --auto")
     verdict = check(question, claim, tolerance)
     answer = question.answer
     right = next(one for one in answer.values if one.name == verdict.name)

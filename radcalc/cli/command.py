@@ -124,7 +124,7 @@ def of_page(name: str) -> "SectionedCommand":
     return define(name, page.sections, kinds=page.kinds)(calculate)
 
 
-OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet")
+OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet", "auto")
 
 
 class SymbolOption(click.Option):

@@ -130,7 +130,7 @@ def command(
     calls = conversions(list(words), each)
     first = calls[0]
     if not first.targets:
-        for name, given in (("--steps", steps), ("--check", check)):
+        for name, given in (("--steps", steps), ("--check", check), ("--auto", shown.style.auto)):
             if given:
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
         shown.show([every_unit(call, typed, shown.style.bare) for call in calls])

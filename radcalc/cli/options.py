@@ -72,6 +72,10 @@ class Output(NamedTuple):
         """Write the results to standard output, and remarks on them to standard error."""
         self.hear(results)
         results = [result.spelled(spelled) for result in results]
+        if self.style.auto:
+            from radcalc.render.prefixes import with_prefixes
+
+            results = with_prefixes(results)
         form = renderer(self.format)
         stdio.write(form.results(results, self._on_terminal()))
         if form.REMARKS_ARE_APART:
@@ -103,6 +107,11 @@ class Output(NamedTuple):
             said = [line for r in results for line in stdio.remarks(r.assumptions, r.notes)]
             lines = folded([spelled(line) for line in dict.fromkeys(said)])
         stdio.say(lines + [line for r in results for line in derivation(r.steps)])
+
+    def refuse_auto(self, problem: str, hint: str) -> None:
+        """Refuse to choose units where they are not shown, or cannot be."""
+        if self.style.auto:
+            raise UsageError(f"--auto chooses a unit, and {problem}", hint)
 
     def _on_terminal(self) -> Style:
         """The style, with the terminal's width where a table is drawn; 80 where there is none."""
@@ -145,10 +154,15 @@ OPTIONS = (
         default="auto",
         help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
     ),
+    click.Option(
+        ["--auto"],
+        is_flag=True,
+        help="Results with the SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
+    ),
     click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
 )
 # A list of what there is has no numbers to print; the options stay, for what is said of them.
-NUMERIC = ("number", "precision")
+NUMERIC = ("number", "precision", "auto")
 OF_LISTS = tuple(copy(option) for option in OPTIONS)
 for _option in OF_LISTS:
     _option.hidden = _option.name in NUMERIC
@@ -162,6 +176,7 @@ def decide(
     precision: int | None,
     color: str,
     quiet: bool,
+    auto: bool = False,
     command: str = "",
 ) -> Output:
     """Choose the format from the options and from what standard output is."""
@@ -169,6 +184,8 @@ def decide(
         raise UsageError(f"--json and --format {format_} contradict each other", "one of them")
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number is plain text, and contradicts another format", "-n alone")
+    if number and auto:
+        raise UsageError("--number prints no unit, and --auto chooses one", "one of them")
     asked = JSON if json_ else PLAIN if number else format_
     terminal = stdio.is_terminal()
     chosen = asked or (TABLE if terminal else PLAIN)
@@ -177,7 +194,7 @@ def decide(
     context = click.get_current_context(silent=True)
     listener: Listener | None = context.find_root().obj if context else None
     brief = listener is not None and asked is None
-    style = Style(precision, number, 80, colored, spoken, not quiet, command, brief)
+    style = Style(precision, number, 80, colored, spoken, not quiet, command, brief, auto)
     return Output(chosen, style, asked is not None, listener)
 
 
@@ -193,7 +210,8 @@ def wants_color(color: str, terminal: bool) -> bool:
 
 
 def refuse_number_options(shown: Output, command: str) -> None:
-    """Refuse -n and --precision, which have no use with a list."""
-    if shown.style.bare or shown.style.precision:
-        useless = "-n" if shown.style.bare else "--precision"
+    """Refuse -n, --precision and --auto, which have no use with a list."""
+    bare, precision, auto = shown.style.bare, shown.style.precision, shown.style.auto
+    if bare or precision or auto:
+        useless = "-n" if bare else "--precision" if precision else "--auto"
         raise UsageError(f"{useless} has no use with {command}", f"radcalc {command}")

@@ -132,6 +132,7 @@ def _stream(
     survey: Any, inputs: tuple[Input, ...], points: "Points", asked: Asked, shown: Output
 ) -> int:
     """Write a line for each point, a block of them at a time."""
+    shown.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
     from radcalc.render import csv
 
     is_first = True

@@ -429,4 +429,5 @@ DEFAULTS: dict[str, Any] = {
     "precision": None,
     "color": "auto",
     "quiet": False,
+    "auto": False,
 }

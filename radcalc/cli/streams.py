@@ -79,6 +79,9 @@ def convert(
     shown: Output,
 ) -> int:
     """Convert standard input; return the exit status."""
+    shown.refuse_auto(
+        "a stream has one for all its lines", "a TARGET that fits, such as mlx or klx"
+    )
     from radcalc.streams.fields import Cut, Fields, read_delimiter
     from radcalc.streams.readers import Numbers, Quantities
     from radcalc.streams.stream import Stream, run

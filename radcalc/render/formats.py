@@ -21,6 +21,7 @@ class Style(NamedTuple):
 
     `command` is the one that answers.
     `brief` is a table that may be a line where there is one value, as at the prompt.
+    With `auto` the units have the prefixes that fit.
     """
 
     precision: int | None = None
@@ -31,6 +32,7 @@ class Style(NamedTuple):
     remarks: bool = True
     command: str = ""
     brief: bool = False
+    auto: bool = False
 
 
 class Records(NamedTuple):
