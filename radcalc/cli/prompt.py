@@ -102,7 +102,7 @@ def _lines() -> Iterator[str]:
         *whole, rest = (rest + data).split(b"\n")
         yield from map(os.fsdecode, whole)
         if len(rest) > LONGEST:
-            break  # it is refused for its length
+            break  # which is refused for its length
     if rest:
         yield os.fsdecode(rest)
 

@@ -33,7 +33,7 @@ from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
 from radcalc.units import scales
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
-from radcalc.units.numbers import is_sentence, read_number
+from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
 from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
 
@@ -42,9 +42,10 @@ LEAVING = ("exit", "quit")
 WORDS = {"help": "The commands, or the help of one.", "vars": "The names, and what they keep."}
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
 SEPARATING = {*SEPARATORS, *ALSO_UNITS}
-RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, "radcalc", "per", "pi", "π"}
+RESERVED = {ANS, *WORDS, *COMMANDS, *SEPARATING, *FUNCTIONS, "radcalc", "per", "pi", "π"}
 OF_AMOUNTS = {QUANTITY, INTERVAL, POINT, VECTOR, GRID, DIRECTION, NUMBERS}  # forms of symbols
 OPERANDS_ARE_AMOUNTS = {"convert", "photon"}
+LONGEST = 10_000  # characters of a line
 LIMITS = ("", ",", ":")  # of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
@@ -96,6 +97,9 @@ class Session:
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):
             return stdio.ANSWERED
+        if len(line) > LONGEST:
+            problem = f"a line of {len(line)} characters is too long"
+            raise UsageError(problem, f"at most {LONGEST}")
         self.heard: list[Row] = []
         assignment = ASSIGNMENT.fullmatch(line)
         name, text = (assignment[1], assignment[2]) if assignment else ("", line)
@@ -173,10 +177,13 @@ class Session:
             if not self._is_name(found[0]):
                 return found[0]
             before, behind = text[: found.start()], text[found.end() :]
-            is_alone = (
-                not is_part and before[-1:] in ("", ",", ":") and behind[:1] in ("", ",", ":")
-            )
-            return self._text_of(found[0]) if is_alone else f"({self._text_of(found[0])})"
+            kept = self._text_of(found[0])
+            if before[-1:] in LIMITS and behind[:1] in LIMITS and not is_part:
+                return kept
+            if SIGN in kept:
+                problem = f"{found[0]} is uncertain, and arithmetic takes exact values"
+                raise UsageError(problem, f"{found[0]} by itself, as a value or in an option")
+            return f"({kept})"
 
         return NAME.sub(amount, text)
 
@@ -378,7 +385,7 @@ def _parted(head: str, last: str) -> list[str]:
     if target is None or target.dimension != value.unit.dimension:
         return [whole]
     number = NUMBER_AT_END.search(head)
-    other = f"{head[: number.start()]}({number[0]} {last})" if number else "more brackets"
+    other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({whole})"
     raise UsageError(
         f"'{quote(whole)}' can be read in two ways",
         f"{quote(head)} in {quote(last)}, or {quote(other)}",

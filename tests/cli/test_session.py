@@ -131,6 +131,76 @@ def test_a_name_keeps_a_bare_number(typed):
     assert typed("k = 1/4", "k lx mlx") == "250\tmlx\n"
 
 
+ARITHMETIC = {  # 1 ft = 0.3048 m; 1 lx = 1 lm/m2
+    "2 * 100 lx in fc": "18.580608\tfc",
+    "2 * 100 lx fc": "18.580608\tfc",
+    "convert 2 * 100 lx to fc": "18.580608\tfc",
+    "2 * 100 lx": "200\tlx",
+    "(1 m + 2 ft) in m": "1.6096\tm",
+    "(1 m + 2 ft) cm": "160.96\tcm",
+    "1 m + 2 ft": "1.6096\tm",
+    "1 m + 2 ft cm": "160.96\tcm",
+    "800 lm / 2 m2": "400\tlm/m2",
+    "800 lm / 2 m2 in lx": "400\tlx",
+    "500 lx * 20 m2 / 0.8 in klm": "12.5\tklm",
+    "500 lx*20 m2/(0.8*1) to klm": "12.5\tklm",
+    "'500 lx * 20 m2 / (0.8*1)' klm": "12.5\tklm",
+    "100 lx * (2 + 3) klx": "0.5\tklx",
+    "100 lx * 2 %": "2\tlx",
+    "3 * 4": "12\t1",
+    "4 m2 / (2 m2)": "2\t1",
+    "sqrt(4 m2) cm": "200\tcm",
+    "2*here klx": "0.2\tklx",
+    "2 * here klx": "0.2\tklx",
+    "here * 2 klx --precision 3": "0.2\tklx",
+    "here + 2*ans": "300\tlx",
+    "1/here": "0.01\tlx-1",
+    "here/(2 lx)": "50\t1",
+    "ans / 2": "50\tlx",
+    "half * here": "50\tlx",
+}
+
+
+@pytest.mark.parametrize("line", ARITHMETIC)
+def test_arithmetic_needs_no_quotes(typed, line):
+    assert typed("half = 1/2", "here = 100 lx", line) == ARITHMETIC[line] + "\n"
+
+
+def test_arithmetic_stands_in_options_and_names(typed):
+    typed("side = 1 m + 1 m", "two = 2 * 400 lm")
+    # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx
+    line = "point-source --flux two --distance side -g irradiance:lx"
+    assert typed(line) == "15.9154943092\n"
+    assert typed(line.replace("two", "two*2").replace("side", "side/2")) == "127.323954474\n"
+
+
+TWO_WAYS = {
+    "500 lx * 20 m2 / 0.5 klm": ("500 lx * 20 m2 / 0.5 in klm", "500 lx * 20 m2 / (0.5 klm)"),
+    "500 lx*20 m2/(0.8*1) klm": ("500 lx*20 m2/(0.8*1) in klm", "(500 lx*20 m2/(0.8*1) klm)"),
+    "4 m2 / 2 m2": ("4 m2 / 2 in m2", "4 m2 / (2 m2)"),
+    "2 * sqrt(4 m2) ft": ("2 * sqrt(4 m2) in ft", "(2 * sqrt(4 m2) ft)"),
+}
+
+
+@pytest.mark.parametrize("line", TWO_WAYS)
+def test_a_last_word_that_may_be_a_unit_or_the_target_is_refused_with_both(typed, line):
+    message, hint = typed(line).splitlines()
+    assert "can be read in two ways" in message
+    first, second = TWO_WAYS[line]
+    assert hint == f"try: {first}, or {second}"
+    assert typed(first) != typed(second)
+
+
+def test_what_is_uncertain_is_no_part_of_arithmetic(typed):
+    typed("side = 2 ± 0.1 m")
+    assert "side is uncertain, and arithmetic takes exact values" in typed("2*side cm")
+
+
+def test_a_scale_is_kept_as_it_was_typed(typed):
+    assert typed("power_in = 10 dBm", "power_in mW") == "10\tmW\n"  # 1 mW * 10^(10/10)
+    assert typed("10 mW dBm", "ans mW") == "10\tmW\n"
+
+
 def test_a_name_is_no_part_of_other_words(typed):
     typed("x = 800 lm")
     # CIE 15:2018, table 11.3: x of D65 is 0.31272, here over 380 nm to 780 nm
@@ -145,6 +215,8 @@ REFUSED = {
     "pi = 3": ("a word of radcalc already", "my_pi"),
     "illuminance = 5 lx": ("a quantity already", "my_illuminance"),
     "flux = 5 lm": ("a quantity already", "my_flux"),
+    "sqrt = 5": ("'sqrt' is a word of radcalc already", "my_sqrt = 5"),
+    f"100 lx {'f' * 10_000}": ("a line of 10007 characters is too long", "at most 10000"),
     "dBm = 5": ("'dBm' is a scale already", "my_dBm = 5"),
     "EV = 5": ("'EV' is a scale already", "my_EV = 5"),
     "x =": ("x = has no value", "x = 800 lm"),
