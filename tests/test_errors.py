@@ -25,6 +25,7 @@ from radcalc.errors import (
     ConditionError,
     Contradiction,
     Exclusive,
+    ExpressionError,
     HorizonCuts,
     Idle,
     Impossible,
@@ -42,6 +43,7 @@ from radcalc.errors import (
     UsageError,
     command,
     manual,
+    measured,
     option,
     options,
     quote,
@@ -84,6 +86,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
     "a number is refused in plain words": (
         lambda: NumberError("'1,5' has a comma in its number", "1.5"),
         *[("'1,5' has a comma in its number", "1.5")] * 3),
+    "quantities are named at both gates": (
+        lambda: ExpressionError(f"cannot add {measured('lx')} and {measured('lm')}", "one"),
+        ("cannot add illuminance (lx) and luminous flux (lm)", "one"),
+        ("cannot add 'lx' and 'lm'", "one"),
+        ("cannot add illuminance (lx) and luminous flux (lm)", "one")),
     "a unit is refused in plain words": (
         lambda: UnitError("unknown unit 'zork'", "lx"), *[("unknown unit 'zork'", "lx")] * 3),
     "what was not written is told without a hint": (
@@ -239,6 +246,11 @@ class Watcher:
     @staticmethod
     def manual(name: str) -> str:
         assert name in COMMANDS
+        return ""
+
+    @staticmethod
+    def measured(unit: str) -> str:
+        assert resolve(unit)
         return ""
 
 

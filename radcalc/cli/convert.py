@@ -90,6 +90,7 @@ def command(
     Examples:
       radcalc 100 lx fc
       radcalc convert 100 lx in fc
+      radcalc convert '500 lx * 20 m2 / 0.48' klm
       radcalc convert 5 W m-2 to mW cm-2
       radcalc convert 5 mW lm --wavelength 632.8nm
       radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
