@@ -274,7 +274,8 @@ class Session:
             return cli.answered([*words, "to", unit.text], self)
         with click.Context(cli.commands, obj=self):
             shown = decide(**(DEFAULTS | self.settings))
-        shown.show([Result((Row("", "", amount.number, "1", name="number"),), named=False)])
+        row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
+        shown.show([Result((row,), named=False)])
         return stdio.ANSWERED
 
 

@@ -4,6 +4,8 @@ import math
 
 import numpy
 import pytest
+from following import call
+from helpers import answers
 from uncertainties import ufloat
 
 import radcalc
@@ -257,3 +259,61 @@ def test_texts_are_variables_with_the_names_of_their_keywords():
 def test_what_cannot_be_carried_is_refused(call, said):
     with pytest.raises(RadcalcError, match=said):
         call()
+
+
+# Each command with an input that is uncertain: it answers with that carried, or refuses.
+EVERY = {
+    "convert": "100+-3 lx fc",
+    "solid-angle": "cone --half-angle 30+-1deg",
+    "direction": "--polar 45+-1deg --azimuth 30deg",
+    "etendue": "--area 1.00(5)mm2 --half-angle 30deg",
+    "integrate": "cos(theta) --half-angle 60+-1deg",
+    "point-source": "--flux 800+-20lm --distance 2m",
+    "lambertian": "--luminance 100+-2cd/m2 --area 1cm2",
+    "uberlight": "0,0,4 --intensity 100+-3cd",
+    "sky": "overcast --zenith-luminance 9000+-100cd/m2",
+    "environment": "sky:overcast --zenith-luminance 9000+-100cd/m2",
+    "ev": "--f-number 8.0+-0.1 --time 1/100s",
+    "calorimeter": "--energy 7.7+-0.1J --mass 10g --specific-heat 385J/kg/K",
+    "screen": "--flux 2500+-50lm --width 2.00+-0.01m --height 1.1m",
+    "photon": "555+-2nm",
+    "spectrum": "blackbody:2856+-20K",
+    "mesopic": "--luminance 0.10+-0.01cd/m2 --sp-ratio 2",
+}
+
+
+@pytest.mark.parametrize("command", EVERY)
+def test_every_command_carries_an_uncertainty(command):
+    done = call([command, *EVERY[command].split(), "--json"])
+    assert done.status == 0
+    (answer,) = answers(done.output)
+    assert any("uncertainty" in one for one in answer["results"].values() if not one["given"])
+    assert any("k = 1" in text for text in answer["assumptions"])
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "scene lamps.csv --at 0,0,0 --efficacy 100+-3lm/W",
+        "environment sky:overcast --zenith-luminance 9+-1cd/m2 --irradiance-map none.pfm",
+        "sky overcast --zenith-luminance 9+-1cd/m2 --save none.pfm",
+        "convert 100 lx cd/m2 --reflectance 0.80+-0.02:0.9:0.1",
+        "point-source --flux 800+-20lm --distance 1m:5000m:1m -g irradiance",
+        "solid-angle zone --polar 10+-1deg:30deg",
+        "integrate 1 --polar 10+-1deg:30deg",
+        "spectrum D65 --range 380+-1nm:780nm",
+        "direction --polar 30deg --azimuth 0deg --reflect-at 1+-0.1,0,1",
+        "ev --ev100 15 --check 4096cd/m2 --tolerance 5+-1%",
+    ],
+)
+def test_what_carries_none_refuses_them(words):
+    done = call(words.split())
+    assert (done.status, done.output) == (2, "")
+
+
+def test_a_spectrum_has_the_slope_of_its_temperature():
+    """M = sigma T^4; by the law of Wien the peak is at b/T."""
+    (answer,) = answers(call(["spectrum", "blackbody:2856+-20K", "--json"]).output)
+    for name, power in (("exitance", 4), ("peak-wavelength", 1), ("temperature", 1)):
+        one = answer["results"][name]
+        assert one["uncertainty"] / one["value"] == pytest.approx(power * 20 / 2856, rel=1e-4)

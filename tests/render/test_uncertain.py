@@ -1,0 +1,46 @@
+"""How a number with its uncertainty is written."""
+
+import random
+import re
+
+import pytest
+from uncertainties import ufloat, ufloat_fromstr
+
+from radcalc.render.plain import uncertain
+from radcalc.units.amounts import read_amount
+
+
+@pytest.mark.parametrize(
+    ("value", "off", "text"),
+    [
+        (9.290304, 0.27870912, "9.29 ± 0.28"),
+        (100, 3, "100.0 ± 3.0"),
+        (12345, 320, "12340 ± 320"),
+        (4000, 100, "4000 ± 100"),
+        (0.001234, 0.0000321, "0.001234 ± 0.000032"),
+        (0.00001234, 0.000000321, "(1.234 ± 0.032)e-05"),
+        (12345678, 32100, "(1.2346 ± 0.0032)e+07"),
+        (0, 0.05, "0.000 ± 0.050"),
+        (-5, 0.996, "-5.0 ± 1.0"),  # 0.996 has two digits as 1.0
+        (5, 0, "5"),
+        (1, 20, "1 ± 20"),
+    ],
+)
+def test_two_digits_of_the_uncertainty(value, off, text):
+    assert uncertain(value, off) == text
+
+
+def test_a_precision_gives_the_digits_of_both():
+    assert uncertain(9.290304, 0.27870912, 4) == "9.29 ± 0.2787"
+
+
+def test_it_is_what_the_uncertainties_package_writes_and_can_be_read_again():
+    generator = random.Random(20260801)
+    for _ in range(2000):
+        value = generator.choice((-1, 1)) * 10 ** generator.uniform(-8, 8)
+        off = abs(value) * 10 ** generator.uniform(-6, 0.5)
+        text = uncertain(value, off)
+        other = ufloat_fromstr(f"{ufloat(value, off):.2u}")
+        again = read_amount(re.sub(" ", "", text))
+        assert again.number == pytest.approx(other.nominal_value, rel=1e-12, abs=1e-12 * off)
+        assert again.uncertainty == pytest.approx(other.std_dev, rel=1e-12)
