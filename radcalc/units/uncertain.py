@@ -1,7 +1,7 @@
 """The grammar of values with a standard uncertainty: `100+-3 lx`, `100(3) lx`, `100 lx ± 3%`.
 
     VALUE ± UNCERTAINTY UNIT     (VALUE ± UNCERTAINTY) UNIT     VALUE UNIT ± UNCERTAINTY UNIT
-    VALUE(DIGITS) UNIT           VALUE UNIT ± PERCENT%
+    VALUE(DIGITS) UNIT           VALUE UNIT ± PERCENT%           numbers of an expression
 
 ± may be typed as +- or +/-.  DIGITS are of the last digits of VALUE: 1.234(5) is 1.234±0.005; with
 a point they stand for themselves: 1.234(0.005).
@@ -27,6 +27,14 @@ TYPED = SIGNS_OF_UNCERTAINTY[1:]  # as people type the sign
 PERCENT = "%"
 OPERATORS = tuple("*/^+-")
 MOST_DIGITS = 6  # of an exponent, with its sign
+SMALL = 2.0**-13  # a step of a number in an expression, relative to it
+DECIMAL = r"((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+BEGIN = r"(?<![\w.])"  # of a number, and not of the end of one
+LEAF = (
+    rf"\(\s*{DECIMAL}\s*±\s*{DECIMAL}\s*\)"
+    rf"|{BEGIN}(\d+\.?\d*|\.\d+)\((\d+\.?\d*)\)"
+)
+ARITHMETIC = r"[*/]\s*[\d.(]|\s[-+]\s"
 HINT = "100±3 lx, 100(3) lx or 100 lx ± 3%"
 
 
@@ -55,13 +63,13 @@ def read_uncertain(text: str) -> Reading | None:
     try:
         found = _with_sign(told) if SIGN in told else _with_digits(told)
     except RadcalcError:
-        if any(mark in told for mark in "*/^("):  # an expression, in which it may have its place
-            return None
-        raise
+        if (found := _with_expression(told)) is None:
+            raise
+        return found
+    if found is None:
+        return _with_expression(told)
     if found and found.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
-    if found is None:
-        return None
     head = told.lstrip("(")
     unit = found.unit.text if found.unit else ""
     return found._replace(nominal=f"{head[: read_number(head)[1]]}{unit}")
@@ -135,6 +143,53 @@ def _with_digits(text: str) -> Reading | None:
     last = 0 if "." in inside else typed[1]
     unit = resolve_any(behind) if behind else None
     return Reading(_times(number, power), unit, _times(inside, power + last))
+
+
+def _with_expression(text: str) -> Reading | None:
+    """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic, in which each number with a ± is a variable.
+
+    The slope over each is that between two values beside its own.
+    """
+    import re
+
+    pieces = re.split(LEAF, text)
+    texts, leaves = pieces[::5], list(zip(*(iter(pieces[k::5]) for k in range(1, 5)), strict=True))
+    found = [_leaf(*leaf) for leaf in leaves]
+    rest = "".join(texts)
+    if SIGN in rest and (found or re.search(ARITHMETIC, rest)):
+        problem = f"'{quote(text)}' has a ± beside arithmetic without brackets"
+        raise NumberError(problem, "each number with its ± in brackets: 2 * (100±3) lx")
+    if not found or SIGN in rest:
+        return None
+
+    def value(moved: int = -1, shift: float = 0.0) -> tuple[float, Unit | None]:
+        from radcalc.units.expressions import read_expression
+
+        sizes = [size + shift * (k == moved) for k, (size, _) in enumerate(found)]
+        filled = texts[0] + "".join(f"({s!r}){t}" for s, t in zip(sizes, texts[1:], strict=True))
+        read = read_expression(filled)
+        if read is None:
+            raise NumberError(f"'{quote(text)}' is not a number and a unit", HINT)
+        return read[0], read[1]
+
+    number, unit = value()
+    square = 0.0
+    for k, (size, off) in enumerate(found):
+        step = min(abs(size) * SMALL or off, off)
+        if step:
+            square += ((value(k, step)[0] - value(k, -step)[0]) / (2 * step) * off) ** 2
+    nominal = f"{number!r} {unit.text if unit else ''}".strip()
+    return Reading(number, unit, float(f"{square**0.5:.7g}"), nominal)
+
+
+def _leaf(*parts: str | None) -> tuple[float, float]:
+    """A number of an expression and its uncertainty: (A±B) or A(DIGITS)."""
+    number, off, other, digits = parts
+    if digits is None:
+        return parse_number(number or ""), parse_number(off or "")
+    reading = _with_digits(f"{other}({digits})")
+    assert reading is not None
+    return reading.number, reading.uncertainty
 
 
 def _times(number: str, power: int) -> float:

@@ -1,5 +1,7 @@
 """Values with a standard uncertainty, as people write them."""
 
+import math
+
 import pytest
 from uncertainties import ufloat_fromstr
 
@@ -83,7 +85,7 @@ def test_percents_and_fractions(text, number, uncertainty):
         ("100±nan lx", "not a number"),
         ("1±1e999 lx", "too large"),
         ("100(3", "not a number and a unit"),
-        ("100(3)(2) lx", "not a number and a unit"),
+        ("100(3)(2) lx", "two values together"),
         ("100 lx(3)", "unit"),
         ("100±3±1 lx", ""),
     ],
@@ -117,3 +119,31 @@ def test_nothing_needs_quotes(words):
 def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
     with pytest.raises(RadcalcError, match="no unit"):
         read_operands(["100", "lx", "±", "3", "fc"])
+
+
+# By JCGM 100:2008, 5.1.2: of a product the parts, and of a sum the sizes, add as squares.
+@pytest.mark.parametrize(
+    ("text", "number", "uncertainty"),
+    [
+        ("(100+-3) lx * (2.0+-0.1) m2", 200, 200 * math.hypot(0.03, 0.05)),
+        ("(100±3) lx / (2.0±0.1)", 50, 50 * math.hypot(0.03, 0.05)),
+        ("2 * 100(3) lx", 200, 6),
+        ("2*(3±1) lx", 6, 2),
+        ("(2.0±0.1)^2 m2", 4, 0.4),
+        ("sqrt(4.0±0.1)", 2, 0.1 / 4),
+        ("1 m + (2.0+-0.1) ft", 1 + 2 * 0.3048, 0.1 * 0.3048),
+        ("(5±0.3) - (3±0.4)", 2, 0.5),
+    ],
+)
+def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
+    amount = read_amount(text)
+    assert amount.number == pytest.approx(number, rel=1e-12)
+    assert amount.uncertainty == pytest.approx(uncertainty, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "text", ["500±10 lx * 20", "(100±3) lx * 2 ± 5", "100 lx ± 3% * 2", "2*(100 lx ± 3 lx)"]
+)
+def test_beside_arithmetic_it_needs_brackets(text):
+    with pytest.raises(RadcalcError, match="without brackets"):
+        read_amount(text)
