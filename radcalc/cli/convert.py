@@ -98,6 +98,7 @@ def command(
       radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
       radcalc convert 1 W/sr W --area 20mm2 --distance 1m
       radcalc convert 100 W/m2 ppfd --spectrum D65
+      radcalc 100,200 lx fc,klx                    (lists; also 1:5:1 m ft)
       radcalc convert 250 cd/m2                    (every unit of luminance)
       radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
       cut -f3 log.tsv | radcalc convert - lx fc
@@ -106,8 +107,9 @@ def command(
 
     Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
     in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
-    shown.  A condition's value carries its unit and is one word (2m, 30deg); one
-    of them may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.  Values and conditions
+    shown.  A condition's value carries its unit and is one word (2m, 30deg).
+    VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), TARGET a list, for an answer
+    each; the last of several runs fastest.  Values and conditions
     may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -

@@ -67,7 +67,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       polygon (triangle) X,Y,Z of each vertex in order, --viewpoint, --normal
       pixel              --size, --pixel, --projection: of a map of all directions
 
-    One of the quantities may be a list (1m,2m) or a range (1m:5m:1m), for an answer each.
+    Quantities may be lists (1m,2m) or ranges (1m:5m:1m), for an answer each.
     """
     shape, words = _shape(words)
     each = cases(typed, intervals=("polar", "azimuth"))  # first, so that 2 m is told to be 2m
