@@ -18,6 +18,7 @@ from radcalc.cli.command import FILE, GET, MAPS, SectionedCommand, SymbolOption
 from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.given import read
+from radcalc.quantities.light import GEOMETRIES
 from radcalc.quantities.symbols import (
     CHOICE,
     DIRECTION,
@@ -92,7 +93,7 @@ class Compiler:
             f"    {name!r}: ({line!r}, {operands!r}, (\n{_lines(listed)}    )),\n"
             for name, (line, operands, listed) in rows.items()
         )
-        units = "".join(f"    {key!r}: {row!r},\n" for key, row in self.units.items())
+        units = "".join(f"    {key!r}: {row!r},\n" for key, row in self._light_first())
         quantities = "".join(
             f"    {name!r}: {('', False) if name in GENERIC else (unit, _leaves(name))},\n"
             for name, unit in names_starting("")
@@ -107,6 +108,11 @@ class Compiler:
             f"NAMES = {{\n{quantities}}}\n"
             f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
         )
+
+    def _light_first(self) -> list[tuple[str, tuple[tuple[str, str], ...]]]:
+        """The units of each quantity, those of light before all others."""
+        light = {name for names, _ in GEOMETRIES.values() for name in names}
+        return sorted(self.units.items(), key=lambda row: row[0] not in light)
 
     def _operands(self, command: SectionedCommand) -> Row:
         form, values = command.operands

@@ -2,17 +2,13 @@
 
 from radcalc.completion import Completion
 from radcalc.completion.table import NAMES
+from radcalc.completion.table import UNITS as MEASURES
 from radcalc.completion.values import split_number
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
 from radcalc.given import Given, read, values_of
 from radcalc.quantities.light import (
-    GEOMETRIES,
-    KINDS,
-    NONE,
-    Reading,
-    coherent_text,
     is_per_length,
     name_of,
 )
@@ -32,9 +28,8 @@ if TYPE_CHECKING:
 BELOW = ("m2", "sr", "s", "cm2", "mm2", "ft2", "in2", "nm", "um", "Hz", "THz", "m", "h", "day", "W")
 BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
 AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # of densities
-TROLAND = "td"
 USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
-USUAL.append(TROLAND)
+USUAL.append("td")
 
 
 class Alone:
@@ -149,8 +144,7 @@ class Reach:
                 reached.append(Completion(text, full_name(unit)))
             elif self.given and unit.dimension == self.source.dimension:
                 others.append(Completion(text, full_name(unit)))
-        if not typed:  # what takes least first
-            conditional.sort(key=lambda one: one[0])
+        conditional.sort(key=lambda one: one[0])  # what takes least first
         reached += [] if head else self._scales(typed)
         return [*reached, *(one for _, one in conditional), *others, *self._names(head, typed)]
 
@@ -215,7 +209,7 @@ def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
         yield from USUAL
         return
     style = "**" if "**" in typed else "^" if "^" in typed else ""
-    others = [text for unit in _every() for text in offered(unit)]
+    others = [text for units in MEASURES.values() for text, _ in units]
     texts = sorted([*own, *USUAL, *others], key=lambda text: text in SPELLINGS)
     for text in dict.fromkeys(texts):
         text = _powers(text, style) if style else text
@@ -239,11 +233,3 @@ def _powers(text: str, style: str) -> str:
         for before, letter in zip(" " + text, text, strict=False)
     ]
     return "".join(letters)
-
-
-def _every() -> "Iterator[Unit]":
-    """A unit of each quantity of light."""
-    for geometry in GEOMETRIES:
-        for kind in KINDS:
-            yield resolve(coherent_text(Reading(kind, *geometry, NONE)))
-    yield resolve(TROLAND)
