@@ -270,6 +270,28 @@ def test_what_is_uncertain_stands_in_a_line_once(typed):
     assert "is uncertain" not in typed(line.format("other"))
 
 
+def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, capsys):
+    def broken(*args, **kwargs):
+        raise ZeroDivisionError("oh")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(cli.commands, "invoke", broken)
+        assert session.answer("100 lx fc") == 3
+    assert "bug in radcalc" in capsys.readouterr().err
+    assert session.answer("100 lx fc") == 0
+
+
+def test_an_interrupt_ends_the_line_alone(session, monkeypatch, capsys):
+    def interrupted(*args, **kwargs):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(cli.commands, "invoke", interrupted)
+        assert session.answer("100 lx fc") == 130
+    assert session.answer("100 lx fc") == 0
+    assert capsys.readouterr().out == "9.290304\tfc\n"
+
+
 @pytest.mark.parametrize("line", ["exit", "quit", " exit "])
 def test_leaving_is_the_end_of_the_lines(session, line):
     with pytest.raises(EOFError):
