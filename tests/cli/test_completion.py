@@ -121,6 +121,12 @@ def test_scales_are_units_too():
     assert texts("point-source --flux 10dB") == ["10dBm", "10dBW", "10dBu(W)"]
 
 
+def test_an_expression_has_the_unit_that_it_comes_to():
+    assert texts("500lx*20m2/0.48 k")[0] == "klm"
+    assert next(one.text for one in completions(["500 lx * 20 m2 / (0.6*0.8)"], "kl")) == "klm"
+    assert texts("10**10**10 lx k") == []
+
+
 def test_lists_complete_at_their_ends():
     assert texts("100,200 lx k")[0] == "klx"
     assert texts("100 lx fc,kl")[0] == "fc,klx"
