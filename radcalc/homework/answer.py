@@ -8,6 +8,7 @@ from radcalc.given import read_as
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
+from radcalc.units.scales import find, refuse_product
 from radcalc.units.table import NUMBER, Unit, divide, unit_of
 
 DIGITS_OF_EXACT = 15
@@ -66,7 +67,11 @@ def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
     """What a claim has of an expression, such as 2 * 12.5 lx; None where it is a plain number."""
     try:
         _, end = read_number(text)
-        if unit_of(text[end:].strip() or "1"):
+        unit_text = text[end:].strip()
+        if unit_of(unit_text or "1"):
+            return None
+        if find(unit_text):
+            refuse_product(text, unit_text)
             return None
     except NumberError:
         pass

@@ -148,7 +148,7 @@ def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
     """A verdict with readings for what they stand for, which have no ratio."""
     right = scale.reading(verdict.right)
     tolerance = verdict.tolerance
-    if tolerance.startswith("within"):
+    if tolerance.endswith("%"):
         tolerance += " of what it stands for"
     diagnoses = tuple(
         _rounded(said, right) if one.mistake == ROUNDED else one for one in verdict.diagnoses

@@ -10,6 +10,7 @@ from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
 from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.scales import find
 from radcalc.units.table import resolve
 
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
@@ -177,6 +178,10 @@ def _malformed(text: str, form: str) -> ConditionError:
 
 
 def _temperature(parameter: str, text: str) -> float:
+    value, unit_text = split_value(parameter)
+    scale = find(unit_text) if unit_text else None
+    if scale and scale.dimension == TEMPERATURE:
+        return float(scale.quantity(value))
     return _quantity(parameter, text, TEMPERATURE, "a temperature, as in blackbody:2856K")
 
 

@@ -124,9 +124,10 @@ def split_value(text: str) -> tuple[float, str]:
         number, unit = split_quantity(text)
         if not unit or unit_of(unit):
             return number, unit
-        from radcalc.units.scales import find
+        from radcalc.units.scales import find, refuse_product
 
         if find(unit):
+            refuse_product(text, unit)
             return number, unit
     except NumberError as error:
         problem = error

@@ -127,7 +127,8 @@ SCALES = (
     _power("dBu(W) dBuW dB(uW) dB(1uW)", "uW"),
     MAGNITUDE,
     MAGNITUDE._replace(
-        spellings=("mag/arcsec2", "mpsas"), letter="L", unit="cd/m2",
+        spellings=("mag/arcsec2", "mpsas"),
+        meaning="V band; zero points in print differ by up to a third", letter="L", unit="cd/m2",
         size=MAGNITUDE.size * (180 * 3600 / math.pi) ** 2,
     ),
     LUMINANCE_EV,

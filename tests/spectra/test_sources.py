@@ -37,6 +37,14 @@ def test_published_luminous_efficacies(source, limits, value, within):
     assert efficacy(source, limits) == pytest.approx(value, abs=within)
 
 
+def test_a_temperature_may_be_in_mired():
+    """A mired is one of a reciprocal megakelvin (ANSI/IES LS-1): 200 of them are 5000 K."""
+    for kind in ("blackbody", "daylight"):
+        assert efficacy(f"{kind}:200mired") == efficacy(f"{kind}:5000K")
+    with pytest.raises(RadcalcError, match="0 mired is nothing"):
+        spectrum("blackbody:0mired")
+
+
 def test_the_best_black_body_has_6628_k():
     best = max(range(6600, 6660), key=lambda t: efficacy(f"blackbody:{t}K"))
     assert abs(best - 6628) <= 2

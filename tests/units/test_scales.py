@@ -6,6 +6,7 @@ import shutil
 import subprocess
 
 import pytest
+from conftest import ROOT
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -162,3 +163,11 @@ def test_what_has_no_reading_or_stands_for_nothing_is_refused(number, source, ta
     with pytest.raises(RadcalcError) as caught:
         convert(number, source, target)
     assert caught.value.hint
+
+
+@pytest.mark.parametrize("name", sorted({scale.name for scale in SCALES}))
+def test_the_manual_describes_every_scale(name):
+    page = (ROOT / "man" / "radcalc.1").read_text(encoding="utf-8")
+    section = page.partition(".Sh SCALES")[2].partition(".Sh ")[0]
+    items = [line for line in section.splitlines() if line.startswith(".It Li ")]
+    assert any(name in item.replace(",", " ").split() for item in items)
