@@ -13,7 +13,7 @@ from radcalc.errors import (
     command,
     quote,
 )
-from radcalc.units.numbers import split_quantity
+from radcalc.units.numbers import DIGITS, split_quantity
 from radcalc.units.table import Dimension, Unit, resolve, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from radcalc.units.scales import ScaleUnit
 
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
+BEFORE_NUMBERS = tuple(" */(+×·")  # what a number in an expression may follow
 SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
 ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
 EXAMPLE = command("convert", "100", "lx", "fc")
@@ -94,22 +95,41 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     Raises RadcalcError where it is none, or has an unknown unit.
     """
     text = text.strip()
+    problem: RadcalcError | None = None
     try:
-        return _read_plain(text, dimensions)
-    except RadcalcError:
-        if any(mark in text for mark in UNCERTAIN):
-            from radcalc.units.uncertain import read_uncertain
+        number, unit = split_quantity(text)
+        if not _has_number(unit):
+            return _read_plain(text, number, unit, dimensions)
+    except RadcalcError as error:
+        problem = error
+    is_signed = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
+    if not is_signed and (found := _read_expression(text)):
+        return found
+    if any(mark in text for mark in UNCERTAIN):
+        from radcalc.units.uncertain import read_uncertain
 
-            if reading := read_uncertain(text):
-                number, unit, off = reading.number, reading.unit, reading.uncertainty
-                return _amount(text, number, unit, off, dimensions)
-        from radcalc.units.expressions import read_expression
+        if reading := read_uncertain(text):
+            return _amount(text, reading.number, reading.unit, reading.uncertainty, dimensions)
+    if is_signed and (found := _read_expression(text)):
+        return found
+    if problem:
+        raise problem
+    return _read_plain(text, number, unit, dimensions)
 
-        found = read_expression(text)
-        if found is None:
-            raise
-        number, unit, off = found
-    return Amount(text, number, unit, rounding=off)
+
+def _has_number(unit: str) -> bool:
+    """Whether a number stands in a text of a unit, and not an exponent."""
+    return any(
+        c in DIGITS and unit[max(0, i - 1) : i] in BEFORE_NUMBERS and unit[i - 2 : i] != "**"
+        for i, c in enumerate(unit)
+    )
+
+
+def _read_expression(text: str) -> Amount | None:
+    from radcalc.units.expressions import read_expression
+
+    found = read_expression(text)
+    return Amount(text, found[0], found[1], rounding=found[2]) if found else None
 
 
 def split_value(text: str) -> tuple[float, str]:
@@ -145,8 +165,8 @@ UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 
-def _read_plain(text: str, dimensions: "Sequence[Dimension]") -> Amount:
-    number, unit = split_quantity(text)
+def _read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimension]") -> Amount:
+    """A number, and what stands behind it as a unit."""
     if unit and (
         unit[0] in NOT_UNITS
         or unit.lower().startswith("x10")

@@ -22,6 +22,8 @@ CALCULATORS = [
 CASES = [
     ("plain conversion / python -c pass", "convert 100 lx fc", PASS, 1.2),
     ("plain conversion / qalc", "convert 100 lx fc", QALC, 0.4),
+    ("sentence / convert", "100 lx fc", (RADCALC, "convert", "100", "lx", "fc"), 1.05),
+    ("expression / import click", "500lx*20m2/(0.6*0.8) klm", CLICK, 1.3),
     ("--wavelength / import click", "convert 5 mW lm --wavelength 632.8nm", CLICK, 1.2),
     ("--isotropic / import click", "convert 800 lm cd --isotropic", CLICK, 1.2),
     ("--json / import click", "convert 100 lx fc --json", CLICK, 1.2),
