@@ -119,10 +119,12 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
 
 def _has_number(unit: str) -> bool:
     """Whether a number stands in a text of a unit, and not an exponent."""
-    return any(
-        c in DIGITS and unit[max(0, i - 1) : i] in BEFORE_NUMBERS and unit[i - 2 : i] != "**"
-        for i, c in enumerate(unit)
-    )
+    before = last = ""
+    for c in unit:
+        if c in DIGITS and last in BEFORE_NUMBERS and not before == last == "*":
+            return True
+        before, last = last, c
+    return False
 
 
 def _read_expression(text: str) -> Amount | None:

@@ -203,6 +203,9 @@ class Calculator(Scanner):
             return self.wrong(
                 f"runs two values together at '{quote(rest)}'", "a * or a + between them"
             )
+        if rest.startswith("±"):
+            self.is_arithmetic = True
+            return self.wrong("has an uncertainty", "a value of its own for it: 100±3 lx")
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
@@ -221,8 +224,10 @@ class Calculator(Scanner):
             self.at += 1
             self.is_arithmetic = True
             self.skip_blanks()
-            if self.peek() and (self.peek() in SIGNS or self.peek() == "±"):
-                raise self.wrong(f"has two signs in a row at '{quote(self.text[self.at - 1 :])}'")
+            if self.peek() and self.peek() in SIGNS:
+                shown = quote(self.text[self.at - 1 :])
+                hint = "brackets, or for an uncertainty a value of its own: 100±3 lx"
+                raise self.wrong(f"has two signs in a row at '{shown}'", hint)
             before = start
             start = self.at
             other, is_numbered = self.product()
