@@ -33,6 +33,8 @@ def read_series(text: str) -> list[str]:
 
 def _is_list_of_numbers(parts: list[str]) -> bool:
     """Whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
+    if all(any(sign in part for sign in SIGNS_OF_UNCERTAINTY) for part in parts):
+        return True
     wholes = [part.partition(".")[0] for part in parts]
     if any(len(whole) > 1 and whole[0] == "0" for whole in wholes):
         return False

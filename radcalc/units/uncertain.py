@@ -152,6 +152,8 @@ def _with_expression(text: str) -> Reading | None:
     """
     import re
 
+    if "," in text:
+        return None  # a list, of which each value is read by itself
     pieces = re.split(LEAF, text)
     texts, leaves = pieces[::5], list(zip(*(iter(pieces[k::5]) for k in range(1, 5)), strict=True))
     found = [_leaf(*leaf) for leaf in leaves]
