@@ -1,7 +1,7 @@
 """What somebody gave for a symbol, as a text, a number or a quantity: read, and held to limits."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from operator import index
 from typing import Any, NamedTuple
 
@@ -111,23 +111,22 @@ DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and
 
 def inputs_of(given: Inputs) -> tuple[Input, ...]:
     """What was given, as an answer tells it; a place by its coordinates."""
-    return tuple(told for one in given.values() for told in _told(one))
+    return tuple([told for one in given.values() for told in _told(one)])
 
 
-def _told(one: Given) -> Iterator[Input]:
+def _told(one: Given) -> list[Input]:
     form = one.symbol.form
     if form == QUANTITY:
         off = one.uncertainty and one.uncertainty / float(one.unit.factor if one.unit else 1)
         if isinstance(one.unit, ScaleUnit):
             off /= abs(one.unit.slope(one.number))
-        yield Input(one.name, one.number, one.unit_text, one.text, off)
-    elif form == FLAG:
-        yield Input(one.name, True)
-    elif one.name == "point":
-        for axis, metres in zip("xyz", one.value, strict=True):
-            yield Input(axis, metres, "m")
-    else:
-        yield Input(one.name, text=one.text)
+        return [Input(one.name, one.number, one.unit_text, one.text, off)]
+    if form == FLAG:
+        return [Input(one.name, True)]
+    if one.name == "point":
+        axes = zip("xyz", one.value, strict=True)
+        return [Input(axis, metres, "m") for axis, metres in axes]
+    return [Input(one.name, text=one.text)]
 
 
 def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:

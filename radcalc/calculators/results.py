@@ -95,8 +95,8 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
 
 def _shown(value: Value, text: str) -> Any:
     """A value in one of the units it is shown in, of which most are coherent or as typed."""
-    if value.in_first is not None and text == value.units[0]:
-        return value.in_first + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
+    if text == value.units[0] and (typed := value.in_first) is not None:
+        return typed + 0.0  # as typed: 30, where pi/6 would give 29.999999999999996
     if text == COHERENT.get(value.dimensions[0]):
         return held(value.name, value.amount)
     return in_unit(value, resolve_any(text))
@@ -127,7 +127,7 @@ def held(name: str, number: Any, of: Any = None) -> Any:
 
     It is too small where it has lost digits, or is 0 and what it is a multiple `of` is not.
     """
-    if is_uncertain(number):
+    if type(number) is not float and is_uncertain(number):
         held(name, number.nominal_value, getattr(of, "nominal_value", of))
         return number
     if is_lost(number, number if of is None else of):
@@ -199,10 +199,11 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     Of several answers each begins with what was given, which tells them apart.
     """
     found = [
-        _apart(Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None))
+        Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None)
         for v in values
         for text in v.units
     ]
+    found = [row if type(row.value) is float else _apart(row) for row in found]
     if case:
         found.sort(key=lambda row: not row.given)
     return found

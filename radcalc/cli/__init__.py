@@ -165,12 +165,17 @@ def commands() -> None:
 def protect_negatives(words: list[str]) -> list[str]:
     """Write the minus of words that are numbers in another way, so that Click sees no option."""
     return [
-        "→" if word == "->" else MINUS + word[1:] if _is_negative(word) else word for word in words
+        "→"
+        if word == "->"
+        else MINUS + word[1:]
+        if word[:1] == "-" and _is_negative(word)
+        else word
+        for word in words
     ]
 
 
 def _is_negative(word: str) -> bool:
-    if word[:1] != "-" or len(word) == 1:
+    if word[1:2] in ("", "-"):
         return False
     return is_sentence([word]) or word[1:].lower() in ("inf", "infinity", "nan")
 

@@ -61,7 +61,8 @@ class Answered(NamedTuple):
     @property
     def long(self) -> Input | None:
         """The input that is an array."""
-        return next((told for told in self.inputs if is_array(told.value)), None)
+        arrays = [told for told in self.inputs if is_array(told.value)]
+        return arrays[0] if arrays else None
 
 
 def run(
@@ -90,7 +91,7 @@ def run(
         each = [part for case in each for part in _blocks(case)]
     else:
         _refuse_long(each, asked)
-    if any(one.uncertainty for case in each for one in case.given.values()):
+    if [one for case in each for one in case.given.values() if one.uncertainty]:
         from radcalc.calculators.uncertainty import with_uncertainties
 
         work_out = partial(with_uncertainties, work_out)
@@ -109,7 +110,7 @@ def _saying_how_read(work_out: Callable[[Inputs], Answer]) -> Callable[[Inputs],
 
     def told(given: Inputs) -> Answer:
         answer = work_out(given)
-        read = tuple(dict.fromkeys(text for one in given.values() for text in one.assumptions))
+        read = dict.fromkeys([text for one in given.values() for text in one.assumptions])
         if not read:
             return answer
         answers = (answer, *answer.more)
@@ -128,7 +129,7 @@ def _blocks(case: Case) -> Iterator[Case]:
     for start in range(0, case.size, BLOCK):
         part = slice(start, start + BLOCK)
         values = long._replace(value=long.value[part], number=long.number[part])
-        yield case._replace(given={**case.given, long.name: values})
+        yield case._replace(given={**case.given, long.name: values}, long=values)
 
 
 def _refuse_long(each: Sequence[Case], asked: Asked) -> None:

@@ -14,21 +14,20 @@ from radcalc.units.ranges import grid, note_of
 
 
 class Case(NamedTuple):
-    """What is given for an answer, what of it differs from answer to answer, and notes on it."""
+    """What is given for an answer, what of it differs from answer to answer, and notes on it.
+
+    `long` is the input that is a range too long for a case each: its values are an array.
+    """
 
     given: Inputs
     varied: tuple[Input, ...] = ()
     notes: tuple[str, ...] = ()
+    long: Given | None = None
 
     @property
     def label(self) -> str:
         """Which of several it is: `distance 2m, half-angle 30deg`."""
         return label(self.varied)
-
-    @property
-    def long(self) -> Given | None:
-        """The input that is a range too long for a case each: its values are an array."""
-        return next((one for one in self.given.values() if is_array(one.value)), None)
 
     @property
     def size(self) -> int:
@@ -43,8 +42,8 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
     lists; `intervals` are A:B.
     """
     values: dict[str, Sequence[Any]] = {}
+    is_last = True
     for name, text in reversed(typed.items()):
-        is_last = not any(_varies(behind) for behind in values.values())
         is_interval = name in intervals
         try:
             values[name] = [text] if is_interval else values_of(name, text, arrays and is_last)
@@ -52,6 +51,7 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
             if arrays and not is_last:
                 error.hint += f", or {option(name)} behind the other lists"
             raise
+        is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
     given = {
         name: [
             read_interval(name, one) if name in intervals else read(name, one, uncertain=True)
@@ -60,16 +60,14 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
         for name, each in reversed(values.items())
     }
     names = [name for name, each in given.items() if len(each) > 1]
-    long = next((len(one.value) for (one, *_) in given.values() if is_array(one.value)), 1)
+    arrays_given = [one for (one, *_) in given.values() if is_array(one.value)]
+    long = arrays_given[0] if arrays_given else None
+    size = len(long.value) if long else 1
     notes = tuple(note for name in names for note in note_of(typed[name]))
     return [
-        Case(case, tuple(told(case[name]) for name in names), notes) for case in grid(given, long)
+        Case(case, tuple([told(case[name]) for name in names]), notes, long)
+        for case in grid(given, size)
     ]
-
-
-def _varies(values: Sequence[Any]) -> bool:
-    """Whether an option has several values, or one that is an array."""
-    return len(values) > 1 or isinstance(values[0], tuple)
 
 
 def told(given: Given) -> Input:

@@ -42,7 +42,7 @@ def line(
     value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
 ) -> str:
     """One converted value: VALUE, a tab and UNIT, or the bare number."""
-    text = number(value, precision) if bare else uncertain(value, off, precision)
+    text = uncertain(value, off, precision) if off and not bare else number(value, precision)
     return f"{text}\n" if bare else f"{text}\t{unit}\n"
 
 

@@ -120,7 +120,7 @@ def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
 
     One of the values may stand for `long` of them, as an array.
     """
-    sizes = [*(len(values) for values in given.values()), long]
+    sizes = [*map(len, given.values()), long]
     refuse_many(sizes, MOST if long == 1 else MOST_IN_ARRAY)
     return [dict(zip(given, case, strict=True)) for case in product(*given.values())]
 

@@ -244,6 +244,14 @@ class ScaleUnit(Unit):
 
 
 SIZES = {scale.constant: scale.size for scale in SCALES if scale.constant}
+# Symbols are as they are written, names of words in any case; several scales may have one.
+BY_SPELLING: dict[str, list[Scale]] = {}
+BY_NAME: dict[str, list[Scale]] = {}
+for _scale in SCALES:
+    for _spelling in _scale.spellings:
+        BY_SPELLING.setdefault(_spelling, []).append(_scale)
+        if len(_spelling) > 3 and _spelling.islower():
+            BY_NAME.setdefault(_spelling, []).append(_scale)
 
 
 def usual(constant: str, settable: bool = False) -> str:
@@ -266,8 +274,7 @@ def find(text: str) -> ScaleUnit | None:
 def _named(text: str) -> list[Scale]:
     """The rows of a spelling: symbols as they are written, names of words in any case."""
     bare, folded = text.replace(" ", ""), text.lower().replace("_", " ")
-    rows = [scale for scale in SCALES if bare in scale.spellings]
-    rows = rows or [scale for scale in SCALES if _is_name(folded, scale)]
+    rows = BY_SPELLING.get(bare) or BY_NAME.get(folded) or []
     if rows or "mag" not in text:
         return rows
     try:  # mag/arcsec^2, mag arcsec-2
@@ -277,10 +284,6 @@ def _named(text: str) -> list[Scale]:
         return []
     is_area = ("mag", 1) in atoms and area == [(("", "arcsecond"), -2)]
     return [scale for scale in SCALES if "mpsas" in scale.spellings and is_area]
-
-
-def _is_name(folded: str, scale: Scale) -> bool:
-    return any(len(one) > 3 and one.islower() and one == folded for one in scale.spellings)
 
 
 def resolve_any(text: str) -> Unit:
