@@ -1,5 +1,6 @@
 """`-g NAME` prints what the listing shows first under that name, in that unit."""
 
+import re
 import shlex
 
 import pytest
@@ -9,7 +10,7 @@ from radcalc.__main__ import run
 from radcalc.units.numbers import is_sentence
 
 OTHERS = {"convert", "units", "quantities", "typical"}
-ENDS = {"-n", "--number", "--json", "--help", "-h", "--check", "--steps", "-"}
+ENDS = {"--auto", "-n", "--number", "--json", "--help", "-h", "--check", "--steps", "-"}
 TAKING = {"-g", "--get", "--format", "--precision", "--tolerance", "--color"}
 
 
@@ -49,14 +50,22 @@ def test_the_transcripts_have_every_calculator():
 def test_a_bare_name_is_in_the_unit_of_the_listing(text, capfd):
     words = shlex.split(text)
     assert run(words) == 0
-    first: dict[str, list[str]] = {}
+    first: dict[str, list[tuple[str, str]]] = {}
     for line in capfd.readouterr().out.splitlines():
-        name, number, _ = line.split("\t")
-        first.setdefault(name, []).append(number)
+        name, number, unit = line.split("\t")
+        first.setdefault(name, []).append((number, unit))
     assert first
     asked = [part for name in first for part in ("-g", name)]
     assert run([*words, *asked]) == 0
     lines = [line.split("\t") for line in capfd.readouterr().out.splitlines()]
-    for (name, numbers), column in zip(first.items(), zip(*lines, strict=True), strict=True):
-        each = len(numbers) // len(lines)  # a result may have a line for each of several units
-        assert numbers[::each] == [*column], name
+    for (name, told), column in zip(first.items(), zip(*lines, strict=True), strict=True):
+        each = len(told) // len(lines)  # a result may have a line for each of several units
+        for (number, unit), found in zip(told[::each], column, strict=True):
+            if unit == told[0][1]:  # a list has one unit, that of the first
+                assert found == number or is_near(found, number), name
+
+
+def is_near(found, uncertain):
+    """Whether a number is within an uncertain one: 63.7 ± 1.6, or (3.77 ± 0.12)e-05."""
+    size, off, power = re.fullmatch(r"\(?(\S+) ± ([^)]+?)\)?(e\S+)?", uncertain).groups("")
+    return abs(float(found) - float(size + power)) <= float(off + power)
