@@ -185,7 +185,9 @@ def decide(
     if number and (json_ or format_ not in (None, PLAIN)):
         raise UsageError("--number is plain text, and contradicts another format", "-n alone")
     if number and auto:
-        raise UsageError("--number prints no unit, and --auto chooses one", "one of them")
+        raise UsageError(
+            "--number prints no unit, and --auto chooses one", "the same without --auto"
+        )
     asked = JSON if json_ else PLAIN if number else format_
     terminal = stdio.is_terminal()
     chosen = asked or (TABLE if terminal else PLAIN)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
@@ -101,6 +101,10 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
     if separator:
         values, between, targets = read_values(source), [separator], _targets(target)
     else:
+        for word, behind in pairwise(words):
+            if word.endswith(","):
+                told = f"'{quote(word)} {quote(behind)}' has a blank in its list"
+                raise ConditionError(told, quote(word + behind))
         values, between = read_values(words[0]), words[1:-1]
         targets = _targets(words[-1]) if len(words) > 1 else []
     refuse_many([len(values), len(targets)])
