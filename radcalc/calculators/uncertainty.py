@@ -137,6 +137,7 @@ def value_of(amount: Amount) -> Given:
 
 
 KEY = ("",)
+AS_TYPED = ("given", "exact")  # the fields of a result in its first unit
 
 
 def _assumed(given: Inputs) -> str:
@@ -280,8 +281,9 @@ def _numbers(answer: Answer) -> Numbers:
             if value.is_absent:
                 continue
             found[*key, ""] = value.amount
-            if value.given is not None:
-                found[*key, "given"] = value.given
+            for field in AS_TYPED:
+                if (number := getattr(value, field)) is not None:
+                    found[*key, field] = number
             for dimension, amount in value.reach.items():
                 found[*key, dimension] = amount
     if any(map(is_array, found.values())):
@@ -294,8 +296,8 @@ def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
     if value.is_absent:
         return value
     reach = {d: numbers.get((*key, d), amount) for d, amount in value.reach.items()}
-    given = numbers.get((*key, "given"), value.given)
-    return value._replace(si=numbers.get((*key, ""), value.si), reach=reach, given=given)
+    typed = {field: numbers.get((*key, field), getattr(value, field)) for field in AS_TYPED}
+    return value._replace(si=numbers.get((*key, ""), value.si), reach=reach, **typed)
 
 
 def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
@@ -307,7 +309,7 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
             continue
         value = values[bent[0][:-1]]
         unit = value.units[0]
-        ends = (value._replace(si=end, given=None) for end in bend.ends[bent[0]])
+        ends = (value._replace(si=end, given=None, exact=None) for end in bend.ends[bent[0]])
         low, high = (_amount(in_unit(end, resolve(unit)), unit) for end in ends)
         more = f" (and {len(bent) - 1} more results)" if len(bent) > 1 else ""
         notes.append(bend.note(value.label, low, high) + more)

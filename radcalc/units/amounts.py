@@ -103,6 +103,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     except RadcalcError as error:
         problem = error
     is_signed = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
+    is_signed |= any(text[k - 1] in DIGITS for k, c in enumerate(text) if k and c == "(")  # 100(3)
     if not is_signed and (found := _read_expression(text)):
         return found
     if any(mark in text for mark in UNCERTAIN):

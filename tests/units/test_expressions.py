@@ -127,7 +127,7 @@ REFUSED = {
     "(1+2)(3+4) lx": ("runs two values together", "*"),
     "3 lx * 2 3": ("runs two values together at '3'", "*"),
     "5 m + -3 m": ("two signs in a row", "brackets"),
-    "(100±3) lx * 2": ("has an uncertainty", "100±3 lx"),
+    "(100)±3 lx": ("has an uncertainty", "100±3 lx"),
     "5 lx +": ("has nothing where a number is meant", "arithmetic"),
     "5 lx + lx": ("has no number at 'lx'", "1 lx"),
     "500 lx * cos(60)": ("no angle in cos(60)", "cos(30deg)"),
