@@ -45,7 +45,7 @@ PROSE = (
     r"a distance to the centre above the radius.*", r"the chromaticity: x and y",
     r"more of the quantities", r"a line with the names of the columns", r"one source a call",
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
-    r"one of them", r"the same unit.*",
+    r"one of them", r"the same unit.*", r"terms of one quantity", r".* \* \(1 [+-] .*\)",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
     r"an intensity behind it, .*",

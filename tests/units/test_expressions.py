@@ -79,6 +79,25 @@ def test_an_expression_is_worked_out_and_rounded_once(text):
     assert amount.text == text
 
 
+# Readings that a refusal offers are read.
+OFFERED = {
+    "100 lx * (1 + 10%)": (110.0, "lx"),
+    "(1/2) m + (1/2) m": (1.0, "m"),
+    "100 W / (5 W/m2)": (20.0, "m2"),
+    "(100 W / 5 W) /m2": (20.0, "m-2"),
+    "(5.10)^3 lx": (132.651, "lx"),
+    "5*10^3 lx": (5000.0, "lx"),
+    "(4*pi/2) sr": (2 * math.pi, "sr"),
+    "(4/(2pi)) sr": (2 / math.pi, "sr"),
+}
+
+
+@pytest.mark.parametrize("text", OFFERED)
+def test_a_reading_that_a_refusal_offers_is_read(text):
+    amount = read_amount(text)
+    assert (amount.number, amount.unit.text) == OFFERED[text]
+
+
 # What was read before there were expressions keeps its reading.
 PLAIN = {
     "1/2 m": (0.5, "m"),
