@@ -98,7 +98,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
     problem: RadcalcError | None = None
     try:
         number, unit = split_quantity(text)
-        if not _has_number(unit):
+        if unit.isalpha() or not _has_number(unit):
             return _read_plain(text, number, unit, dimensions)
     except RadcalcError as error:
         problem = error
