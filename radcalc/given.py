@@ -135,6 +135,8 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     Directions are a range of polar angles, with one azimuth: 0deg:90deg:15deg,90deg.
     """
     form = SYMBOLS[name].form
+    if name == "f-number" and "f/" in text:  # f/8,f/11 is no 8.11
+        return text.split(",")  # type: ignore[no-any-return]
     if form == SPECTRUM:
         return read_spectra(text)
     if form == DIRECTION and ":" in str(text):
@@ -147,13 +149,21 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     return read_series(text)
 
 
-def read(name: str, value: Any, uncertain: bool = False) -> Given:
+AS_BARE = "0123456789./"  # what a number has that is written without its unit
+
+
+def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Given:
     """Read what was given for a symbol of the vocabulary.
 
     `value` is a text as on the command line, True for a flag, a number, or a number (or an
     array) with a `Unit`, and with a text if that says it better.  It may be `uncertain` where
-    the caller carries that.
+    the caller carries that.  `bare` is the unit of a text without one, where people write none.
     """
+    text = str(value).strip() if bare else ""
+    if text and not text.strip(AS_BARE) and (name != "time" or "/" in text):  # 4 may be 1/4
+        given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
+        said = f"{option(name, quote(text))} is in {bare}"
+        return given._replace(text=text, assumptions=(*given.assumptions, said))
     return read_as(SYMBOLS[name], value, uncertain)
 
 
@@ -208,6 +218,8 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     amount: Amount | None = None
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
+        if name == "f-number":
+            text = text.removeprefix("f/")  # as photographers write it: f/2.8
         if name in DIFFERENCES:
             amount = _difference(text)
         amount = amount or _read_amount(symbol, text)

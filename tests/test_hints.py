@@ -36,7 +36,6 @@ def test_a_hint_leads_to_an_answer(words):
 
 # words of a command, a part of the hint that answers what was asked
 MEANT = [
-    ("ev --f-number 2.8 --time 1/60", "--time 1/60s"),
     ("convert 500 lx umol/m2/s --efficacy 0.0185", "--efficacy 0.0185umol/lm/s"),
     ("convert 500 lx umol/m2/s --efficacy 54", "--efficacy 54lm.s/umol"),
     ("convert 500 lx ppfd --efficacy 54", "--efficacy 54lm.s/umol"),

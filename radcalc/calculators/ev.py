@@ -9,7 +9,7 @@ from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.given import Inputs
 from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS
 from radcalc.maths import any_true
-from radcalc.units.scales import C, K, ScaleUnit, usual
+from radcalc.units.scales import METER_UNITS, C, K, ScaleUnit, usual
 
 LIGHT = ("ev100", "luminance", "illuminance")
 PAGE = Page(
@@ -41,9 +41,11 @@ PAGE = Page(
         "f-number=16 time=1/100s iso=100",
         "illuminance=500lx f-number=4 iso=400 get=time:ms",
     ),
+    bare={**METER_UNITS, "time": "s"},
     remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
     "of the light.  From {luminance} to {illuminance} it takes an average scene; both of them give "
-    "the reflectance of the scene.",
+    "the reflectance of the scene.  {f-number} may be f/2.8, a fraction for {time} is in seconds, "
+    "and a bare {k} or {c} in its usual unit.",
 )
 
 

@@ -53,7 +53,8 @@ class Page(NamedTuple):
     it is about, where that is no light.  A page that
     has an `about` is a command of its own: one line that says what it gives, the symbols that
     can be given by the section of its help, examples (NAME=VALUE for each symbol), remarks in
-    which {name} is a symbol, and the kinds of light that it takes.
+    which {name} is a symbol, and the kinds of light that it takes.  `bare` are the units of what
+    is mostly written without one.
     """
 
     title: str
@@ -67,6 +68,7 @@ class Page(NamedTuple):
     remarks: str = ""
     kinds: tuple[str, ...] = KINDS
     takes_arrays: bool = True
+    bare: Mapping[str, str] = MappingProxyType({})
 
 
 T = TypeVar("T")

@@ -3,7 +3,8 @@
 Several lists make a grid, in the order in which they were typed: the last runs fastest.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from radcalc.answer import Input
@@ -11,6 +12,8 @@ from radcalc.errors import TooMany, option
 from radcalc.given import Given, Inputs, read, read_interval, values_of
 from radcalc.maths import is_array
 from radcalc.units.ranges import grid, note_of
+
+NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 class Case(NamedTuple):
@@ -35,11 +38,16 @@ class Case(NamedTuple):
         return len(self.long.value) if self.long else 1
 
 
-def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] = ()) -> list[Case]:
+def cases(
+    typed: dict[str, Any],
+    arrays: bool = False,
+    intervals: Sequence[str] = (),
+    bare: Mapping[str, str] = NOTHING,
+) -> list[Case]:
     """The inputs as given; several times where some of them are lists or ranges.
 
     With `arrays` a long range is one case, whose values are an array, if it is the last of the
-    lists; `intervals` are A:B.
+    lists; `intervals` are A:B; `bare` has the units of what is mostly written without one.
     """
     values: dict[str, Sequence[Any]] = {}
     is_last = True
@@ -54,7 +62,9 @@ def cases(typed: dict[str, Any], arrays: bool = False, intervals: Sequence[str] 
         is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
     given = {
         name: [
-            read_interval(name, one) if name in intervals else read(name, one, uncertain=True)
+            read_interval(name, one)
+            if name in intervals
+            else read(name, one, uncertain=True, bare=bare.get(name, ""))
             for one in each
         ]
         for name, each in reversed(values.items())

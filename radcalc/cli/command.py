@@ -111,7 +111,7 @@ def of_page(name: str) -> "SectionedCommand":
         from radcalc.cli.calculator import run
         from radcalc.cli.cases import cases
 
-        return run(cases(typed, page.takes_arrays), work_out, asked, shown, name)
+        return run(cases(typed, page.takes_arrays, bare=page.bare), work_out, asked, shown, name)
 
     examples = [f"  {Shell.command(name, *line.split())}" for line in page.examples]
     calculate.__doc__ = "\n\n".join(

@@ -27,7 +27,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import note_of, read_lists, refuse_many
-from radcalc.units.scales import ScaleUnit, names_of, resolve_any
+from radcalc.units.scales import METER_UNITS, ScaleUnit, names_of, resolve_any
 from radcalc.units.table import Unit
 
 
@@ -120,7 +120,8 @@ def command(
     if words[:1] == ("-",):
         streams.refuse_second_reader(typed)
     try:
-        each = cases(typed)  # before the operands, so that `--distance 2 m` is told to write 2m
+        # before the operands, so that `--distance 2 m` is told to write 2m
+        each = cases(typed, bare=METER_UNITS)
     except MissingUnit as error:
         if error.symbol == "efficacy":
             error.hint = likely_efficacy(error, list(words))

@@ -80,7 +80,8 @@ def plan(source: Unit, target: Unit, given: Sequence[Given], number: str) -> Sca
     Of a scale with several readings the first is taken that the other side, and the conditions,
     leave possible; what measures the same comes first.
     """
-    constants = {one.name: one.value for one in given if one.name in CONSTANTS}
+    meter = {one.name: one for one in given if one.name in CONSTANTS}
+    constants = {name: one.value for name, one in meter.items()}
     others = [one for one in given if one.name not in CONSTANTS]
     sources, targets = _readings(source, target, constants), _readings(target, source, constants)
     error: RadcalcError | None = None
@@ -94,7 +95,10 @@ def plan(source: Unit, target: Unit, given: Sequence[Given], number: str) -> Sca
         used = {end.scale.constant for end in (one, other) if isinstance(end, ScaleUnit)}
         if idle := [name for name in constants if name not in used]:
             raise Unused(idle, f"from {quote(source.text)} to {quote(target.text)}")
-        return ScaledPlan(one, other, linear)
+        made = ScaledPlan(one, other, linear)
+        told = [text for name in constants for text in meter[name].assumptions]
+        made.assumptions = (*told, *made.assumptions)
+        return made
     assert error is not None
     raise error
 

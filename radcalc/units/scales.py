@@ -20,6 +20,7 @@ from radcalc.units.numbers import read_number
 from radcalc.units.table import CELSIUS, TEMPERATURE_ALONE, Dimension, Unit, lookup, resolve
 
 K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of light meters use
+METER_UNITS = {"k": "cd.s/m2", "c": "lx.s"}  # of its constants, which people write bare
 CONSTANTS = {  # what is assumed of a light meter where nobody says it, and what others have
     "k": ("K = 12.5 cd s/m2", "some makers have 14"),
     "c": ("C = 250 lx s", "320 to 340 with a dome"),
