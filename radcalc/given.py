@@ -47,7 +47,7 @@ from radcalc.quantities.symbols import (
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
-from radcalc.units.ranges import read_array, read_series, read_spectra, real
+from radcalc.units.ranges import read_array, read_series, read_spectra, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
@@ -291,10 +291,7 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
     try:
         return read_amount(text, symbol.dimensions)
     except NumberError as error:
-        hint = error.hint
-        if "," in text and symbol.dimensions == (NUMBER,):
-            parts = ",".join(p if "." in p else f"{p}.0" for p in text.split(","))
-            hint = f"{hint}, or {quote(parts)} if that is a list"
+        hint = with_list(error.hint, text) if "," in text else error.hint
         raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
 
 

@@ -193,7 +193,7 @@ def refuse_lookalikes(text: str, at: int) -> None:
     """Refuse what goes on, after the number, in a way that people read as a number."""
     rest = text[at : at + 2]
     if rest[:1] == "," and rest[1:] in tuple(DIGITS):
-        raise _rewritten(text, at, "has a comma in its number", _without_commas)
+        raise _rewritten(text, at, "has a comma in its number", without_commas)
     if rest[:1] == "_":
         raise _rewritten(text, at, "is not a number", lambda run: [run.replace("_", "")])
     if rest[:1] in ("x", "X") and text[:at].lstrip(SIGNS) == "0" and rest[1:].isalnum():
@@ -211,17 +211,19 @@ def _rewritten(
         start -= 1
     while text[end : end + 1] and text[end] in RUN:
         end += 1
-    found = [f"{text[:start]}{one}{text[end:]}".strip() for one in readings(text[start:end])]
+    is_power = text[:start].rstrip(SIGNS)[-1:] in ("e", "E")  # 1e3,5
+    runs = [] if is_power else readings(text[start:end])
+    found = [f"{text[:start]}{one}{text[end:]}".strip() for one in runs]
     hint = " or ".join(map(quote, found)) or "a number such as 1500 or 1.5, without commas"
     return NumberError(f"'{quote(text)}' {problem}", hint)
 
 
-def _without_commas(run: str) -> list[str]:
+def without_commas(run: str) -> list[str]:
     """What people mean by digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
     whole, *others = run.split(",")
     if "." in whole:  # points part thousands, and the comma begins the decimals
-        grouped = _are_thousands(whole.split("."))
-        return [f"{whole.replace('.', '')}.{others[0]}"] if grouped and len(others) == 1 else []
+        grouped = _are_thousands(whole.split(".")) and len(others) == 1 and "." not in others[0]
+        return [f"{whole.replace('.', '')}.{others[0]}"] if grouped else []
     last, *decimals = others[-1].split(".")
     thousands = _are_thousands([whole, *others[:-1], last]) and len(decimals) < 2
     found = [run.replace(",", "")] if thousands else []
@@ -231,7 +233,8 @@ def _without_commas(run: str) -> list[str]:
 
 
 def _are_thousands(groups: list[str]) -> bool:
-    return 0 < len(groups[0]) <= 3 and all(len(group) == 3 for group in groups[1:])
+    is_begun = 0 < len(groups[0]) <= 3 and groups[0][0] != "0"
+    return is_begun and all(len(group) == 3 for group in groups[1:])
 
 
 def rounding(text: str) -> float:

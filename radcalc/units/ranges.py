@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
 from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides, split_value
+from radcalc.units.numbers import DIGITS, SIGNS, read_number, without_commas
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide, resolve
 
@@ -40,7 +41,40 @@ def _is_list_of_numbers(parts: list[str]) -> bool:
         return False
     if parts[0].isdigit() and all(len(whole) == GROUP for whole in wholes[1:]):
         return _are_groups(parts)
-    return len(parts) > 2 or (len(parts) == 2 and "." in parts[0] and "." in parts[1])
+    return len(parts) > 1 and (len(parts) > 2 or not _is_one_number(*parts))
+
+
+def _is_one_number(whole: str, decimals: str) -> bool:
+    """Whether what stands round a comma may be a number: 1,5 and 1.000,5, not -3,-1 nor 1.5,2."""
+    whole = whole.lstrip(SIGNS)
+    if not whole or whole.strip(DIGITS + ".") or decimals[:1] not in DIGITS:
+        return False
+    return bool(without_commas(f"{whole},{decimals}"))
+
+
+def with_list(hint: str, text: str, unit: str = "") -> str:
+    """The hint for what has a comma in its number, with the list that might be meant.
+
+    The unit behind its last value, or in another word, is that of each; bare numbers are a list
+    where each has decimals.
+    """
+    *others, last = [part.strip() for part in text.split(",")]
+    unit = unit or _unit_in(last)
+    parts = [*others, last.removesuffix(unit).strip()]
+    is_begun = any(len(part.partition(".")[0]) > 1 and part[0] == "0" for part in parts)
+    if is_begun or not all(map(_is_number, parts)):
+        return hint
+    unit = unit.replace(" ", ".")
+    ending = "" if unit else ".0"
+    listed = ",".join(f"{part}{unit or ending * ('.' not in part)}" for part in parts)
+    return f"{hint}, or {quote(listed)} if that is a list"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return read_number(text)[1] == len(text)
+    except NumberError:
+        return False
 
 
 def _are_groups(parts: Sequence[str]) -> bool:
@@ -100,16 +134,33 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
     source, separator, target = sides(words)
     if separator:
         values, between, targets = read_values(source), [separator], _targets(target)
+        _refuse_commas(source, values)
     else:
         for word, behind in pairwise(words):
             if word.endswith(","):
                 told = f"'{quote(word)} {quote(behind)}' has a blank in its list"
                 raise ConditionError(told, quote(word + behind))
         values, between = read_values(words[0]), words[1:-1]
+        _refuse_commas(words[0], values, *words[1:2])
         targets = _targets(words[-1]) if len(words) > 1 else []
     refuse_many([len(values), len(targets)])
     ends = [[target] for target in targets] or [[]]
     return [[[value, *between, *end] for end in ends] for value in values]
+
+
+def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
+    """Refuse a value with a comma that is no list, with the list that might be meant.
+
+    Its unit may stand `behind` it, in another word.
+    """
+    if "," not in text or len(values) > 1:
+        return
+    unit = "" if _unit_in(text.rpartition(",")[2]) else behind.strip()
+    whole = f"{text.strip()} {unit}".strip()
+    try:
+        split_value(whole)
+    except NumberError as error:
+        raise NumberError(error.message, with_list(error.hint, text, unit)) from None
 
 
 def _targets(text: str) -> list[str]:

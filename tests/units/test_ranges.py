@@ -9,6 +9,11 @@ LISTS = {
     "1m,2m": ["1m", "2m"],
     "1,2,5": ["1", "2", "5"],
     "1.5,2.5": ["1.5", "2.5"],
+    "1.5,2": ["1.5", "2"],
+    "0.001,1000": ["0.001", "1000"],
+    "-30,-10": ["-30", "-10"],
+    "1e3,5": ["1e3", "5"],
+    "1/3,2": ["1/3", "2"],
     "100,200": ["100", "200"],
     "100,200,400": ["100", "200", "400"],
     "4pi,2pi": ["4pi", "2pi"],
@@ -16,7 +21,8 @@ LISTS = {
     "3m:1m:-1m": ["3m", "2m", "1m"],
 }
 # What may be one number, by the decimal commas and the groups of thousands of several languages.
-NUMBERS = ("1,5", "1,000", "12,500", "1,500", "100,000", "100,050", "1,234,567", "100,200.5", "0,5")
+NUMBERS = ("1,5", "1,000", "12,500", "1,500", "100,000", "100,050", "1,234,567", "100,200.5", "0,5",
+           "-1,5", "1,5e3", "1.000,5", "7000,9000")
 
 
 @pytest.mark.parametrize("text", LISTS)
@@ -63,6 +69,29 @@ def test_the_words_of_a_conversion_are_cut_into_those_of_each(words, values, tar
     assert [call[0] for call, *_ in calls] == values
     assert [call[-1] for call in calls[0]] == targets
     assert all(len(each) == len(targets) for each in calls)
+
+
+LIKE_LISTS = {  # words of a value with a comma, and the list that its hint has beside the number
+    ("10,20", "dBm", "mW"): "10dBm,20dBm",
+    ("7000,9000 lm", "klm"): "7000lm,9000lm",
+    ("1,5", "W", "m-2", "to", "W/m2"): "1W.m-2,5W.m-2",
+    ("1,5lx", "fc"): "1lx,5lx",
+}
+
+
+@pytest.mark.parametrize("words", LIKE_LISTS)
+def test_what_may_be_one_number_is_refused_with_the_list_that_it_may_be(words):
+    with pytest.raises(RadcalcError, match="comma in its number") as caught:
+        read_lists(list(words))
+    listed = LIKE_LISTS[words]
+    assert caught.value.hint.endswith(f", or {listed} if that is a list")
+    assert len(read_values(listed)) == 2
+
+
+def test_no_list_is_made_of_groups_of_thousands():
+    with pytest.raises(RadcalcError) as caught:
+        read_lists(["1,000", "lx", "fc"])
+    assert caught.value.hint == "1000 lx or 1.000 lx"
 
 
 def test_a_target_is_missing_between_commas():
