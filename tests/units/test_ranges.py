@@ -21,8 +21,21 @@ LISTS = {
     "3m:1m:-1m": ["3m", "2m", "1m"],
 }
 # What may be one number, by the decimal commas and the groups of thousands of several languages.
-NUMBERS = ("1,5", "1,000", "12,500", "1,500", "100,000", "100,050", "1,234,567", "100,200.5", "0,5",
-           "-1,5", "1,5e3", "1.000,5", "7000,9000")
+NUMBERS = (
+    "1,5",
+    "1,000",
+    "12,500",
+    "1,500",
+    "100,000",
+    "100,050",
+    "1,234,567",
+    "100,200.5",
+    "0,5",
+    "-1,5",
+    "1,5e3",
+    "1.000,5",
+    "7000,9000",
+)
 
 
 @pytest.mark.parametrize("text", LISTS)
