@@ -114,14 +114,16 @@ class Tolerance(NamedTuple):
 
     def holds(self, value: float, right: float) -> bool:
         """Whether a value is as near to the right one as that."""
+        return abs(value - right) <= self.width(right) * (1 + 1e-9) + 1e-300
+
+    def width(self, right: float) -> float:
+        """How far from the right one a value may be."""
         if self.kind == "relative":
-            allowed = self.size * abs(right)
-        elif self.kind == "absolute":
-            allowed = self.size
-        else:
-            first = math.floor(math.log10(abs(right))) if right else 0
-            allowed = 0.5 * 10.0 ** (first - self.size + 1)
-        return abs(value - right) <= allowed * (1 + 1e-9) + 1e-300
+            return self.size * abs(right)
+        if self.kind == "absolute":
+            return self.size
+        first = math.floor(math.log10(abs(right))) if right else 0
+        return float(0.5 * 10.0 ** (first - self.size + 1))
 
 
 def read_tolerance(text: str, unit: Unit) -> Tolerance:

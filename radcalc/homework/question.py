@@ -50,9 +50,11 @@ def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Quest
         from radcalc.calculators.uncertainty import with_uncertainties
 
         told = with_uncertainties(question.work_out, given)
-        answer = told._replace(values=answer.values, more=answer.more)
+        # the mistakes are found along the steps of the numbers
+        answer = told._replace(values=answer.values, more=answer.more, steps=answer.steps)
         question = question._replace(answer=answer, uncertain=told)
-    return question._replace(steps=tuple(answer.steps)) if steps else question
+    told = question.uncertain or answer
+    return question._replace(steps=tuple(told.steps)) if steps else question
 
 
 def of_conversion(

@@ -16,6 +16,7 @@ from radcalc.units.table import Unit
 
 NEAR = 0.05  # of an uncertainty, which has two digits at most
 WRONG = "uncertainty"  # the mistake that has no better name
+EXACT = "the right value has none"
 SQUARES = "independent uncertainties add as squares"
 SLOPES = "each uncertainty counts with the slope of the result: of 1/d^2 twice the part of d"
 
@@ -28,22 +29,24 @@ def of_result(question: Question, target: Value, unit: Unit) -> Any:
     return next(in_unit(other, unit) for value, other in values if value is target)
 
 
-def tolerance(off: float, said: Claim, unit: str) -> Tolerance:
-    """The larger of the uncertainties of the right value and of the answer."""
+def tolerance(off: float, unit: str) -> Tolerance:
+    """The standard uncertainty of the right value."""
     told = "" if unit == "1" else f" {unit}"
-    if said.uncertainty > off:
-        size, whose = said.uncertainty, "the uncertainty claimed"
-    else:
-        size, whose = off, "the standard uncertainty"
-    return Tolerance(f"within {format_number(size, 2)}{told}, {whose}", "absolute", size)
+    return Tolerance(f"within {_shown(off)}{told}, the standard uncertainty", "absolute", off)
 
 
-def judge(number: Any, said: Claim, given: Inputs) -> tuple[Diagnosis, ...]:
-    """What is wrong with the uncertainty that an answer claims; nothing where that is right."""
-    off, claimed = number.std_dev, said.uncertainty
+def judge(number: Any, said: Claim, given: Inputs, allowed: float) -> tuple[Diagnosis, ...]:
+    """What is wrong with the uncertainty that an answer claims; nothing where that is right.
+
+    Of an exact result it may be as large as the answer was `allowed` to be off.
+    """
+    off, claimed = getattr(number, "std_dev", 0.0), said.uncertainty
+    if not off:
+        too_large = claimed > allowed
+        return (Diagnosis(WRONG, "an uncertainty is claimed", EXACT),) if too_large else ()
     if not claimed or _is_near(claimed, off):
         return ()
-    right = f"it is {format_number(off, 2)}"
+    right = f"it is {_shown(off)}"
     parts = [abs(size) for size in number.error_components().values()]
     sizes = [one.uncertainty / one.value for one in given.values() if one.uncertainty and one.value]
     without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
@@ -61,6 +64,11 @@ def judge(number: Any, said: Claim, given: Inputs) -> tuple[Diagnosis, ...]:
         if _is_near(claimed, size):
             return (Diagnosis(name, done, f"{why}: {right}"),)
     return (Diagnosis(WRONG, "the uncertainty is another one", right),)
+
+
+def _shown(size: float) -> str:
+    """An uncertainty with two digits: 0.28, 100."""
+    return format_number(float(f"{size:.2g}"))
 
 
 def _is_near(claimed: float, size: float) -> bool:

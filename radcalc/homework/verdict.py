@@ -47,7 +47,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
     """Judge an answer `[NAME=]VALUE[UNIT]`, within a tolerance (1%, 0.5lx or 3sf).
 
     Without a tolerance it is 1%, or the digits typed where these are at least two and leave more,
-    or the standard uncertainty of the right value or of the answer.  Where several answers fit what
+    or the standard uncertainty of the right value.  Where several answers fit what
     is given, one of them is right.
     """
     uncertain = question.uncertain
@@ -95,8 +95,8 @@ def _judged(
     number = uncertainty.of_result(question, target, unit)
     off = getattr(number, "std_dev", 0.0)
     allowed = read_tolerance(tolerance, unit)
-    if not asked and max(off, said.uncertainty) > ONE_PERCENT * abs(right):
-        allowed = uncertainty.tolerance(off, said, unit_text)
+    if not asked and off > ONE_PERCENT * abs(right):
+        allowed = uncertainty.tolerance(off, unit_text)
     is_near = allowed.holds(said.value, right)
     ratio = said.value / right if right else math.inf
     verdict = Verdict(
@@ -114,7 +114,7 @@ def _judged(
         said.uncertainty,
     )
     if verdict.is_right:
-        found = uncertainty.judge(number, said, question.given) if off else ()
+        found = uncertainty.judge(number, said, question.given, allowed.width(right))
         return verdict._replace(is_right=not found, diagnoses=found)
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))

@@ -86,7 +86,7 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         return f"right ({said.tolerance}): {right}{nearer}\n"
     times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times that)" if times != "1" else ""
-    claimed = uncertain(said.claimed, said.claimed_uncertainty, style.precision, digits) + other
+    claimed = uncertain(said.claimed, said.claimed_uncertainty, digits) + other  # as typed
     lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"
     for diagnosis in said.diagnoses:

@@ -8,6 +8,10 @@ FOOT = 0.3048
 # with 20 lm and 0.02 m, by JCGM 100:2008, 5.1.6: u/E = sqrt((20/800)^2 + (2 * 0.02/2)^2) = 3.202 %.
 CONVERSION = ("convert", "100+-3", "lx", "fc")
 LAMP = ("point-source", "--flux", "800+-20lm", "--distance", "2.00+-0.02m")
+# 100 cd at 2 m are 25 lx, and u/E = 2 * 1/2: 25 lx; 400 cd at 1 m are 400 lx, and so is u.
+EXACT = ("convert", "100", "cd", "lx", "--distance", "2m")
+NEARLY = (*EXACT[:-1], "2.0(10)m")
+FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
 
 
 @pytest.mark.parametrize(
@@ -27,7 +31,14 @@ LAMP = ("point-source", "--flux", "800+-20lm", "--distance", "2.00+-0.02m")
         (LAMP, "15.92+-1.0lx", False, "k = 2"),  # 2 * 3.2 %
         (LAMP, "15.92+-0.43lx", False, "twice the part of d"),  # sqrt(2.5^2 + 1^2) %
         (LAMP, "15.92+-0.32lx", False, "only one"),  # 2 %
-        (("convert", "25.0", "lx", "lx"), "25.6+-0.7lx", True, "the uncertainty claimed"),
+        (EXACT, "25.2+-0.1lx", True, "within 1%"),
+        (EXACT, "25.6+-0.7lx", False, "within 1%"),
+        (EXACT, "50+-100lx", False, "the distance was not squared"),
+        (EXACT, "25+-100lx", False, "the right value has none"),
+        (EXACT, "25+-100lx", False, "not 25 ± 100 lx"),
+        (NEARLY, "50+-100lx", False, "it is 25"),
+        (NEARLY, "30+-100lx", False, "within 25 lx"),
+        (FAR, "450+-500lx", False, "within 400 lx"),
     ],
 )
 def test_value_and_uncertainty_are_judged(words, claim, is_right, said):
@@ -48,3 +59,23 @@ def test_json_has_both_uncertainties():
     check = json.loads(call([*CONVERSION, "--check", "9.3+-0.3fc", "--json"]).output)["check"]
     assert check["uncertainty"] == pytest.approx(3 * FOOT**2, rel=1e-9)
     assert (check["claimed"], check["claimed_uncertainty"]) == (9.3, 0.3)
+
+
+# What the same call without uncertainties is told of the answer, it is told with them.
+@pytest.mark.parametrize(
+    ("words", "inputs", "claim"),
+    [
+        ("lambertian --luminance {}cd/m2", [("100", "100+-5")], "exitance=628lm/m2"),
+        ("lambertian --luminance {}cd/m2", [("100", "100(5)")], "exitance=628+-31lm/m2"),
+        ("convert {} cd lx --distance {}m", [("100", "100+-3"), ("2", "2.00(1)")], "50lx"),
+        ("point-source --flux {}lm --distance {}m", [("800", "800+-20"), ("2", "2")], "63.7lx"),
+        ("etendue --area 1cm2 --half-angle {}deg", [("30", "30.0+-0.5")], "etendue=1.57cm2.sr"),
+    ],
+)
+@pytest.mark.parametrize("steps", [[], ["--steps"]])
+def test_mistakes_are_found_beside_uncertainties(words, inputs, claim, steps):
+    exact, uncertain = (words.format(*column).split() for column in zip(*inputs, strict=True))
+    said = [call([*one, *steps, "--check", claim]).output for one in (exact, uncertain)]
+    likely = [[line for line in text.split("\n") if "    " in line] for text in said]
+    assert likely[0]
+    assert likely[0][0] == likely[1][0]
