@@ -50,10 +50,11 @@ HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 class Value:
     """A number top / bottom in coherent SI units, and the units it was typed in, with powers.
 
-    `off` is how far it may be off as typed, relative to it.
+    `off` is how far it may be off as typed, relative to it; `had_units` says that it was worked out
+    of some, of which none may be left: a ratio of two lengths is a number, and takes no unit.
     """
 
-    __slots__ = ("bottom", "dimension", "off", "top", "units")
+    __slots__ = ("bottom", "dimension", "had_units", "off", "top", "units")
 
     def __init__(
         self,
@@ -62,6 +63,7 @@ class Value:
         dimension: Dimension = NUMBER,
         units: "dict[str, int] | None" = None,
         off: float = 0.0,
+        had_units: bool = False,
     ) -> None:
         """Hold the ratio in lowest terms."""
         common = math.gcd(top, bottom) or 1
@@ -69,6 +71,7 @@ class Value:
         self.bottom = bottom // common
         self.dimension = dimension
         self.units = units or {}
+        self.had_units = had_units or bool(units)
         self.off = off
         if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
@@ -92,6 +95,7 @@ class Value:
             tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
             {name: exponent for name, exponent in units.items() if exponent},
             self.off + size * other.off,
+            self.had_units or other.had_units,
         )
 
     def plus(self, other: "Value", sign: int) -> "Value":
@@ -100,7 +104,9 @@ class Value:
         off = 0.0
         if a + b:
             off = (abs(_divide(a, a + b)) * self.off) + abs(_divide(b, a + b)) * other.off
-        return Value(a + b, self.bottom * other.bottom, self.dimension, self.units, off)
+        had_units = self.had_units or other.had_units
+        bottom = self.bottom * other.bottom
+        return Value(a + b, bottom, self.dimension, self.units, off, had_units)
 
     def is_bare(self) -> bool:
         """Whether it has no unit."""
@@ -110,7 +116,9 @@ class Value:
         """The unit that it is shown in; None for a bare number."""
         if self.dimension == NUMBER:
             (name, power), *others = self.units.items() or [("", 0)]
-            return resolve(name) if power == 1 and not others and _is_part(name) else None
+            if power == 1 and not others and _is_part(name):
+                return resolve(name)
+            return resolve("1") if self.had_units else None
         units = {name: power for name, power in self.units.items() if not _is_part(name)}
         text = _unit_text(units)
         try:
@@ -449,7 +457,7 @@ class Calculator(Scanner):
             shown = self.slice(base_end, self.at)
             raise self.two_ways(f"{whole}*10{shown}", f"({whole}.10){shown}")
         self.is_arithmetic = True
-        return Value(1).times(value, power) if power else Value(1)
+        return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
     def bracket(self) -> Value:
         self.is_arithmetic |= self.begins_number()
@@ -597,7 +605,7 @@ class Calculator(Scanner):
         if any(power % 2 for power in value.units.values()):
             pairs = zip(COHERENT, dimension, strict=True)
             units = {name: power for name, power in pairs if power}
-        return Value(top, bottom, dimension, units, value.off / 2)
+        return Value(top, bottom, dimension, units, value.off / 2, value.had_units)
 
 
 def evaluate(text: str) -> Value | None:

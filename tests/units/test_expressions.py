@@ -6,6 +6,7 @@ import pytest
 from helpers import shell
 
 import radcalc
+from radcalc.__main__ import run
 from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
 from radcalc.given import read
@@ -43,19 +44,19 @@ READ = {
     "40piW": (40 * math.pi, "W"),
     "2 pi rad": (2 * math.pi, "rad"),
     "4pi sr / pi": (4.0, "sr"),
-    "180 deg / (pi rad)": (1.0, None),
+    "180 deg / (pi rad)": (1.0, "1"),
     "800 lm/4pi sr": (800 / (4 * math.pi), "lm/sr"),
     "60deg/2": (30.0, "deg"),
     "(1+2)": (3.0, None),
     "(1+2) lx": (3.0, "lx"),
-    "100 lx / 2 lx": (50.0, None),
-    "1 m / 1 in": (1 / 0.0254, None),
+    "100 lx / 2 lx": (50.0, "1"),
+    "1 m / 1 in": (1 / 0.0254, "1"),
     "500 lx * 80%": (400.0, "lx"),
     "50% + 30%": (80.0, "percent"),
     "0.1 m + 0.2 m": (0.3, "m"),  # which floats make 0.30000000000000004
     "1/(500 nm)": (0.002, "nm-1"),
     "10 W / 5 cm-1": (2.0, "W/cm-1"),
-    "0.5 cm-1 * 2 cm": (1.0, None),
+    "0.5 cm-1 * 2 cm": (1.0, "1"),
     "500 W m-2 * 2 m2": (1000.0, "W"),
     "5 W * 3 m": (15.0, "(W.m)"),
     "sqrt(4 m2)": (2.0, "m"),
@@ -90,6 +91,24 @@ OFFERED = {
     "(4*pi/2) sr": (2 * math.pi, "sr"),
     "(4/(2pi)) sr": (2 / math.pi, "sr"),
 }
+
+
+RATIOS = {  # a gain of 1000 is 30 dB, one of 2 a stop
+    ("1 W / 1 mW", "dB"): 30.0,
+    ("100 lx / 50 lx", "stops"): 1.0,
+    ("100 lx / 50 lx", "%"): 200.0,
+    ("(2 m)^0", "%"): 100.0,
+    ("sqrt(9 m2) / 2 m", "1"): 1.5,
+}
+
+
+@pytest.mark.parametrize(("text", "target"), RATIOS)
+def test_a_ratio_of_quantities_is_a_number_that_takes_no_unit(text, target, capfd):
+    assert run([text, target, "-n", "-q"]) == 0
+    assert float(capfd.readouterr().out) == RATIOS[text, target]
+    assert run([text, "lx"]) == 2
+    assert run([text, "lx", "fc"]) == 2
+    assert run(["point-source", "--flux", text, "--distance", "2m"]) == 2
 
 
 @pytest.mark.parametrize("text", OFFERED)

@@ -314,6 +314,11 @@ def _prepared(text: str) -> str:
         raise ConditionError("the expression is empty", EXAMPLE)
     if found := REFUSED.search(source):
         raise ConditionError(f"'{quote(found[0])}' cannot stand in an expression", EXAMPLE)
+    if "+-" in source:  # elsewhere it is the sign of an uncertainty
+        raise ConditionError(
+            "'+-' cannot stand in an expression, which takes no uncertainties",
+            quote(source.replace("+-", "-")),
+        )
     if found := EQUALS.search(source):
         raise ConditionError(
             f"'{found[0]}' cannot stand in an expression: no part of the "

@@ -107,3 +107,9 @@ def test_the_cost_counts_what_takes_long():
     assert Expression("1").cost == 1
     assert Expression("x + y").cost < Expression("tan(x)").cost < Expression("x**y").cost
     assert Expression("+".join(["tan(x)"] * 79)).cost == pytest.approx(79 * 11, abs=1)
+
+
+def test_the_sign_of_an_uncertainty_is_no_plus_and_minus():
+    with pytest.raises(RadcalcError, match="takes no uncertainties"):
+        Expression("cos(theta)*(1+-0.1)")
+    assert Expression("cos(theta) + -0.1")({"theta": 0.0}) == 0.9
