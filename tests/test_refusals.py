@@ -476,7 +476,7 @@ COMMANDS = {
         "environment sky:overcast --spectrum D65", "--spectrum has no use with relative"),
     # scales
     "a reading cannot be multiplied": (
-        "convert 2*10 dBm W", "'2*10 dBm' multiplies", "one number: 20 dBm"),
+        "convert 2*10 dBm W", "'2*10 dBm' multiplies", "20 dBm for one reading"),
     "a level is no part of a unit": (
         "convert 10 dBm/m2 W/m2", "'dBm' is a scale, 10 lg(P / 1 mW), and no unit", "mW"),
     "no power has no level": ("convert 0 W dBm", "0 mW has no reading on dBm", "more than 0"),
@@ -484,7 +484,14 @@ COMMANDS = {
     "no light has no magnitude": ("convert 0 lx mag", "0 lx has no reading on mag", "more than 0"),
     "no light is no exposure value": ("convert 0 cd/m2 EV", "0 cd/m2 has no reading", "more than"),
     "nothing that is left has no density": ("convert 0 % OD", "0 has no reading on OD", "more"),
-    "no reciprocal is of 0": ("convert 0 mired K", "0 mired is nothing", "readings above 0"),
+    "no reciprocal is of 0": ("convert 0 mired K", "0 mired is the reciprocal", "more than 0"),
+    "a shift of mireds is no temperature": (
+        "convert -- -100 mired K", "a difference, as filters have", "more than 0"),
+    "the reading of a meter of the sky has a unit": (
+        "convert 21.5 SQM cd/m2", "'SQM' is not accepted", "mag/arcsec2 for a reading"),
+    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "stands for"),
+    "words that are too many are told as they were typed": (
+        "convert 10 dBm uW mW", "too many words: 'dBm uW mW'", "quotes"),
     "a level beyond numbers is refused": (
         "convert 1e5 dBm W", "100000 dBm is beyond what a number holds", "less extreme"),
     "a level of nothing but 0 is refused": (

@@ -54,7 +54,7 @@ def ev(given: Inputs) -> Answer:
     for one in given.values():
         if isinstance(one.unit, ScaleUnit) and one.unit.scale.constant:
             problem = f"{option(one.name, quote(one.text))} is an exposure value"
-            raise ConditionError(problem, option("ev100", f"{one.number:.12g}"))
+            raise ConditionError(problem, f"{option('ev100', f'{one.number:.12g}')} in its place")
     sheet = Worksheet(PAGE, given, with_light=False)
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")

@@ -12,7 +12,7 @@ from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.scales import ScaleUnit, find, resolve_any
+from radcalc.units.scales import CONSTANTS, ScaleUnit, find, resolve_any
 from radcalc.units.table import Unit
 
 OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
@@ -85,14 +85,22 @@ def _on_scale(value: Value, unit: ScaleUnit) -> Any:
     return reading + (number - number.nominal_value) / scale.slope(reading)
 
 
+def _unit_of(text: str, values: Sequence[Value]) -> Unit:
+    """A unit, or a scale with the constants of the light meter that is answered for."""
+    unit = resolve_any(text)
+    if not isinstance(unit, ScaleUnit):
+        return unit
+    return unit.with_constants({v.name: v.amount for v in values if v.name in CONSTANTS})
+
+
 def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]:
     """How the scales are read in which results are asked for, NAME:SCALE."""
     found = []
     for one in wanted:
         name, _, text = one.partition(":")
-        scale = find(text) if text else None
+        scale = _unit_of(text, values) if text and find(text) else None
         for value in values:
-            if scale and name.strip() in (value.name, value.also):
+            if isinstance(scale, ScaleUnit) and name.strip() in (value.name, value.also):
                 found.append(scale.measures((*value.dimensions, *value.reach)).assumption)
     return tuple(found)
 
@@ -166,7 +174,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 text = value.units[0]
                 number = _shown(value, text)
             else:
-                unit = resolve_any(text)
+                unit = _unit_of(text, values)
                 number = in_unit(value, unit)
                 if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)

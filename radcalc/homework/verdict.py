@@ -13,7 +13,7 @@ from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
-from radcalc.units.scales import ScaleUnit, resolve_any
+from radcalc.units.scales import CONSTANTS, ScaleUnit, resolve_any
 from radcalc.units.table import Unit
 
 ROUNDED = "rounded"  # which is no mistake
@@ -65,6 +65,9 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     target, unit_text, is_of_another = _target(question, said, tolerance)
     unit = resolve_any(unit_text)
     if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
+        unit = unit.with_constants(
+            {n: k.value for n, k in question.given.items() if n in CONSTANTS}
+        )
         scale = unit.measures((*target.dimensions, *target.reach))
         if is_of_another:
             return _judged(question, said, target, scale.unit.text, True, tolerance, asked)

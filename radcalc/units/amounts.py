@@ -6,6 +6,7 @@ VALUE UNIT [to] TARGET.
 
 from radcalc.errors import (
     MINUS,
+    ExpressionError,
     NumberError,
     RadcalcError,
     UnitError,
@@ -251,7 +252,8 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     if rest and not rest[0].strip():
         raise UsageError("the unit to convert to is empty", EXAMPLE)
     if len(rest) > 1:
-        raise _too_many(amount.unit.text, rest)
+        _, typed = amount.typed
+        raise _too_many(typed.text if typed else "", rest)
     return amount, rest[0] if rest else ""
 
 
@@ -299,7 +301,7 @@ def _has_unit(text: str) -> bool:
     try:
         return read_amount(text).unit is not None
     except RadcalcError as error:
-        return not isinstance(error, NumberError)
+        return isinstance(error, ExpressionError) or not isinstance(error, NumberError)
 
 
 def _too_many(unit: str, rest: list[str]) -> UsageError:

@@ -163,6 +163,7 @@ REFUSED = {
     "dBu": "dBu(W) or dBuW for a power: dBu alone is a voltage",
     "dBuV": "dBu(W) for a power",
     "dBV": "dBW for a power",
+    "SQM": "mag/arcsec2 for a reading of a sky quality meter",
 }
 RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
 
@@ -199,21 +200,19 @@ class ScaleUnit(Unit):
 
     def quantity(self, reading: Any) -> Any:
         """What a reading stands for, in `unit`."""
-        problem = ""
-        if not self.scale.steps and maths.any_true(reading <= 0):
-            problem = "is nothing"
-        else:
-            try:
-                found = self.scale.quantity(reading)
-            except (OverflowError, ZeroDivisionError):
-                problem = "is beyond what a number holds"
-            else:
-                if not maths.any_true((found < maths.SMALLEST) | (found - found != 0)):
-                    return found
-                problem = "is beyond what a number holds"
         told = f"{reading:.12g} " if isinstance(reading, float) else ""
-        hint = "less extreme readings" if "beyond" in problem else "readings above 0"
-        raise NumberError(f"{told}{quote(self.text)} {problem}", hint)
+        told += quote(self.text)
+        if not self.scale.steps and maths.any_true(reading <= 0):
+            is_shift = isinstance(reading, float) and reading < 0
+            shift = "a difference, as filters have, and " if is_shift else ""
+            raise NumberError(f"{told} is {shift}the reciprocal of no temperature", "more than 0")
+        try:
+            found = self.scale.quantity(reading)
+        except (OverflowError, ZeroDivisionError):
+            found = 0.0
+        if maths.any_true((found < maths.SMALLEST) | (found - found != 0)):
+            raise NumberError(f"{told} is beyond what a number holds", "less extreme values")
+        return found
 
     def reading(self, quantity: Any) -> Any:
         """The reading of a quantity in `unit`, of which there is none for 0 and below."""
@@ -297,11 +296,11 @@ def resolve_any(text: str) -> Unit:
 
 def refuse_product(text: str, scale: str) -> None:
     """Refuse 2*10 dBm, which people read in two ways."""
-    if "*" in text:
+    number, end = read_number(text)
+    if "*" in text[:end]:
         raise NumberError(
             f"'{quote(text)}' multiplies, and a reading of {quote(scale)} cannot be multiplied",
-            f"one number: {read_number(text)[0]:.12g} {quote(scale)}, or a multiple of "
-            "what it stands for",
+            f"{number:.12g} {quote(scale)} for one reading",
         )
 
 

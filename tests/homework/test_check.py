@@ -7,6 +7,7 @@ from conftest import python, run
 from homework.questions import RIGHT, TILTED, claim_of, typed, verdict
 
 from radcalc import cli
+from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
@@ -209,3 +210,15 @@ def test_an_answer_on_a_scale_is_judged_by_what_it_stands_for(
     judged = check(of_conversion(number, source, resolve_any(target), []), claim)
     assert (judged.is_right, judged.unit) == (is_right, unit)
     assert judged.right == pytest.approx(right, abs=1e-4)
+
+
+def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
+    """With K = 14 cd s/m2, 100 cd/m2 are EV lb(100 * 100 / 14) = 9.4804; with 12.5, 9.6439."""
+    amount, k = read_amount("100 cd/m2"), read("k", "14cd.s/m2")
+    question = of_conversion(amount.number, amount.unit, resolve_any("EV"), [k])
+    assert check(question, "9.48").is_right
+    assert check(question, "9.48").right == pytest.approx(9.4804, abs=1e-4)
+    assert not check(question, "9.64").is_right
+    metered = of_calculator("ev", "", {"luminance": read("luminance", "100cd/m2"), "k": k}, ev)
+    assert check(metered, "luminance=9.48EV").is_right
+    assert not check(metered, "luminance=9.64EV").is_right

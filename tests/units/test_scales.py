@@ -134,6 +134,9 @@ def test_a_scale_is_no_part_of_a_unit(unit):
     ["mag/arcsec^2", "mag arcsec-2", "mag/arcsec²", "mag·arcsec⁻²", "mpsas", "mag/arcsecond**2"],
 )
 def test_magnitudes_per_square_second_of_arc_are_spelled_as_units_are(text):
+    assert read_amount(f"21.5 {text}").reading == 21.5
+    with pytest.raises(RadcalcError):
+        read_amount(f"2*21.5 {text}")
     assert convert(0.0, text, "cd/m2") == convert(0.0, "mag/arcsec2", "cd/m2")
 
 
