@@ -128,14 +128,25 @@ def _others() -> Iterator[Other]:
 
 
 def called(text: str) -> list[Found]:
-    """The quantities of that full name in any language, then those of which it is a misnomer."""
+    """The quantities of that full name in any language, then those of which it is a misnomer.
+
+    A misnomer is part of some right names, too: "intensity" of kinds of light, which come first;
+    "výkon" of a ratio and "плотность потока" of a density, which come last.
+    """
     wanted = fold(text)
-    exact = [Found(q) for q in index().names.get(wanted, ())]
-    meant = index().misnomers.get(wanted, {})
-    if meant and not exact:  # "intensity" is part of some right names, too
-        exact = _by_words(text, str.__eq__, 1)
-    found = [f for f in exact if f.quantity.symbol not in meant]
-    return found + [Found(q, meant[q.symbol]) for q in QUANTITIES if q.symbol in meant]
+    named = [Found(q) for q in index().names.get(wanted, ())]
+    notes = index().misnomers.get(wanted, {})
+    meant = [Found(q, notes[q.symbol]) for q in QUANTITIES if q.symbol in notes]
+    parts = _by_words(text, str.__eq__, 1) if meant and not named else []
+    others = [f for f in (*named, *parts) if f.quantity.symbol not in notes]
+    last = [f for f in others if parts and not _is_plain(f.quantity)]
+    return [f for f in others if f not in last] + meant + last
+
+
+def _is_plain(quantity: Quantity) -> bool:
+    """Whether it is light itself: no ratio of light, and no density along a spectrum."""
+    reading = read(resolve(quantity.unit))
+    return reading is not None and reading.axis == NONE
 
 
 def with_words(text: str) -> list[Quantity]:

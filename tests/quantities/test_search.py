@@ -194,8 +194,16 @@ def test_a_misnomer_is_answered_with_the_right_term_and_a_note(text, right, said
 def test_the_right_use_of_a_misnomer_comes_first():
     assert symbols("svítivost") == ["I_v", "L_v"]
     assert search("svítivost")[0].note == ""
-    assert symbols("intensity") == ["I_e", "I_v", "I_p", "I_e,λ", "E_e"]
+    assert symbols("intensity") == ["I_e", "I_v", "I_p", "E_e", "I_e,λ"]
     assert symbols("svítivost [cd]") == ["I_v"]
+
+
+@pytest.mark.parametrize(
+    ("text", "meant", "part"), [("výkon", "Φ_e", "η_v"), ("плотность потока", "E_e", "Φ_e,λ")]
+)
+def test_what_is_meant_comes_before_a_ratio_or_a_density_that_has_the_word(text, meant, part):
+    assert symbols(text)[0] == meant
+    assert symbols(text)[-1] == part
 
 
 def test_every_misnomer_is_found_and_explained():
