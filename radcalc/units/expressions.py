@@ -42,19 +42,20 @@ MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
 SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
 PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td")  # in the order of BASES
-SINES = {0: 0, 30: 1, 90: 2, 150: 1}  # twice the sines of degrees that have exact ones
-TANGENTS = {0: 0, 45: 1, 135: -1}
+ANGLE: Dimension = UNITS["degree"][2]
+KEPT = 1e-12  # how far a sum may be off by the digits that its terms took away from each other
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 
 
 class Value:
     """A number top / bottom in coherent SI units, and the units it was typed in, with powers.
 
-    `off` is how far it may be off as typed, relative to it; `had_units` says that it was worked out
-    of some, of which none may be left: a ratio of two lengths is a number, and takes no unit.
+    `off` is how far it may be off as typed, relative to it, and `blur` how far by the digits that
+    functions were worked out to; `had_units` says that it was worked out of some, of which none
+    may be left: a ratio of two lengths is a number, and takes no unit.
     """
 
-    __slots__ = ("bottom", "dimension", "had_units", "off", "top", "units")
+    __slots__ = ("blur", "bottom", "dimension", "had_units", "off", "top", "units")
 
     def __init__(
         self,
@@ -64,6 +65,7 @@ class Value:
         units: "dict[str, int] | None" = None,
         off: float = 0.0,
         had_units: bool = False,
+        blur: float = 0.0,
     ) -> None:
         """Hold the ratio in lowest terms."""
         common = math.gcd(top, bottom) or 1
@@ -73,6 +75,7 @@ class Value:
         self.units = units or {}
         self.had_units = had_units or bool(units)
         self.off = off
+        self.blur = blur
         if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
 
@@ -96,17 +99,25 @@ class Value:
             {name: exponent for name, exponent in units.items() if exponent},
             self.off + size * other.off,
             self.had_units or other.had_units,
+            self.blur + size * other.blur,
         )
 
     def plus(self, other: "Value", sign: int) -> "Value":
         """The sum, or the difference, in this value's unit."""
         a, b = self.top * other.bottom, sign * other.top * self.bottom
-        off = 0.0
+        off = blur = 0.0
         if a + b:
-            off = (abs(_divide(a, a + b)) * self.off) + abs(_divide(b, a + b)) * other.off
+            for part, value in ((a, self), (b, other)):
+                off += abs(_divide(part, a + b)) * value.off if value.off else 0.0
+                blur += abs(_divide(part, a + b)) * value.blur if value.blur else 0.0
+        if blur >= 1:  # sqrt(2)^2 - 2, which is 0 in all the digits that there are
+            a, b, off, blur = 0, 0, 0.0, 0.0
+        if blur > KEPT:
+            problem = "a difference in the expression has too few digits left of its terms"
+            raise ExpressionError(problem, "terms that are less alike")
         had_units = self.had_units or other.had_units
         bottom = self.bottom * other.bottom
-        return Value(a + b, bottom, self.dimension, self.units, off, had_units)
+        return Value(a + b, bottom, self.dimension, self.units, off, had_units, blur)
 
     def is_bare(self) -> bool:
         """Whether it has no unit."""
@@ -568,44 +579,45 @@ class Calculator(Scanner):
         shown = quote(self.slice(start, self.at))
         if name == "sqrt":
             return self.root(value, shown)
-        angle = BASES.index("angle")
-        wanted = tuple([int(i == angle) for i in range(len(BASES))])
-        if name in ("sin", "cos", "tan"):
-            if value.dimension != wanted:
-                hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
-                raise self.wrong(f"has no angle in {shown}", hint)
-            degrees, rest = divmod(value.top * PI[1] * 180, value.bottom * PI[0])
-            turned = degrees + 90 if name == "cos" else degrees
-            if name == "tan" and not rest and degrees % 180 in TANGENTS:
-                return Value(TANGENTS[degrees % 180])
-            if name != "tan" and not rest and turned % 180 in SINES:
-                return Value(SINES[turned % 180] * (1 if turned % 360 < 180 else -1), 2)
-        elif value.dimension != NUMBER:
+        wanted = ANGLE if name in ("sin", "cos", "tan") else NUMBER
+        if value.dimension != wanted and wanted == ANGLE:
+            hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
+            raise self.wrong(f"has no angle in {shown}", hint)
+        if value.dimension != wanted:
             unit = value.unit()
             raise self.wrong(
                 f"has {measured(unit.text) if unit else 'a unit'} in {shown}", "a bare number"
             )
+        from radcalc.units import functions
+
+        of, top, bottom = functions.of_number, value.top, value.bottom
+        if wanted == ANGLE:
+            top, bottom = top * PI[1] * 180, bottom * PI[0]
+            common = math.gcd(top, bottom)
+            of, top, bottom = functions.of_angle, top // common, bottom // common
         try:
-            found = getattr(math, "log" if name == "ln" else name)(value.top / value.bottom)
-        except (OverflowError, ValueError):
+            top, bottom, blur = of(name, top, bottom, value.blur)
+        except (ArithmeticError, ValueError):
+            if name == "exp" and value.top < 0:
+                raise self.wrong(f"is too small at {shown}", "more than 2.3e-308") from None
             raise self.wrong(f"has no value for {shown}", "another number") from None
-        return Value(*found.as_integer_ratio())
+        if blur > KEPT:
+            raise self.wrong(f"has too few digits for {shown}", "another number")
+        return Value(top, bottom, blur=blur)
 
     def root(self, value: Value, shown: str) -> Value:
         """The square root, exact where it is a ratio of whole numbers."""
         if value.top < 0 or any(power % 2 for power in value.dimension):
             raise self.wrong(f"has no value for {shown}", "a square, such as 4 m2")
-        top, bottom = math.isqrt(value.top), math.isqrt(value.bottom)
-        if top * top != value.top or bottom * bottom != value.bottom:
-            shift = 256  # of binary digits, far more than a float has
-            top = math.isqrt((value.top << (2 * shift)) // value.bottom)
-            bottom = 1 << shift
+        from radcalc.units import functions
+
+        top, bottom, blur = functions.root(value.top, value.bottom, value.blur)
         dimension = tuple([power // 2 for power in value.dimension])
         units = {name: power // 2 for name, power in value.units.items()}
         if any(power % 2 for power in value.units.values()):
             pairs = zip(COHERENT, dimension, strict=True)
             units = {name: power for name, power in pairs if power}
-        return Value(top, bottom, dimension, units, value.off / 2, value.had_units)
+        return Value(top, bottom, dimension, units, value.off / 2, value.had_units, blur)
 
 
 def evaluate(text: str) -> Value | None:

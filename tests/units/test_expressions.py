@@ -1,7 +1,9 @@
 """Arithmetic with units, by definitions; `fuzz/expressions.py` holds it against Pint."""
 
 import math
+import random
 
+import mpmath
 import pytest
 from helpers import shell
 
@@ -169,6 +171,10 @@ REFUSED = {
     "5 lx +": ("has nothing where a number is meant", "arithmetic"),
     "5 lx + lx": ("has no number at 'lx'", "1 lx"),
     "500 lx * cos(60)": ("no angle in cos(60)", "cos(30deg)"),
+    "exp(-1000) m": ("too small at exp(-1000)", "2.3e-308"),
+    "tan(90deg) m": ("no value for tan(90deg)", "another number"),
+    "1/tan(-270deg)": ("no value for tan(-270deg)", "another number"),
+    "sin(1e60 rad)": ("too few digits for sin(1e60 rad)", "another number"),
     "exp(1000)": ("no value for exp(1000)", "another number"),
     "sqrt(2 m)": ("no value for sqrt(2 m)", "a square"),
     "ln(2 m)": ("length (m) in ln(2 m)", "a bare number"),
@@ -226,3 +232,61 @@ def test_expressions_are_read_wherever_a_value_is():
 def test_a_product_is_the_quantity_that_it_measures():
     amount = read_amount("500 lx * 20 m2 / 0.5")
     assert plan(amount.unit, resolve("klm")).apply(amount.number) == 20.0
+
+
+# Each by its identity; floats make 7e-17 and the like of them.
+NOTHING = [
+    "sin(45deg)^2 - 1/2",
+    "sqrt(2)^2 - 2",
+    "tan(60deg)^2 - 3",
+    "sin(1 rad)^2 + cos(1 rad)^2 - 1",
+    "ln(exp(1)) - 1",
+    "sqrt(2)*sqrt(3) - sqrt(6)",
+    "cos(-270deg)*1",
+    "tan(7*180deg)",
+]
+
+
+@pytest.mark.parametrize("text", NOTHING)
+def test_what_is_0_by_an_identity_is_0(text):
+    assert read_amount(text).number == 0
+
+
+def a_function(chance):
+    """The text of a function, of a number near or far from where it is 0 or 1, and mpmath's."""
+    digits = f"{chance.randint(1, 10 ** chance.randint(1, 12))}e{chance.randint(-40, 1)}"
+    name = chance.choice(("sin", "cos", "tan", "exp", "ln", "log10", "sqrt"))
+    x = mpmath.mpf(digits)
+    if name in ("sin", "cos", "tan"):
+        base, unit = chance.choice((0, 30, 45, 90, 180, 270, -360)), chance.choice(("deg", "rad"))
+        angle = base * mpmath.pi / 180 + x * (mpmath.pi / 180 if unit == "deg" else 1)
+        return f"{name}({base}deg + {digits}{unit})", getattr(mpmath, name)(angle)
+    base = chance.choice((0, 1))
+    return f"{name}({base} + {digits})", getattr(mpmath, name)(base + x)
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_functions_are_right_though_most_of_them_is_taken_away(seed):
+    """By mpmath with 300 digits."""
+    chance = random.Random(seed)
+    with mpmath.workdps(300):
+        text, true = a_function(chance)
+        taken = chance.choice((0, 1, -1))
+        true -= taken
+        if abs(true) < 1e-250:  # a multiple of 90 degrees, of which 300 digits leave a rest
+            true = mpmath.mpf(0)
+        text = f"({text} - ({taken}))*1"
+        if not 2.3e-308 < abs(true) < 1.7e308 and true:
+            pytest.skip("beyond a float")
+        found = read_amount(text).number
+        assert abs(found - true) <= 2**-52 * abs(true), text
+
+
+@pytest.mark.parametrize("power", range(-300, 301, 25))
+def test_a_root_of_a_tiny_or_huge_number_has_all_its_digits(power):
+    """By mpmath with 50 digits."""
+    with mpmath.workdps(50):
+        true = float(mpmath.sqrt(mpmath.mpf(f"2e{power}")))
+    amount = read_amount(f"sqrt(2e{power} m2)")
+    assert amount.number == pytest.approx(true, rel=1e-15)
+    assert amount.unit.text == "m"
