@@ -189,6 +189,8 @@ class Term:
 class Calculator(Scanner):
     """One pass over the text of an expression."""
 
+    divides = True
+
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.depth = 0
@@ -409,7 +411,8 @@ class Calculator(Scanner):
             while self.text[end : end + 1] in tuple(DIGITS):
                 end += 1
             behind = self.text[end : end + 1]
-            if self.peek() == "+" or behind.isalpha() or behind in (".", *NAMED):
+            is_point = behind == "." and not self.text[end + 1 : end + 2].isalpha()  # not m-2.sr
+            if self.peek() == "+" or behind.isalpha() or is_point or behind in NAMED:
                 return 1
         return super().exponent()
 
@@ -540,24 +543,12 @@ class Calculator(Scanner):
         self.is_arithmetic = True
         self.skip_blanks()
         start = self.at
-        digits = ""
-        if self.peek() in SUPERSCRIPTS:
-            while self.peek() in SUPERSCRIPTS:
-                digits += SUPERSCRIPTS[self.peek()]
-                self.at += 1
-        else:
-            closes = self.peek() == "("
-            self.at += closes
-            if self.peek() and self.peek() in SIGNS:
-                digits = "-" if self.peek() in MINUSES else ""
-                self.at += 1
-            while self.peek() and self.peek() in DIGITS:
-                digits += self.peek()
-                self.at += 1
-            if closes:
-                if self.peek() != ")":
-                    digits = ""
-                self.at += 1
+        closes = self.peek() == "("
+        self.at += closes
+        digits = self.signed_digits()
+        if closes:
+            digits = digits if self.peek() == ")" else ""
+            self.at += 1
         size = digits.lstrip("+-")
         shown = quote(self.text[start:])
         if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):

@@ -59,6 +59,8 @@ def parse_unit(text: str) -> list[Atom]:
 class Scanner:
     """One pass over the text of a unit."""
 
+    divides = False  # whether a number may stand behind a solidus
+
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
@@ -218,23 +220,14 @@ class Scanner:
         bracket = caret and self.peek() == "("
         if bracket:
             self.at += 1
-        start = self.at
-        digits = ""
-        if self.peek() in SUPERSCRIPTS:
-            while self.peek() in SUPERSCRIPTS:
-                digits += SUPERSCRIPTS[self.peek()]
-                self.at += 1
-        else:
-            if self.peek() and self.peek() in SIGNS:
-                self.at += 1
-            while self.peek() and self.peek() in DIGITS:
-                self.at += 1
-            digits = self.text[start : self.at].replace(MINUS, "-")
+        digits = self.signed_digits()
         if not digits and not caret:
             return 1
         sign = -1 if digits[:1] == "-" else 1
         number = digits[1:] if digits[:1] in ("+", "-") else digits
         fraction = self.peek() in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
+        if self.divides and self.peek() == "/" and number != "1":  # m^2/2, and not m^1/2
+            fraction = False
         if not number or (caret and fraction) or not number.isdigit():
             raise self.error("has an exponent that is not a whole number", "a whole number")
         if bracket:
@@ -250,6 +243,20 @@ class Scanner:
         if self.peek() in ("^", "⁻") or self.text.startswith("**", self.at):
             raise self.error("has an exponent on an exponent", "one exponent")
         return self.bounded(sign * int(number))
+
+    def signed_digits(self) -> str:
+        """Read the digits of an exponent, with their sign; '' where none stand here."""
+        start = end = self.at
+        is_raised = self.text[start : start + 1] in SUPERSCRIPTS
+        if not is_raised and self.text[start : start + 1] in tuple(SIGNS):
+            end += 1
+        while end < len(self.text) and self.text[end] in (SUPERSCRIPTS if is_raised else DIGITS):
+            end += 1
+        self.at = end
+        digits = self.text[start:end]
+        if is_raised:
+            return "".join([SUPERSCRIPTS[c] for c in digits])
+        return digits.replace(MINUS, "-")
 
     def bounded(self, exponent: int) -> int:
         if abs(exponent) > MAX_EXPONENT:

@@ -61,6 +61,11 @@ READ = {
     "0.5 cm-1 * 2 cm": (1.0, "1"),
     "500 W m-2 * 2 m2": (1000.0, "W"),
     "5 W * 3 m": (15.0, "(W.m)"),
+    "5 W.m-2.sr-1 * 3": (15.0, "W/m2/sr"),
+    "5m-2.5m": (2.5, "m"),
+    "4 m^2/2": (2.0, "m2"),
+    "4 m**2/2 m": (2.0, "m"),
+    "4 m^(-2)/2": (2.0, "m-2"),
     "sqrt(4 m2)": (2.0, "m"),
     "sqrt(2) m": (math.sqrt(2), "m"),
     "500 lx * cos(60deg)": (250.0, "lx"),
@@ -150,6 +155,9 @@ REFUSED = {
     "100 W / 5 W/m2": ("two ways", "100 W / (5 W/m2) or (100 W / 5 W) /m2"),
     "800 lm / 4pi": ("two ways", "800 lm/(4pi) or 800 lm/4*pi"),
     "5.10^3 lx": ("two ways", "5*10^3 or (5.10)^3"),
+    "4 m^1/2": ("'m^1/2' has an exponent that is not a whole number", "a whole number"),
+    "4 m^2.5*2": ("has an exponent that is not a whole number", "a whole number"),
+    "2^(-3 m": ("an exponent at '(-3 m' that is not a whole number", "a whole number"),
     "-2^2 m": ("two ways", "(-2)^2 or -(2^2)"),
     "10**10**10": ("an exponent on an exponent", "brackets"),
     "9^9^9": ("an exponent on an exponent", "brackets"),
@@ -290,3 +298,22 @@ def test_a_root_of_a_tiny_or_huge_number_has_all_its_digits(power):
     amount = read_amount(f"sqrt(2e{power} m2)")
     assert amount.number == pytest.approx(true, rel=1e-15)
     assert amount.unit.text == "m"
+
+
+UNITS = ("km", "lx", "W", "sr", "lm", "s")
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_spelling_of_an_exponent_and_of_a_product_changes_nothing(seed):
+    """m-2, m^-2, m**-2 and m⁻², joined by a dot, a star or a blank, beside more arithmetic."""
+    chance = random.Random(seed)
+    powers = {name: chance.choice((-3, -2, -1, 2, 3)) for name in chance.sample(UNITS, 3)}
+    raised = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    found = set()
+    for form in ("{}{}", "{}^{}", "{}**{}", "{}^({})"):
+        for joint in (".", "·", " "):
+            text = joint.join(form.format(name, power) for name, power in powers.items())
+            found.add(read_amount(f"3*53 {text}*2").number)
+    text = ".".join(f"{name}{str(power).translate(raised)}" for name, power in powers.items())
+    found.add(read_amount(f"3 * 53 {text} * 2").number)
+    assert found == {318.0}
