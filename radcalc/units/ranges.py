@@ -6,13 +6,14 @@ from itertools import pairwise, product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
-from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, sides, split_value
+from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, read_amount, sides, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, read_number, without_commas
 from radcalc.units.scales import resolve_any, scale_of
 from radcalc.units.table import Unit, divide, resolve
 
 T = TypeVar("T")
 MOST = 10_000
+PERCENT = "%"
 GROUP = 3  # digits of thousands
 LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
 
@@ -102,6 +103,10 @@ def read_values(text: str) -> list[str]:
     if not others:
         return [text]
     unit = ""
+    if _is_part(last) and not all(map(_is_part, others)):
+        whole = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*others, last)]
+        told = f"'{quote(text)}' can be read in two ways"
+        raise ConditionError(told, quote(mark.join(whole)))
     if not any(map(_unit_in, others)):
         unit = _unit_in(last)
         unit = unit if last.rstrip().endswith(unit) else ""
@@ -116,9 +121,18 @@ def read_values(text: str) -> list[str]:
     return values if len(values) > 1 else [text]
 
 
+def _is_part(text: str) -> bool:
+    """Whether the uncertainty of a bare number is a part of it: 100±3%."""
+    is_uncertain = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
+    return is_uncertain and text.rstrip().endswith(PERCENT) and not _unit_in(text)
+
+
 def _unit_in(text: str) -> str:
     """What stands behind the number that a text begins with; '' where none does."""
     try:
+        if any(sign in text for sign in (*SIGNS_OF_UNCERTAINTY, "(")):
+            unit = read_amount(text).typed[1]
+            return unit.text if unit else ""
         return split_value(text)[1]
     except RadcalcError:
         return ""
@@ -139,13 +153,21 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
         for word, behind in pairwise(words):
             if word.endswith(","):
                 told = f"'{quote(word)} {quote(behind)}' has a blank in its list"
-                raise ConditionError(told, quote(word + behind))
+                raise ConditionError(told, quote(_without_blank(word, behind)))
         values, between = read_values(words[0]), words[1:-1]
         _refuse_commas(words[0], values, *words[1:2])
         targets = _targets(words[-1]) if len(words) > 1 else []
     refuse_many([len(values), len(targets)])
     ends = [[target] for target in targets] or [[]]
     return [[[value, *between, *end] for end in ends] for value in values]
+
+
+def _without_blank(word: str, behind: str) -> str:
+    """The list that is meant where a value, or the unit of all, stands behind a comma."""
+    if behind[:1] in tuple(f"{DIGITS}{SIGNS}."):
+        return word + behind
+    values = word.rstrip(",").split(",")
+    return ",".join(values if _unit_in(values[0]) else [value + behind for value in values])
 
 
 def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:

@@ -66,6 +66,30 @@ def test_a_unit_at_the_end_is_that_of_all_values():
         read_values("1lx,2,3")
 
 
+def test_a_unit_at_the_end_is_that_of_uncertain_values_too():
+    assert read_values("100±3,200±6 lx") == ["100±3 lx", "200±6 lx"]
+    assert read_values("100±3%, 200±6% lx") == ["100±3% lx", "200±6% lx"]
+    assert read_values("100(3),200(6) lx") == ["100(3) lx", "200(6) lx"]
+    assert read_values("100±3,200 lx") == ["100±3 lx", "200 lx"]
+    assert read_values("100+-3lx,200lx") == ["100+-3lx", "200lx"]
+    assert read_values("100lx,200+-3lx") == ["100lx", "200+-3lx"]
+    for text in ("10±1,20±1%", "10±1,20±1 %"):
+        with pytest.raises(ConditionError, match="in two ways") as caught:
+            read_values(text)
+        assert caught.value.hint == "(10±1)%,(20±1)%"
+
+
+def test_a_comma_before_a_unit_leads_to_the_list():
+    for words, hint in (
+        (["1,2,", "lx", "fc"], "1lx,2lx"),
+        (["1lx,", "2lx", "fc"], "1lx,2lx"),
+        (["1lx,", "fc"], "1lx"),
+    ):
+        with pytest.raises(ConditionError, match="blank") as caught:
+            read_lists(words)
+        assert caught.value.hint == hint
+
+
 @pytest.mark.parametrize(
     ("words", "values", "targets"),
     [
