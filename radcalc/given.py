@@ -58,7 +58,8 @@ class Given(NamedTuple):
     `number` and `unit` are those typed, a reading and a `ScaleUnit` on a scale; `is_exact` where
     no text was, but a number of Python's.  `uncertainty` is the standard uncertainty in SI units,
     and `variable` the number with it where it is one of Python's `uncertainties`; `assumptions`
-    say how it was read.  `off` is how far an expression may be off as typed, relative to it.
+    say how it was read.  `off` is how far an expression may be off as typed, relative to it, and
+    `parts` are what each of its numbers adds to the uncertainty, in the unit typed.
     """
 
     symbol: Symbol
@@ -72,6 +73,7 @@ class Given(NamedTuple):
     assumptions: tuple[str, ...] = ()
     variable: Any = None
     off: float | None = None
+    parts: tuple[tuple[str, float], ...] = ()
 
     @property
     def name(self) -> str:
@@ -271,6 +273,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
         assumptions,
         variable,
         amount.rounding if amount else None,
+        amount.parts if amount else (),
     )
     hold(given, symbol.limits)
     return given

@@ -20,6 +20,7 @@ from radcalc.cli.spelling import Shell
 from radcalc.errors import END, START, VALUE, WORD, Impossible, RadcalcError
 from radcalc.quantities.symbols import FLAG, SYMBOLS, light_unit
 from radcalc.units.numbers import split_quantity
+from radcalc.units.uncertain import SIGN, signed
 
 Words = list[str]
 STEPS = 6  # hints that are followed one after another, where more than one thing is wrong
@@ -308,6 +309,7 @@ def _scaled(words: Words, text: str, tokens: list[Token]) -> Iterator[Words]:
 def _in_place(words: Words, quoted: list[str], one: str) -> Words:
     """The words with an alternative in place of what the message quotes, or at their end."""
     one = re.sub(r" (?:if that|with the power|where|for) .*| \(.*", "", one)
+    words = [signed(word) if SIGN in one + "".join(quoted) else word for word in words]
     for text in quoted:
         for k, word in enumerate(words):
             if text in word:

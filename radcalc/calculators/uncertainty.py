@@ -133,7 +133,7 @@ def converted(made: Plan, amount: Amount, given: Sequence[Given], of: Any = None
 def value_of(amount: Amount) -> Given:
     """The value of a conversion as an input: in the unit that was typed, and with no name."""
     number, off = amount.typed[0], amount.typed_uncertainty
-    return Given(VALUE, amount.text, number, number=number, uncertainty=off)
+    return Given(VALUE, amount.text, number, number=number, uncertainty=off, parts=amount.parts)
 
 
 KEY = ("",)
@@ -180,9 +180,13 @@ def _carry(
 
 def _shift(given: Given) -> Any:
     """An input less its nominal value [SI]: a variable of the `uncertainties` package."""
+    name, factor = given.name or "value", float(given.unit.factor) if given.unit else 1.0
+    if len(given.parts) > 1:
+        return sum(
+            variable(0.0, 1.0, f"{name} {text}") * size * factor for text, size in given.parts
+        )
     if given.variable is None:
-        return variable(given.size, given.uncertainty, given.name or "value") - given.size
-    factor = float(given.unit.factor) if given.unit else 1.0
+        return variable(given.size, given.uncertainty, name) - given.size
     return (given.variable - given.variable.nominal_value) * factor
 
 

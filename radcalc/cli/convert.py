@@ -266,12 +266,14 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     if len(targets) == 1 and not name_of(source):
         raise UsageError(f"'{source.text}' measures no quantity radcalc knows", "a TARGET unit")
     rows, assumptions = [], {}
+    assumed: tuple[str, ...] = ()
     for target in targets:
         try:
             made = plan(source, target)
             number, off = made.apply(call.value), 0.0
             if call.is_uncertain:
-                off = uncertainty.converted(made, call.amount, ()).number.std_dev
+                found = uncertainty.converted(made, call.amount, ())
+                off, assumed = found.number.std_dev, (found.assumed,)
         except ConversionError:
             continue  # beyond what a float holds in that unit
         assumptions.update(dict.fromkeys(made.assumptions))
@@ -280,4 +282,5 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
     notes = (*call.case.notes, *source.notes)
+    assumptions.update(dict.fromkeys(assumed))
     return Result(tuple(rows), tuple(assumptions), notes, inputs=call.inputs, named=False)

@@ -38,12 +38,14 @@ class Amount:
     `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, and 0
     where none was given; `assumptions` say how the text was read, where that takes a word.  A
     `reading` on a `scale` is kept beside the number that it stands for.  `rounding` is how far an
-    expression may be off as typed, relative to it; None for what is none.
+    expression may be off as typed, relative to it; None for what is none.  `parts` are what each
+    number of an expression adds to its uncertainty, with its text.
     """
 
     __slots__ = (
         "assumptions",
         "number",
+        "parts",
         "reading",
         "rounding",
         "scale",
@@ -62,6 +64,7 @@ class Amount:
         scale: "ScaleUnit | None" = None,
         reading: float = 0.0,
         rounding: float | None = None,
+        parts: tuple[tuple[str, float], ...] = (),
     ) -> None:
         """Hold what `text` says."""
         self.text = text
@@ -72,6 +75,7 @@ class Amount:
         self.scale = scale
         self.reading = reading
         self.rounding = rounding
+        self.parts = parts
 
     @property
     def typed(self) -> tuple[float, Unit | None]:
@@ -111,7 +115,8 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
         from radcalc.units.uncertain import read_uncertain
 
         if reading := read_uncertain(text):
-            return _amount(text, reading.number, reading.unit, reading.uncertainty, dimensions)
+            size, found_in, off, _, parts = reading
+            return _amount(text, size, found_in, off, dimensions, parts)
     if is_signed and (found := _read_expression(text)):
         return found
     if problem:
@@ -189,7 +194,7 @@ def with_unit(amount: Amount, unit: str) -> Amount:
     """A bare number with the unit that stands in another word."""
     is_sum = amount.rounding is not None
     text = f"({amount.text}) {unit}" if is_sum else f"{amount.text} {unit}"
-    return _amount(text, amount.number, _unit(text, unit), amount.uncertainty)
+    return _amount(text, amount.number, _unit(text, unit), amount.uncertainty, (), amount.parts)
 
 
 def _unit(text: str, unit: str) -> Unit:
@@ -212,10 +217,11 @@ def _amount(
     unit: Unit | None,
     uncertainty: float = 0.0,
     dimensions: "Sequence[Dimension]" = (),
+    parts: tuple[tuple[str, float], ...] = (),
 ) -> Amount:
     """A number in its unit, or what a reading on a scale stands for."""
     if unit is None or not unit.is_scale:
-        return Amount(text, number, unit, uncertainty)
+        return Amount(text, number, unit, uncertainty, parts=parts)
     from radcalc.units.scales import amount_on
 
     return amount_on(unit, text, number, uncertainty, dimensions)

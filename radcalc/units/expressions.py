@@ -186,13 +186,20 @@ class Term:
         self.units = units  # how many stand behind the number
 
 
+Leaves = dict[int, tuple[int, Value]]
+
+
 class Calculator(Scanner):
-    """One pass over the text of an expression."""
+    """One pass over the text of an expression.
+
+    `leaves` are parts of the text that others have read: where each begins, its end, its value.
+    """
 
     divides = True
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, leaves: Leaves | None = None) -> None:
         super().__init__(text)
+        self.leaves = leaves or {}
         self.depth = 0
         self.is_arithmetic = False  # and not a number with a unit that nobody can read
 
@@ -385,6 +392,8 @@ class Calculator(Scanner):
 
     def begins_number(self) -> bool:
         """Whether a number, a bracket around one or a function stands here."""
+        if self.at in self.leaves:
+            return True
         if self.peek() == "(":
             start, self.at = self.at, self.at + 1
             self.skip_blanks()
@@ -473,7 +482,18 @@ class Calculator(Scanner):
         self.is_arithmetic = True
         return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
+    def leaf(self) -> Value | None:
+        """The part that others have read, if one begins here."""
+        found = self.leaves.get(self.at)
+        if found is None:
+            return None
+        self.at, value = found
+        self.is_arithmetic = True
+        return value
+
     def bracket(self) -> Value:
+        if (leaf := self.leaf()) is not None:
+            return leaf
         self.is_arithmetic |= self.begins_number()
         if self.depth >= MAX_DEPTH:
             raise self.wrong("has too many brackets", f"at most {MAX_DEPTH}, one in the other")
@@ -504,6 +524,8 @@ class Calculator(Scanner):
 
     def literal(self) -> Value:
         """Read a decimal, with a pi behind it, or a pi."""
+        if (leaf := self.leaf()) is not None:
+            return leaf
         start = self.at
         off = 0.0
         value = Value(1)
@@ -611,16 +633,21 @@ class Calculator(Scanner):
         return Value(top, bottom, dimension, units, value.off / 2, value.had_units, blur)
 
 
-def evaluate(text: str) -> Value | None:
+def plain(text: str) -> str:
+    """The text with one character for each that looks like it, and no blanks around it."""
+    return "".join([SAME.get(c, c) for c in text]).strip()
+
+
+def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
     """The value of an expression; None where the text is a number and a unit, or neither.
 
     Raises RadcalcError for arithmetic that has no value, or has two readings.
     """
     if len(text) > MAX_LENGTH:
         return None
-    plain = "".join([SAME.get(c, c) for c in text]).strip()
-    calculator = Calculator(plain)
-    begun = plain[:1]
+    text = plain(text)
+    calculator = Calculator(text, leaves)
+    begun = text[:1]
     if not (begun in ("(", ".", *SIGNS, *DIGITS) or calculator.is_function() or begun in "pπ"):
         return None
     try:
@@ -632,12 +659,14 @@ def evaluate(text: str) -> Value | None:
     return value if calculator.is_arithmetic else None
 
 
-def read_expression(text: str) -> tuple[float, Unit | None, float] | None:
+def read_expression(
+    text: str, leaves: Leaves | None = None
+) -> tuple[float, Unit | None, float] | None:
     """The number and the unit of an expression, and how far it may be off as typed.
 
-    None where the text is none.
+    None where the text is none.  `leaves` are parts of a `plain` text that others have read.
     """
-    value = evaluate(text)
+    value = evaluate(text, leaves)
     if value is None:
         return None
     unit = value.unit()

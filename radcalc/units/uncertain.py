@@ -7,6 +7,8 @@
 a point they stand for themselves: 1.234(0.005).
 """
 
+import math
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, quote
@@ -20,31 +22,43 @@ from radcalc.units.numbers import (
     typed_digits,
 )
 from radcalc.units.scales import resolve_any, scale_of
-from radcalc.units.table import Unit, divide
+from radcalc.units.table import NUMBER, Dimension, Unit, divide
 
 SIGN = "±"
 TYPED = SIGNS_OF_UNCERTAINTY[1:]  # as people type the sign
 PERCENT = "%"
 OPERATORS = tuple("*/^+-")
+MOST_TRIED = 3  # places for a bracket
 MOST_DIGITS = 6  # of an exponent, with its sign
 SMALL = 2.0**-13  # a step of a number in an expression, relative to it
-DECIMAL = r"((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+DECIMAL = r"(?:\d+\.?\d*|\.\d+)"
 BEGIN = r"(?<![\w.])"  # of a number, and not of the end of one
-LEAF = (
-    rf"\(\s*{DECIMAL}\s*±\s*{DECIMAL}\s*\)"
-    rf"|{BEGIN}(\d+\.?\d*|\.\d+)\((\d+\.?\d*)\)"
-)
-ARITHMETIC = r"[*/]\s*[\d.(]|\s[-+]\s"
+LEAF = rf"(?:\([^()±]*±[^()±]*\)|{BEGIN}{DECIMAL}\({DECIMAL}\))(?:[eE][-+]?\d+(?!\w))?"
+OPERATOR = r"[*/×·⋅÷]|\s[-+]\s|(?<![eE^*])\+"
+ARITHMETIC = rf"(?:{OPERATOR})\s*[\d.(]"
+BRACKETS = "each number with its ± in brackets: 2 * (100±3) lx"
 HINT = "100±3 lx, 100(3) lx or 100 lx ± 3%"
 
 
 class Reading(NamedTuple):
-    """A number with its standard uncertainty, both in a unit, or bare."""
+    """A number with its standard uncertainty, both in a unit, or bare.
+
+    `parts` are what each number of an expression adds to the uncertainty, with its text.
+    """
 
     number: float
     unit: Unit | None
     uncertainty: float
     nominal: str = ""  # the text without the uncertainty
+    parts: tuple[tuple[str, float], ...] = ()
+
+
+class _Beside(NumberError):
+    """Arithmetic beside a ± that stands in no bracket of its own."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(f"'{quote(text)}' has a ± beside arithmetic without brackets", BRACKETS)
+        self.text = text
 
 
 def signed(text: str) -> str:
@@ -59,20 +73,37 @@ def read_uncertain(text: str) -> Reading | None:
 
     Raises RadcalcError where it has the form and a part of it is wrong, or is read in two ways.
     """
-    told = signed(text.strip())
     try:
-        found = _with_sign(told) if SIGN in told else _with_digits(told)
+        return _read(signed(text.strip()))
+    except _Beside as error:
+        error.hint = " or ".join(map(quote, _ways(error.text))) or error.hint
+        raise
+
+
+def _read(text: str) -> Reading | None:
+    try:
+        found = _with_one(text)
     except RadcalcError:
-        if (found := _with_expression(told)) is None:
+        if (found := _with_expression(text)) is None:
             raise
         return found
     if found is None:
-        return _with_expression(told)
-    if found and found.uncertainty < 0:
+        return _with_expression(text)
+    if found.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
-    head = told.lstrip("(")
+    head = text.lstrip("(")
     unit = found.unit.text if found.unit else ""
     return found._replace(nominal=f"{head[: read_number(head)[1]]}{unit}")
+
+
+def _with_one(text: str) -> Reading | None:
+    """Read a value with one uncertainty."""
+    return _with_sign(text) if SIGN in text else _with_digits(text)
+
+
+def _is_product(text: str) -> bool:
+    """Whether the number that a text begins with is more than one."""
+    return not {"*", "/"}.isdisjoint(text[: read_number(text)[1]])
 
 
 def _with_sign(text: str) -> Reading | None:
@@ -87,11 +118,16 @@ def _with_sign(text: str) -> Reading | None:
             return None
         if not behind and not power:
             return _with_sign(inside)
-        value, uncertainty = (_times(part.strip(), power) for part in inside.split(SIGN))
+        parts = [part.strip() for part in inside.split(SIGN)]
+        if any(map(_is_product, parts)):
+            raise _Beside(inside)
+        value, uncertainty = (_times(part, power) for part in parts)
         return Reading(value, resolve_any(behind) if behind else None, uncertainty)
     left, right = (part.strip() for part in text.split(SIGN))
     value, unit_text = split_quantity(left)
     uncertainty, behind = split_quantity(right)
+    if _is_product(left) or _is_product(right):
+        raise _Beside(text)
     if unit_text:
         return _of_quantity(text, value, resolve_any(unit_text), uncertainty, behind)
     if behind == PERCENT:
@@ -152,46 +188,109 @@ def _with_expression(text: str) -> Reading | None:
     """
     import re
 
+    from radcalc.units.expressions import Calculator, Leaves, Value, plain, read_expression
+
     if "," in text:
         return None  # a list, of which each value is read by itself
-    pieces = re.split(LEAF, text)
-    texts, leaves = pieces[::5], list(zip(*(iter(pieces[k::5]) for k in range(1, 5)), strict=True))
-    found = [_leaf(*leaf) for leaf in leaves]
-    rest = "".join(texts)
-    if SIGN in rest and (found or re.search(ARITHMETIC, rest)):
-        problem = f"'{quote(text)}' has a ± beside arithmetic without brackets"
-        raise NumberError(problem, "each number with its ± in brackets: 2 * (100±3) lx")
-    if not found or SIGN in rest:
+    text = plain(text)
+    leaves = list(re.finditer(LEAF, text))
+    rest = re.sub(LEAF, "", text)
+    if SIGN in rest and (leaves or re.search(ARITHMETIC, rest)):
+        raise _Beside(text)
+    if not leaves or SIGN in rest:
         return None
+    found = [_leaf(leaf[0]) for leaf in leaves]
 
     def value(moved: int = -1, shift: float = 0.0) -> tuple[float, Unit | None]:
-        from radcalc.units.expressions import read_expression
-
-        sizes = [size + shift * (k == moved) for k, (size, _) in enumerate(found)]
-        filled = texts[0] + "".join(f"({s!r}){t}" for s, t in zip(sizes, texts[1:], strict=True))
-        read = read_expression(filled)
+        places: Leaves = {}
+        for k, (leaf, one) in enumerate(zip(leaves, found, strict=True)):
+            size = Calculator(repr(one.number)).sum()
+            if k == moved:
+                size = size.plus(Value(*shift.as_integer_ratio()), 1)
+            unit = one.unit and Calculator(text).unit(one.unit.text)
+            places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
+        read = read_expression(text, places)
         if read is None:
             raise NumberError(f"'{quote(text)}' is not a number and a unit", HINT)
         return read[0], read[1]
 
     number, unit = value()
-    square = 0.0
-    for k, (size, off) in enumerate(found):
-        step = min(abs(size) * SMALL or off, off)
+    parts = []
+    for k, (leaf, one) in enumerate(zip(leaves, found, strict=True)):
+        step = min(abs(one.number) * SMALL or one.uncertainty, one.uncertainty)
         if step:
-            square += ((value(k, step)[0] - value(k, -step)[0]) / (2 * step) * off) ** 2
+            rise = value(k, step)[0] - value(k, -step)[0]
+            parts.append((_inside(leaf[0]), float(f"{rise / (2 * step) * one.uncertainty:.7g}")))
+    off = float(f"{math.hypot(*(size for _, size in parts)):.7g}")
     nominal = f"{number!r} {unit.text if unit else ''}".strip()
-    return Reading(number, unit, float(f"{square**0.5:.7g}"), nominal)
+    return Reading(number, unit, off, nominal, tuple(parts))
 
 
-def _leaf(*parts: str | None) -> tuple[float, float]:
-    """A number of an expression and its uncertainty: (A±B) or A(DIGITS)."""
-    number, off, other, digits = parts
-    if digits is None:
-        return parse_number(number or ""), parse_number(off or "")
-    reading = _with_digits(f"{other}({digits})")
-    assert reading is not None
-    return reading.number, reading.uncertainty
+def _leaf(text: str) -> Reading:
+    """A number of an expression and its uncertainty: (100±3), (100±3 lx) or 100(3)."""
+    found = _with_one(text)
+    if found is None:
+        raise NumberError(f"'{quote(text)}' is not a number and its uncertainty", HINT)
+    if found.uncertainty < 0:
+        raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
+    return found
+
+
+def _inside(text: str) -> str:
+    """The text without the brackets around it."""
+    return text[1:-1] if text[0] == "(" and text[-1] == ")" else text
+
+
+def _ways(text: str) -> list[str]:
+    """How arithmetic beside a ± can be read: brackets around its numbers, and sizes of both sides.
+
+    Those are left out that cannot be read themselves.
+    """
+    import re
+
+    from radcalc.units.amounts import split_value
+
+    masked = re.sub(LEAF, lambda leaf: "_" * len(leaf[0]), text)
+    if masked.count(SIGN) > 1:
+        return []
+    at = masked.index(SIGN)
+    left, right = text[:at], text[at + 1 :]
+    sizes = ""
+    with suppress(RadcalcError):
+        (value, unit), (off, behind) = split_value(left.strip()), split_value(right.strip())
+        sizes = f"{value:.12g}±{off:.12g} {unit or behind}".strip()
+        if unit and behind:
+            sizes = f"{value:.12g} {unit} ± {off:.12g} {behind}"
+    as_sizes = _meant(sizes)
+    begins = [one.start() for one in re.finditer(BEGIN + DECIMAL, left)]
+    number = re.match(rf"\s*{DECIMAL}(?:[eE][-+]?\d+)?", right)
+    ends = [one.start() for one in re.finditer(OPERATOR, right)]
+    closes = [number.end(), *ends[:MOST_TRIED], len(right)] if number else []
+    for begin in begins[: -MOST_TRIED - 1 : -1]:
+        for end in closes:
+            inside = text[begin : at + 1 + end]
+            behind = inside[len(inside.rstrip()) :] + right[end:]
+            way = f"{text[:begin]}({inside.rstrip()}){behind}"
+            meant = _meant(way)
+            if meant and as_sizes and meant[1] != as_sizes[1]:
+                continue  # 100 lx * 2 ± 3 lx is no product of two illuminances
+            if meant:
+                return [one[0] for one in (meant, as_sizes) if one]
+    return [as_sizes[0]] if as_sizes else []
+
+
+def _meant(text: str) -> tuple[str, Dimension] | None:
+    """The text, or the first of its two readings, and what it measures; None where it has none."""
+    try:
+        found = _read(text)
+    except RadcalcError as error:
+        first = error.hint.partition(" or ")[0]
+        return (
+            _meant(first)
+            if "two ways" in error.message and first.count("(") > text.count("(")
+            else None
+        )
+    return (text, found.unit.dimension if found.unit else NUMBER) if found else None
 
 
 def _times(number: str, power: int) -> float:
@@ -226,17 +325,25 @@ def join_words(words: list[str]) -> list[str]:
     if signed(words[marked]).endswith(SIGN):  # the number is the next word
         end += 1
     left, _, right = signed(" ".join(words[:end])).partition(SIGN)
-    has_unit = split_quantity(left)[1] != "" if not left.startswith("(") else False
+    has_unit = _has_unit(left)
     behind = words[end : end + 1]
     if (
         has_unit
-        and right.strip()[-1:] in tuple(DIGITS)
+        and typed_digits(right.strip())
         and (behind == [PERCENT] or len(words) > end + 1 or behind == [split_quantity(left)[1]])
     ):
         end += 1  # the unit of the uncertainty
     elif not has_unit and right.endswith(PERCENT) and behind:
         end += 1
     return [" ".join(words[:end]), *words[end:]]
+
+
+def _has_unit(text: str) -> bool:
+    """Whether a value has a unit, and no bracket around it."""
+    try:
+        return not text.startswith("(") and split_quantity(text)[1] != ""
+    except NumberError:  # sqrt(4.0
+        return False
 
 
 def variable(number: float, uncertainty: float, name: str = "") -> Any:

@@ -62,7 +62,7 @@ def test_bare_numbers_are_those_of_the_uncertainties_package(number):
         ("(80±2)%", 80, 2),
         ("80(2)%", 80, 2),
         ("100+-0 lx", 100, 0),
-        ("1/4±0.01 m", 0.25, 0.01),
+        ("4pi±0.1 sr", 4 * math.pi, 0.1),
         ("100+-3 lx", 100, 3),  # and not 97
     ],
 )
@@ -121,6 +121,9 @@ def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
         read_operands(["100", "lx", "±", "3", "fc"])
 
 
+FOOT = 0.3048
+
+
 # By JCGM 100:2008, 5.1.2: of a product the parts, and of a sum the sizes, add as squares.
 @pytest.mark.parametrize(
     ("text", "number", "uncertainty"),
@@ -133,6 +136,15 @@ def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
         ("sqrt(4.0±0.1)", 2, 0.1 / 4),
         ("1 m + (2.0+-0.1) ft", 1 + 2 * 0.3048, 0.1 * 0.3048),
         ("(5±0.3) - (3±0.4)", 2, 0.5),
+        ("(100±3 lx)*2", 200, 6),
+        ("2*(100 lx ± 3%)", 200, 6),
+        ("(-5±0.3)*2 lx", -10, 0.6),
+        ("(1.5±0.1)e3 lx * 2", 3000, 200),
+        ("(1.5±0.1)*10^3 lx", 1500, 100),
+        ("sqrt(4.0±0.4 m2)", 2, 0.1),
+        ("sqrt(4.0±0.4) m", 2, 0.1),
+        ("sin(60±1 deg)", math.sqrt(0.75), math.pi / 180 / 2),
+        ("(2±0.2) m + (3 ft ± 1 in)", 2 + 3 * FOOT, math.hypot(0.2, FOOT / 12)),
     ],
 )
 def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
@@ -141,9 +153,48 @@ def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
     assert amount.uncertainty == pytest.approx(uncertainty, rel=1e-6)
 
 
+# How a text may be meant: its last number with the ± in brackets, or each side for itself.
 @pytest.mark.parametrize(
-    "text", ["500±10 lx * 20", "(100±3) lx * 2 ± 5", "100 lx ± 3% * 2", "2*(100 lx ± 3 lx)"]
+    ("text", "ways"),
+    [
+        ("100+-3*2 lx", {"(100±3)*2 lx": (200, 6), "100±6 lx": (100, 6)}),
+        ("100±3×2 lx", {"(100±3)×2 lx": (200, 6), "100±6 lx": (100, 6)}),
+        ("100±3/2 lx", {"((100±3)/2) lx": (50, 1.5), "100±1.5 lx": (100, 1.5)}),
+        ("2*100+-3 lx", {"2*(100±3) lx": (200, 6), "200±3 lx": (200, 3)}),
+        ("1/4±0.01 m", {"(1/(4±0.01)) m": (0.25, 0.01 / 16), "0.25±0.01 m": (0.25, 0.01)}),
+        ("500±10 lx * 20", {"(500±10) lx * 20": (1e4, 200), "500±200 lx": (500, 200)}),
+        ("2*100 lx ± 3 lx", {"2*(100 lx ± 3 lx)": (200, 6), "200 lx ± 3 lx": (200, 3)}),
+        ("100 lx * 2 ± 3 lx", {"200 lx ± 3 lx": (200, 3)}),
+        ("(2*100)±3 lx", {"200±3 lx": (200, 3)}),
+        ("(2*100±3) lx", {"2*(100±3)": (200, 6), "200±3": (200, 3)}),
+        ("100±(2*3) lx", {"100±6 lx": (100, 6)}),
+        ("1.5*10^3±0.1*10^2 lx", {"1500±10 lx": (1500, 10)}),
+        ("100 lx ± 3% * 2", {"(100 lx ± 3%) * 2": (200, 6)}),
+        ("(100±3) lx * 2 ± 1", {"(100±3) lx * (2 ± 1)": (200, math.hypot(6, 100))}),
+        ("100±3*2±1 lx", {"each number with its ± in brackets: 2 * (100±3) lx": None}),
+    ],
 )
-def test_beside_arithmetic_it_needs_brackets(text):
-    with pytest.raises(RadcalcError, match="without brackets"):
+def test_beside_arithmetic_it_needs_brackets(text, ways):
+    with pytest.raises(RadcalcError, match="without brackets") as refused:
         read_amount(text)
+    assert refused.value.hint.split(" or ") == list(ways)
+    for way, size in ways.items():
+        if size:
+            amount = read_amount(way)
+            assert (amount.number, amount.uncertainty) == pytest.approx(size, rel=1e-6)
+
+
+def test_two_readings_keep_the_uncertainty():
+    with pytest.raises(RadcalcError, match="two ways") as refused:
+        read_amount("1/(2.0±0.1) m")
+    assert refused.value.hint == "(1/(2.0±0.1)) m or 1/((2.0±0.1) m)"
+
+
+def test_a_hostile_text_is_refused_soon():
+    with pytest.raises(RadcalcError, match="without brackets"):
+        read_amount("*".join(["1"] * 240) + "±1" + "*1" * 240)
+
+
+def test_each_number_of_an_expression_has_its_part():
+    amount = read_amount("(100±3) lx - 20(1) lx")
+    assert dict(amount.parts) == pytest.approx({"100±3": 3, "20(1)": -1}, rel=1e-6)
