@@ -475,7 +475,12 @@ class Calculator(Scanner):
         if is_negative and power % 2 == 0:
             base, raised = self.slice(start, base_end), self.slice(start, self.at)
             raise self.two_ways(f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})")
-        whole, _, part = self.slice(start, base_end).partition(".")
+        base = self.slice(start, base_end)
+        whole, _, part = base.partition(".")
+        if c in (*DIGITS, ".") and base[-1:] in ("i", "π"):  # 2pi^2
+            pi = "pi" if base.endswith("pi") else "π"
+            raised = self.slice(base_end, self.at)
+            raise self.two_ways(f"({base}){raised}", f"{base.removesuffix(pi)}*{pi}{raised}")
         if part == "10" and whole:
             shown = self.slice(base_end, self.at)
             raise self.two_ways(f"{whole}*10{shown}", f"({whole}.10){shown}")

@@ -100,6 +100,15 @@ OFFERED = {
 }
 
 
+@pytest.mark.parametrize("text", ["2pi^2 lx", "2π² lx", "3 lx * 4pi^2"])
+def test_a_power_behind_a_multiple_of_pi_has_two_readings(text):
+    with pytest.raises(RadcalcError, match="two ways") as refused:
+        read_amount(text)
+    one, other = (read_amount(way).number for way in shell(refused.value)[1].split(" or "))
+    factor = 4 if "4" in text else 2
+    assert (one, other) == pytest.approx((factor**2 * math.pi**2, factor * math.pi**2))
+
+
 RATIOS = {  # a gain of 1000 is 30 dB, one of 2 a stop
     ("1 W / 1 mW", "dB"): 30.0,
     ("100 lx / 50 lx", "stops"): 1.0,
