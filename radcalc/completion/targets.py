@@ -14,9 +14,10 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.quantities.units import full_name, offered
-from radcalc.units.amounts import read_amount, sides, with_unit
+from radcalc.units.amounts import read_value, sides, with_unit
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
+from radcalc.units.ranges import read_lists
 from radcalc.units.scales import SCALES, resolve_any
 from radcalc.units.table import Exitance, Unit, resolve, unit_of
 
@@ -30,6 +31,7 @@ BESIDE = ("m-2", "sr-1", "s-1", "cm-2", "nm-1", "um-1", "Hz-1", "sr", "s", "h")
 AXES = ("/nm", "/um", "/Hz", "/THz", "/cm-1")  # of densities
 USUAL = [text.replace(" ", ".") for units, _ in LIGHT_UNITS.values() for text in units]
 USUAL.append("td")
+TYPING = "x"  # in the place of the word that is being typed
 
 
 class Alone:
@@ -72,17 +74,18 @@ def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ..
 
 def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
     """The unit of VALUE UNIT, whether a separator stands behind it, and the words behind that."""
-    is_stream = words[0] == "-"
-    before, separator, target = sides([*words[is_stream:], "x"], is_stream)
-    if separator:
-        source = resolve_any(before) if is_stream else read_amount(before).typed[1]
-        return source, True, target.split()[:-1]
-    if is_stream:
+    if words[0] == "-":
+        before, separator, target = sides([*words[1:], TYPING], is_stream=True)
+        if separator:
+            return resolve_any(before), True, target.split()[:-1]
         return (resolve_any(words[1]) if words[1:] else None), False, words[2:]
-    amount = read_amount(words[0].rpartition(",")[2])  # the last of a list
-    if amount.unit:
-        return amount.typed[1], False, words[1:]
-    return (with_unit(amount, words[1]).typed[1] if words[1:] else None), False, words[2:]
+    words = read_lists([*words, TYPING])[-1][-1]  # of a list or a range its last value
+    amount, separator, rest = read_value(words)
+    if separator:
+        return amount.typed[1], True, " ".join(rest).split()[:-1]
+    if amount.unit is None and rest[1:]:
+        amount, rest = with_unit(amount, rest[0]), rest[1:]
+    return amount.typed[1], False, rest[:-1]
 
 
 def _conditions(given: "Mapping[str, str]") -> list[Given]:

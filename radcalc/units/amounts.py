@@ -238,21 +238,11 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     if words[1:] and words[-1] in ("-", "="):
         shell = "to in its place, or '->' in quotes: without them > is the shell's"
         raise UsageError(f"a unit is missing after {words[-1]}", shell)
-    if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
-        from radcalc.units.uncertain import join_words
-
-        words = join_words(words)
-    source, separator, target = sides(words)
-    if separator:
-        amount = read_amount(source)
-        if not target:
-            raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
-        rest: list[str] = [target]
-    else:
-        amount = read_amount(words[0])
-        rest = words[1:]
-        if amount.unit is None and rest and rest[0].strip():
-            amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
+    amount, separator, rest = read_value(words)
+    if separator and not rest:
+        raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
+    if not separator and amount.unit is None and rest and rest[0].strip():
+        amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
     if amount.unit is None:
         raise UsageError(f"{quote(words[0])} has no unit", EXAMPLE)
     if rest and not rest[0].strip():
@@ -261,6 +251,21 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
         _, typed = amount.typed
         raise _too_many(typed.text if typed else "", rest)
     return amount, rest[0] if rest else ""
+
+
+def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
+    """The value, the separator behind it or '', and the words behind both.
+
+    The unit of a bare number may be the first of these, where nothing separates it.
+    """
+    if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
+        from radcalc.units.uncertain import join_words
+
+        words = join_words(words)
+    source, separator, target = sides(words)
+    if separator:
+        return read_amount(source), separator, [target] if target else []
+    return read_amount(words[0]), "", words[1:]
 
 
 def read_stream_operands(words: list[str]) -> tuple[str, str]:

@@ -127,8 +127,22 @@ def test_an_expression_has_the_unit_that_it_comes_to():
     assert texts("10**10**10 lx k") == []
 
 
+@pytest.mark.parametrize(
+    "value",
+    [
+        "100+-3 lx", "100 ± 3 lx", "100 lx ± 3 lx", "100(3) lx", "(100±3) lx",
+        "100+-3,200+-5 lx", "100+-3lx,200+-5lx",
+    ],
+)  # fmt: skip
+def test_what_is_uncertain_has_targets(value):
+    assert texts(f"{value} k")[0] == texts(f"{value} to k")[0] == "klx"
+    assert texts(f"{value} fc ") == texts("100 lx fc ")
+
+
 def test_lists_complete_at_their_ends():
     assert texts("100,200 lx k")[0] == "klx"
+    assert texts("1:5:1 m k")[0] == texts("1m:5m:1m k")[0] == "km"
+    assert texts("100lx,200lx to k")[0] == texts("100,200 lx to k")[0] == "klx"
     assert texts("100 lx fc,kl")[0] == "fc,klx"
     assert texts("100 lx fc,cd ") == ["--distance"]
 
