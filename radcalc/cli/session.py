@@ -80,6 +80,9 @@ class Session:
     def names(self, with_words: bool = False) -> dict[str, str]:
         """The names of amounts, with what they stand for, and the words of the prompt if asked."""
         last = {ANS: "The last answer."} if self.rows else {}
+        results = dict.fromkeys(row.name for row in self.rows if row.name)
+        if len(self.rows) > 1:
+            last |= {f"{ANS}.{name}": "One of its results." for name in results}
         return (WORDS if with_words else {}) | last | self.variables
 
     def hear(self, results: Sequence[Result]) -> None:

@@ -1,14 +1,16 @@
 """`radcalc typical [SEARCH]`: values for orientation, with their sources."""
 
 from radcalc.answer import texts_of
-from radcalc.cli.command import SEARCH, define
+from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import translate
+from radcalc.quantities.symbols import CHOICE
 from radcalc.quantities.typical import search
+from radcalc.quantities.typical import words as searches
 from radcalc.render.formats import CSV, JSON, Records
 
 
-@define("typical", {}, words="[SEARCH]", operands=(SEARCH, ()), calculates=False)
+@define("typical", {}, words="[SEARCH]", operands=(CHOICE, searches()), calculates=False)
 def command(words: tuple[str, ...], shown: Output) -> None:
     """List typical values: sun, sky, moon and lamps, with sources.
 

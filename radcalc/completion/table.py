@@ -593,7 +593,7 @@ COMMANDS = {
         (('-q', '--quiet'), 'flag', (), 'No notes or assumptions.', False, False),
         (('-h', '--help'), 'flag', (), 'Show this message and exit.', False, False),
     )),
-    'typical': ('Typical values: sun, sky, moon and lamps.', ('search', ()), (
+    'typical': ('Typical values: sun, sky, moon and lamps.', ('choice', ('sun', 'moon', 'sky', 'cloud', 'starlight', 'window', 'lamp', 'laser', 'radiant-flux', 'luminous-flux', 'irradiance', 'illuminance', 'radiance', 'luminance', 'solid-angle', 'zářivý-tok', 'světelný-tok', 'ozářenost', 'osvětlenost', 'zář', 'jas', 'prostorový-úhel', 'поток-излучения', 'световой-поток', 'энергетическая-освещённость', 'освещённость', 'энергетическая-яркость', 'яркость', 'телесный-угол')), (
         (('-n', '--number'), 'flag', (), 'Bare numbers only.', True, False),
         (('--format',), 'choice', ('table', 'plain', 'json', 'csv'), 'Default: a table on a terminal, plain text elsewhere.', False, False),
         (('--json',), 'flag', (), 'Short for --format json.', False, False),

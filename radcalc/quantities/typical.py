@@ -9,7 +9,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from radcalc.errors import RadcalcError, UsageError, nearest, quote
+from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import name_of
+from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, fold
 from radcalc.units.table import resolve
 
@@ -18,6 +20,7 @@ IAU = "IAU 2015 resolution B3"
 MAGNITUDES = "Wikipedia, Orders of magnitude (illuminance)"
 MAGNITUDES_L = "Wikipedia, Orders of magnitude (luminance)"
 OVERCAST = "CIE overcast sky: E = 7 pi L/9"
+THINGS = ("sun", "moon", "sky", "cloud", "starlight", "window", "lamp", "laser")
 
 
 class Typical(NamedTuple):
@@ -110,6 +113,13 @@ VALUES = (
     Typical("sun's disc", "6.794e-5", "sr", "radius 695700 km (IAU 2015) from 1 au"),
     Typical("moon's disc", "6.418e-5", "sr", "radius 1737.4 km from 384400 km"),
 )
+
+
+def words() -> tuple[str, ...]:
+    """What is worth searching for: things, and the names of the quantities, each as one word."""
+    measured = {value.quantity for value in VALUES}
+    there = [q for q in QUANTITIES if q.name(ENGLISH) in measured]
+    return (*THINGS, *(q.name(one).replace(" ", "-") for one in LANGUAGES for q in there))
 
 
 def search(text: str) -> list[Typical]:

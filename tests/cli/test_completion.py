@@ -9,6 +9,7 @@ from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.values import READERS
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition
+from radcalc.quantities import typical
 from radcalc.quantities.light import name_of
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import unit_of
@@ -227,6 +228,13 @@ def test_an_option_is_offered_once_unless_it_repeats():
 )
 def test_values(line, first):
     assert texts(line)[: len(first)] == first
+
+
+def test_the_words_of_typical_values_find_some():
+    found = texts("typical ")
+    assert {"moon", "illuminance", "jas", "освещённость"} <= set(found)
+    assert texts("typical mo") == ["moon"]
+    assert all(typical.search(text) for text in found)
 
 
 def test_named_spectra_say_what_they_are():

@@ -254,6 +254,13 @@ def test_what_may_follow_is_offered_with_what_it_is(line, capsys):
     assert len(said) == len(found)
 
 
+def test_the_results_of_the_last_answer_are_offered():
+    session = prompt.Session()
+    session.answer("point-source --flux 800lm --distance 2m")
+    offered = {word.text for word in prompt.completions(session, "ans.")[0]}
+    assert offered == {f"ans.{row.name}" for row in session.rows} >= {"ans.irradiance"}
+
+
 @pytest.mark.parametrize("line", ["'", "exit ", "100 lx 'k", "x == ", "zork ", "ans.zork "])
 def test_whatever_is_typed_can_be_completed(line):
     assert isinstance(prompt.completions(prompt.Session(), line)[0], list)
