@@ -239,7 +239,12 @@ def candidates(words: Words, error: RadcalcError) -> list[list[Words]] | None:
     if "no option" in message and "<" in text:
         wrong = re.findall(r"'(-[^']*)'", error.message)[0]
         if mentioned:
-            return [[[name if word == wrong else word for word in words]] for name in mentioned]
+            named = [t for t in tokens if isinstance(t, Option)]
+            put_in = [[t.name, t.value] if t.value else [t.name] for t in named]
+            return [
+                [[w for word in words for w in (new if word == wrong else [word])]]
+                for new in put_in
+            ]
     if "<" in text:
         return list(_alternatives(words, text, tokens))
     if any(re.fullmatch(prose, text) for prose in PROSE):

@@ -13,8 +13,9 @@ from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
 from radcalc.units.scales import CONSTANTS, ScaleUnit, find, resolve_any
-from radcalc.units.table import Unit
+from radcalc.units.table import Unit, unit_of
 
+MOST_OF_A_UNIT = 5  # results that are named in place of their unit
 OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
 
@@ -185,8 +186,23 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         raise MissingInput(
             f"{name} takes what links the kinds of light", f"{LINKS_HINT}, or {generic}"
         )
-    near = nearest(name, names) or names
-    raise UsageError(f"there is no result '{quote(name)}'", ", ".join(near))
+    raise UsageError(f"there is no result '{quote(name)}'", _right_names(name, values, names))
+
+
+def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:
+    """What to ask for in place of a name of no result: what has that unit, what is like it, all."""
+    if unit := find(name) or unit_of(name):
+        read = {
+            one.dimension for one in (unit, *(unit.others if isinstance(unit, ScaleUnit) else ()))
+        }
+        own = [v for v in values if not v.is_absent and read & {*v.dimensions, *v.reach}]
+        own = [v for v in own if v.given is None] or own
+        return ", ".join(f"{v.name}:{quote(name)}" for v in own[:MOST_OF_A_UNIT]) or ", ".join(
+            names
+        )
+    word = "-".join(name.lower().replace("_", " ").split())
+    taken = [v.also for v in values if v.also and not v.is_absent]
+    return word if word in (*names, *taken) else ", ".join(nearest(word, names) or names)
 
 
 def _apart(row: Row) -> Row:

@@ -228,7 +228,11 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
     This is what Click's `main` does, without its own ways out.  A listener is told of every
     answer, and has options for all commands.
     """
-    words = protect_negatives(of_help(words)) if words else _alone()
+    if not words and not (words := _alone()):
+        with commands.make_context("radcalc", [], resilient_parsing=True) as context:
+            stdio.say(commands.get_help(context).splitlines())
+        return stdio.FAILED
+    words = protect_negatives(of_help(words))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None
     try:
         with commands.make_context("radcalc", words, obj=listener, default_map=settings) as context:

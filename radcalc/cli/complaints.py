@@ -6,6 +6,7 @@ from radcalc.cli import COMMANDS, commands
 from radcalc.errors import MissingUnit, RadcalcError, nearest, option, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
+from radcalc.render.formats import FORMATS
 from radcalc.units.numbers import is_sentence
 
 # What people call what a command is about, whose own name is not like it.
@@ -50,12 +51,22 @@ def join_unit(error: MissingUnit, words: list[str]) -> None:
     if ":" in error.text:  # an interval, each end of which has its unit
         return
     symbol = SYMBOLS.get(error.symbol)
+    called = next((word for word in words if word in COMMANDS), "")
+    if symbol and called in symbol.narrower:  # a shutter's time is no 2h
+        usual, own = [_unit_of(text) for text in (symbol.example, symbol.shown_in(called)[0])]
+        if usual and own and error.hint == option(error.symbol, f"{error.text}{usual}"):
+            error.hint = option(error.symbol, f"{error.text}{own}")
     try:
         if behind and symbol and resolve(behind[0]).dimension in symbol.dimensions:
             error.hint = option(error.symbol, f"{error.text}{quote(behind[0])}")
     except RadcalcError:
         pass
     error.hint += " (one word, no blank)"
+
+
+def _unit_of(example: str) -> str:
+    """The unit of an example of a symbol."""
+    return example.lstrip("0123456789./")
 
 
 def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
@@ -72,6 +83,9 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
         if called == "convert" and error.option_name in GET.opts:
             said = f"a conversion has one result, and no {quote(error.option_name)}"
             return RadcalcError(said, "-n, for its bare number")
+        if error.option_name[2:] in FORMATS:
+            said = f"there is no option '{quote(error.option_name)}'"
+            return RadcalcError(said, f"--format {error.option_name[2:]}")
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
         is_named = called and not near and error.option_name.startswith("--")

@@ -18,17 +18,19 @@ from radcalc.errors import (
     ConversionError,
     MissingUnit,
     RadcalcError,
+    UnitError,
     UsageError,
     option,
     quote,
 )
 from radcalc.given import Given, inputs_of
 from radcalc.quantities.light import read as read_light
-from radcalc.units.amounts import Amount, read_operands
-from radcalc.units.numbers import read_number
+from radcalc.units.amounts import Amount, read_operands, sides
+from radcalc.units.compiled import PREFIX_SYMBOLS
+from radcalc.units.numbers import read_number, split_quantity
 from radcalc.units.ranges import note_of, read_lists, refuse_many
 from radcalc.units.scales import METER_UNITS, ScaleUnit, names_of, resolve_any
-from radcalc.units.table import Unit
+from radcalc.units.table import Unit, unit_of
 
 
 class ConvertCommand(SectionedCommand):
@@ -201,6 +203,11 @@ class Conversion(NamedTuple):
 
 def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
     """Every conversion that is asked for: the values run slowest, and the targets fastest."""
+    for word in words:
+        if " --" in word and word.rpartition(" --")[2][:1].isalpha():
+            raise UsageError(
+                f"'{quote(word)}' has an option in it", "quotes around the value alone"
+            )
     lists = read_lists(words)
     refuse_many([len(lists), len(each), len(lists[0])])
     notes = note_of(words[0]) if len(lists) > 1 else ()
@@ -219,12 +226,36 @@ def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     """A value, and the texts of its targets, from the words of a conversion to each of them."""
-    read = [read_operands(words) for words in calls]
+    try:
+        read = [read_operands(words) for words in calls]
+    except UnitError as error:
+        raise _meant(calls[0]) or error from None
     (amount, first), *others = read
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
         raise UsageError(f"'{several}' is a list where one unit is meant", "a TARGET behind it")
     return amount, [target for _, target in read if target]
+
+
+def _meant(words: list[str]) -> UnitError | None:
+    """What to say of a VALUE in the name of a quantity, or with a blank behind its prefix."""
+    from radcalc.quantities.targets import is_name, named
+
+    source, _, _ = sides(words)
+    try:
+        _, unit = split_quantity(source or words[0])
+        rest = words[1:] if not source else []
+        if not unit and rest:
+            unit, *rest = rest
+        if is_name(unit):
+            usual = named(unit).text.replace(" ", ".")
+            return UnitError(f"'{quote(unit)}' is a quantity, and no unit", usual)
+        if unit in PREFIX_SYMBOLS and rest and unit_of(unit + rest[0]):
+            told = f"'{quote(unit)} {quote(rest[0])}' has a blank behind its prefix"
+            return UnitError(told, quote(unit + rest[0]))
+    except RadcalcError as error:
+        return error if isinstance(error, UnitError) and is_name(unit) else None
+    return None
 
 
 def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
@@ -247,6 +278,13 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
     return option("efficacy", f"{error.text}{units[is_small]}")
 
 
+def _cut(unit: str) -> str:
+    """The hint for a unit of no quantity: `lx fc` are a unit and a target."""
+    first, _, rest = unit.partition(" ")
+    is_target = rest and unit_of(first) and unit_of(rest)
+    return f"{quote(first)} to {quote(rest)}" if is_target else "a TARGET unit"
+
+
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
     """The value in every unit of its quantity."""
     source = call.source
@@ -258,13 +296,13 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
 
-    texts = units_of(source)
-    if isinstance(source, ScaleUnit):
-        readings = (source, *source.others)
-        texts = [text for one in readings for text in (*units_of(one), *names_of(one.dimension))]
+    readings = (source, *source.others) if isinstance(source, ScaleUnit) else (source,)
+    texts = [text for one in readings for text in (*units_of(one), *names_of(one.dimension))]
     targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
-        raise UsageError(f"'{source.text}' measures no quantity radcalc knows", "a TARGET unit")
+        raise UsageError(
+            f"'{quote(source.text)}' measures no quantity radcalc knows", _cut(source.text)
+        )
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()
     for target in targets:
@@ -277,8 +315,9 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         except ConversionError:
             continue  # beyond what a float holds in that unit
         assumptions.update(dict.fromkeys(made.assumptions))
-        about = name_of(target), symbol_of(target)
-        name = result_name(target)
+        meant = made.target if target.is_scale else target
+        about = name_of(meant), symbol_of(meant)
+        name = result_name(meant)
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
     notes = (*call.case.notes, *source.notes)

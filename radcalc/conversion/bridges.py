@@ -468,9 +468,12 @@ def _unlike(bridge: Bridge) -> RadcalcError:
     """Refuse two quantities of which one is no light quantity: no condition links them."""
     source, target, heading = bridge.source, bridge.target, bridge.heading
     if PER_TIME in (source.dimension, target.dimension):
-        return ConversionError(
-            f"{heading}: a frequency counts cycles", "Hz, or cycle/s, for a frequency"
-        )
+        hint = "Hz, or cycle/s, for a frequency"
+        if source.dimension == PER_TIME:
+            per = source.text.removeprefix("1")
+            cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
+            hint = command("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
+        return ConversionError(f"{heading}: a frequency counts cycles", hint)
     if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
         return ConversionError(
             f"{heading}: no condition links them, but a photon has both",

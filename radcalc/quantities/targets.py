@@ -10,6 +10,7 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import EXITANCES, KINDS, read
 from radcalc.quantities.names import MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
 from radcalc.quantities.search import Other, called, fold, index
+from radcalc.quantities.search import near as names_like
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
 from radcalc.units.dimensions import COHERENT
@@ -160,6 +161,8 @@ def _unknown(text: str) -> UnitError:
         near = [name for name in alike if len(_meanings(name, None)) == 1][:2]
         if near:
             unknown.hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
+        elif " " in text.strip() and (alike := names_like(text, 2)):  # of a quantity, no unit
+            unknown = UnitError(f"no quantity or unit is called '{quote(text)}'", ", ".join(alike))
     return unknown
 
 

@@ -136,7 +136,7 @@ def search(text: str) -> list[Typical]:
     if found:
         return found
     words = {word for v in VALUES for word in fold(f"{v.what} {v.quantity}").split()}
-    near = nearest(fold(text), words)
+    near = nearest(fold(text), words, cutoff=0.75)
     raise UsageError(
         f"there is no typical value for '{quote(text)}'",
         ", ".join(near) or "radcalc typical, which lists them all",

@@ -17,6 +17,24 @@ SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
+OF_DAY = "D65, daylight:5500K, AM1.5G"
+MEANT = {  # what may be meant by words that are no names of spectra
+    "daylight": "D65, daylight:5500K",
+    "day": OF_DAY,
+    "sunlight": OF_DAY,
+    "sky": OF_DAY,
+    "blackbody": "blackbody:2856K",
+    "black body": "blackbody:2856K",
+    "planck": "blackbody:2856K",
+    "halogen": "A, blackbody:3000K",
+    "tungsten": "A, blackbody:2856K",
+    "led": "LED-B3, LED-B1, LED-B5",
+    "fluorescent": "F11, F2",
+    "laser": "line:632.8nm",
+    "line": "line:632.8nm",
+    "gaussian": "gaussian:530nm,30nm",
+    "band": "band:500nm:600nm",
+}
 HINT = (
     f"D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file ({command('spectrum', list='')})"
 )
@@ -85,9 +103,11 @@ def uncertain_parameter(text: str) -> Parameter | None:
 def _unknown(text: str) -> RadcalcError:
     if "/" in text or text.lower().endswith((".csv", ".txt", ".tsv", ".dat")):
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+    problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
+    if meant := MEANT.get(text.strip().lower()):
+        return ConditionError(problem, meant)
     known = {fold(name): name for name in names()}
     near = [known[f] for f in nearest(fold(text), known, 3)]
-    problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     return ConditionError(problem, ", ".join(near) if near else HINT)
 
 

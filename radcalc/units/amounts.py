@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
 BEFORE_NUMBERS = tuple(" */(+×·")  # what a number in an expression may follow
 SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
+OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
 ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
 EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
@@ -241,6 +242,8 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     amount, separator, rest = read_value(words)
     if separator and not rest:
         raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
+    if not separator and amount.unit is None and rest and rest[0] in OPERATORS:
+        raise _too_many(quote(words[0]), rest)
     if not separator and amount.unit is None and rest and rest[0].strip():
         amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
     if amount.unit is None:
@@ -320,7 +323,7 @@ def _too_many(unit: str, rest: list[str]) -> UsageError:
         return UsageError(
             f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
         )
-    return UsageError(
-        f"too many words: '{quote(' '.join([unit, *rest]))}'",
-        "quotes around a unit of several words, or to between the units",
-    )
+    hint = "quotes around a unit of several words, or to between the units"
+    if any(word in OPERATORS for word in rest):
+        hint = "quotes around a value that is calculated"
+    return UsageError(f"too many words: '{quote(' '.join([unit, *rest]))}'", hint)

@@ -123,7 +123,7 @@ LANGUAGES = (_words(1, CZECH_ENDINGS), _words(2, RUSSIAN_ENDINGS))
 
 def near(word: str) -> list[str]:
     """The names, without diacritics, that are most like a word that is none."""
-    return nearest(fold(word), [form for _, units in LANGUAGES for form in units], 2)
+    return nearest(fold(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
 
 
 def in_english(text: str) -> str:

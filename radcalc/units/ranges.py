@@ -188,7 +188,8 @@ def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
 def _targets(text: str) -> list[str]:
     targets = [target.strip() for target in text.split(",")]
     if len(targets) > 1 and not all(targets):
-        raise ConditionError(f"a unit is missing in the list '{quote(text)}'", "lx,fc")
+        there = ",".join(filter(None, targets)) or "lx,fc"
+        raise ConditionError(f"a unit is missing in the list '{quote(text)}'", quote(there))
     return targets
 
 

@@ -238,8 +238,11 @@ def _in_another_language(text: str) -> Unit | str:
 
     english = in_english(text)
     unit = _read(english) if english else ""
-    if isinstance(unit, Unit):
-        unit.text = text
+    if isinstance(unit, str):
+        if unit in REFUSED:
+            raise _unknown(unit)
+        return ""
+    unit.text = text
     return unit
 
 

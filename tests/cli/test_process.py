@@ -23,7 +23,7 @@ def test_a_full_disk_is_an_error(words):
     assert len(done.stderr.splitlines()) == 2
 
 
-@pytest.mark.parametrize("words", [("100", "lx", "fc"), ("250", "cd/m2"), ("--help",)])
+@pytest.mark.parametrize("words", [("100", "lx", "fc"), ("250", "cd/m2", "-q"), ("--help",)])
 def test_a_closed_pipe_ends_quietly(words):
     reader, writer = os.pipe()
     os.close(reader)

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from radcalc.errors import RadcalcError
+from radcalc.errors import ConditionError, RadcalcError
 from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.sources import names, spectrum
+from radcalc.spectra.sources import MEANT, names, spectrum
 from radcalc.spectra.spectrum import WHOLE
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
@@ -41,7 +41,7 @@ def test_a_temperature_may_be_in_mired():
     """A mired is one of a reciprocal megakelvin (ANSI/IES LS-1): 200 of them are 5000 K."""
     for kind in ("blackbody", "daylight"):
         assert efficacy(f"{kind}:200mired") == efficacy(f"{kind}:5000K")
-    with pytest.raises(RadcalcError, match="0 mired is nothing"):
+    with pytest.raises(RadcalcError, match="0 mired is the reciprocal of no"):
         spectrum("blackbody:0mired")
 
 
@@ -121,3 +121,11 @@ def test_a_source_that_makes_no_sense_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
         spectrum(text)
     assert caught.value.hint
+
+
+@pytest.mark.parametrize("word", MEANT)
+def test_a_word_that_is_no_spectrum_is_told_spectra(word):
+    with pytest.raises(ConditionError) as caught:
+        spectrum(word)
+    for name in caught.value.hint.split(", "):
+        spectrum(name)
