@@ -47,7 +47,7 @@ from radcalc.quantities.symbols import (
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, rounding, split_quantity
-from radcalc.units.ranges import read_array, read_series, read_spectra, real, with_list
+from radcalc.units.ranges import read_array, read_series, read_spectra, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 
@@ -143,12 +143,13 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
         return read_spectra(text)
     if form == DIRECTION and ":" in str(text):
         polar, comma, azimuth = text.partition(",")
-        return [f"{one}{comma}{azimuth}" for one in read_series(polar)]
+        return [f"{one}{comma}{azimuth}" for one in read_values(polar)]
     if form != QUANTITY:
         return [text]
-    if arrays and name not in LINKS and (values := read_array(text)):
+    has_unit = NUMBER not in SYMBOLS[name].dimensions  # 0.2,80% are two ratios
+    if arrays and name not in LINKS and (values := read_array(text, has_unit)):
         return [values]
-    return read_series(text)
+    return read_values(text) if has_unit else read_series(text)
 
 
 AS_BARE = "0123456789./"  # what a number has that is written without its unit

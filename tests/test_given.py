@@ -138,3 +138,25 @@ def test_what_is_no_size_is_refused(size):
         read("size", size)
     assert NO_SIZES[size] in error.value.message
     assert error.value.hint
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "values"),
+    [
+        ("distance", "1,2,5m", ["1m", "2m", "5m"]),
+        ("distance", "1:5:2 m", ["1 m", "3 m", "5 m"]),
+        ("distance", "1.5,2+-0.1m", ["1.5m", "2+-0.1m"]),
+        ("time", "1/60,1/125s", ["1/60s", "1/125s"]),
+        ("time", "1/60,1/125", ["1/60", "1/125"]),
+        ("distance", "1,5m", ["1,5m"]),
+        ("reflectance", "0.2,80%", ["0.2", "80%"]),
+        ("reflectance", "0.1:0.9:40%", ["0.1", "0.5", "0.9"]),
+    ],
+)
+def test_a_list_may_have_its_unit_last_where_its_values_have_one(name, text, values):
+    assert values_of(name, text) == values
+
+
+def test_a_long_range_may_have_its_unit_last():
+    [(numbers, unit, text)] = values_of("distance", "1:3000:1m", arrays=True)
+    assert (len(numbers), numbers[-1], unit.text, text) == (3000, 3000, "m", "1:3000:1m")

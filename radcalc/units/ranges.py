@@ -94,31 +94,39 @@ def note_of(text: str) -> tuple[str, ...]:
 
 
 def read_values(text: str) -> list[str]:
-    """Cut the VALUE of a conversion into its values, each with the unit that stands behind all.
+    """Cut a list or a range into values, each with the unit that stands behind all.
 
     `100,200 lx` are 100 lx and 200 lx, as `100lx,200lx` are.
     """
+    values, unit = _cut_unit(text)
+    found = read_series(values)
+    if len(found) == 1:
+        return [text]
+    if unit:
+        return [value.strip() + unit for value in found]
+    if len({bool(_unit_in(value)) for value in found}) > 1:
+        raise ConditionError(
+            f"'{quote(text)}' has values with a unit and without", "a unit behind each, or one last"
+        )
+    return found
+
+
+def _cut_unit(text: str) -> tuple[str, str]:
+    """Several values without the unit that stands behind all, and that, with a blank before it."""
     mark = ":" if ":" in text else ","
     *others, last = text.strip().split(mark)
     if not others:
-        return [text]
-    unit = ""
+        return text, ""
     if _is_part(last) and not all(map(_is_part, others)):
         whole = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*others, last)]
         told = f"'{quote(text)}' can be read in two ways"
         raise ConditionError(told, quote(mark.join(whole)))
-    if not any(map(_unit_in, others)):
-        unit = _unit_in(last)
-        unit = unit if last.rstrip().endswith(unit) else ""
-        last = last.removesuffix(unit).strip()
-    values = read_series(mark.join([*others, last]))
-    if unit and len(values) > 1:
-        return [f"{value.strip()} {unit}" for value in values]
-    if len(values) > 1 and len({bool(_unit_in(value)) for value in values}) > 1:
-        raise ConditionError(
-            f"'{quote(text)}' has values with a unit and without", "a unit behind each, or one last"
-        )
-    return values if len(values) > 1 else [text]
+    unit = "" if any(map(_unit_in, others)) else _unit_in(last)
+    if not unit or not last.endswith(unit):
+        return mark.join([*others, last]), ""
+    last = last.removesuffix(unit)
+    bare = last.rstrip()
+    return mark.join([*others, bare]), f" {unit}" if bare != last else unit
 
 
 def _is_part(text: str) -> bool:
@@ -163,8 +171,9 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
 
 
 def _without_blank(word: str, behind: str) -> str:
-    """The list that is meant where a value, or the unit of all, stands behind a comma."""
-    if behind[:1] in tuple(f"{DIGITS}{SIGNS}."):
+    """The list that is meant where a value, a target or the unit of all stands behind a comma."""
+    numeric = tuple(f"{DIGITS}{SIGNS}.(")
+    if behind.startswith(numeric) or not word.startswith(numeric):
         return word + behind
     values = word.rstrip(",").split(",")
     return ",".join(values if _unit_in(values[0]) else [value + behind for value in values])
@@ -222,11 +231,16 @@ def _has_unit(part: str) -> bool:
     return part.strip()[-1:] in ("%", "°") or any(map(str.isalpha, part))
 
 
-def read_array(text: str) -> tuple[Any, Unit, str] | None:
-    """A range of more than `LONG` values as an array, its unit and text; else None."""
+def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
+    """A range of more than `LONG` values as an array, its unit and text; else None.
+
+    What surely `has_unit` may have it behind the last number alone.
+    """
     if text.count(":") != 2:
         return None
-    start, step, values, unit = _steps(text, MOST_IN_ARRAY)
+    cut, unit = _cut_unit(text) if has_unit else (text, "")
+    start, step, values, own = _steps(cut, MOST_IN_ARRAY)
+    unit = unit or own
     if values <= LONG or resolve_any(unit or "1").is_scale:
         return None
     import numpy

@@ -59,7 +59,7 @@ def test_what_is_both_is_said():
 
 def test_a_unit_at_the_end_is_that_of_all_values():
     assert read_values("1,2,5 lx") == ["1 lx", "2 lx", "5 lx"]
-    assert read_values("1:3:1m") == ["1 m", "2 m", "3 m"]
+    assert read_values("1:3:1m") == ["1m", "2m", "3m"]
     assert read_values("1e3,2e3 W/m2") == ["1e3 W/m2", "2e3 W/m2"]
     assert read_values("1lx,2 fc") == ["1lx", "2 fc"]
     with pytest.raises(ConditionError, match="with a unit and without"):
@@ -84,6 +84,7 @@ def test_a_comma_before_a_unit_leads_to_the_list():
         (["1,2,", "lx", "fc"], "1lx,2lx"),
         (["1lx,", "2lx", "fc"], "1lx,2lx"),
         (["1lx,", "fc"], "1lx"),
+        (["100", "lx", "fc,", "klx"], "fc,klx"),
     ):
         with pytest.raises(ConditionError, match="blank") as caught:
             read_lists(words)
