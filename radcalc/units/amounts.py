@@ -192,9 +192,10 @@ def _read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimen
 
 
 def with_unit(amount: Amount, unit: str) -> Amount:
-    """A bare number with the unit that stands in another word."""
-    is_sum = amount.rounding is not None
-    text = f"({amount.text}) {unit}" if is_sum else f"{amount.text} {unit}"
+    """A bare number with the unit that stands in another word; arithmetic as it is in one."""
+    text = f"{amount.text} {unit}"
+    if amount.rounding is not None or amount.parts:
+        return read_amount(text)
     return _amount(text, amount.number, _unit(text, unit), amount.uncertainty, (), amount.parts)
 
 

@@ -13,7 +13,7 @@ ways (`1/2 m` beside something else, `100 W / 5 W/m2`) is refused with both read
 
 import math
 
-from radcalc.errors import ExpressionError, NumberError, UnitError, measured, quote
+from radcalc.errors import ExpressionError, NumberError, UnitError, command, measured, quote
 from radcalc.units.compiled import NAMES, UNITS
 from radcalc.units.grammar import (
     MAX_DEPTH,
@@ -277,8 +277,14 @@ class Calculator(Scanner):
         if a == b or (value.dimension == other.dimension == NUMBER):
             return
         hint = "terms of one quantity"
+        plus = "+" if sign > 0 else "-"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
-            hint = f"{quote(left)} * (1 {'+' if sign > 0 else '-'} {quote(part)})"
+            hint = f"{quote(left)} * (1 {plus} {quote(part)})"
+        elif units[0] and not units[1]:  # 100 lx + 3
+            hint = quote(f"{left} {plus} {part} {units[0].text}")
+        elif units[1] and not units[0] and part.endswith(units[1].text):  # 500 + 200 lx
+            number = part.removesuffix(units[1].text).strip()
+            hint = quote(f"({left} {plus} {number}) {units[1].text}")
         named = [measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:
@@ -373,7 +379,7 @@ class Calculator(Scanner):
             self.skip_blanks()
         if count:
             self.at = end
-            unit = self.unit(self.text[begun:end])
+            unit = self.unit(self.text[begun:end], start, value)
             value = value.times(unit) if value else unit
             self.skip_blanks()
         if value is None:
@@ -425,8 +431,8 @@ class Calculator(Scanner):
                 return 1
         return super().exponent()
 
-    def unit(self, text: str) -> Value:
-        """What a text of units that stand beside each other is worth."""
+    def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
+        """What units beside each other are worth, in a term that begins at `start`."""
         text = " ".join(text.split())
         joined = text.lower().replace(" ", "_")
         is_name = " " in text and joined in NAMES  # foot lambert
@@ -435,13 +441,18 @@ class Calculator(Scanner):
         except UnitError:
             from radcalc.units.scales import find
 
-            if find(text) is None:
+            scale = find(text)
+            rest = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
+            if scale is None or not (self.is_arithmetic or rest):
                 raise
             self.is_arithmetic = True
-            raise self.wrong(
-                f"calculates with {quote(text)}, which is read through a function",
-                "what it stands for in a unit",
-            ) from None
+            shown = f"{_divide(number.top, number.bottom):.12g}" if number else "1"
+            hint = f"{'-' * self.text[:start].count('-')}{shown} {quote(text)}"
+            if rest:
+                hint = command("convert", shown, quote(text), scale.unit.text)
+                hint += ", for what it stands for, and arithmetic with that"
+            problem = f"calculates with {quote(text)}, which is read through a function"
+            raise self.wrong(problem, hint) from None
         atoms = parse_unit(joined if is_name else text)
         dimension = unit.dimension
         units: dict[str, int] = {}

@@ -13,7 +13,7 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
 from radcalc.given import read
 from radcalc.homework.answer import read_claim
-from radcalc.units.amounts import read_amount, split_value
+from radcalc.units.amounts import read_amount, read_operands, split_value
 from radcalc.units.ranges import read_series
 from radcalc.units.table import resolve
 
@@ -154,8 +154,10 @@ def test_a_number_with_a_unit_is_no_expression(text):
 REFUSED = {
     "100 lx + 5 lm": ("cannot add illuminance (lx) and luminous flux (lm)", "one quantity"),
     "100 lx - 5 lm": ("cannot subtract luminous flux (lm) from illuminance (lx)", "one quantity"),
-    "100 lx + 3": ("illuminance (lx) and a bare number", "one quantity"),
-    "30deg + 0.5": ("angle (deg) and a bare number", "one quantity"),
+    "100 lx + 3": ("illuminance (lx) and a bare number", "100 lx + 3 lx"),
+    "30deg + 0.5": ("angle (deg) and a bare number", "30deg + 0.5 deg"),
+    "500+200 lx": ("a bare number and illuminance (lx)", "(500 + 200) lx"),
+    "5*3 - 2 lx": ("illuminance (lx) from a bare number", "(5*3 - 2) lx"),
     "100 lx + 10%": ("cannot add", "100 lx * (1 + 10%)"),
     "100 radlux + 5 lx": ("luminous exitance (radlux) and illuminance (lx)", "one quantity"),
     "1 W/m2/nm + 1 W/m3 * 1": ("cannot add", "one quantity"),
@@ -195,7 +197,11 @@ REFUSED = {
     "exp(1000)": ("no value for exp(1000)", "another number"),
     "sqrt(2 m)": ("no value for sqrt(2 m)", "a square"),
     "ln(2 m)": ("length (m) in ln(2 m)", "a bare number"),
-    "10 dBm + 3 dBm": ("calculates with dBm", "stands for"),
+    "10 dBm + 3 dBm": ("calculates with dBm", "radcalc convert 10 dBm mW"),
+    "5 lx / dBm": ("calculates with dBm", "radcalc convert 1 dBm mW"),
+    "(10+5) dBm": ("calculates with dBm", "15 dBm"),
+    "-(10+5) dBm": ("calculates with dBm", "-15 dBm"),
+    "10^2 EV": ("calculates with EV", "100 EV"),
 }
 
 
@@ -244,6 +250,28 @@ def test_expressions_are_read_wherever_a_value_is():
     assert claim.half_unit == pytest.approx(25 * 0.05 / 12.5)
     assert radcalc.convert("2*100 lx + 1 klx", "lx").magnitude == 1200.0
     assert radcalc.Quantity("500 lx * 20 m2").to("lm").magnitude == 10000.0
+
+
+def outcome(words):
+    """What the words of a call are read as, or what is said of them."""
+    try:
+        amount, target = read_operands(words)
+    except RadcalcError as error:
+        return type(error), shell(error)
+    return amount.number, amount.unit.text, target
+
+
+@pytest.mark.parametrize("unit", ["lx", "dBm", "EV", "m"])
+@pytest.mark.parametrize(
+    "number", ["500+200", "3-1", "(500+200)", "10^2", "2^3/4", "1e3-1", "-(2+3)", "sqrt(4)*3"]
+)
+def test_arithmetic_means_the_same_with_its_unit_in_one_word_or_two(number, unit):
+    assert outcome([number, unit, "fc"]) == outcome([f"{number} {unit}", "fc"])
+
+
+def test_a_reading_that_is_no_number_is_not_said_to_be_arithmetic():
+    with pytest.raises(RadcalcError, match="beyond what a number holds"):
+        read_amount("756 mag")
 
 
 def test_a_product_is_the_quantity_that_it_measures():
