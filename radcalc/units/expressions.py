@@ -35,7 +35,7 @@ from radcalc.units.numbers import (
     relative_rounding,
     typed_digits,
 )
-from radcalc.units.table import BASES, NUMBER, Dimension, Unit, lookup, resolve
+from radcalc.units.table import BASES, NUMBER, PARTS, Dimension, Unit, lookup, resolve
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
@@ -138,9 +138,6 @@ class Value:
             if "multiplies light" not in error.message:  # as typed with a *, which is plain enough
                 raise
             return resolve(f"({text})")
-
-
-PARTS = ("percent", "permille", "ppm", "ppb")
 
 
 def _is_part(name: str) -> bool:
@@ -403,6 +400,9 @@ class Calculator(Scanner):
         if self.peek() == "(":
             start, self.at = self.at, self.at + 1
             self.skip_blanks()
+            if self.peek() in tuple(SIGNS):
+                self.at += 1
+                self.skip_blanks()
             found = self.begins_number()
             self.at = start
             return found

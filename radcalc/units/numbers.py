@@ -43,6 +43,7 @@ def read_number(text: str) -> tuple[float, int]:
             f"at most {MAX_LENGTH} characters are read",
         )
     at = 1 if text[:1] and text[0] in SIGNS else 0
+    operator = ""
     value, _, at = read_term(text, at)
     while at + 1 < len(text) and text[at] in "*/" and _term_starts(text, at + 1):
         operator, start = text[at], at + 1
@@ -57,6 +58,10 @@ def read_number(text: str) -> tuple[float, int]:
         value = found
         if value == INFINITE:
             raise _too_large(text[:at])
+    if operator == "/" and text[at : at + 1] in ("%", "‰"):
+        over, _, under = text[:at].rpartition("/")
+        ways = f"({over}/{under}){text[at:]}", f"{over}/({under}{text[at]}){text[at + 1 :]}"
+        raise NumberError(f"'{quote(text)}' can be read in two ways", " or ".join(map(quote, ways)))
     refuse_lookalikes(text, at)
     return (-value if text[0] in MINUSES else value), at
 

@@ -42,6 +42,7 @@ INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, 0, 0, 0, 0, 0)
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")
 COMMON_PREFIXES = "GMkcmun"
+PARTS = ("percent", "permille", "ppm", "ppb")
 LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
 
@@ -204,6 +205,9 @@ def _read(text: str) -> Unit | str:
         if found is None:
             return _in_another_language(text) or spelling
         prefix, name = found
+        if exponent not in (1, -1) and name in PARTS:
+            hint = "brackets around the number with it, as in (50%)^2"
+            raise UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
         unit_top, unit_bottom, powers, _ = UNITS[name]
         if prefix:
             shift = PREFIX_NAMES[prefix]
