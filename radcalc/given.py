@@ -46,7 +46,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
-from radcalc.units.numbers import parse_number, rounding, split_quantity
+from radcalc.units.numbers import parse_number, rounding
 from radcalc.units.ranges import read_array, read_series, read_spectra, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
@@ -301,15 +301,19 @@ def _read_amount(symbol: Symbol, text: str) -> Amount:
 
 def _difference(text: str) -> Amount | None:
     """A difference of temperature, in degrees of a scale that has its 0 elsewhere; else None."""
-    try:
-        number, unit_text = split_quantity(text)
-    except NumberError:
-        return None
+    unit_text = text[max(map(text.rfind, "0123456789.)%")) + 1 :].strip()
     unit = degree(unit_text)
-    if unit is None:
+    rest = text.replace(unit_text, "") if unit else ""
+    if unit is None or any(c.isalpha() for c in rest.lower().replace("e", "")):
+        return None
+    try:
+        amount = read_amount(text.replace(unit_text, "K"))
+    except RadcalcError:
+        return None  # which is said of the text as it was typed
+    if amount.unit is None or amount.rounding is not None:
         return None
     said = f"a difference of temperature: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
-    return Amount(text, number, unit, 0.0, (said,))
+    return Amount(text, amount.number, unit, amount.uncertainty, (said,))
 
 
 def _with_unit(symbol: Symbol, number: str) -> str:

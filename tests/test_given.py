@@ -160,3 +160,33 @@ def test_a_list_may_have_its_unit_last_where_its_values_have_one(name, text, val
 def test_a_long_range_may_have_its_unit_last():
     [(numbers, unit, text)] = values_of("distance", "1:3000:1m", arrays=True)
     assert (len(numbers), numbers[-1], unit.text, text) == (3000, 3000, "m", "1:3000:1m")
+
+
+# By the definition of the degree Fahrenheit: a step of 9 of them is one of 5 K.
+@pytest.mark.parametrize(
+    ("text", "kelvins", "uncertainty"),
+    [
+        ("2°C", 2.0, 0.0),
+        ("2±0.1 °C", 2.0, 0.1),
+        ("2 °C ± 0.1 °C", 2.0, 0.1),
+        ("2.0(1) degC", 2.0, 0.1),
+        ("9.0+-0.9°F", 5.0, 0.5),
+    ],
+)
+def test_a_difference_of_temperature_may_be_in_degrees(text, kelvins, uncertainty):
+    given = read("temperature-rise", text, uncertain=True)
+    assert given.value == pytest.approx(kelvins)
+    assert given.uncertainty == pytest.approx(uncertainty)
+
+
+@pytest.mark.parametrize("text", ["°C", "2 K ± 0.1 °F", "300K-25°C", "25°C-23°C", "2 °F ± 1 °C"])
+def test_degrees_beside_anything_else_are_no_difference(text):
+    with pytest.raises(RadcalcError):
+        read("temperature-rise", text, uncertain=True)
+
+
+def test_differences_may_be_a_range():
+    values = values_of("temperature-rise", "2°C:4°C:1°C")
+    assert [read("temperature-rise", one).value for one in values] == [2.0, 3.0, 4.0]
+    with pytest.raises(RadcalcError, match="not accepted as a unit"):
+        read("temperature", values_of("temperature", "2°C:4°C:1°C")[0])

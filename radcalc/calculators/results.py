@@ -7,12 +7,12 @@ from typing import Any
 from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
-from radcalc.given import Given, is_on_scale
+from radcalc.given import DIFFERENCES, Given, is_on_scale
 from radcalc.maths import is_array, is_column, is_lost, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.scales import CONSTANTS, ScaleUnit, find, resolve_any
+from radcalc.units.scales import CONSTANTS, ScaleUnit, degree, find, resolve_any
 from radcalc.units.table import Unit, unit_of
 
 MOST_OF_A_UNIT = 5  # results that are named in place of their unit
@@ -86,9 +86,9 @@ def _on_scale(value: Value, unit: ScaleUnit) -> Any:
     return reading + (number - number.nominal_value) / scale.slope(reading)
 
 
-def _unit_of(text: str, values: Sequence[Value]) -> Unit:
-    """A unit, or a scale with the constants of the light meter that is answered for."""
-    unit = resolve_any(text)
+def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
+    """The unit of a result, or a scale with the constants of the light meter in the answer."""
+    unit = (degree(text) if name in DIFFERENCES else None) or resolve_any(text)
     if not isinstance(unit, ScaleUnit):
         return unit
     return unit.with_constants({v.name: v.amount for v in values if v.name in CONSTANTS})
@@ -99,7 +99,7 @@ def scales_of(values: Sequence[Value], wanted: Sequence[str]) -> tuple[str, ...]
     found = []
     for one in wanted:
         name, _, text = one.partition(":")
-        scale = _unit_of(text, values) if text and find(text) else None
+        scale = _unit_of(text, name, values) if text and find(text) else None
         for value in values:
             if isinstance(scale, ScaleUnit) and name.strip() in (value.name, value.also):
                 found.append(scale.measures((*value.dimensions, *value.reach)).assumption)
@@ -175,7 +175,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 text = value.units[0]
                 number = _shown(value, text)
             else:
-                unit = _unit_of(text, values)
+                unit = _unit_of(text, value.name, values)
                 number = in_unit(value, unit)
                 if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)

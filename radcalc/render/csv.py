@@ -11,7 +11,7 @@ from radcalc.errors import printable
 from radcalc.render.arrays import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
-from radcalc.units.scales import resolve_any
+from radcalc.units.scales import resolve_given
 
 REMARKS_ARE_APART = True
 
@@ -97,7 +97,7 @@ def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:
 def _unit(cells: Sequence[Input | None]) -> str:
     """The unit of the first of several quantities; '' where they are not all of its dimension."""
     units = {one.unit if one else "" for one in cells}
-    if "" in units or len({resolve_any(unit).dimension for unit in units}) > 1:
+    if "" in units or len({resolve_given(unit).dimension for unit in units}) > 1:
         return ""
     return cells[0].unit if cells[0] else ""
 
@@ -106,7 +106,7 @@ def _in(one: Input, text: str) -> Any:
     """The number of an input in another unit of its quantity."""
     if one.unit == text:
         return one.value
-    return plan(resolve_any(one.unit), resolve_any(text)).apply(one.value)
+    return plan(resolve_given(one.unit), resolve_given(text)).apply(one.value)
 
 
 def _write(lines: Iterable[Sequence[Any]]) -> str:

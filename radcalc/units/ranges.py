@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
 from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, read_amount, sides, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, read_number, without_commas
-from radcalc.units.scales import resolve_any, scale_of
-from radcalc.units.table import Unit, divide, resolve
+from radcalc.units.scales import resolve_given, scale_of
+from radcalc.units.table import Unit, divide
 
 T = TypeVar("T")
 MOST = 10_000
@@ -241,11 +241,11 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
     cut, unit = _cut_unit(text) if has_unit else (text, "")
     start, step, values, own = _steps(cut, MOST_IN_ARRAY)
     unit = unit or own
-    if values <= LONG or resolve_any(unit or "1").is_scale:
+    if values <= LONG or resolve_given(unit or "1").is_scale:
         return None
     import numpy
 
-    return start + step * numpy.arange(values), resolve(unit or "1"), text
+    return start + step * numpy.arange(values), resolve_given(unit or "1"), text
 
 
 def _range(text: str) -> list[str]:
@@ -265,7 +265,7 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
         problem = f"'{quote(text)}' is a range, and has no uncertainties"
         raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
     numbers = [split_value(part) for part in parts]
-    units = [resolve_any(unit or "1") for _, unit in numbers]
+    units = [resolve_given(unit or "1") for _, unit in numbers]
     if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:
         raise ConditionError(
             f"'{quote(text)}' mixes quantities", "one unit in START, STOP and STEP"

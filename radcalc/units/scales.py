@@ -336,6 +336,11 @@ def degree(text: str) -> Unit | None:
     return Unit(text, 5, 9, TEMPERATURE_ALONE, ((name, 1),)) if name in FAHRENHEIT else None
 
 
+def resolve_given(text: str) -> Unit:
+    """Read the unit of what was given, in which a degree is that of a difference."""
+    return degree(text) or resolve_any(text)
+
+
 def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:
     """The unit of what was typed as a reading, or in degrees that count a difference."""
     if scale := find(text):
