@@ -79,7 +79,7 @@ def define(
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         def call(**values: Any) -> Any:
-            shown = options.decide(**{key: values.pop(key) for key in OUTPUT_NAMES}, command=name)
+            shown = options.decide(**{key: values.pop(key) for key in options.NAMES}, command=name)
             typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
             given = {key: text for key, text in typed.items() if text not in (None, False)}
             if calculates:
@@ -122,9 +122,6 @@ def of_page(name: str) -> "SectionedCommand":
         ]
     )
     return define(name, page.sections, kinds=page.kinds)(calculate)
-
-
-OUTPUT_NAMES = ("format_", "json_", "number", "precision", "color", "quiet", "auto")
 
 
 class SymbolOption(click.Option):

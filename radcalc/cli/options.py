@@ -3,7 +3,6 @@
 import os
 import sys
 from collections.abc import Sequence
-from copy import copy
 from typing import Any, NamedTuple, Protocol
 
 import click
@@ -134,39 +133,53 @@ def folded(lines: Sequence[str]) -> list[str]:
     ]
 
 
-OPTIONS = (
-    click.Option(["-n", "--number"], is_flag=True, help="Bare numbers only."),
-    click.Option(
-        ["--format", "format_"],
-        type=click.Choice(FORMATS),
-        help="Default: a table on a terminal, plain text elsewhere.",
-    ),
-    click.Option(["--json", "json_"], is_flag=True, help="Short for --format json."),
-    click.Option(
-        ["--precision"],
-        type=click.IntRange(1, 17),
-        metavar="N",
-        help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
-    ),
-    click.Option(
-        ["--color"],
-        type=click.Choice(["auto", "always", "never"]),
-        default="auto",
-        help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
-    ),
-    click.Option(
-        ["--auto"],
-        is_flag=True,
-        help="Results with the SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
-    ),
-    click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
-)
 # A list of what there is has no numbers to print; the options stay, for what is said of them.
 NUMERIC = ("number", "precision", "auto")
-OF_LISTS = tuple(copy(option) for option in OPTIONS)
-for _option in OF_LISTS:
-    _option.hidden = _option.name in NUMERIC
+
+
+def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
+    """The options of output, of which some are not shown in the help."""
+    made = (
+        click.Option(["-n", "--number"], is_flag=True, help="Bare numbers only."),
+        click.Option(
+            ["--format", "format_"],
+            type=click.Choice(FORMATS),
+            help="Default: a table on a terminal, plain text elsewhere.",
+        ),
+        click.Option(["--json", "json_"], is_flag=True, help="Short for --format json."),
+        click.Option(
+            ["--precision"],
+            type=click.IntRange(1, 17),
+            metavar="N",
+            help="Significant digits (default: 6 in tables, 12 in plain text, all in JSON).",
+        ),
+        click.Option(
+            ["--color"],
+            type=click.Choice(["auto", "always", "never"]),
+            default="auto",
+            help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
+        ),
+        click.Option(
+            ["--auto"],
+            is_flag=True,
+            help="Results with the SI prefixes that fit: 2.1 mlx, not 0.0021 lx.",
+        ),
+        click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
+    )
+    for option in made:
+        option.hidden = option.name in hidden
+    return made
+
+
+OPTIONS, OF_LISTS = _options(), _options(hidden=NUMERIC)
+NAMES = tuple([option.name or "" for option in OPTIONS])
 STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
+
+
+def defaults() -> dict[str, Any]:
+    """What the options of output are where none is given."""
+    nothing = click.Command(None, params=[*OPTIONS], add_help_option=False)
+    return nothing.make_context("", []).params
 
 
 def decide(

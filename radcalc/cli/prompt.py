@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.cli.command import SectionedCommand
-from radcalc.cli.options import OPTIONS, decide, wants_color
-from radcalc.cli.session import ASSIGNMENT, DEFAULTS, Session
+from radcalc.cli.options import OPTIONS, decide, defaults, wants_color
+from radcalc.cli.session import ASSIGNMENT, Session
 from radcalc.completion import Completion as Word
 from radcalc.completion import completions as words_behind
 from radcalc.errors import RadcalcError
@@ -65,7 +65,8 @@ def prompt(**values: Any) -> int:
     that of the worst.  The options are for every line.
     """
     decide(**values)  # which refuses what contradicts itself
-    settings = {name: value for name, value in values.items() if value != DEFAULTS[name]}
+    unset = defaults()
+    settings = {name: value for name, value in values.items() if value != unset[name]}
     if os.isatty(0) and (os.isatty(1) or os.isatty(2)):
         return _converse(Session(settings))
     return answer_lines(Session(settings, has_stdin=False))

@@ -16,7 +16,7 @@ import click
 from radcalc import cli, stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import COMMANDS
-from radcalc.cli.options import decide
+from radcalc.cli.options import decide, defaults
 from radcalc.errors import RadcalcError, UsageError, listed, option, quote
 from radcalc.quantities.light import name_of
 from radcalc.quantities.symbols import (
@@ -276,7 +276,7 @@ class Session:
         if unit := amount.typed[1]:
             return cli.answered([*words, "to", unit.text], self)
         with click.Context(cli.commands, obj=self):
-            shown = decide(**(DEFAULTS | self.settings))
+            shown = decide(**(defaults() | self.settings))
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
         shown.show([Result((row,), named=False)])
         return stdio.ANSWERED
@@ -431,14 +431,3 @@ def _text(amount: Amount) -> str:
     if _is_plain(amount):
         return amount.text
     return _exact(amount.number, amount.unit.text if amount.unit else "1", amount.uncertainty)
-
-
-DEFAULTS: dict[str, Any] = {
-    "format_": None,
-    "json_": False,
-    "number": False,
-    "precision": None,
-    "color": "auto",
-    "quiet": False,
-    "auto": False,
-}
