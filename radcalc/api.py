@@ -17,7 +17,7 @@ from radcalc.errors import (
     quote,
     spell,
 )
-from radcalc.given import TOO_FAR, Given, Inputs, read, read_place, refuse_uncertain
+from radcalc.given import TOO_FAR, Given, Inputs, any_uncertain, read, read_place, refuse_uncertain
 from radcalc.maths import LARGEST, is_array, is_uncertain
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
@@ -167,7 +167,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     (10.0, '1.0 microwatt')
     """
     made, magnitude, given = _plan(value, target, conditions)
-    if is_uncertain(magnitude) or any(one.uncertainty for one in given):
+    if is_uncertain(magnitude) or any_uncertain(given):
         found = _converted(made, magnitude, given).number
     else:
         found = _broadcast(lambda: made.apply(magnitude))
@@ -205,7 +205,7 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     made, magnitude, given = _plan(value, target, conditions)
     number = float(getattr(magnitude, "nominal_value", magnitude))
     shown = answer(made, number, steps=True)
-    if is_uncertain(magnitude) or any(one.uncertainty for one in given):
+    if is_uncertain(magnitude) or any_uncertain(given):
         from radcalc.calculators.uncertainty import of_conversion
 
         shown = of_conversion(shown, _converted(made, magnitude, given))

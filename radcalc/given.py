@@ -180,6 +180,11 @@ def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Given:
     return given
 
 
+def any_uncertain(given: Iterable[Given]) -> bool:
+    """Whether an input has an uncertainty."""
+    return bool([one for one in given if one.uncertainty])
+
+
 def refuse_uncertain(given: Iterable[Given], what: str) -> None:
     """Refuse uncertain inputs of what does not carry them."""
     for one in given:

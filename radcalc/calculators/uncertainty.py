@@ -5,7 +5,7 @@ little, and the slopes found so are combined by the `uncertainties` package.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Result, Step, Value
@@ -21,7 +21,7 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.given import Given, Inputs, moved
+from radcalc.given import Given, Inputs, any_uncertain, moved
 from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import Amount
@@ -57,11 +57,6 @@ class Bend(NamedTuple):
     def note(self, label: str, low: str, high: str) -> str:
         """What to say of a result."""
         return f"{label} is far from linear within {_named(self.given)}: {low} to {high}"
-
-
-def any_uncertain(given: Iterable[Given]) -> bool:
-    """Whether an input has an uncertainty."""
-    return any(one.uncertainty for one in given)
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:

@@ -11,7 +11,7 @@ from radcalc.cli import check
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, quote
-from radcalc.given import Inputs, inputs_of
+from radcalc.given import Inputs, any_uncertain, inputs_of
 from radcalc.maths import is_array
 from radcalc.render import arrays
 from radcalc.render.formats import CSV
@@ -91,7 +91,7 @@ def run(
         each = [part for case in each for part in _blocks(case)]
     else:
         _refuse_long(each, asked)
-    if [one for case in each for one in case.given.values() if one.uncertainty]:
+    if any_uncertain([one for case in each for one in case.given.values()]):
         from radcalc.calculators.uncertainty import with_uncertainties
 
         work_out = partial(with_uncertainties, work_out)

@@ -23,7 +23,7 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.given import Given, inputs_of
+from radcalc.given import Given, any_uncertain, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands, sides
 from radcalc.units.compiled import PREFIX_SYMBOLS
@@ -177,7 +177,7 @@ class Conversion(NamedTuple):
     @property
     def is_uncertain(self) -> bool:
         """Whether the value or a condition has an uncertainty."""
-        return bool(self.amount.uncertainty) or any(one.uncertainty for one in self.conditions)
+        return bool(self.amount.uncertainty) or any_uncertain(self.conditions)
 
     def answer(self, steps: bool) -> Result:
         """The value in the targets' units, and everything about it."""

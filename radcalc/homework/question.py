@@ -6,7 +6,7 @@ from typing import NamedTuple
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.uncertainty import value_of
 from radcalc.conversion.plan import Plan, plan
-from radcalc.given import Given, Inputs
+from radcalc.given import Given, Inputs, any_uncertain
 from radcalc.quantities.light import name_of, result_name, symbol_of
 from radcalc.units.amounts import Amount
 from radcalc.units.table import Unit
@@ -46,7 +46,7 @@ def of_calculator(
 def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Question:
     """The question with its steps, and with the uncertainties that what was given leads to."""
     answer = question.answer
-    if any(one.uncertainty for one in given.values()):
+    if any_uncertain(given.values()):
         from radcalc.calculators.uncertainty import with_uncertainties
 
         told = with_uncertainties(question.work_out, given)
