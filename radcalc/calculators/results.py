@@ -79,11 +79,7 @@ def _on_scale(value: Value, unit: ScaleUnit) -> Any:
             f"{value.name} is not measured in {quote(unit.text)}",
             ", ".join(f"{value.name}:{text}" for text in value.units),
         )
-    number = in_unit(value, scale.unit)
-    if not is_uncertain(number):
-        return scale.reading(number)
-    reading = scale.reading(number.nominal_value)
-    return reading + (number - number.nominal_value) / scale.slope(reading)
+    return scale.reading(in_unit(value, scale.unit))
 
 
 def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:

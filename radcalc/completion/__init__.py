@@ -135,11 +135,11 @@ def _commands(incomplete: str) -> list[Completion]:
 
 def _in_command(line: Line, incomplete: str) -> list[Completion]:
     if line.waiting:
-        return _values(line, line.waiting, incomplete)
+        return _values(line.waiting, incomplete)
     if not line.is_closed:
         name, equals, text = incomplete.partition("=")
         if equals and (option := line.option(name)):
-            found = _values(line, option, text)
+            found = _values(option, text)
             return [Completion(name + equals + o.text, o.description, o.closes) for o in found]
         if incomplete == "-" or is_option(incomplete):
             return _fitting_options(line, incomplete)
@@ -158,7 +158,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
     return found
 
 
-def _values(line: Line, option: Option, incomplete: str) -> list[Completion]:
+def _values(option: Option, incomplete: str) -> list[Completion]:
     from radcalc.completion.values import values_of
 
     return values_of(option.form, option.values, incomplete)

@@ -168,16 +168,10 @@ class Reach:
             if not text:
                 lack = "" if self.source.is_light else None
             else:
-                lack = self.lacks(_exitance(text) if is_exitance else resolve(text))
+                lack = self.lacks(resolve(text).of_class(Exitance if is_exitance else Unit))
             if lack is not None:
                 said = text.replace(" ", ".") or "of the same kind of light"
                 yield Completion(name, f"{said}, with {lack}" if lack else said)
-
-
-def _exitance(text: str) -> Unit:
-    """A unit of what leaves a surface."""
-    unit = resolve(text)
-    return Exitance(text, unit.top, unit.bottom, unit.dimension, unit.atoms, unit.notes)
 
 
 def _units(head: str, typed: str) -> list[Completion]:

@@ -22,6 +22,7 @@ from radcalc.quantities.light import (
 )
 from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.dimensions import LENGTH
+from radcalc.units.languages import bare
 from radcalc.units.scales import find
 from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
@@ -41,8 +42,7 @@ class Found(NamedTuple):
 
 def fold(text: str) -> str:
     """A text as it is compared: no case, no diacritics, words parted by one blank."""
-    bare = "".join(c for c in unicodedata.normalize("NFKD", text) if not unicodedata.combining(c))
-    parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare.casefold())
+    parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare(text))
     return " ".join("".join(parts).split())
 
 

@@ -32,10 +32,8 @@ class Target(NamedTuple):
 
     def as_unit(self) -> Unit:
         """The unit, with what is to be said of the name."""
-        unit = resolve(self.unit)
-        made = Exitance if self.name in EXITANCES else Unit
-        notes = (*unit.notes, self.note) if self.note else unit.notes
-        return made(unit.text, unit.top, unit.bottom, unit.dimension, unit.atoms, notes)
+        kind = Exitance if self.name in EXITANCES else Unit
+        return resolve(self.unit).of_class(kind, *filter(None, [self.note]))
 
 
 def named(text: str, source: Unit | None = None) -> Unit:
@@ -51,10 +49,9 @@ def named(text: str, source: Unit | None = None) -> Unit:
         raise _ambiguous(text, meanings)
     unit = meanings[0].as_unit()
     if fold(text) in (*PPFD, *PPF):
-        unit = Photosynthetic(
-            unit.text, unit.top, unit.bottom, unit.dimension, unit.atoms, unit.notes
-        )
-        unit.name = text
+        photosynthetic = unit.of_class(Photosynthetic)
+        photosynthetic.name = text
+        return photosynthetic
     return unit
 
 

@@ -28,6 +28,8 @@ BEFORE_NUMBERS = tuple(" */(+×·")  # what a number in an expression may follow
 SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
 OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
 ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
+UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
+SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
 STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
@@ -169,10 +171,6 @@ def split_value(text: str) -> tuple[float, str]:
     if problem:
         raise problem
     return number, unit
-
-
-UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
-SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 
 def _read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimension]") -> Amount:

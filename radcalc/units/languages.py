@@ -93,10 +93,15 @@ PER = ("na", "za", "на", "за", "в")
 SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "кубическ")  # without endings
 
 
+def bare(text: str) -> str:
+    """A text without case and diacritics."""
+    parts = unicodedata.normalize("NFKD", text).casefold()
+    return "".join([c for c in parts if not unicodedata.combining(c)])
+
+
 def fold(word: str) -> str:
     """A word as it is compared: no case, no diacritics, no hyphens."""
-    parts = unicodedata.normalize("NFKD", word.casefold())
-    return "".join([c for c in parts if not unicodedata.combining(c) and c != "-"])
+    return bare(word).replace("-", "")
 
 
 def forms(names: str, endings: dict[str, str]) -> list[str]:

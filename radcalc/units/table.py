@@ -17,6 +17,12 @@ from radcalc.units.compiled import (
 )
 from radcalc.units.grammar import parse_unit
 
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from typing import TypeVar
+
+    Kind = TypeVar("Kind", bound="Unit")
+
 # The order of the exponents in a dimension.
 BASES = (
     "length",
@@ -76,6 +82,11 @@ class Unit:
     def __repr__(self) -> str:
         """Show the text."""
         return f"Unit({self.text!r})"
+
+    def of_class(self, kind: "type[Kind]", *notes: str) -> "Kind":
+        """The same unit as one of another class, with more notes."""
+        told = (*self.notes, *notes)
+        return kind(self.text, self.top, self.bottom, self.dimension, self.atoms, told)
 
     @property
     def has_wavelength(self) -> bool:
