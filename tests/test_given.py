@@ -190,3 +190,10 @@ def test_differences_may_be_a_range():
     assert [read("temperature-rise", one).value for one in values] == [2.0, 3.0, 4.0]
     with pytest.raises(RadcalcError, match="not accepted as a unit"):
         read("temperature", values_of("temperature", "2°C:4°C:1°C")[0])
+
+
+def test_a_long_range_has_the_decimals_that_would_be_typed():
+    [(numbers, *_)] = values_of("distance", "0.1m:200.1m:0.1m", arrays=True)
+    assert [float(number) for number in numbers] == [float(f"{k / 10:.1f}") for k in range(1, 2002)]
+    [(numbers, *_)] = values_of("distance", "1e-30m:2e-27m:1e-30m", arrays=True)
+    assert numbers[-1] == pytest.approx(2e-27, rel=1e-12)

@@ -15,6 +15,7 @@ T = TypeVar("T")
 MOST = 10_000
 PERCENT = "%"
 GROUP = 3  # digits of thousands
+EXACT, EXACT_POWER = 2**53, 22  # whole numbers and powers of ten that a float holds
 LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
 
 
@@ -245,7 +246,19 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
         return None
     import numpy
 
-    return start + step * numpy.arange(values), resolve_given(unit or "1"), text
+    return _decimals(start, step, numpy.arange(values)), resolve_given(unit or "1"), text
+
+
+def _decimals(start: float, step: float, counts: Any) -> Any:
+    """START + k STEP, rounded once: the third of 0.1, 0.2 ... is 0.3."""
+    from decimal import Decimal
+
+    ends = [Decimal(f"{number:.15g}") for number in (start, step)]
+    places = max(0, *(-int(end.as_tuple().exponent) for end in ends))
+    first, each = (int(end.scaleb(places)) for end in ends)
+    if places > EXACT_POWER or abs(first) + abs(each) * len(counts) > EXACT:
+        return start + step * counts
+    return (first + each * counts) / 10.0**places
 
 
 def _range(text: str) -> list[str]:
