@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from radcalc.__main__ import run
-from radcalc.units.ranges import MOST
+from radcalc.units import ranges
 
 VALUES = {
     "--flux": ["800lm", "2.5klm", "4W"],
@@ -67,8 +67,10 @@ def test_a_result_that_does_not_vary_has_a_line_for_each_answer(capfd):
     assert answers([*words, "1m:5m:2mm"], capfd) == ["800"] * 2001
 
 
-def test_the_number_of_answers_is_bounded(capfd):
-    words = ["point-source", "--flux", "800lm", "--half-angle", "1deg:50deg:1deg", "-q"]
-    assert run([*words, "--distance", f"1m:{MOST // 50}m:1m", "-g", "flux"]) == 0
-    assert run([*words, "--distance", f"1m:{MOST // 50 + 1}m:1m", "-g", "flux"]) == 2
+def test_the_number_of_answers_is_bounded(capfd, monkeypatch):
+    words = ["point-source", "--flux", "800lm", "-q", "-g", "flux", "--half-angle"]
+    assert run([*words, "1deg:50deg:1deg", "--distance", "1m:201m:1m"]) == 2
     assert "50 x 201 = 10050 answers" in capfd.readouterr().err
+    monkeypatch.setattr(ranges, "MOST", 20)
+    assert run([*words, "1deg:5deg:1deg", "--distance", "1m:4m:1m"]) == 0
+    assert run([*words, "1deg:5deg:1deg", "--distance", "1m:5m:1m"]) == 2

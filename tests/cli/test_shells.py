@@ -27,6 +27,7 @@ START = {
     ),
 }
 LONGEST = 30  # seconds, on the busiest machine
+PAUSE = 0.02  # seconds between two looks at the screen
 
 
 class Screen:
@@ -64,14 +65,13 @@ class Screen:
 
     def wait(self, is_there: Callable[[str], bool]) -> str:
         """The text of the screen as soon as it is as it should be."""
-        end = time.monotonic() + LONGEST
-        while True:
+        text = ""
+        for _ in range(round(LONGEST / PAUSE)):
             text = self.tmux("capture-pane", "-p", "-J")
             if is_there(text):
                 return text
-            if time.monotonic() > end:
-                raise AssertionError(f"{self.shell} shows\n{text}")
-            time.sleep(0.02)
+            time.sleep(PAUSE)
+        raise AssertionError(f"{self.shell} shows\n{text}")
 
     def clear(self) -> None:
         """An empty line at the top of the screen."""
