@@ -197,7 +197,7 @@ def _read(text: str) -> Unit | str:
     light = False
     dimension = NUMBER
     inverted = 0
-    atoms = []
+    atoms: list[tuple[str, int]] = []
     notes: tuple[str, ...] = ()
     try:
         parsed = parse_unit(text)
@@ -219,6 +219,10 @@ def _read(text: str) -> Unit | str:
         if exponent not in (1, -1) and name in PARTS:
             hint = "brackets around the number with it, as in (50%)^2"
             raise UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
+        is_same = len(atoms) == 1 == exponent and text.startswith(f"{spelling}-")
+        if is_same and len(parsed) == 2 and " " in text:  # 5m-1 m
+            hint = f"blanks around a minus, or {quote(spelling)}^{atoms[0][1]} for a power"
+            raise UnitError(f"'{quote(text)}' can be read in two ways", hint)
         unit_top, unit_bottom, powers, _ = UNITS[name]
         if prefix:
             shift = PREFIX_NAMES[prefix]

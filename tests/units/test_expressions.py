@@ -148,6 +148,10 @@ PLAIN = {
     "5 W m-2": (5.0, "W m-2"),
     "3 picometre": (3.0, "picometre"),
     "5 m^+2": (5.0, "m^+2"),
+    "5 m^-1 m": (5.0, "m^-1 m"),
+    "5 m m-1": (5.0, "m m-1"),
+    "5 m-1 m-1": (5.0, "m-1 m-1"),
+    "5 nm-1 m": (5.0, "nm-1 m"),
 }
 
 
@@ -172,6 +176,8 @@ REFUSED = {
     "100 W / 5 W/m2": ("two ways", "100 W / (5 W/m2) or (100 W / 5 W) /m2"),
     "800 lm / 4pi": ("two ways", "800 lm/(4pi) or 800 lm/4*pi"),
     "5.10^3 lx": ("two ways", "5*10^3 or (5.10)^3"),
+    "5m-1 m": ("'m-1 m' can be read in two ways", "blanks around a minus, or m^-1"),
+    "2 klx-1 klx": ("can be read in two ways", "blanks around a minus, or klx^-1"),
     "1/50%": ("two ways", "(1/50) % or 1/(50%)"),
     "50%^2 * 1 lx": ("a power of percent", "(50%)^2"),
     "50%^2": ("a power of percent", "(50%)^2"),
