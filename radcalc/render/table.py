@@ -23,6 +23,7 @@ from radcalc.stdio import HANGING, fold
 DIGITS = 6
 GAP = 3  # columns of the terminal between two of a table
 LONG = 12  # letters of a word that may be folded
+KEPT = "\xa0"  # a blank at which no line is folded
 REMARKS_ARE_APART = False
 
 
@@ -178,8 +179,9 @@ def draw(
             table.add_row(*(Text(cell) for cell in cells))
         console.print(table)
     else:
-        said = ["  ".join(filter(None, cells)).replace("\n", ", ") for cells in rows]
-        out.write("".join(f"{row}\n" for row in said))
+        out.write(
+            "".join(f"{line}\n" for row in rows for line in _lines(header, row, whole, width))
+        )
     for line in below:
         console.print(
             Text("\n".join(fold(line, width)), style="dim"), overflow="ignore", crop=False
@@ -191,16 +193,21 @@ def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> l
     """How wide each column is; None where they do not fit beside each other.
 
     The first row has the names.  A column that is `whole` is not folded, since a number or a
-    unit over two lines is another one.
+    unit over two lines is another one.  Long words are folded only where nothing else helps.
     """
     columns = list(zip(*rows, strict=True))
     most = [max(cell_len(line) for text in cells for line in text.split("\n")) for cells in columns]
-    widths = [
-        size if cells[0] in whole else max(_least(word) for text in cells for word in _words(text))
-        for size, cells in zip(most, columns, strict=True)
-    ]
-    spare = room - sum(widths) - GAP * (len(widths) - 1)
-    if spare < 0:
+    for long in (room, LONG):
+        widths = [
+            size
+            if cells[0] in whole
+            else max(_least(word, long) for text in cells for word in _words(text))
+            for size, cells in zip(most, columns, strict=True)
+        ]
+        spare = room - sum(widths) - GAP * (len(widths) - 1)
+        if spare >= 0:
+            break
+    else:
         return None
     while spare and widths != most:  # to the column that would be folded most
         folds = [size / max(given, 1) for size, given in zip(most, widths, strict=True)]
@@ -209,11 +216,23 @@ def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> l
     return widths
 
 
+def _lines(
+    header: Sequence[str], cells: Sequence[str], whole: Sequence[str], width: int
+) -> list[str]:
+    """A row without a table, folded between words, but not in the columns that are `whole`."""
+    said = [
+        text.replace(" ", KEPT) if name in whole else text.replace("\n", ", ")
+        for name, text in zip(header, cells, strict=True)
+        if text
+    ]
+    return [line.replace(KEPT, " ") for line in fold("  ".join(said), width, HANGING)]
+
+
 def _words(text: str) -> list[str]:
     return text.split() or [""]
 
 
-def _least(word: str) -> int:
+def _least(word: str, long: int) -> int:
     """The columns that a word needs: all of its own, but for a long one that is no number."""
     size = cell_len(word)
-    return size if word[:1].isdigit() else min(size, LONG)
+    return size if word[:1].isdigit() else min(size, long)

@@ -57,9 +57,18 @@ def test_a_list_is_a_table_where_its_words_fit_and_lines_elsewhere(columns):
     screen = screen_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert ("───" in screen) == (columns == 80)
     assert all(part in screen for part in ("0.1 to 0.3", "0.0002 to 0.002", "6.418e-5", "cd/m2"))
+    longest = len("    0.0002 to 0.002")  # which is not folded
+    assert max(len(line) for line in screen.splitlines()) <= max(columns, longest)
     drawn = screen_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in drawn
     assert "1.602176634e-19" in drawn
+
+
+def test_no_word_is_folded_where_all_fit():
+    screen = screen_of("units", "scales", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
+    assert "───" in screen
+    words = ("Astrophysical", "transmittance", "illuminance")
+    assert all(word in screen for word in words)
 
 
 def test_two_answers_with_the_same_rows_are_a_line_each():
