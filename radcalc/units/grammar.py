@@ -47,6 +47,7 @@ def parse_unit(text: str) -> list[Atom]:
             f"at most {MAX_LENGTH} characters are read",
         )
     plain = "".join([SAME.get(c, c) for c in text]).strip()
+    plain = plain.replace("sq.", "sq ")  # W/sq.cm
     if not plain:
         raise UnitError("a unit is missing", "a unit such as lx, cd/m2 or W/(m2 sr)")
     scanner = Scanner(plain)

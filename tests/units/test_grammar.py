@@ -29,6 +29,8 @@ SAME = [("W", 1), ("m", -2), ("sr", -1)]
         "W m-2/sr",
         " W  /  m2 / sr ",
         "W per square m per sr",
+        "W per sq.m per sr",
+        "W/sq. m/sr",
         "W\u00a0m\u22122 sr\u22121",
         "(W/m2)/sr",
     ],
