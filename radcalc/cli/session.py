@@ -420,6 +420,8 @@ def _is_plain(amount: Amount) -> bool:
     unit = amount.unit.text if amount.unit else ""
     if amount.scale:
         return True
+    if amount.uncertainty:
+        return not amount.parts
     try:
         return amount.text[read_number(amount.text)[1] :].strip() == unit
     except RadcalcError:

@@ -13,6 +13,9 @@ from radcalc.cli.session import Session
 # 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc
 
 
+NEEDS_QUOTES = "quotes around a value that is calculated"
+
+
 @pytest.fixture
 def session(monkeypatch):
     monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
@@ -67,6 +70,8 @@ def test_a_line_is_answered_as_at_the_shell(path, monkeypatch, capsys):
         words = shlex.split(command)[1:]
         if words[0] not in ("prompt", "--completion"):
             at_the_shell = cli.run(words), capsys.readouterr()
+            if NEEDS_QUOTES in at_the_shell[1].err:  # at a shell, where * is a list of files
+                continue
             assert (Session().answer(command), capsys.readouterr()) == at_the_shell, command
 
 
