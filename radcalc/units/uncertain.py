@@ -91,7 +91,7 @@ def _read(text: str) -> Reading | None:
         return _with_expression(text)
     if found.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
-    head = text.lstrip("(")
+    head = text.lstrip("( ")
     unit = found.unit.text if found.unit else ""
     return found._replace(nominal=f"{head[: read_number(head)[1]]}{unit}")
 
@@ -134,7 +134,8 @@ def _with_sign(text: str) -> Reading | None:
         ways = f"({left}±{right[:-1].strip()})%, or {left}±{abs(value) * uncertainty / 100:.6g}"
         raise NumberError(f"'{quote(text)}' can be read in two ways", quote(ways))
     if behind.startswith(PERCENT):
-        return Reading(value, resolve_any(behind[1:].strip()), abs(value) * uncertainty / 100)
+        unit = resolve_any(behind[1:].strip())
+        return Reading(value, unit, _part_of(text, value, uncertainty, unit))
     return Reading(value, resolve_any(behind) if behind else None, uncertainty)
 
 
@@ -143,9 +144,6 @@ def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str
     if not behind:
         better = f"{value:.15g}±{number:.15g} {unit.text}"
         raise UnitError(f"the uncertainty of '{quote(text)}' has no unit", quote(better))
-    if behind == PERCENT and unit.is_scale:
-        better = f"an uncertainty in {quote(unit.text)}"
-        raise UnitError(f"'{quote(text)}' has a part of a reading for its uncertainty", better)
     if behind == PERCENT and unit.text == PERCENT:
         both = f"({value:.15g}±{number:.15g})%"
         raise NumberError(
@@ -153,7 +151,7 @@ def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str
             f"{both}, or ({value:.15g}±{abs(value) * number / 100:.6g})%",
         )
     if behind == PERCENT:
-        return Reading(value, unit, abs(value) * number / 100)
+        return Reading(value, unit, _part_of(text, value, number, unit))
     other = resolve_any(behind)
     if other.dimension != unit.dimension or scale_of(other) != scale_of(unit):
         raise UnitError(
@@ -162,6 +160,14 @@ def _of_quantity(text: str, value: float, unit: Unit, number: float, behind: str
         )
     ratio = divide(other.top * unit.bottom, other.bottom * unit.top)
     return Reading(value, unit, number * ratio)
+
+
+def _part_of(text: str, value: float, percent: float, unit: Unit) -> float:
+    """The uncertainty that is so many percent of a value, which no reading on a scale has."""
+    if unit.is_scale:
+        better = f"an uncertainty in {quote(unit.text)}"
+        raise UnitError(f"'{quote(text)}' has a part of a reading for its uncertainty", better)
+    return abs(value) * percent / 100
 
 
 def _with_digits(text: str) -> Reading | None:
@@ -334,7 +340,9 @@ def join_words(words: list[str]) -> list[str]:
     ):
         end += 1  # the unit of the uncertainty
     elif not has_unit and right.endswith(PERCENT) and behind:
-        end += 1
+        is_apart = left.lstrip().startswith("(")  # (100 ± 3)%
+        if not is_apart and (len(words) > end + 1 or not _is_ratio(behind[0])):
+            end += 1  # the unit of 100 ± 3% lx
     return [" ".join(words[:end]), *words[end:]]
 
 
@@ -343,6 +351,14 @@ def _has_unit(text: str) -> bool:
     try:
         return not text.startswith("(") and split_quantity(text)[1] != ""
     except NumberError:  # sqrt(4.0
+        return False
+
+
+def _is_ratio(text: str) -> bool:
+    """Whether a text is a unit of ratios, which may be the target of (50 ± 5)%."""
+    try:
+        return resolve_any(text).dimension == NUMBER
+    except UnitError:
         return False
 
 

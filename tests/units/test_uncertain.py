@@ -116,6 +116,38 @@ def test_nothing_needs_quotes(words):
     assert target == "fc"
 
 
+@pytest.mark.parametrize(
+    ("words", "number", "uncertainty", "unit", "target"),
+    [
+        (("(10±1)%", "1"), 10, 1, "%", "1"),
+        (("(10±1) %", "percent"), 10, 1, "%", "percent"),
+        (("( 10 ± 1 )%", "dB"), 10, 1, "%", "dB"),
+        (("10(1)%", "1"), 10, 1, "%", "1"),
+        (("50", "±", "5", "%", "1"), 50, 5, "%", "1"),
+        (("50±5%", "percent", "1"), 50, 2.5, "percent", "1"),
+        (("50±5%", "lx", "fc"), 50, 2.5, "lx", "fc"),
+        (("50±5%", "lx"), 50, 2.5, "lx", ""),
+    ],
+)
+def test_a_ratio_behind_percents_is_the_target(words, number, uncertainty, unit, target):
+    amount, found = read_operands([*words])
+    assert (amount.number, amount.uncertainty, amount.unit.text) == (number, uncertainty, unit)
+    assert found == target
+
+
+@pytest.mark.parametrize("words", ["50±5 %/1", "50±5%/percent", "50±5%/dB", "50 ±5%/OD"])
+def test_a_percentage_or_a_part_before_a_ratio_is_refused(words):
+    with pytest.raises(RadcalcError, match="two ways") as refused:
+        read_operands(words.split("/"))
+    assert refused.value.hint == "(50±5)%, or 50±2.5"
+
+
+@pytest.mark.parametrize("text", ["10±5% dBm", "10 dBm ± 5%", "0.30±5% OD"])
+def test_no_reading_on_a_scale_has_a_part_of_it_for_its_uncertainty(text):
+    with pytest.raises(RadcalcError, match="a part of a reading"):
+        read_amount(text)
+
+
 def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
     with pytest.raises(RadcalcError, match="no unit"):
         read_operands(["100", "lx", "±", "3", "fc"])
