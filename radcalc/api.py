@@ -9,6 +9,7 @@ from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import (
     ConditionError,
+    ConversionError,
     NumberError,
     RadcalcError,
     UnitError,
@@ -18,7 +19,7 @@ from radcalc.errors import (
     spell,
 )
 from radcalc.given import TOO_FAR, Given, Inputs, any_uncertain, read, read_place, refuse_uncertain
-from radcalc.maths import LARGEST, is_array, is_uncertain
+from radcalc.maths import LARGEST, is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -35,7 +36,7 @@ from radcalc.units.dimensions import LENGTH
 from radcalc.units.numbers import read_number
 from radcalc.units.ranges import real
 from radcalc.units.registry import from_container, light_registry
-from radcalc.units.scales import in_which
+from radcalc.units.scales import in_which, resolve_any
 from radcalc.units.table import Unit, resolve
 
 Quantity: Any = light_registry().Quantity
@@ -43,6 +44,7 @@ T = TypeVar("T")
 FUNCTIONS = (
     "convert",
     "explain",
+    "factor",
     "point_source",
     "scene",
     "environment",
@@ -210,6 +212,54 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
 
         shown = of_conversion(shown, _converted(made, magnitude, given))
     return shown.spelled(_in_words)
+
+
+@in_python
+def factor(source: str, target: str, **conditions: Any) -> float:
+    """The number by which values in one unit are multiplied to be in another.
+
+    A query engine then needs nothing but a multiplication: Polars, DuckDB, Spark, SQL.
+
+    Parameters
+    ----------
+    source, target : str
+        The units, or a quantity's name as the target: ``"ppfd"``.
+    **conditions : str, Quantity or float
+        As in `convert`; a single value of each.  `explain` tells what they assume.
+
+    Returns
+    -------
+    float
+        The factor; exact, and rounded once, between two units of one quantity.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As in `convert`; and where the two are not proportional, as with scales, or the factor is
+        an array or uncertain.
+
+    Examples
+    --------
+    >>> factor("klx", "lx"), factor("lx", "umol/m2/s", efficacy="50 lm s/umol")
+    (1000.0, 0.02)
+    """
+    for unit in (source, target):
+        if not isinstance(unit, str):
+            raise UnitError(f"a unit is a text, not a {type(unit).__name__}", "a text such as 'lx'")
+    start = resolve_any(source)
+    given = _conditions(conditions)
+    refuse_uncertain(given, "a factor")
+    for one in given:
+        if is_column(one.value):
+            problem = f"a factor is one number, and {option(one.name)} is an array"
+            raise ConditionError(
+                problem, "one value of each, or radcalc.convert, which takes arrays"
+            )
+    made = plan(start, target_of(target, start), given)
+    if not made.is_linear:
+        problem = f"{quote(source)} and {quote(target)} are linked by a function, not by a factor"
+        raise ConversionError(problem, f'radcalc.convert("1 {quote(source)}", "{quote(target)}")')
+    return float(made.factor)
 
 
 @in_python
@@ -778,8 +828,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         if not is_uncertain(value):
             value = real(value, "the value", "a text, a quantity or numbers")
         value = Quantity(value, "1")
-    read = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
-    given = [one for one in read if one]
+    given = _conditions(conditions)
     source = scale or from_container(value._units)
     made = plan(source, target_of(target, source), given)
     magnitude = value.magnitude
@@ -789,6 +838,12 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
         magnitude = real(magnitude, "the value", "real numbers")
     return made, magnitude, given
+
+
+def _conditions(conditions: dict[str, Any]) -> list[Given]:
+    """Read the conditions of a conversion."""
+    read = [_given(name, one, CONDITIONS, "condition") for name, one in conditions.items()]
+    return [one for one in read if one]
 
 
 def _is_quantity(value: Any) -> bool:

@@ -280,3 +280,51 @@ def test_an_uncertain_reading_is_carried_by_the_slope_of_its_scale():
     assert (power.nominal_value, power.std_dev) == pytest.approx((10.0, math.log(10) / 10))
     level = radcalc.convert("10±0.1 mW", "dBm")
     assert (level.nominal_value, level.std_dev) == pytest.approx((10.0, 0.1 / math.log(10)))
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "conditions", "expected"),
+    [
+        ("lx", "fc", {}, 0.3048**2),  # lm/m2 and lm/ft2
+        ("mol/m2/day", "umol/m2/s", {}, 1e6 / 86400),
+        ("cd", "lx", {"distance": "2m", "incidence": Q(60, "deg")}, 0.5 / 4),
+        ("lm", "cd", {"isotropic": True, "distance": None}, 1 / (4 * math.pi)),
+        ("lx", "ppfd", {"efficacy": "54 lm s/umol"}, 1 / 54),
+        ("W", "lm", {"wavelength": Q(555, "nm")}, 683.002),  # CIE 018:2019
+        ("W", "lm", {"wavelength": "300 nm"}, 0.0),
+        ("lx s", "lx", {"time": "1/50 s"}, 50.0),
+    ],
+)
+def test_a_factor_is_one_number_that_multiplies(source, target, conditions, expected):
+    factor = radcalc.factor(source, target, **conditions)
+    assert type(factor) is float
+    assert factor == pytest.approx(expected, rel=1e-15, abs=0)
+    column = np.array([0.0, 0.3, 1e5])
+    converted = radcalc.convert(Q(column, source), target, **conditions)
+    np.testing.assert_allclose(column * factor, converted.magnitude, rtol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "conditions", "said", "hint"),
+    [
+        ("mW", "dBm", {}, "mW and dBm are linked by a function", 'convert("1 mW", "dBm")'),
+        ("EV", "lx", {}, "EV and lx are linked by a function", 'convert("1 EV", "lx")'),
+        ("K", "1/MK", {}, "K and 1/MK are linked by a function", 'convert("1 K", "1/MK")'),
+        ("nm", "eV", {}, "length (nm) to radiant energy (eV)", "radcalc photon"),
+        ("degC", "K", {}, "'degC' is not accepted as a unit", "K, of which a step"),
+        ("lm", "cd", {}, "a solid angle is missing", "isotropic=True"),
+        ("lx", "fc", {"distance": "2 m"}, "distance has no use", "without distance"),
+        ("cd", "lx", {"distance": Q([1, 2], "m")}, "distance is an array", "one value of each"),
+        ("lm", "cd", {"exponent": [1, 2]}, "exponent is an array", "one value of each"),
+        ("cd", "lx", {"distance": "2±0.1 m"}, "an uncertainty, which a factor", "alone"),
+        ("cd", "lx", {"distance": ["1m", "2m"]}, "takes real numbers", "2 m"),
+        ("2 lx", "fc", {}, "has a number in it", "one number"),
+        (2, "fc", {}, "a unit is a text, not a int", "'lx'"),
+        ("lx", None, {}, "a unit is a text, not a NoneType", "'lx'"),
+    ],
+)
+def test_what_no_factor_links_is_refused(source, target, conditions, said, hint):
+    with pytest.raises(RadcalcError) as caught:
+        radcalc.factor(source, target, **conditions)
+    assert said in caught.value.message
+    assert hint in caught.value.hint
