@@ -156,6 +156,9 @@ LABELS = {
     "mean photon energy": ("střední energie fotonu", "средняя энергия фотона"),
     "reflectance": ("činitel odrazu", "коэффициент отражения"),
     "absorptance": ("činitel pohlcení", "коэффициент поглощения"),
+    "responsivity": ("citlivost detektoru", "чувствительность приёмника"),
+    "current": ("proud", "ток"),
+    "electric current": ("elektrický proud", "электрический ток"),
     "numerical aperture": ("numerická apertura", "числовая апертура"),
     "f-number": ("clonové číslo", "диафрагменное число"),
     "correlated colour temperature": (

@@ -23,6 +23,7 @@ from radcalc.units.dimensions import (
     ANGLE,
     AREA,
     COHERENT,
+    CURRENT,
     ENERGY,
     ETENDUE,
     FREQUENCY,
@@ -32,6 +33,7 @@ from radcalc.units.dimensions import (
     MASS,
     PHOTON_ENERGY,
     POWER,
+    RESPONSIVITY,
     SOLID_ANGLE,
     SPECIFIC_HEAT,
     TEMPERATURE,
@@ -374,6 +376,11 @@ _ROWS = (
     _symbol(ENERGY, "heat", "Q_h", "10J", "Heat that the body takes up.", takes="a heat"),
     _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
         Limits(0.0, 1.0, PART.said, without_low=True), takes="a number from 0 to 1"),
+    # Detectors.
+    _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
+        "Current that the detector gives per watt of light on it."),
+    _symbol(CURRENT, "current", "i", "1uA", "Current that the light makes in the detector.",
+        takes="a current"),
     _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),
     # The sky.
     _symbol(ANGLE, "sun-elevation", "γ_s", "40deg", "Elevation of the sun above the horizon.",

@@ -36,6 +36,8 @@ PHOTON_ENERGY = powers(mass=1, length=2, time=-2, count=-1)
 SPECIFIC_HEAT = powers(length=2, time=-2, temperature=-1)
 LUMINOUS_FLUX = powers(luminosity=1, angle=2)
 PHOTON_FLUX = powers(count=1, time=-1)
+CURRENT = powers(current=1)
+RESPONSIVITY = times(CURRENT, POWER, -1)
 RETINAL_ILLUMINANCE = powers(retinal_illuminance=1)
 ILLUMINANCE = times(LUMINOUS_FLUX, AREA, -1)
 LUMINOUS_INTENSITY = times(LUMINOUS_FLUX, SOLID_ANGLE, -1)
@@ -58,6 +60,8 @@ COHERENT = {
     PHOTON_ENERGY: "J",
     SPECIFIC_HEAT: "J/kg/K",
     POWER: "W",
+    CURRENT: "A",
+    RESPONSIVITY: "A/W",
     LUMINOUS_FLUX: "lm",
     LUMINOUS_INTENSITY: "cd",
     ILLUMINANCE: "lx",

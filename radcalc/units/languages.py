@@ -53,6 +53,8 @@ NAMES = (
     ("hertz", "hertz m", "герц c"),
     ("joule", "joul m, joule", "джоул ь"),
     ("watt", "watt m", "ватт m"),
+    ("ampere", "ampér m", "ампер m"),
+    ("volt", "volt m", "вольт m"),
     ("erg", "erg m", "эрг m"),
     ("electronvolt", "elektronvolt m", "электронвольт m"),
     ("watt_hour", "watthodin f", "ваттчас m"),

@@ -34,16 +34,17 @@ BASES = (
     "count",
     "luminosity",
     "retinal_illuminance",
+    "current",
 )
 MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # where some stand in it
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
 INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
-TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, 0, 0, 0, 0, 0)
+TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, *NUMBER[4:])
 # A degree of a scale that has its 0 elsewhere, where a difference is meant.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
-INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, 0, 0, 0, 0, 0)
+INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")

@@ -99,3 +99,15 @@ def test_a_degree_celsius_in_a_product_is_a_difference(text):
 def test_a_degree_alone_is_refused(text):
     with pytest.raises(UnitError, match="not accepted"):
         resolve(text)
+
+
+def test_a_volt_times_an_ampere_is_a_watt():
+    """SI Brochure, table 4: V = W/A."""
+    power, watt = resolve("mV.kA"), resolve("W")
+    assert (power.factor, power.dimension) == (watt.factor, watt.dimension)
+
+
+def test_an_ampere_is_no_angstrom():
+    assert resolve("A").dimension != resolve("angstrom").dimension
+    with pytest.raises(UnitError, match="not accepted"):
+        resolve("a")
