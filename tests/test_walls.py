@@ -206,8 +206,9 @@ def test_a_plain_conversion_by_a_czech_or_russian_name_loads_no_slow_module():
     assert not loaded & (HEAVY | SLOW)
 
 
-def test_a_unit_by_its_name_is_looked_for_in_no_names_of_quantities():
-    loaded = loaded_by("convert", "800", "lm", "cd", "--isotropic")
+@pytest.mark.parametrize("words", ["800 lm cd --isotropic", "10 dBm mW", "10 lx EV", "10% OD"])
+def test_a_unit_or_a_scale_is_looked_for_in_no_names_of_quantities(words):
+    loaded = loaded_by("convert", *words.split())
     assert not loaded & {"radcalc.quantities.names", "radcalc.units.languages"}
 
 

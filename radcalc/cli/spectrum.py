@@ -13,18 +13,10 @@ from radcalc.errors import UsageError
 from radcalc.given import Given, read
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
 from radcalc.render.formats import PLAIN, Records
+from radcalc.spectra.kinds import forms
 from radcalc.spectra.sources import names, spectrum
 from radcalc.units.ranges import read_spectra
 
-FORMS = (
-    "blackbody:T",
-    "daylight:T",
-    "line:WAVELENGTH[=WATTS],...",
-    "gaussian:CENTRE,FWHM",
-    "band:LOW:HIGH",
-    "FILE",
-    "-",
-)
 COLUMN = click.Option(
     ["--column"], metavar="NAME", help="The column of a file's values, by name or number."
 )
@@ -61,7 +53,7 @@ def command(
     if list_:
         if words or typed or asked != Asked((), False, None, None):
             raise UsageError("--list lists the names, and nothing else", "radcalc spectrum --list")
-        listed = [{"source": name} for name in (*names(), *FORMS)]
+        listed = [{"source": name} for name in (*names(), *forms(), "FILE", "-")]
         shown = shown._replace(format=PLAIN) if shown.is_bare else shown
         shown.records(Records(listed, (), listed))
         return stdio.ANSWERED

@@ -4,6 +4,7 @@ import os
 
 from radcalc.completion import DIGITS, Completion
 from radcalc.completion.table import NAMES, SPECTRA, UNITS
+from radcalc.spectra.kinds import KINDS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -13,7 +14,6 @@ if TYPE_CHECKING:
 TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls")
 PHOTOMETRIES = (".ies", ".ldt", ".csv", ".tsv", ".txt")
 MAPS = (".hdr", ".exr", ".pfm")
-LENGTHS = ("nm", "um")
 
 
 def values_of(form: str, values: "Sequence[Any]", incomplete: str) -> list[Completion]:
@@ -105,29 +105,19 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     """The kinds that take parameters, the names of sources, files."""
     kind, colon, parameters = incomplete.partition(":")
-    if colon and kind in FORMS:
+    if colon and kind in KINDS:
         head, number, typed = split_number(parameters)
-        units = [text for text in FORMS[kind][1] if number and text.startswith(typed)]
+        units = [text for text in KINDS[kind][3] if number and text.startswith(typed)]
         return [Completion(f"{kind}:{head}{number}{text}") for text in units]
     named = [
         Completion(name, said) for name, said in SPECTRA.items() if name.startswith(incomplete)
     ]
     forms = [
-        Completion(f"{name}:", said, False)
-        for name, (said, _) in FORMS.items()
+        Completion(f"{name}:", f"{said}, {example}", False)
+        for name, (_, said, example, _) in KINDS.items()
         if name.startswith(incomplete)
     ]
     return [*named, *forms, *files(TABLES, incomplete)]
-
-
-# The spectra with parameters: what they are, and the usual units of the parameters.
-FORMS = {
-    "blackbody": ("a black body of a temperature, blackbody:2856K", ("K",)),
-    "daylight": ("daylight of a colour temperature, daylight:6500K", ("K",)),
-    "line": ("lines with their shares, line:555nm=40,600nm=30", LENGTHS),
-    "gaussian": ("a centre and a width, gaussian:530nm,30nm", LENGTHS),
-    "band": ("constant from one wavelength to another, band:580nm:630nm", LENGTHS),
-}
 
 
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:

@@ -5,6 +5,7 @@ import os
 from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
+from radcalc.spectra.kinds import KINDS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
@@ -14,7 +15,6 @@ from radcalc.units.scales import find
 from radcalc.units.table import resolve
 
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
-KINDS = ("blackbody", "daylight", "line", "gaussian", "band")
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
 OF_DAY = "D65, daylight:5500K, AM1.5G"
@@ -23,17 +23,17 @@ MEANT = {  # what may be meant by words that are no names of spectra
     "day": OF_DAY,
     "sunlight": OF_DAY,
     "sky": OF_DAY,
-    "blackbody": "blackbody:2856K",
-    "black body": "blackbody:2856K",
-    "planck": "blackbody:2856K",
+    "blackbody": example("blackbody"),
+    "black body": example("blackbody"),
+    "planck": example("blackbody"),
     "halogen": "A, blackbody:3000K",
     "tungsten": "A, blackbody:2856K",
     "led": "LED-B3, LED-B1, LED-B5",
     "fluorescent": "F11, F2",
     "laser": "line:632.8nm",
     "line": "line:632.8nm",
-    "gaussian": "gaussian:530nm,30nm",
-    "band": "band:500nm:600nm",
+    "gaussian": example("gaussian"),
+    "band": example("band"),
 }
 HINT = (
     f"D65, LED-B3, AM1.5G, blackbody:2856K, line:632.8nm or a file ({command('spectrum', list='')})"
@@ -106,9 +106,19 @@ def _unknown(text: str) -> RadcalcError:
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     if meant := MEANT.get(text.strip().lower()):
         return ConditionError(problem, meant)
+    if fitting := [form for kind in KINDS if _is_spectrum(form := f"{kind}:{text}")]:
+        return ConditionError(problem, quote(", ".join(fitting)))
     known = {fold(name): name for name in names()}
     near = [known[f] for f in nearest(fold(text), known, 3)]
     return ConditionError(problem, ", ".join(near) if near else HINT)
+
+
+def _is_spectrum(text: str) -> bool:
+    try:
+        spectrum(text)
+    except RadcalcError:
+        return False
+    return True
 
 
 def fold(name: str) -> str:
@@ -166,13 +176,13 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
     if kind == "gaussian":
         parts = parameters.split(",")
         if len(parts) != 2:
-            raise _malformed(text, "gaussian:CENTRE,FWHM as in gaussian:530nm,30nm")
+            raise _malformed(text, _form(kind))
         if in_lengths := _in_lengths(*parts):
             raise _malformed(text, in_lengths)
         return _gaussian(text, wavelength(parts[0], text), _width(parts[1], text))
     ends = [wavelength(part, text) for part in parameters.split(":")]
     if len(ends) != 2 or ends[0] >= ends[1]:
-        raise _malformed(text, "band:LOW:HIGH as in band:580nm:630nm")
+        raise _malformed(text, _form(kind))
     return Table(text, ends, [1.0, 1.0], is_whole=True)
 
 
@@ -193,6 +203,10 @@ def _in_lengths(centre: str, fwhm: str) -> str:
     return f"gaussian:{quote(centre.strip())},{width * 1e9:.4g}nm"
 
 
+def _form(kind: str) -> str:
+    return f"{kind}:{KINDS[kind][0]} as in {example(kind)}"
+
+
 def _malformed(text: str, form: str) -> ConditionError:
     return ConditionError(f"'{quote(text)}' is not a spectrum", form)
 
@@ -202,11 +216,11 @@ def _temperature(parameter: str, text: str) -> float:
     scale = find(unit_text) if unit_text else None
     if scale and scale.dimension == TEMPERATURE:
         return float(scale.quantity(value))
-    return _quantity(parameter, text, TEMPERATURE, "a temperature, as in blackbody:2856K")
+    return _quantity(parameter, text, TEMPERATURE, f"a temperature, as in {example('blackbody')}")
 
 
 def _width(parameter: str, text: str) -> float:
-    width = _quantity(parameter, text, LENGTH, "a width, as in gaussian:530nm,30nm") * 1e9
+    width = _quantity(parameter, text, LENGTH, f"a width, as in {example('gaussian')}") * 1e9
     if width <= 0:
         raise _malformed(text, "a width of more than 0")
     return width
@@ -241,7 +255,7 @@ def _line(part: str, text: str) -> tuple[float, float]:
     place, equals, weight = part.partition("=")
     watts = split_value(weight) if equals else (1.0, "")
     if watts[1] or watts[0] <= 0:
-        raise _malformed(text, "line:555nm=40,600nm=30, with weights above 0 and no unit")
+        raise _malformed(text, f"{example('line')}, with weights above 0 and no unit")
     return wavelength(place, text), watts[0]
 
 

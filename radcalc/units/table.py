@@ -49,6 +49,8 @@ INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")
 COMMON_PREFIXES = "GMkcmun"
+# How scales are called, which are above and not looked for in other languages.
+SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
 PARTS = ("percent", "permille", "ppm", "ppb")
 LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
@@ -215,7 +217,7 @@ def _read(text: str) -> Unit | str:
             found = "", "kelvin"
             notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
         if found is None:
-            return _in_another_language(text) or spelling
+            return (spelling not in SCALE_NAMES and _in_another_language(text)) or spelling
         prefix, name = found
         if exponent not in (1, -1) and name in PARTS:
             hint = "brackets around the number with it, as in (50%)^2"

@@ -129,3 +129,18 @@ def test_a_word_that_is_no_spectrum_is_told_spectra(word):
         spectrum(word)
     for name in caught.value.hint.split(", "):
         spectrum(name)
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("5600K", "blackbody:5600K, daylight:5600K"),
+        ("2856K", "blackbody:2856K"),  # CIE 15 has daylight from 4000 K to 25 000 K
+        ("532nm", "line:532nm"),
+        ("580nm:630nm", "band:580nm:630nm"),
+    ],
+)
+def test_parameters_alone_lead_to_the_kinds_that_take_them(text, hint):
+    with pytest.raises(ConditionError) as caught:
+        spectrum(text)
+    assert caught.value.hint == hint

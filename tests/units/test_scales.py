@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 import shutil
 import subprocess
 
@@ -14,7 +15,7 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError, UnitError
 from radcalc.units.amounts import read_amount
 from radcalc.units.scales import SCALES, ScaleUnit, find, resolve_any, spellings
-from radcalc.units.table import resolve
+from radcalc.units.table import SCALE_NAMES, resolve
 
 ROWS = {f"{scale.name} ({scale.unit})": scale for scale in SCALES}
 
@@ -174,3 +175,8 @@ def test_the_manual_describes_every_scale(name):
     section = page.partition(".Sh SCALES")[2].partition(".Sh ")[0]
     items = [line for line in section.splitlines() if line.startswith(".It Li ")]
     assert any(name in item.replace(",", " ").split() for item in items)
+
+
+def test_the_table_of_units_has_the_names_of_scales():
+    """They stand there once more, as the table is below the scales: each to where it may be cut."""
+    assert set(SCALE_NAMES) == {re.split(r"[/(]", scale.name)[0] for scale in SCALES}

@@ -1,0 +1,26 @@
+"""The kinds of spectra that have parameters: how each is written, and what it is."""
+
+LENGTHS = ("nm", "um")
+# The parameters, what they make of it, an example, and the usual units of the parameters.
+KINDS = {
+    "blackbody": ("T", "a black body of a temperature", "blackbody:2856K", ("K",)),
+    "daylight": ("T", "daylight of a colour temperature", "daylight:6500K", ("K",)),
+    "line": (
+        "WAVELENGTH[=WATTS],...",
+        "lines with their shares",
+        "line:555nm=40,600nm=30",
+        LENGTHS,
+    ),
+    "gaussian": ("CENTRE,FWHM", "a centre and a width", "gaussian:530nm,30nm", LENGTHS),
+    "band": ("LOW:HIGH", "constant from one wavelength to another", "band:580nm:630nm", LENGTHS),
+}
+
+
+def forms() -> list[str]:
+    """The kinds with the names of their parameters."""
+    return [f"{kind}:{parameters}" for kind, (parameters, *_) in KINDS.items()]
+
+
+def example(kind: str) -> str:
+    """A spectrum of a kind."""
+    return KINDS[kind][2]
