@@ -62,7 +62,7 @@ def quick_lane(words: list[str]) -> int | None:
         return None
     try:
         amount, target = read_operands(operands)
-        if not target or amount.unit is None or amount.uncertainty or amount.scale:
+        if not target or amount.unit is None or amount.is_uncertain or amount.scale:
             return None
         made = plan(amount.unit, resolve(target))
         if amount.number < 0 and made.source.is_light:  # there is more to say

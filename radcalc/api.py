@@ -819,7 +819,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
             f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
         )
     scale: Unit | None = None
-    if isinstance(value, str) and (amount := read_amount(value)).scale and not amount.uncertainty:
+    if isinstance(value, str) and (amount := read_amount(value)).scale and not amount.is_uncertain:
         reading, scale = amount.typed
         value = Quantity(reading, "1")
     elif isinstance(value, str):

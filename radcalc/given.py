@@ -50,6 +50,7 @@ from radcalc.units.numbers import parse_number, rounding
 from radcalc.units.ranges import read_array, read_series, read_spectra, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
+from radcalc.units.uncertain import Part
 
 
 class Given(NamedTuple):
@@ -59,7 +60,7 @@ class Given(NamedTuple):
     no text was, but a number of Python's.  `uncertainty` is the standard uncertainty in SI units,
     and `variable` the number with it where it is one of Python's `uncertainties`; `assumptions`
     say how it was read.  `off` is how far an expression may be off as typed, relative to it, and
-    `parts` are what each of its numbers adds to the uncertainty, in the unit typed.
+    `parts` are what follows of each of its uncertain numbers, or of a reading, in `unit`.
     """
 
     symbol: Symbol
@@ -73,12 +74,17 @@ class Given(NamedTuple):
     assumptions: tuple[str, ...] = ()
     variable: Any = None
     off: float | None = None
-    parts: tuple[tuple[str, float], ...] = ()
+    parts: tuple[Part, ...] = ()
 
     @property
     def name(self) -> str:
         """The symbol's name."""
         return self.symbol.name
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether it has an uncertainty, of which a flat expression may leave nothing."""
+        return bool(self.uncertainty or self.parts)
 
     @property
     def unit_text(self) -> str:
@@ -174,7 +180,7 @@ def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Given:
     """Read what was given for a symbol, which may stand in no table."""
     reader = _READERS.get(symbol.form)
     given = reader(symbol, value) if reader else _read_quantity(symbol, value)
-    if given.uncertainty and not uncertain:
+    if given.is_uncertain and not uncertain:
         told = option(symbol.name, quote(given.text))
         raise ConditionError(f"{told} cannot be uncertain here", "the value alone")
     return given
@@ -182,13 +188,13 @@ def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Given:
 
 def any_uncertain(given: Iterable[Given]) -> bool:
     """Whether an input has an uncertainty."""
-    return bool([one for one in given if one.uncertainty])
+    return any(one.is_uncertain for one in given)
 
 
 def refuse_uncertain(given: Iterable[Given], what: str) -> None:
     """Refuse uncertain inputs of what does not carry them."""
     for one in given:
-        if one.uncertainty:
+        if one.is_uncertain:
             told = option(one.name, quote(one.text))
             problem = f"{told} has an uncertainty, which {what} does not carry"
             raise ConditionError(problem, "the value alone")
@@ -207,6 +213,10 @@ def moved(given: Given, shift: float) -> Given:
         assert parameter is not None
         return given._replace(text=f"{given.text}, {number!r}", value=parameter.source(number))
     value = given.value + shift
+    if given.name:
+        _refuse_extreme(given.name, given.text, value)
+    elif not math.isfinite(value):
+        raise NumberError(f"more than '{quote(given.text)}' is too large for a number", "less")
     if isinstance(given.unit, ScaleUnit):
         number = given.unit.reading(value / given.unit.factor)
     one = given._replace(
@@ -330,8 +340,14 @@ def _with_unit(symbol: Symbol, number: str) -> str:
 
 
 def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
-    """The value in SI units; extremes that no light reaches would only overflow later."""
+    """The value in SI units."""
     value = number * (divide(unit.top, unit.bottom) if unit else 1)
+    _refuse_extreme(name, text, value)
+    return value
+
+
+def _refuse_extreme(name: str, text: str, value: Any) -> None:
+    """Refuse extremes that no light reaches, and that would only overflow later [SI]."""
     size = abs(value)
     extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
     if maths.any_true(extreme):
@@ -339,7 +355,6 @@ def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
             f"{option(name, quote(text))} is beyond what radcalc reckons with",
             f"values from {1 / LARGEST:g} to {LARGEST:g} in SI units",
         )
-    return value
 
 
 def hold(given: Given, limits: Limits) -> None:
@@ -397,6 +412,7 @@ def _read_spectrum(symbol: Symbol, value: Any) -> Given:
         number=amount.number,
         unit=amount.unit,
         uncertainty=amount.uncertainty * float(amount.unit.factor if amount.unit else 1),
+        parts=amount.parts,
     )
 
 

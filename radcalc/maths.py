@@ -26,7 +26,7 @@ def is_array(x: Any) -> bool:
 
 def is_uncertain(x: Any) -> bool:
     """Whether x is a number of the `uncertainties` package, which counts as no array."""
-    return hasattr(x, "std_dev")
+    return hasattr(x, "error_components")
 
 
 def is_column(x: Any) -> bool:

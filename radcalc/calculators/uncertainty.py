@@ -25,17 +25,14 @@ from radcalc.given import Given, Inputs, any_uncertain, moved
 from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import Amount
+from radcalc.units.slopes import slopes
 from radcalc.units.table import resolve
-from radcalc.units.uncertain import variable
+from radcalc.units.uncertain import hold, variable
 
 ASSUMED = "standard uncertainties (k = 1), carried linearly"
 INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, carried linearly"
 FORMULA = "u(y)^2 = sum of (dy/dx u(x))^2"
 REFERENCE = "JCGM 100:2008, 5.1.2"
-STEP, LEAST_STEP = 2.0**-10, 2.0**-20  # of an input, relative to it
-OF_ZERO = 16  # steps in the uncertainty of an input that is 0
-NOISE = 1e-14  # what the arithmetic adds to a result, relative to it
-DIGITS = 11  # that a slope is good for
 CURVED = 0.1  # of an uncertainty: by how much more a result may leave its straight line
 MANY = "one value of each, or without the uncertainty"
 
@@ -45,18 +42,18 @@ VALUE = Symbol("", "", (), limits=ANY)  # of a conversion: no option names it
 
 
 class Bend(NamedTuple):
-    """An uncertain input within which a result is no straight line.
+    """What is uncertain, as a note names it, and within which a result is no straight line.
 
     `ends` are the results at both ends; `problem` says why there is none at one of them.
     """
 
-    given: Given
+    named: str
     ends: dict[Key, tuple[float, float]]
     problem: str = ""
 
     def note(self, label: str, low: str, high: str) -> str:
         """What to say of a result."""
-        return f"{label} is far from linear within {_named(self.given)}: {low} to {high}"
+        return f"{label} is far from linear within {self.named}: {low} to {high}"
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:
@@ -88,15 +85,10 @@ def of_conversion(shown: Result, found: "Converted") -> Result:
     """The result of a conversion, with its uncertainty."""
     (row,) = shown.rows
     name = row.quantity or "the result"
-    notes = [bend.problem for bend in found.bends if bend.problem]
-    for bend in found.bends:
-        for ends in bend.ends.values():
-            low, high = (_amount(end, row.unit) for end in ends)
-            notes.append(bend.note(name, low, high))
     return shown._replace(
-        rows=(row._replace(uncertainty=getattr(found.number, "std_dev", 0.0)),),
+        rows=(row._replace(uncertainty=found.uncertainty),),
         assumptions=(*shown.assumptions, found.assumed),
-        notes=(*shown.notes, *notes),
+        notes=(*shown.notes, *found.notes(name, row.unit)),
         steps=shown.steps and (*shown.steps, *_shares(name, found.number, row.unit)),
     )
 
@@ -107,6 +99,19 @@ class Converted(NamedTuple):
     number: Any
     assumed: str
     bends: Sequence[Bend]
+
+    @property
+    def uncertainty(self) -> float:
+        """The standard uncertainty of the number."""
+        return getattr(self.number, "std_dev", 0.0)
+
+    def notes(self, name: str, unit: str) -> list[str]:
+        """What to say of the bends, where the number is called so and in that unit."""
+        notes = [bend.problem for bend in self.bends if bend.problem]
+        for bend in self.bends:
+            for ends in bend.ends.values():
+                notes.append(bend.note(name, *(_amount(end, unit) for end in ends)))
+        return notes
 
 
 def converted(made: Plan, amount: Amount, given: Sequence[Given], of: Any = None) -> Converted:
@@ -128,7 +133,8 @@ def converted(made: Plan, amount: Amount, given: Sequence[Given], of: Any = None
 def value_of(amount: Amount) -> Given:
     """The value of a conversion as an input: in the unit that was typed, and with no name."""
     number, off = amount.typed[0], amount.typed_uncertainty
-    return Given(VALUE, amount.text, number, number=number, uncertainty=off, parts=amount.parts)
+    parts = () if amount.scale else amount.parts  # of the reading, which is the value here
+    return Given(VALUE, amount.text, number, number=number, uncertainty=off, parts=parts)
 
 
 KEY = ("",)
@@ -154,22 +160,20 @@ def _carry(
     work_out: Callable[[Inputs], Numbers], given: Inputs, nominal: Numbers
 ) -> tuple[dict[Key, Any], list[Bend]]:
     """Numbers with their uncertainties, by the slopes over each uncertain input."""
-    sources = {name: one for name, one in given.items() if one.uncertainty}
+    sources = {name: one for name, one in given.items() if one.is_uncertain}
     for one in sources.values():
-        if not math.isfinite(one.uncertainty):
-            raise ConditionError(f"{_told(one)} has no finite uncertainty", "a number")
-    runs = {name: _Run(work_out, given, name) for name in sources}
-    slopes = {name: run.slopes(nominal) for name, run in runs.items()}
+        hold(one.uncertainty, one.text)
+    runs = {name: _Run(work_out, given, name, nominal) for name in sources}
     numbers: dict[Key, Any] = dict(nominal)
     for name, one in sources.items():
-        for key, slope in slopes[name].items():
-            if slope:
-                numbers[key] = numbers[key] + slope * _shift(one)
-    bends = [
-        bend
-        for name, run in runs.items()
-        if (bend := run.bend(nominal, slopes[name], numbers)) is not None
-    ]
+        if found := {key: slope for key, slope in runs[name].slopes.items() if slope}:
+            shift = _shift(one)
+            numbers |= {key: numbers[key] + slope * shift for key, slope in found.items()}
+    for key in nominal:
+        if is_uncertain(numbers[key]):
+            sizes = numbers[key].error_components().values()
+            hold(math.hypot(*sizes) or math.nan)
+    bends = [bend for run in runs.values() for bend in run.bends(numbers)]
     return numbers, bends
 
 
@@ -178,7 +182,7 @@ def _shift(given: Given) -> Any:
     name, factor = given.name or "value", float(given.unit.factor) if given.unit else 1.0
     if len(given.parts) > 1:
         return sum(
-            variable(0.0, 1.0, f"{name} {text}") * size * factor for text, size in given.parts
+            variable(0.0, 1.0, f"{name} {part.text}") * part.size * factor for part in given.parts
         )
     if given.variable is None:
         return variable(given.size, given.uncertainty, name) - given.size
@@ -188,12 +192,20 @@ def _shift(given: Given) -> Any:
 class _Run:
     """One uncertain input, and what follows where it is moved."""
 
-    def __init__(self, work_out: Callable[[Inputs], Numbers], given: Inputs, name: str) -> None:
-        self.work_out, self.name = work_out, name
+    def __init__(
+        self,
+        work_out: Callable[[Inputs], Numbers],
+        given: Inputs,
+        name: str,
+        nominal: Mapping[Key, float],
+    ) -> None:
+        self.work_out, self.name, self.nominal = work_out, name, nominal
         # without the room that roundings leave between inputs that contradict each other
         self.given = {key: one._replace(is_exact=True) for key, one in given.items()}
         self.input = given[name]
         self.refused: RadcalcError | None = None
+        self.steep: set[Key] = set()  # results without a slope
+        self.slopes = self._slopes() if self.input.uncertainty else dict.fromkeys(nominal, 0.0)
 
     def at(self, shift: float) -> Numbers:
         """What follows with the input moved by so much [SI]; nothing where that is refused."""
@@ -210,58 +222,65 @@ class _Run:
             self.refused = error
             return {}
 
-    def slopes(self, nominal: Numbers) -> dict[Key, float]:
-        """The slope of each number over the input; one-sided next to a limit."""
-        size, off = abs(self.input.size), self.input.uncertainty
-        step = max(min(size * STEP or off / OF_ZERO, off / 2), size * LEAST_STEP)
-        points = {k: self.at(k * step) for k in (-2, -1, 1, 2)}
+    def _slopes(self) -> dict[Key, float]:
+        """The slope of each number over the input; one-sided next to a limit.
+
+        Where it grows without limit, the change over the uncertainty stands for it, by the rule
+        of JCGM 100:2008, 5.1.3, note 2.
+        """
+        off = self.input.uncertainty
         found = {}
-        for key, value in nominal.items():
-            at = {k: numbers[key] for k, numbers in points.items() if key in numbers}
-            slope = _slope({0: value, **at}, step)
+        for key, slope in slopes(self.at, self.nominal, abs(self.input.size), off).items():
             if slope is None:
-                why = f": {self.refused.message}" if self.refused else ""
-                problem = f"the uncertainty of {_told(self.input)} cannot be carried{why}"
-                raise ConditionError(problem, "the same without it")
+                slope = self._secant(key, off)
+                self.steep.add(key)
             found[key] = slope
         return found
 
-    def bend(self, nominal: Numbers, slopes: dict[Key, float], numbers: Numbers) -> Bend | None:
-        """Where results leave their straight lines within the uncertainty of the input."""
-        off = self.input.uncertainty
+    def _secant(self, key: Key, off: float) -> float:
+        for side in (-off, off):
+            if (end := self.at(side).get(key)) is not None:
+                return float(end - self.nominal[key]) / side
+        why = f": {self.refused.message}" if self.refused else ""
+        problem = f"the uncertainty of {_told(self.input)} cannot be carried{why}"
+        raise ConditionError(problem, "the same without it")
+
+    def bends(self, numbers: Numbers) -> Iterator[Bend]:
+        """Where results leave their straight lines within what is uncertain in the input."""
+        one, named = self.input, _named(self.input)
+        off, factor = one.uncertainty, one.unit.factor if one.unit else 1
+        if not one.parts:
+            yield from self._bend(numbers, named, -off, off, off)
+        for part in one.parts:
+            where = f"{quote(part.text)} of {named}" if len(one.parts) > 1 else named
+            low, high = (
+                end if end is None else end * factor - one.size for end in (part.low, part.high)
+            )
+            yield from self._bend(numbers, where, low, high, part.size * factor)
+
+    def _bend(
+        self, numbers: Numbers, named: str, low: float | None, high: float | None, rise: float
+    ) -> Iterator[Bend]:
+        """A bend between two shifts of the input, which is taken to rise by so much to each."""
         self.refused = None
-        low, high = self.at(-off), self.at(off)
-        if self.refused:
+        sides = [
+            (sign, self.at(shift)) for sign, shift in ((-1, low), (1, high)) if shift is not None
+        ]
+        problem = ""
+        if self.refused or None in (low, high):
             limit = f": {self.refused.limit}" if isinstance(self.refused, Impossible) else ""
-            problem = f"{_named(self.input)} reaches what is not possible{limit}"
-            return Bend(self.input, {}, problem)
+            problem = f"{named} reaches what is not possible{limit}"
         ends = {}
-        for key, value in nominal.items():
+        for key, value in self.nominal.items():
+            line = self.slopes[key] * rise
+            found = [(sign, at[key]) for sign, at in sides if key in at]
+            away = max((abs(number - value - sign * line) for sign, number in found), default=0.0)
             total = getattr(numbers[key], "std_dev", 0.0)
-            line = slopes[key] * off
-            if key not in low or key not in high:
-                continue
-            away = max(abs(high[key] - value - line), abs(low[key] - value + line))
-            if away > max(CURVED * total, 1e-9 * abs(value)):
-                three = low[key], value, high[key]
-                ends[key] = min(three), max(three)
-        return Bend(self.input, ends) if ends else None
-
-
-def _slope(at: dict[int, float], step: float) -> float | None:
-    """The slope at 0 from values at whole steps beside it; None where these are too few."""
-    if max(abs(value - at[0]) for value in at.values()) <= NOISE * abs(at[0]):
-        return 0.0 if len(at) > 1 else None
-    if len(at) == 5:
-        rise = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / 12
-    elif 1 in at and -1 in at:
-        rise = (at[1] - at[-1]) / 2
-    else:
-        side = 1 if 1 in at else -1
-        if 2 * side not in at or side not in at:
-            return None
-        rise = side * (4 * at[side] - 3 * at[0] - at[2 * side]) / 2
-    return float(f"{rise / step:.{DIGITS}g}")
+            if found and (key in self.steep or away > max(CURVED * total, 1e-9 * abs(value))):
+                every = value, *(number for _, number in found)
+                ends[key] = min(every), max(every)
+        if ends or problem:
+            yield Bend(named, ends, problem)
 
 
 def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
@@ -310,7 +329,8 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
         unit = value.units[0]
         ends = (value._replace(si=end, given=None, exact=None) for end in bend.ends[bent[0]])
         low, high = (_amount(in_unit(end, resolve(unit)), unit) for end in ends)
-        more = f" (and {len(bent) - 1} more results)" if len(bent) > 1 else ""
+        others = len(bent) - 1
+        more = f" (and {others} more result{'s' if others > 1 else ''})" if others else ""
         notes.append(bend.note(value.label, low, high) + more)
     return notes
 

@@ -177,7 +177,7 @@ class Conversion(NamedTuple):
     @property
     def is_uncertain(self) -> bool:
         """Whether the value or a condition has an uncertainty."""
-        return bool(self.amount.uncertainty) or any_uncertain(self.conditions)
+        return self.amount.is_uncertain or any_uncertain(self.conditions)
 
     def answer(self, steps: bool) -> Result:
         """The value in the targets' units, and everything about it."""
@@ -305,13 +305,15 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         )
     rows, assumptions = [], {}
     assumed: tuple[str, ...] = ()
+    bent: list[str] = []
     for target in targets:
         try:
             made = plan(source, target)
             number, off = made.apply(call.value), 0.0
             if call.is_uncertain:
                 found = uncertainty.converted(made, call.amount, ())
-                off, assumed = found.number.std_dev, (found.assumed,)
+                off, assumed = found.uncertainty, (found.assumed,)
+                bent = bent or found.notes(name_of(made.target) or "the value", target.text)
         except ConversionError:
             continue  # beyond what a float holds in that unit
         assumptions.update(dict.fromkeys(made.assumptions))
@@ -320,6 +322,6 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         name = result_name(meant)
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)
         rows.append(row)
-    notes = (*call.case.notes, *source.notes)
+    notes = (*call.case.notes, *source.notes, *bent)
     assumptions.update(dict.fromkeys(assumed))
     return Result(tuple(rows), tuple(assumptions), notes, inputs=call.inputs, named=False)

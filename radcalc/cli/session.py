@@ -183,9 +183,6 @@ class Session:
             kept = self._text_of(found[0])
             if before[-1:] in LIMITS and behind[:1] in LIMITS and not is_part:
                 return kept
-            if SIGN in kept:
-                problem = f"{found[0]} is uncertain, and arithmetic takes exact values"
-                raise UsageError(problem, f"{found[0]} by itself, as a value or in an option")
             return f"({kept})"
 
         return NAME.sub(amount, text)
@@ -197,7 +194,7 @@ class Session:
         """
         owner, _, result = name.partition(".")
         text = self.variables.get(name) or text_of(self._one(result, self.rows, name), name)
-        if SIGN in text:
+        if (amount := _read(text)) and amount.is_uncertain:
             if self.used & self.origins[owner]:
                 problem = f"{name} is uncertain, and so is what it comes of or with in this line"
                 raise UsageError(problem, "a line in which each uncertain value stands once")
@@ -420,7 +417,7 @@ def _is_plain(amount: Amount) -> bool:
     unit = amount.unit.text if amount.unit else ""
     if amount.scale:
         return True
-    if amount.uncertainty:
+    if amount.is_uncertain:
         return not amount.parts
     try:
         return amount.text[read_number(amount.text)[1] :].strip() == unit

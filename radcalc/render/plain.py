@@ -9,6 +9,7 @@ if TYPE_CHECKING:
 
 DIGITS, RATIO_DIGITS = 12, 4
 LEAST_FIXED, MOST_FIXED = -4, 6  # powers of ten of an uncertain number without an exponent
+MOST_TOGETHER = 15  # digits of a number to the last of its uncertainty, as many as it has
 REMARKS_ARE_APART = True
 
 
@@ -31,11 +32,15 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
     first = tens + 1  # of the first digit of both
     if value:
         first = max(first, int(f"{abs(value):e}".partition("e")[2]))
+    if first - tens >= MOST_TOGETHER:
+        return f"{number(value, digits)} ± {off:.2g}"
     if LEAST_FIXED <= first < MOST_FIXED:
         places = max(-tens, 0)
-        return f"{round(value, -tens):.{places}f} ± {round(off, -tens):.{places}f}"
+        return f"{round(value, -tens) + 0.0:.{places}f} ± {round(off, -tens):.{places}f}"
     scale, places = 10.0**first, first - tens
-    return f"({value / scale:.{places}f} ± {off / scale:.{places}f})e{first:+03d}"
+    return (
+        f"({round(value / scale, places) + 0.0:.{places}f} ± {off / scale:.{places}f})e{first:+03d}"
+    )
 
 
 def line(

@@ -93,7 +93,7 @@ def uncertain_parameter(text: str) -> Parameter | None:
         if not any(mark in size for mark in UNCERTAIN):
             continue
         amount = read_amount(size)
-        if amount.uncertainty:
+        if amount.is_uncertain:
             before = "".join(f"{one}," for one in parts[:k])
             behind = "".join(f",{one}" for one in parts[k + 1 :])
             return Parameter(f"{kind}:{before}", amount, f"{equals}{weight}{behind}")

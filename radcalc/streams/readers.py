@@ -72,7 +72,7 @@ class Quantities:
                 f"'{quote(text.decode())}' has no unit",
                 f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
             )
-        if amount.uncertainty:
+        if amount.is_uncertain:
             raise NumberError(
                 f"'{quote(amount.text)}' has an uncertainty, which a stream does not carry",
                 f"the value alone, or a call of its own: {command('convert', quote(amount.text))}",

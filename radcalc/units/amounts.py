@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from radcalc.units.scales import ScaleUnit
+    from radcalc.units.uncertain import Part
 
 NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
 BEFORE_NUMBERS = tuple(" */(+×·")  # what a number in an expression may follow
@@ -41,8 +42,8 @@ class Amount:
     `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, and 0
     where none was given; `assumptions` say how the text was read, where that takes a word.  A
     `reading` on a `scale` is kept beside the number that it stands for.  `rounding` is how far an
-    expression may be off as typed, relative to it; None for what is none.  `parts` are what each
-    number of an expression adds to its uncertainty, with its text.
+    expression may be off as typed, relative to it; None for what is none.  `parts` are what
+    follows of each uncertain number of an expression, or of the reading.
     """
 
     __slots__ = (
@@ -67,7 +68,7 @@ class Amount:
         scale: "ScaleUnit | None" = None,
         reading: float = 0.0,
         rounding: float | None = None,
-        parts: tuple[tuple[str, float], ...] = (),
+        parts: "tuple[Part, ...]" = (),
     ) -> None:
         """Hold what `text` says."""
         self.text = text
@@ -84,6 +85,11 @@ class Amount:
     def typed(self) -> tuple[float, Unit | None]:
         """The number and the unit that were typed, or the reading and its scale."""
         return (self.reading, self.scale) if self.scale else (self.number, self.unit)
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether it has an uncertainty, of which a flat expression may leave nothing."""
+        return bool(self.uncertainty or self.parts)
 
     @property
     def typed_uncertainty(self) -> float:
@@ -217,7 +223,7 @@ def _amount(
     unit: Unit | None,
     uncertainty: float = 0.0,
     dimensions: "Sequence[Dimension]" = (),
-    parts: tuple[tuple[str, float], ...] = (),
+    parts: "tuple[Part, ...]" = (),
 ) -> Amount:
     """A number in its unit, or what a reading on a scale stands for."""
     if unit is None or not unit.is_scale:

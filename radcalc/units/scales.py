@@ -99,7 +99,7 @@ class Scale(NamedTuple):
     def slope(self, reading: Any) -> Any:
         """By how much the quantity grows with the reading, in the scale's unit."""
         if not self.steps:
-            return -self.size / reading**2
+            return -self.size / reading / reading
         return self.quantity(reading) * maths.log(float(self.base)) / self.steps
 
 
@@ -315,8 +315,22 @@ def amount_on(
     """What a reading stands for, with the uncertainty that its own leads to."""
     assert isinstance(unit, ScaleUnit)
     scale = unit.measures(dimensions)
-    quantity, off = scale.quantity(reading), abs(scale.slope(reading)) * uncertainty
-    return Amount(text, quantity, scale.unit, off, (scale.assumption,), scale, reading)
+    quantity = scale.quantity(reading)
+    told = (scale.assumption,)
+    if not uncertainty:
+        return Amount(text, quantity, scale.unit, 0.0, told, scale, reading)
+    from radcalc.units.uncertain import Part, hold
+
+    def at(moved: float) -> float | None:
+        try:
+            return float(scale.quantity(moved))
+        except RadcalcError:
+            return None
+
+    size = scale.slope(reading) * uncertainty
+    hold(abs(size) or math.nan, text)
+    part = Part(text, size, at(reading - uncertainty), at(reading + uncertainty))
+    return Amount(text, quantity, scale.unit, abs(size), told, scale, reading, parts=(part,))
 
 
 def reciprocal(unit: Unit) -> ScaleUnit:

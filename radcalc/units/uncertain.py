@@ -8,7 +8,9 @@ a point they stand for themselves: 1.234(0.005).
 """
 
 import math
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from typing import Any, NamedTuple
 
 from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, quote
@@ -22,6 +24,7 @@ from radcalc.units.numbers import (
     typed_digits,
 )
 from radcalc.units.scales import resolve_any, scale_of
+from radcalc.units.slopes import slopes
 from radcalc.units.table import NUMBER, Dimension, Unit, divide
 
 SIGN = "±"
@@ -30,7 +33,7 @@ PERCENT = "%"
 OPERATORS = tuple("*/^+-")
 MOST_TRIED = 3  # places for a bracket
 MOST_DIGITS = 6  # of an exponent, with its sign
-SMALL = 2.0**-13  # a step of a number in an expression, relative to it
+LEAST, MOST = 1e-150, 1e150  # uncertainties whose squares are numbers
 DECIMAL = r"(?:\d+\.?\d*|\.\d+)"
 BEGIN = r"(?<![\w.])"  # of a number, and not of the end of one
 LEAF = rf"(?:\([^()±]*±[^()±]*\)|{BEGIN}{DECIMAL}\({DECIMAL}\))(?:[eE][-+]?\d+(?!\w))?"
@@ -40,17 +43,30 @@ BRACKETS = "each number with its ± in brackets: 2 * (100±3) lx"
 HINT = "100±3 lx, 100(3) lx or 100 lx ± 3%"
 
 
+class Part(NamedTuple):
+    """What follows of an uncertain number of an expression, or of a reading on a scale.
+
+    Its text; what it adds to the uncertainty, with a sign; and what the whole comes to where the
+    number is less by its uncertainty, and more by it; None where there is no such value.
+    """
+
+    text: str
+    size: float
+    low: float | None
+    high: float | None
+
+
 class Reading(NamedTuple):
     """A number with its standard uncertainty, both in a unit, or bare.
 
-    `parts` are what each number of an expression adds to the uncertainty, with its text.
+    `parts` are those of the numbers of an expression.
     """
 
     number: float
     unit: Unit | None
     uncertainty: float
     nominal: str = ""  # the text without the uncertainty
-    parts: tuple[tuple[str, float], ...] = ()
+    parts: tuple[Part, ...] = ()
 
 
 class _Beside(NumberError):
@@ -91,6 +107,7 @@ def _read(text: str) -> Reading | None:
         return _with_expression(text)
     if found.uncertainty < 0:
         raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
+    hold(found.uncertainty, text)
     head = text.lstrip("( ")
     unit = found.unit.text if found.unit else ""
     return found._replace(nominal=f"{head[: read_number(head)[1]]}{unit}")
@@ -167,7 +184,10 @@ def _part_of(text: str, value: float, percent: float, unit: Unit) -> float:
     if unit.is_scale:
         better = f"an uncertainty in {quote(unit.text)}"
         raise UnitError(f"'{quote(text)}' has a part of a reading for its uncertainty", better)
-    return abs(value) * percent / 100
+    part = abs(value) * percent / 100
+    if value and percent and not part:
+        hold(math.nan, text)
+    return part
 
 
 def _with_digits(text: str) -> Reading | None:
@@ -207,29 +227,56 @@ def _with_expression(text: str) -> Reading | None:
         return None
     found = [_leaf(leaf[0]) for leaf in leaves]
 
-    def value(moved: int = -1, shift: float = 0.0) -> tuple[float, Unit | None]:
+    def whole(moved: int = -1, shift: float = 0.0) -> tuple[float, Unit | None]:
         places: Leaves = {}
         for k, (leaf, one) in enumerate(zip(leaves, found, strict=True)):
             size = Calculator(repr(one.number)).sum()
             if k == moved:
                 size = size.plus(Value(*shift.as_integer_ratio()), 1)
-            unit = one.unit and Calculator(text).unit(one.unit.text)
+            unit = one.unit and Calculator(text).unit(one.unit.text, number=size)
             places[leaf.start()] = leaf.end(), size.times(unit) if unit else size
         read = read_expression(text, places)
         if read is None:
             raise NumberError(f"'{quote(text)}' is not a number and a unit", HINT)
         return read[0], read[1]
 
-    number, unit = value()
+    number, unit = whole()
     parts = []
-    for k, (leaf, one) in enumerate(zip(leaves, found, strict=True)):
-        step = min(abs(one.number) * SMALL or one.uncertainty, one.uncertainty)
-        if step:
-            rise = value(k, step)[0] - value(k, -step)[0]
-            parts.append((_inside(leaf[0]), float(f"{rise / (2 * step) * one.uncertainty:.7g}")))
-    off = float(f"{math.hypot(*(size for _, size in parts)):.7g}")
+    for k, one in enumerate(found):
+        if one.uncertainty:
+            told = _inside(leaves[k][0])
+            parts.append(_part(text, told, number, one, partial(whole, k)))
+    off = float(f"{math.hypot(*(part.size for part in parts)):.7g}")
+    hold(off, text)
     nominal = f"{number!r} {unit.text if unit else ''}".strip()
     return Reading(number, unit, off, nominal, tuple(parts))
+
+
+def _part(
+    text: str,
+    told: str,
+    number: float,
+    leaf: Reading,
+    whole: Callable[[float], tuple[float, Unit | None]],
+) -> Part:
+    """What follows of a number of an expression; `whole` is that where it is moved by so much."""
+    why = ""
+
+    def at(shift: float) -> dict[str, float]:
+        nonlocal why
+        try:
+            return {"": whole(shift)[0]}
+        except RadcalcError as error:
+            why = f": {error.message}"
+            return {}
+
+    off = leaf.uncertainty
+    low, high = (at(shift).get("") for shift in (-off, off))
+    slope = slopes(at, {"": number}, abs(leaf.number), off)[""]
+    if slope is None:
+        problem = f"the uncertainty of '{quote(told)}' cannot be carried through '{quote(text)}'"
+        raise NumberError(f"{problem}{why}", "the same without it")
+    return Part(told, float(f"{slope * off:.7g}"), low, high)
 
 
 def _leaf(text: str) -> Reading:
@@ -360,6 +407,14 @@ def _is_ratio(text: str) -> bool:
         return resolve_any(text).dimension == NUMBER
     except UnitError:
         return False
+
+
+def hold(off: float, text: str = "") -> None:
+    """Refuse an uncertainty, of a text or of a result, whose square is beyond what floats hold."""
+    if off and not LEAST <= off <= MOST:
+        told = f"'{quote(text)}'" if text else "a result"
+        problem = f"the uncertainty of {told} is beyond what radcalc reckons with"
+        raise NumberError(problem, f"an uncertainty from {LEAST:g} to {MOST:g}")
 
 
 def variable(number: float, uncertainty: float, name: str = "") -> Any:

@@ -324,3 +324,92 @@ def test_a_result_may_be_asked_for_on_a_scale():
     asked = "flux-uncertainty:dBm"
     done = call(["point-source", "--flux", "10.0+-0.1mW", "--distance", "2m", "-g", asked])
     assert float(done.output) == pytest.approx(10 / math.log(10) * 0.01, rel=1e-6)
+
+
+# In what is not linear a note says so, whatever is uncertain: a number of an expression, a reading,
+# an input at its limit.  The ends are worked out by hand from the formula of each line.
+@pytest.mark.parametrize(
+    ("words", "value", "uncertainty", "note"),
+    [
+        # 4 pi sin^2(a/2) is flat at 180 deg; at 179 deg it is 12.5654 sr
+        (
+            "solid-angle cone --half-angle 180+-1deg -g solid-angle",
+            4 * math.pi,
+            0.0,
+            "12.5654 sr to 12.5664 sr",
+        ),
+        # asin(0.99) is 81.89 deg; the slope has no limit at 1, and the change stands for it
+        (
+            "etendue --area 1cm2 --na 1.0+-0.01 -g half-angle",
+            90.0,
+            90 - math.degrees(math.asin(0.99)),
+            "81.8904 deg to 90 deg",
+        ),
+        # beside the limit it has: 1 / sqrt(1 - 0.9999^2)
+        (
+            "etendue --area 1cm2 --na 0.9999+-0.01 -g half-angle",
+            math.degrees(math.asin(0.9999)),
+            math.degrees(0.01 / math.sqrt(1 - 0.9999**2)),
+            "81.8499 deg to 89.1897 deg",
+        ),
+        # pi A NA^2 at 1: 2 * 1 % of it, and a note on the angle
+        ("etendue --area 1cm2 --na 1.0+-0.01 -g etendue:cm2.sr", math.pi, 0.02 * math.pi, "90 deg"),
+        ("etendue --area 1cm2 --na 0.5+-0.01 -g etendue:cm2.sr", math.pi / 4, 0.01 * math.pi, ""),
+        # 100/4 and 100/1.5^2, 100/2.5^2 lx
+        (
+            "convert 100cd lx --distance (2±0.5)*1m",
+            25.0,
+            12.5,
+            "16 lx to 44.4444 lx",
+        ),
+        # 10 mW is ln(10)/10 * 3 of it more a dB: 5.012 mW at 7 dBm, 19.95 mW at 13 dBm, over 4 pi
+        (
+            "point-source --flux 10+-3dBm -g intensity:W/sr",
+            0.01 / 4 / math.pi,
+            0.01 / 4 / math.pi * 0.3 * math.log(10),
+            "0.000398832 W/sr to 0.00158778 W/sr",
+        ),
+        ("convert 100*cos(0±5deg)*1lx fc", 100 * 0.3048**2, 0.0, "9.25495 fc to 9.2903 fc"),
+        ("convert (0±1)^2*1m2 cm2", 0.0, 0.0, "0 cm2 to 10000 cm2"),
+        # two parts: 1/1.5 and 1/2.5 of 100, and 97/2 and 103/2, which is a straight line
+        (
+            "convert (100±3)*1lx/(2.0±0.5) lx",
+            50.0,
+            50 * math.hypot(0.03, 0.25),
+            "within 2.0±0.5 of the value (100±3)*1lx/(2.0±0.5): 40 lx to 66.6667 lx",
+        ),
+    ],
+)
+def test_what_bends_is_said(words, value, uncertainty, note):
+    done = call([*words.split(), "--json"])
+    (answer,) = answers(done.output)
+    (result,) = answer["results"].values()
+    assert result["value"] == pytest.approx(value, rel=1e-12)
+    assert result.get("uncertainty", 0.0) == pytest.approx(uncertainty, rel=1e-4)
+    bends = [told for told in answer["notes"] if "far from linear" in told]
+    assert len(bends) == bool(note)
+    assert note in "".join(bends)
+
+
+def test_every_unit_of_a_value_has_the_note_once():
+    """At 0.5 and 0.1 of the light -lg is 0.301 and 1."""
+    (answer,) = answers(call(["convert", "(30+-20)%", "--json"]).output)
+    told = [note for note in answer["notes"] if "far from linear" in note]
+    assert told == ["number is far from linear within the value (30+-20)%: 0.30103 OD to 1 OD"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "1±0.1 cd lx --distance 1e-100m",
+        "1±1e140 cd lx --distance 1e-10m",
+        "1±0.1 cd lx --distance 1+-1e150m",
+        "1±0.1 cd lx --distance 1+-1e-200m",
+        "100 cd lx --distance 5e99±6e99m",
+    ],
+)
+def test_what_no_float_holds_is_refused(words):
+    number, rest = words.split(" ", 1)
+    done = call(["convert", number, *rest.split()])
+    assert (done.status, done.output) == (2, "")
+    assert "beyond what radcalc reckons with" in str(done.error)

@@ -196,9 +196,10 @@ def test_a_last_word_that_may_be_a_unit_or_the_target_is_refused_with_both(typed
     assert typed(first) != typed(second)
 
 
-def test_what_is_uncertain_is_no_part_of_arithmetic(typed):
+def test_what_is_uncertain_may_be_a_part_of_arithmetic(typed):
     typed("side = 2 ± 0.1 m")
-    assert "side is uncertain, and arithmetic takes exact values" in typed("2*side cm")
+    assert typed("2*side cm") == "400 ± 20\tcm\n"
+    assert typed("twice = 2*side", "twice / 2") == "2.00 ± 0.10\tm\n"
 
 
 def test_a_scale_is_kept_as_it_was_typed(typed):
@@ -273,6 +274,13 @@ def test_what_is_uncertain_stands_in_a_line_once(typed):
     assert "side is uncertain, and so is" in typed(line.format("side"))
     assert "same is uncertain, and so is" in typed(line.format("same"))
     assert "is uncertain" not in typed(line.format("other"))
+
+
+@pytest.mark.parametrize("value", ["100+-3 lx", "100(3) lx", "100 lx +/- 3%", "100±3 lx"])
+@pytest.mark.parametrize("line", ["x + x", "x - x", "x + ans", "x + same", "same / x"])
+def test_in_arithmetic_too_however_it_is_written(typed, value, line):
+    typed(f"x = {value}", "same = 2*x", "x")
+    assert "is uncertain, and so is" in typed(line)
 
 
 def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, capsys):

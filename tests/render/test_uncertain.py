@@ -24,6 +24,13 @@ from radcalc.units.amounts import read_amount
         (-5, 0.996, "-5.0 ± 1.0"),  # 0.996 has two digits as 1.0
         (5, 0, "5"),
         (1, 20, "1 ± 20"),
+        (-0.01, 5, "0.0 ± 5.0"),
+        (-34, 7.2e9, "(0.0 ± 7.2)e+09"),
+        (1e302, 1e-3, "1e+302 ± 0.001"),  # no digits of one are digits of the other
+        (2000, 4e-140, "2000 ± 4e-140"),
+        (5, 0.0995, "5.00 ± 0.10"),
+        (5, 9.96, "5 ± 10"),
+        (5, 0.095, "5.000 ± 0.095"),
     ],
 )
 def test_two_digits_of_the_uncertainty(value, off, text):

@@ -229,4 +229,62 @@ def test_a_hostile_text_is_refused_soon():
 
 def test_each_number_of_an_expression_has_its_part():
     amount = read_amount("(100±3) lx - 20(1) lx")
-    assert dict(amount.parts) == pytest.approx({"100±3": 3, "20(1)": -1}, rel=1e-6)
+    sizes = {part.text: part.size for part in amount.parts}
+    assert sizes == pytest.approx({"100±3": 3, "20(1)": -1}, rel=1e-6)
+    assert [(part.low, part.high) for part in amount.parts] == [(77, 83), (81, 79)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1e308±1e307 lx",
+        "1(1)e308 lx",
+        "-1e308±1e308 lx",
+        "1e-300±1e-301 lx",
+        "0±1e-300 lx",
+        "1e-200±1e-200% lx",
+        "1 lx ± 1e160 lx",
+        "3000±1 dBm",
+        "1e200±1 mired",
+        "(1e150±1e149)*(1e150±1e149) lx",
+    ],
+)
+def test_an_uncertainty_whose_square_is_no_number_is_refused(text):
+    with pytest.raises(RadcalcError, match="beyond what radcalc reckons with"):
+        read_amount(text)
+
+
+# Where the number is less and more by its uncertainty; a flat one adds nothing to the first order.
+@pytest.mark.parametrize(
+    ("text", "size", "ends"),
+    [
+        ("1/(2.0±0.5)*1 m", -0.125, (1 / 1.5, 1 / 2.5)),
+        ("(0±1)^2 m2", 0, (1, 1)),
+        ("(0±1)^3 m3", 0, (-1, 1)),
+        ("cos(0±5deg)", 0, (math.cos(math.pi / 36),) * 2),
+        ("sin(90±1deg)", 0, (math.cos(math.pi / 180),) * 2),
+        ("sqrt(0.5±1)*1m", 1 / math.sqrt(2), (None, math.sqrt(1.5))),
+        ("(1.00±0.01)^100", 1, (0.99**100, 1.01**100)),
+        ("10±3 dBm", 3 * math.log(10), (10**0.7, 10**1.3)),
+        ("1±1 OD", -math.log(10) / 10, (1, 0.01)),
+        ("1±2 mired", -2e6, (None, 1e6 / 3)),
+    ],
+)
+def test_the_parts_of_an_amount_have_their_ends(text, size, ends):
+    amount = read_amount(text)
+    assert amount.is_uncertain
+    (part,) = amount.parts
+    assert part.size == pytest.approx(size, rel=1e-5)
+    for end, other in zip((part.low, part.high), ends, strict=True):
+        assert end == other or end == pytest.approx(other, rel=1e-12)
+
+
+def test_a_slope_without_limit_is_refused():
+    with pytest.raises(RadcalcError, match="cannot be carried through 'sqrt"):
+        read_amount("sqrt(0±1)*1m")
+
+
+def test_a_reading_in_arithmetic_is_refused_with_its_number():
+    with pytest.raises(RadcalcError, match="read through a function") as refused:
+        read_amount("2*(10±1 dBm)")
+    assert "10" in refused.value.hint
