@@ -46,7 +46,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
-from radcalc.units.numbers import parse_number, rounding
+from radcalc.units.numbers import parse_number, relative_rounding, rounding
 from radcalc.units.ranges import read_array, read_series, read_spectra, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
@@ -114,6 +114,8 @@ class Given(NamedTuple):
 
 Inputs = dict[str, Given]
 LEFT_OF_LIGHT = ("reflectance",)  # ratios that may be told in OD, stops or dB
+MARKED = {"f-number": "f/", "nd": "nd"}  # what may stand before the number: f/8,f/11 is no 8.11
+MARKS_OF_STOPS = range(101, 114)  # filters' marks for 1 to 13 stops
 DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and not in mired
 
 
@@ -143,7 +145,7 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     Directions are a range of polar angles, with one azimuth: 0deg:90deg:15deg,90deg.
     """
     form = SYMBOLS[name].form
-    if name == "f-number" and "f/" in text:  # f/8,f/11 is no 8.11
+    if name in MARKED and MARKED[name] in str(text).lower():
         return text.split(",")  # type: ignore[no-any-return]
     if form == SPECTRUM:
         return read_spectra(text)
@@ -169,7 +171,7 @@ def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Give
     the caller carries that.  `bare` is the unit of a text without one, where people write none.
     """
     text = str(value).strip() if bare else ""
-    if text and not text.strip(AS_BARE) and (name != "time" or "/" in text):  # 4 may be 1/4
+    if text and not text.strip(AS_BARE) and ("time" not in name or "/" in text):  # 4 may be 1/4
         given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
         said = f"{option(name, quote(text))} is in {bare}"
         return given._replace(text=text, assumptions=(*given.assumptions, said))
@@ -237,9 +239,11 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
     if isinstance(value, str):
         text = " ".join(value.split()).replace(MINUS, "-")  # it is shown: on one line
         if name == "f-number":
-            text = text.removeprefix("f/")  # as photographers write it: f/2.8
+            text = text.removeprefix(MARKED[name])  # as photographers write it: f/2.8
         if name in DIFFERENCES:
             amount = _difference(text)
+        elif name == "nd":
+            amount = _density(text)
         amount = amount or _read_amount(symbol, text)
         number, unit = amount.number, amount.unit
         uncertainty, assumptions = amount.uncertainty, amount.assumptions
@@ -329,6 +333,36 @@ def _difference(text: str) -> Amount | None:
         return None
     said = f"a difference of temperature: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
     return Amount(text, amount.number, unit, amount.uncertainty, (said,))
+
+
+def _density(text: str) -> Amount | None:
+    """The density of a neutral filter by its mark: ND8 is a factor of 8, ND0.9 a density.
+
+    None for a density alone, which is read as other numbers are.
+    """
+    mark = text.upper().removesuffix("X")
+    number = mark.removeprefix("ND").removesuffix("ND").strip()
+    if not number[:1].isdecimal():
+        return None
+    if number == text:
+        if text.isdecimal() and float(text) > 1:
+            problem = f"{option('nd', quote(text))} can be a density or a factor"
+            ways = (option("nd", f"{quote(text)}.0"), option("nd", f"ND{quote(text)}"))
+            raise ConditionError(problem, f"{ways[0]} for the density, or {ways[1]} for the factor")
+        return None
+    factor = parse_number(number)
+    if "." in number:
+        said, off = f"{quote(text)} is a density", relative_rounding(number)
+        return Amount(text, factor, None, assumptions=(said,), rounding=off)
+    if factor < 1:
+        problem = f"{option('nd', quote(text))} is no filter: its factor is below 1"
+        raise ConditionError(problem, option("nd", "ND8"))
+    if factor in MARKS_OF_STOPS:  # as some makers mark 3 stops: 103
+        problem = f"{option('nd', quote(text))} can be a factor, or {number[1:].lstrip('0')} stops"
+        raise ConditionError(problem, f"{option('nd', f'{(factor - 100) * 0.3:.1f}')}, for stops")
+    density = math.log10(factor)
+    said = f"{quote(text)} lets 1/{number} of the light through: a density of {density:.4g}"
+    return Amount(text, density, None, assumptions=(said,), rounding=relative_rounding(number))
 
 
 def _with_unit(symbol: Symbol, number: str) -> str:

@@ -1,4 +1,4 @@
-"""The light meter: exposure values, and what light they stand for."""
+"""The light meter: exposure values, and what light they stand for; filters and flashes."""
 
 import math
 
@@ -7,14 +7,38 @@ from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.given import Inputs
-from radcalc.laws.exposure import INCIDENT, LAWS, REFLECTANCE, REFLECTED, STEPS
+from radcalc.laws.exposure import (
+    FILTERED,
+    FILTERED_FLASH,
+    FLASH,
+    INCIDENT,
+    LAWS,
+    REFLECTANCE,
+    REFLECTED,
+    STEPS,
+)
 from radcalc.maths import any_true
+from radcalc.quantities.symbols import EXPOSURE_TIME
 from radcalc.units.scales import METER_UNITS, C, K, ScaleUnit, usual
 
 LIGHT = ("ev100", "luminance", "illuminance")
+FILTER = ("nd", "stops", "unfiltered-time")
+OF_FLASH = ("guide-number", "distance")
 PAGE = Page(
     "the light meter",
-    ("ev", "ev100", "luminance", "illuminance", "f-number", "time", "iso", "k", "c"),
+    (
+        "ev",
+        "ev100",
+        "luminance",
+        "illuminance",
+        "f-number",
+        "time",
+        "iso",
+        *FILTER,
+        *OF_FLASH,
+        "k",
+        "c",
+    ),
     others=(
         "ev100",
         "ev",
@@ -25,6 +49,8 @@ PAGE = Page(
         "f-number",
         "time",
         "iso",
+        *FILTER,
+        *OF_FLASH,
         "k",
         "c",
     ),
@@ -33,6 +59,8 @@ PAGE = Page(
     sections={
         "Light": LIGHT,
         "Camera": ("ev", "f-number", "time", "iso"),
+        "Filter": FILTER,
+        "Flash": OF_FLASH,
         "Meter": ("k", "c"),
     },
     examples=(
@@ -40,22 +68,48 @@ PAGE = Page(
         "luminance=1000cd/m2",
         "f-number=16 time=1/100s iso=100",
         "illuminance=500lx f-number=4 iso=400 get=time:ms",
+        "unfiltered-time=1/60 nd=ND1000 get=time",
+        "guide-number=40m f-number=8",
     ),
-    bare={**METER_UNITS, "time": "s"},
+    bare={**METER_UNITS, "time": "s", "unfiltered-time": "s"},
     remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
     "of the light.  From {luminance} to {illuminance} it takes an average scene; both of them give "
     "the reflectance of the scene.  {f-number} may be f/2.8, a fraction for {time} is in seconds, "
-    "and a bare {k} or {c} in its usual unit.",
+    "and a bare {k} or {c} in its usual unit.  {nd} is a density, 0.9 or ND0.9, or with ND8 the "
+    "factor of the filter.  Of a flash, {guide-number}, {distance}, {f-number}, {iso} and the "
+    "filter give each other.",
+)
+FLASHING = PAGE._replace(
+    title="a flash",
+    takes=(*OF_FLASH, "f-number", "iso", "nd", "stops"),
+    others=("f-number", *OF_FLASH, "iso", "nd", "stops"),
+    goal="guide-number",
 )
 
 
 def ev(given: Inputs) -> Answer:
     """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
+    answer = _exposed(given)
+    values = [
+        one._replace(label=EXPOSURE_TIME) if one.name == "time" else one for one in answer.values
+    ]
+    return answer._replace(values=values)
+
+
+def _exposed(given: Inputs) -> Answer:
+    """What follows of an exposure, a filter or a flash."""
     for one in given.values():
         if isinstance(one.unit, ScaleUnit) and one.unit.scale.constant:
             problem = f"{option(one.name, quote(one.text))} is an exposure value"
             raise ConditionError(problem, f"{option('ev100', f'{one.number:.12g}')} in its place")
-    sheet = Worksheet(PAGE, given, with_light=False)
+    if set(OF_FLASH) & set(given):
+        return _flash(given)
+    filtered = bool(set(FILTER) & set(given))
+    page, every = (PAGE._replace(goal="stops"), FILTERED) if filtered else (PAGE, LAWS)
+    sheet = Worksheet(page, given, with_light=False)
+    if filtered and not {*LIGHT, "ev", "f-number"} & set(given):
+        sheet.solve(every)
+        return sheet.answer(every)
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
         raise MissingInput("the light is missing", hint)
@@ -71,15 +125,15 @@ def ev(given: Inputs) -> Answer:
         sheet.know("iso", 100.0)
         sheet.assume("ISO 100")
     if not {"luminance", "illuminance"} <= set(given):
-        sheet.solve(LAWS, STEPS)
+        sheet.solve(every, STEPS)
         _say_average(sheet)
-        return sheet.answer(LAWS)
-    laws = [law for law in LAWS if law is not REFLECTED] + [REFLECTANCE]
+        return sheet.answer(every)
+    laws = [law for law in every if law is not REFLECTED] + [REFLECTANCE]
     try:
         sheet.solve(laws, STEPS)
         sheet.assume("exposed for the illuminance, whatever the scene reflects of it")
     except ConditionError:  # exposed for the luminance, if that fits
-        laws = [law for law in LAWS if law is not INCIDENT] + [REFLECTANCE]
+        laws = [law for law in every if law is not INCIDENT] + [REFLECTANCE]
         sheet.solve(laws, STEPS)
         sheet.assume("exposed for the luminance, whatever light falls on the scene")
     if any_true(sheet.at("reflectance") > 1 + 1e-9):
@@ -88,6 +142,18 @@ def ev(given: Inputs) -> Answer:
             "sends out more light than falls on it",
             "less luminance, or more illuminance",
         )
+    return sheet.answer(laws)
+
+
+def _flash(given: Inputs) -> Answer:
+    """Guide number, distance, f-number, ISO speed and filter of a flash."""
+    sheet = Worksheet(FLASHING, given, with_light=False)
+    if "iso" not in given and not {*OF_FLASH, "f-number"} <= set(given):
+        sheet.know("iso", 100.0)
+        sheet.assume("ISO 100")
+    sheet.assume("a flash straight at what it lights, with no other light")
+    laws = FILTERED_FLASH if {"nd", "stops"} & set(given) else FLASH
+    sheet.solve(laws)
     return sheet.answer(laws)
 
 

@@ -103,6 +103,27 @@ def _logarithm(over: str, under: str = "") -> Callable[[At], Wrong]:
     return wrong
 
 
+def _behind_filter(at: At) -> Wrong:
+    yield "filter-the-wrong-way", at("ev100") + math.log2(at("iso") / 100) + at("stops")
+
+
+def _light_behind_filter(at: At) -> Wrong:
+    yield "filter-the-wrong-way", at("ev") - math.log2(at("iso") / 100) - at("stops")
+
+
+def _time_behind_filter(at: At) -> Wrong:
+    yield "filter-the-wrong-way", at("unfiltered-time") / 2 ** at("stops")
+    yield "stops-are-doublings", at("unfiltered-time") * at("stops")
+    yield "stops-are-doublings", at("unfiltered-time") * at("stops") ** 2
+
+
+def _flash(over: str) -> Callable[[At], Wrong]:
+    def wrong(at: At) -> Wrong:
+        yield "speed-without-root", at("guide-number") * at("iso") / 100 / at(over)
+
+    return wrong
+
+
 def _pyramid(at: At) -> Wrong:
     a, b = at("horizontal"), at("vertical")
     yield "flat-for-curved", a * b
@@ -131,6 +152,11 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("exposure value", "ev", _logarithm("light")),
     ("reflected light", "ev100", _logarithm("luminance", "k")),
     ("incident light", "ev100", _logarithm("illuminance", "c")),
+    ("exposure value at ISO 100, behind a filter", "ev", _behind_filter),
+    ("exposure value at ISO 100, behind a filter", "ev100", _light_behind_filter),
+    ("time behind a filter", "time", _time_behind_filter),
+    ("guide number", "distance", _flash("f-number")),
+    ("guide number", "f-number", _flash("distance")),
     ("rectangular pyramid", "solid-angle", _pyramid),
     ("two coaxial discs", "etendue", _discs),
     ("mesopic luminance", "mesopic-luminance", _mesopic),

@@ -101,6 +101,12 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "absorbed-for-reflected": (3, "what is absorbed was used for what is reflected, or back",
         "a reflectance rho leaves 1 - rho"),
     # --- the light meter
+    "filter-the-wrong-way": (1, "the filter was counted the wrong way round",
+        "behind a filter that takes n stops the time is 2^n times as long"),
+    "stops-are-doublings": (1, "the stops were multiplied, and each of them doubles the time",
+        "t = t0 2^n"),
+    "speed-without-root": (1, "the ISO speed was taken without its square root",
+        "GN = N d sqrt(100 / S): four times the speed doubles the distance"),
     "log10-for-log2": (1, "the logarithm to the base 10 or e was used for that to the base 2",
         "EV = log2(N^2 / t): one step is a factor of 2"),
     "iso-forgotten": (2, "the ISO speed was left out", "EV100 = EV - log2(S / 100)"),

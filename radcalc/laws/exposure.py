@@ -8,13 +8,22 @@
 - `REFLECTANCE` of a scene that is not the meter's average one: L = rho E / (pi Omega0), which is
   rho = pi K / C on average
 - saturation: L_sat = 1.2 cd/m2 2^EV100, where a sensor of saturation-based speed is full
+- neutral filter of the density D, which takes n = D / lg 2 stops: EV100 is n more, and the time
+  2^n times that without it
+- guide number of a flash, GN = N d sqrt(100 / S) with its distance d, and 2^(n/2) times that with
+  a filter
 
-For a lens focused far away, without a filter.  Marked values are rounded, so that what is given
-twice may differ by `STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed).
+For a lens focused far away.  Marked values are rounded, so that what is given twice may differ by
+`STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed), ISO 1230 (guide numbers),
+ISO 5-2 (density).
 """
 
-from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import log2
+import math
+from collections.abc import Callable
+from typing import Any
+
+from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.maths import log2, sqrt
 from radcalc.units.scales import ILLUMINANCE_EV, LUMINANCE_EV
 
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
@@ -42,6 +51,16 @@ REFLECTANCE = law(
     "{luminance} = {reflectance} {illuminance} / (pi Omega0)",
     "ISO 80000-7, reflectance",
 )
+EV100 = relation(
+    "exposure value at ISO 100",
+    "{ev100} = {ev} - log2({iso} / 100)",
+    {
+        "ev100": lambda at: at("ev") - log2(at("iso") / 100),
+        "ev": lambda at: at("ev100") + log2(at("iso") / 100),
+        "iso": lambda at: 100 * 2.0 ** (at("ev") - at("ev100")),
+    },
+    "ISO 2720",
+)
 LAWS: list[AnyLaw] = [
     law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"),
     relation(
@@ -50,16 +69,7 @@ LAWS: list[AnyLaw] = [
         {"ev": lambda at: log2(at("light")), "light": lambda at: 2.0 ** at("ev")},
         "ISO 2720",
     ),
-    relation(
-        "exposure value at ISO 100",
-        "{ev100} = {ev} - log2({iso} / 100)",
-        {
-            "ev100": lambda at: at("ev") - log2(at("iso") / 100),
-            "ev": lambda at: at("ev100") + log2(at("iso") / 100),
-            "iso": lambda at: 100 * 2.0 ** (at("ev") - at("ev100")),
-        },
-        "ISO 2720",
-    ),
+    EV100,
     REFLECTED,
     INCIDENT,
     relation(
@@ -68,4 +78,74 @@ LAWS: list[AnyLaw] = [
         {"saturation-luminance": lambda at: SATURATION * 2.0 ** at("ev100")},
         "ISO 12232, saturation-based speed",
     ),
+]
+
+# With a neutral filter in front of the lens.
+DENSITY = law(
+    "stops of a filter", "{nd} = lg2 {stops}", "ISO 5-2, transmittance density", math.log10(2)
+)
+FILTERED: list[AnyLaw] = [
+    *(law for law in LAWS if law is not EV100),
+    relation(
+        "exposure value at ISO 100, behind a filter",
+        "{ev100} = {ev} - log2({iso} / 100) + {stops}",
+        {
+            "ev100": lambda at: at("ev") - log2(at("iso") / 100) + at("stops"),
+            "ev": lambda at: at("ev100") + log2(at("iso") / 100) - at("stops"),
+            "iso": lambda at: 100 * 2.0 ** (at("ev") - at("ev100") + at("stops")),
+            "stops": lambda at: at("ev100") - at("ev") + log2(at("iso") / 100),
+        },
+        "ISO 2720",
+    ),
+    DENSITY,
+    relation(
+        "time behind a filter",
+        "{time} = {unfiltered-time} 2^{stops}",
+        {
+            "time": lambda at: at("unfiltered-time") * 2.0 ** at("stops"),
+            "unfiltered-time": lambda at: at("time") * 2.0 ** -at("stops"),
+            "stops": lambda at: log2(at("time") / at("unfiltered-time")),
+        },
+        "ISO 2720",
+    ),
+]
+
+
+def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
+    """Guide number, distance, f-number and speed, and the stops of a filter if there is one."""
+
+    def lost(at: At) -> Any:
+        return 2.0 ** (at("stops") / 2) if filtered else 1.0
+
+    solvers: dict[str, Callable[[At], Any]] = {
+        "guide-number": lambda at: (
+            10 * at("distance") * at("f-number") * lost(at) / sqrt(at("iso"))
+        ),
+        "distance": lambda at: (
+            at("guide-number") * sqrt(at("iso")) / (10 * at("f-number") * lost(at))
+        ),
+        "f-number": lambda at: (
+            at("guide-number") * sqrt(at("iso")) / (10 * at("distance") * lost(at))
+        ),
+        "iso": lambda at: (
+            (10 * at("distance") * at("f-number") * lost(at) / at("guide-number")) ** 2
+        ),
+    }
+    if filtered:
+        solvers["stops"] = lambda at: (
+            2 * log2(at("guide-number") * sqrt(at("iso")) / (10 * at("distance") * at("f-number")))
+        )
+    return relation(name, template, solvers, "ISO 1230")
+
+
+FLASH: list[AnyLaw] = [
+    _flash("guide number", "{guide-number} = {distance} {f-number} sqrt(100 / {iso})", False)
+]
+FILTERED_FLASH: list[AnyLaw] = [
+    _flash(
+        "guide number, behind a filter",
+        "{guide-number} = {distance} {f-number} sqrt(100 / {iso}) 2^({stops}/2)",
+        True,
+    ),
+    DENSITY,
 ]

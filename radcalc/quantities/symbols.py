@@ -74,6 +74,7 @@ PAIR = "pair"  # of whole numbers, within the limits
 UNIT, WORD = "unit", "word"
 
 
+EXPOSURE_TIME = "exposure time"  # which people read as a fraction of a second
 NOWHERE: dict[str, tuple[str, str]] = {}
 
 
@@ -354,13 +355,22 @@ _ROWS = (
     _symbol(NUMBER, "minimum-to-maximum", "U_d", label="minimum over maximum"),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
     _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
-        convert="Constant over that time.", ev=("1/100s", "Exposure time."),
+        convert="Constant over that time.", ev=("1/100s", "Exposure time, with any filter."),
         calorimeter="How long it is in the light."),
     _symbol(NUMBER, "ev", "EV", "12", "Exposure value, of f-number and time.", EXPOSURE_VALUE,
         label="exposure value"),
     _symbol(NUMBER, "ev100", "EV100", "15", "Exposure value at ISO 100, of the light.",
         EXPOSURE_VALUE, label="exposure value at ISO 100"),
     _symbol(NUMBER, "iso", "S", "100", "Speed of the film or sensor (100).", label="ISO speed"),
+    _symbol(NUMBER, "nd", "D", "0.9",
+        "Density of a neutral filter in front of the lens: 0.9, or ND8 for a factor of 8.",
+        FROM_ZERO, label="density of the filter"),
+    _symbol(NUMBER, "stops", "n", "3", "How many stops the filter takes.", FROM_ZERO,
+        label="stops of the filter"),
+    _symbol(TIME, "unfiltered-time", "t0", "1/60s", "Exposure time without the filter.",
+        label=f"{EXPOSURE_TIME} without the filter", unit="s"),
+    _length("guide-number", "GN", "40m", "Guide number of a flash, at ISO 100.",
+        label="guide number"),
     _symbol(times(LUMINANCE, TIME), "k", "K", "12.5cd.s/m2",
         "The meter's constant for reflected light (12.5 cd s/m2).", label="meter constant K",
         takes="a luminance times a time"),

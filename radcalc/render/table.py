@@ -15,14 +15,16 @@ from rich.text import Text
 
 from radcalc.answer import Result, Row, shows, varying
 from radcalc.quantities.language import translate
+from radcalc.quantities.symbols import EXPOSURE_TIME
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import derivation, uncertain
+from radcalc.render.plain import derivation, number, uncertain
 from radcalc.stdio import HANGING, fold
 
 DIGITS = 6
 GAP = 3  # columns of the terminal between two of a table
 LONG = 12  # letters of a word that may be folded
+LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
 KEPT = "\xa0"  # a blank at which no line is folded
 REMARKS_ARE_APART = False
 
@@ -131,7 +133,10 @@ def _wide(
 
 
 def _number(row: Row, precision: int | None) -> str:
-    """The number of a row, with its uncertainty."""
+    """The number of a row, with its uncertainty; of a short exposure time 1/60."""
+    is_shutter = row.quantity.startswith(EXPOSURE_TIME) and row.unit == "s"
+    if is_shutter and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
+        return f"1/{number(1 / row.value, precision or DIGITS)}"
     return uncertain(row.value, row.uncertainty, precision, DIGITS)
 
 

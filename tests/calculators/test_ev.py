@@ -37,3 +37,64 @@ def test_a_reading_in_ev_is_that_of_the_meter_with_its_constant(words, reading):
     assert ("K = 12.5" in done.stderr.splitlines()[-1]) == (
         "--k" not in words and "--c" not in words
     )
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [  # marks of neutral filters: opticalglasscn.com/ND.php
+        ("--nd ND2 -g nd -g stops", (0.3, 1)),
+        ("--nd ND0.9 -g nd -g stops", (0.9, 3)),
+        ("--nd ND64 -g nd -g stops", (1.8, 6)),
+        ("--nd ND400 -g nd -g stops", (2.6, 8 + 2 / 3)),
+        ("--nd 3.0ND -g nd -g stops", (3.0, 10)),
+        # 1 s behind three stops is 8 s: practiceadvices.com, "calculate shutter speed"
+        ("--unfiltered-time 1s --stops 3 -g time", (8,)),
+        ("--time 8s --stops 3 -g unfiltered-time", (1,)),
+        ("--time 8s --unfiltered-time 1s -g stops", (3,)),
+    ],
+)
+def test_filters_are_those_of_a_table_that_makers_print(words, expected):
+    found = run("ev", *words.split()).stdout.split()
+    assert list(map(float, found)) == pytest.approx(expected, rel=4e-3)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected", "digits"),
+    [  # idigitalphoto.com, "guide number": 45 and 5 m give f/9
+        ("--guide-number 45m --distance 5m -g f-number", 9, 1e-12),
+        # Kodak DCS 600 user's guide: 51 m at ISO 200 and 9 m give 5.67; at ISO 800 it is 102 m
+        ("--f-number 5.67 --distance 9m --iso 200 -g guide-number", 51 / math.sqrt(2), 1e-3),
+        ("--guide-number 36.06m --iso 800 --f-number 1 -g distance", 102, 1e-3),
+        # Pentax MZ-7 manual: 11 m and f/2.8 reach 3.9 m; 22 m at ISO 400
+        ("--guide-number 11m --f-number f/2.8 -g distance", 3.9, 1e-2),
+        ("--guide-number 11m --distance 22m --f-number 1 -g iso", 400, 1e-12),
+        # two stops less light: half the distance
+        ("--guide-number 40m --f-number 4 --stops 2 -g distance", 5, 1e-12),
+    ],
+)
+def test_a_flash_reaches_as_far_as_its_manual_says(words, expected, digits):
+    assert float(run("ev", *words.split()).stdout) == pytest.approx(expected, rel=digits)
+
+
+@pytest.mark.parametrize("marked", ["8", "ND103", "ND", "ND0", "-1"])
+def test_a_mark_of_a_filter_with_two_readings_or_none_is_refused(marked):
+    done = run("ev", "--f-number", "8", "--time", "1s", "--nd", marked)
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 2
+
+
+def values_of(words):
+    return run("ev", *words.split()).stdout
+
+
+def test_behind_a_filter_the_light_is_so_many_stops_more():
+    asked = "--f-number 8 --time 1/60s -g ev100 -g luminance"
+    ev100, luminance = map(float, values_of(asked).split())
+    more = list(map(float, values_of(f"{asked} --stops 3").split()))
+    assert more == pytest.approx([ev100 + 3, 8 * luminance], rel=1e-11)
+
+
+def test_a_short_exposure_time_is_a_fraction_in_a_table_only():
+    asked = "--f-number 8 --ev100 12 --nd ND4"  # 64 / 2^12 s, times 4
+    assert "1/16 " in values_of(f"{asked} --format table")
+    assert "time\t0.0625\ts" in values_of(asked)

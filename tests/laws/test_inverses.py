@@ -177,6 +177,18 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("exposure value at ISO 100", "ev100"): (
         {"ev": st.floats(-10, 25), "iso": st.floats(1, 1e6)}, "ev100",
         lambda value, iso: value - math.log2(iso / 100)),
+    ("exposure value at ISO 100, behind a filter", "ev100"): (
+        {"ev": st.floats(-10, 25), "iso": st.floats(1, 1e6), "stops": st.floats(0, 20)}, "ev100",
+        lambda value, iso, stops: value - math.log2(iso / 100) + stops),
+    ("time behind a filter", "time"): (
+        {"unfiltered-time": SIZE, "stops": st.floats(0, 20)}, "time", lambda t, n: t * 2**n),
+    ("guide number", "guide-number"): (
+        {"distance": SIZE, "f-number": st.floats(1, 32), "iso": st.floats(1, 1e6)},
+        "guide-number", lambda d, n, iso: d * n / math.sqrt(iso / 100)),
+    ("guide number, behind a filter", "guide-number"): (
+        {"distance": SIZE, "f-number": st.floats(1, 32), "stops": st.floats(0, 20),
+         "iso": st.floats(1, 1e6)}, "guide-number",
+        lambda d, n, stops, iso: d * n / math.sqrt(iso / 100) * math.sqrt(2) ** stops),
     ("reflected light", "luminance"): (
         {"k": SIZE, "ev100": st.floats(-10, 25)}, "luminance", lambda k, n: k * 2**n / 100),
     ("incident light", "illuminance"): (

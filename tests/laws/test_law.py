@@ -18,7 +18,8 @@ from radcalc.given import read
 from radcalc.laws.law import law
 
 # What the letters of a formula stand for, by the SI Brochure.
-LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34}
+LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34,
+           "lg2": math.log10(2)}  # fmt: skip
 
 
 def right_side(template: str, values: dict[str, float]) -> float:
