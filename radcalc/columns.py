@@ -16,7 +16,8 @@ def dialect(line: str) -> tuple[str | None, bool]:
         if delimiter in line:
             return delimiter, "," in line
     if "," in line:
-        if len(line.split()) > 1 and all(is_number(cell, True) for cell in line.split()):
+        parts = line.split()
+        if len(parts) > 1 and all(is_number(part, True) and part[-1] != "," for part in parts):
             return None, True
         return ",", False
     return None, False

@@ -1,28 +1,34 @@
-"""Measured spectra from files: two or more columns, whatever separates them.
+"""Measured spectra from files: columns of numbers, whatever separates them, and what meters write.
 
 What can be read in one way only is read, and said; everything else is an error with its line.
 A file is read a block at a time, and its numbers alone are kept.
 """
 
+import re
 from array import array
-from collections.abc import Callable, Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import columns, stdio
 from radcalc.errors import ConditionError, listed, nearest, option, quote, quote_path
-from radcalc.spectra import titles
+from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
+from radcalc.spectra.lines import Lines, Text, refusal
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import Table
+from radcalc.spectra.rows import NO_FIGURES, Figure, Rows
+from radcalc.spectra.spectrum import VISIBLE, Table
+from radcalc.units.table import unit_of
 
-NOISE = 0.05  # of the peak: negative values within it are a spectrometer's noise
-BLOCK = 1 << 20  # bytes read at a time
-LONGEST = 1 << 22  # bytes of a line
-LARGEST = 1 << 29  # bytes of a file
+FORMATS = (spdx, cgats, meters)
+NOISE = 0.05  # of the peak, or of all: negative values within it are a spectrometer's noise
+SMALL = 1e-4  # the share of all that is not worth a note
 MANY = 10_000  # rows from which NumPy is worth loading
 MOST = 20_000_000  # rows
-MOST_COMMENTS = 1000
+MOST_BEFORE = 1000  # lines before a table, and comments
+MOST_OF_FORMAT = 1 << 24  # characters of a file that is no plain table
+TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
+WORDS = 2  # behind a number and blanks that make a line a sentence: 100 scans averaged
 SHOWN = 5  # columns that are named in a hint
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
@@ -56,65 +62,63 @@ class _Reader:
 
     def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
         self.name = name
-        self.read = read
+        self.text = Text(name, read)
         self.column = column
         self.notes: list[str] = []
         self.comments: list[str] = []
+        self.preamble: list[str] = []
+        self.count = 0  # of rows, as the preamble says
+        self.is_marked = self.is_over = False  # the table's beginning; its end, where that is, too
         self.decimals = columns.Decimals()
         self.grid, self.values = array("d"), array("d")
         self.lines = array("q")  # of the rows
 
     def error(self, number: int, problem: str, hint: str) -> ConditionError:
-        where = f", line {number}" if number else ""
-        return ConditionError(f"{self.name}{where}: {problem}", hint)
+        return refusal(self.name, number, problem, hint)
 
-    def blocks(self) -> Iterator[tuple[int, list[str]]]:
-        """The lines of the file, many at a time, and the number of the first of them."""
-        number, size, rest = 1, 0, b""
-        encoding = "utf-8-sig"
-        while True:
-            data = self.read(BLOCK)
-            size += len(data)
-            if size > LARGEST:
-                raise self.error(0, f"more than {LARGEST} bytes", "fewer rows")
-            ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
-            cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
-            whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
-            if not data:
-                whole = rest
-            elif len(rest) > LONGEST:
-                problem = f"a line of more than {LONGEST} bytes"
-                raise self.error(number, problem, "a wavelength and a value in every row")
-            try:
-                lines = whole.decode(encoding).splitlines()
-            except UnicodeDecodeError as error:
-                number += whole[: error.start].count(b"\n")
-                raise self.error(
-                    number, "not UTF-8 text", "the file in UTF-8 (iconv converts it)"
-                ) from None
-            if whole:
-                yield number, lines
-                number += len(lines)
-                encoding = "utf-8"
-            if not data:
-                return
+    def table(self) -> Table:
+        """The whole file."""
+        blocks = self.text.blocks()
+        first = next(blocks, (1, []))
+        for form in FORMATS:
+            if form.begins(first[1]):
+                return self.table_of(form.read(self.whole(first, blocks), self.name, self.column))
+        return self.plain_table(chain([first], blocks))
 
-    def rows(self, lines: list[str], number: int) -> Iterator[tuple[int, str]]:
+    def whole(self, first: tuple[int, Lines], blocks: Iterable[tuple[int, Lines]]) -> Lines:
+        """All lines of a file that is no plain table."""
+        found = list(first[1])
+        for _, lines in blocks:
+            found += lines
+            if sum(map(len, found)) > MOST_OF_FORMAT:
+                raise self.error(0, f"more than {MOST_OF_FORMAT} characters", "fewer rows")
+        return found
+
+    def table_of(self, found: Rows) -> Table:
+        """A table of rows that a format has."""
+        self.notes += found.notes
+        for number, place, value in found.rows:
+            self.grid.append(self.number(place, found.has_commas, number))
+            self.values.append(self.number(value, found.has_commas, number))
+            self.lines.append(number)
+        return self.finish(1.0, found.meanings, found.figures)
+
+    def rows(self, lines: Lines, number: int) -> Iterator[tuple[int, str]]:
         """The lines with data, with their numbers; comments are kept apart."""
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
             if line.lstrip().startswith(columns.COMMENTS):
-                if len(self.comments) < MOST_COMMENTS:
+                if len(self.comments) < MOST_BEFORE:
                     self.comments.append(line.lstrip("#%/; \t"))
             else:
                 yield number, line
 
-    def table(self) -> Table:
-        """The whole file."""
+    def plain_table(self, blocks: Iterable[tuple[int, Lines]]) -> Table:
+        """A table of columns."""
         layout = None
         first: list[tuple[int, str]] = []  # the rows that show how the file is laid out
-        for number, lines in self.blocks():
+        for number, lines in blocks:
             if len(self.grid) > MOST:
                 raise self.error(number, f"more than {MOST} rows", "fewer of them")
             if layout and self.take_plain(lines, number, layout):
@@ -122,38 +126,76 @@ class _Reader:
             rows = self.rows(lines, number)
             if not layout:
                 first += rows
-                if len(first) < 3:
+                if len(first) - _before(first) < 2 and len(first) <= MOST_BEFORE:
                     continue
                 layout, rows = self.layout(first), iter(first)
             self.take(rows, layout)
+            if self.is_over:
+                break
         if not layout:
             layout = self.layout(first)
             self.take(iter(first), layout)
-        if len(self.grid) < 2:
-            count = len(self.grid)
+        count = len(self.grid)
+        if count < 2:
             raise self.error(0, f"{count} row of data is no spectrum", "two rows or more")
-        return self.finish(layout)
+        if self.count and count != self.count:
+            problem = f"{count} rows, but its own count of pixels is {self.count}"
+            raise self.error(self.lines[-1], problem, "the whole file")
+        return self.finish_columns(layout)
 
     def layout(self, rows: list[tuple[int, str]]) -> _Layout:
-        """The delimiter, the header and the columns, from the first rows; the header is taken out.
+        """The delimiter, the header and the columns, from the first rows; what is before goes.
 
         They are the table's, or all there is.
         """
         if not rows:
             raise self.error(0, "there is no data", "two columns: wavelength and value")
-        typical = rows[min(1, len(rows) - 1)][1]  # no header, unless it is alone
-        delimiter, _ = columns.dialect(typical)
-        header = columns.cells(rows[0][1], delimiter)
-        if columns.is_number(header[0], delimiter != ","):
-            header = []
-        else:
-            del rows[0]
+        count = _before(rows)
+        before, rows[:] = rows[:count], rows[count:]
         if not rows:
-            raise self.error(0, "0 rows of data are no spectrum", "two rows or more")
-        width = len(columns.cells(rows[0][1], delimiter))
+            where = f" in its first {MOST_BEFORE} lines" if count > MOST_BEFORE else ""
+            problem = f"0 rows of data are no spectrum{where}"
+            raise self.error(0, problem, "rows of a wavelength and a value")
+        delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
+        width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
+        header = self.header(before, delimiter, width) if before else []
+        self.preamble = [line for _, line in before]
+        self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
+        if len(before) > 1:
+            self.notes.append(f"the table begins in line {rows[0][0]}")
+        try:
+            self.count = oceanview.declared_rows(self.preamble)
+            self.notes += oceanview.notes(self.preamble)
+        except ConditionError as error:
+            raise self.error(0, error.message, error.hint) from None
+        header = header or self.commented(width)
         self.check_titles(header)
-        place, title = self.value_column(header or self.commented(width), width, rows[0][0])
+        place, title = self.value_column(header, width, rows[0][0])
         return _Layout(delimiter, header, width, place, title)
+
+    def header(self, before: list[tuple[int, str]], delimiter: str | None, width: int) -> list[str]:
+        """The titles in the last lines before a table, units in a row of their own among them.
+
+        They are taken out.  None are in a line of text, or between blanks, where words are many.
+        """
+        number, last = before[-1]
+        found = _titles(last, delimiter, width)
+        if len(found) != width:
+            is_text = delimiter is None or sum(map(bool, found)) < 2
+            is_text = is_text or last.startswith(oceanview.MARK)
+            if is_text and not (delimiter is None and len(before) == 1 and _is_of_units(found)):
+                return []
+            problem = f"{len(found)} titles over {width} columns"
+            raise self.error(number, problem, "a title for each column, or no titles")
+        before.pop()
+        above = _titles(before[-1][1], delimiter, width) if before else []
+        if len(above) == width and _is_of_units(found):
+            before.pop()
+            found = [
+                f"{title} [{unit.strip('[]()')}]" if unit else title
+                for title, unit in zip(above, found, strict=True)
+            ]
+        return found
 
     def commented(self, width: int) -> list[str]:
         """The titles of columns, where a comment has them."""
@@ -182,7 +224,10 @@ class _Reader:
     def take(self, rows: Iterator[tuple[int, str]], layout: _Layout) -> None:
         """Take in rows one by one, and say which of them is wrong."""
         for number, line in rows:
-            cells = columns.cells(line, layout.delimiter)
+            if self.is_marked and line.startswith(oceanview.MARK):
+                self.is_over = True
+                return
+            cells = _trimmed(columns.cells(line, layout.delimiter), layout.width)
             if len(cells) != layout.width:
                 raise self.error(
                     number,
@@ -202,44 +247,76 @@ class _Reader:
         if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):
             raise self.error(0, f"'{quote(header[0])}' is no wavelength", "wavelengths first")
 
-    def finish(self, layout: _Layout) -> Table:
-        """Give the numbers their units, and say what was repaired or is odd."""
+    def finish_columns(self, layout: _Layout) -> Table:
+        """Give the numbers of columns their units."""
+        low, high = min(self.grid), max(self.grid)
+        nanometres = self.wavelength_unit(layout.header, low, high)
+        try:
+            meant = titles.values(layout.title)
+            if not meant.absolute:
+                said = titles.in_preamble([*self.preamble, *self.comments], meant)
+                meant = said or meant
+        except ConditionError as error:
+            raise self.error(0, error.message, error.hint) from None
+        return self.finish(nanometres, (meant,))
+
+    def finish(
+        self,
+        nanometres: float,
+        meanings: Sequence[titles.Meaning],
+        found: Mapping[str, Figure] = NO_FIGURES,
+    ) -> Table:
+        """Make the table of the numbers, and say what was repaired or is odd.
+
+        Of several meanings the figures of the meter tell which one is right.
+        """
         if doubt := self.decimals.doubt():
             raise self.error(*doubt, columns.MARKS)
         grid, values = self.sorted()
-        nanometres = self.wavelength_unit(layout.header, grid[0], grid[-1])
-        low = min(values)
-        if low < -NOISE * max(values):
-            raise self.error(0, f"a value of {low:g}: too far below 0 for noise", "no dark light")
-        if low < 0:
-            count = sum(value < 0 for value in values)
-            self.notes.append(f"{count} negative values (down to {low:g}) are kept as noise")
+        if grid[0] <= 0:
+            raise self.error(0, f"a wavelength of {grid[0]:g}", "wavelengths above 0")
+        if min(values) < 0:
+            self.notes.append(self.noise(grid, values, nanometres))
         if not any(values):
             raise self.error(0, "every value is 0", "a spectrum with light in it")
-        try:
-            meant = titles.values(layout.title)
-        except ConditionError as error:
-            raise self.error(0, error.message, error.hint) from None
-        if len(grid) > MANY:
-            found = _table_of_many(self.name, grid, values, nanometres, meant)
-        else:
-            xs, ys = [x * nanometres for x in grid], [y * meant.factor for y in values]
-            if meant.are_photons:
-                ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
-            found = Table(self.name, xs, ys, absolute=meant.absolute)
-        found.notes = (*self.notes, *found.notes)
-        found.reading = meant.said
-        return found
+        tables = [_table(self.name, grid, values, nanometres, meant) for meant in meanings]
+        table, notes = figures.chosen(tables, found)
+        if self.text.note:
+            notes = (self.text.note, *notes)
+        table.notes = (*self.notes, *table.notes, *notes)
+        return table
+
+    def noise(self, grid: Sequence[float], values: Sequence[float], nanometres: float) -> str:
+        """What to say of values below 0; refuse those that are too many for noise.
+
+        Beyond the visible, where a meter sees little, its noise may be as high as the light.
+        """
+        low, high = VISIBLE
+        seen = [y for x, y in zip(grid, values, strict=True) if low <= x * nanometres <= high]
+        below, above = (
+            sum(abs(p + q) * (b - a) for (a, p), (b, q) in pairs if side * (p + q) > 0)
+            for side in (-1, 1)
+            for pairs in [pairwise(zip(grid, values, strict=True))]
+        )
+        hint = "the file without the rows that are noise"
+        if (deepest := min(seen, default=0.0)) < -NOISE * max(values):
+            raise self.error(0, f"a value of {deepest:g}: too far below 0 for noise", hint)
+        share = below / above if above else 1.0
+        if share > NOISE:
+            problem = f"values below 0 are {100 * share:.3g} % of those above: too many for noise"
+            raise self.error(0, problem, hint)
+        count = sum(value < 0 for value in values)
+        said = f"{count} negative values (down to {min(values):g}) are kept as noise"
+        return said + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
         """Which column has the values, and its title."""
         if width < 2:
             raise self.error(number, "one column only", "a wavelength and a value in every row")
-        if header and len(header) != width:
-            problem = f"{len(header)} titles over {width} columns"
-            raise self.error(number, problem, "a title for each column, or no titles")
         names = header or [""] * width
         if not self.column:
+            if of_jaz := oceanview.processed(names, self.preamble):
+                return width - 1, of_jaz
             if width > 2:
                 chosen = f"{self.name}:COLUMN (or {option('column')})"
                 raise self.error(
@@ -327,23 +404,71 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
     return columns if total - total == 0 else None
 
 
-def _table_of_many(
+def _before(rows: Sequence[tuple[int, str]]) -> int:
+    """How many rows stand before the first that begins with a number, and is no sentence."""
+    for count, (_, line) in enumerate(rows):
+        delimiter, _ = columns.dialect(line)
+        first, *others = columns.cells(line, delimiter)
+        if columns.is_number(first, delimiter != ","):
+            words = sum(not columns.is_number(cell, True) for cell in others)
+            if delimiter or words < WORDS:
+                return count
+    return len(rows)
+
+
+def _trimmed(cells: list[str], width: int) -> list[str]:
+    """The cells without the empty ones behind so many of them."""
+    while len(cells) > width and not cells[-1]:
+        cells.pop()
+    return cells
+
+
+def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
+    """The titles of columns in a line; between blanks those of several words, too."""
+    found = _trimmed(columns.cells(line, delimiter), width)
+    if delimiter or len(found) == width:
+        return found
+    for parts in (re.split(r"\s{2,}|\t", line.strip()), TITLE.findall(line)):
+        if len(parts) == width:
+            return [part.strip() for part in parts]
+    return found
+
+
+def _is_of_units(cells: Sequence[str]) -> bool:
+    """Whether cells have units alone, as a row below the titles has."""
+    inner = [cell.strip("[]()").strip() for cell in cells]
+    return any(inner) and all(
+        not text or cell != text or columns.plain(text) in titles.UNITS or unit_of(text)
+        for cell, text in zip(cells, inner, strict=True)
+    )
+
+
+def _table(
     name: str,
     grid: Sequence[float],
     values: Sequence[float],
     nanometres: float,
     meant: titles.Meaning,
 ) -> Table:
-    import numpy
-
-    from radcalc.spectra.arrays import ArrayTable
-
+    """The spectrum of numbers, as they are meant."""
     xs: Any
     ys: Any
-    xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
-    if meant.are_photons:
-        ys = ys * ENERGY / xs
-    return ArrayTable(name, xs, ys, absolute=meant.absolute)
+    if len(grid) > MANY:
+        import numpy
+
+        from radcalc.spectra.arrays import ArrayTable
+
+        xs, ys = numpy.array(grid) * nanometres, numpy.array(values) * meant.factor
+        if meant.are_photons:
+            ys = ys * ENERGY / xs
+        table: Table = ArrayTable(name, xs, ys, absolute=meant.absolute)
+    else:
+        xs, ys = [x * nanometres for x in grid], [y * meant.factor for y in values]
+        if meant.are_photons:
+            ys = [y * ENERGY / x for x, y in zip(xs, ys, strict=True)]
+        table = Table(name, xs, ys, absolute=meant.absolute)
+    table.reading = meant.said
+    return table
 
 
 def _named(titles: Sequence[str]) -> str:

@@ -23,14 +23,16 @@ UNITS = {
     "m": 1e9,
 }
 # A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
-DECLARED = re.compile(r"(?:wave ?length|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$")
+DECLARED = re.compile(
+    r"(?:wave ?length|wvlgth|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$"
+)
 BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
 WORD = r"(?<![a-z]){}(?![a-z])"
+PROPERTY = WORD.format(
+    "(?:absorb|absorpt|transmitt|transmiss|reflect|respons|sensitiv|efficien|extinct|emissiv)[a-z]*"
+)
 NO_LIGHT = re.compile(
-    WORD.format(
-        "(?:absorb|absorpt|transmitt|transmiss|reflect|respons|sensitiv|efficien|extinct|emissiv)"
-        "[a-z]*"
-    )
+    PROPERTY
     + "|"
     + WORD.format(
         "(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark|albedo"
@@ -46,9 +48,16 @@ AXES = re.compile(
     WORD.format(r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|frequency|wave ?numbers?)")
 )
 PHOTONS = re.compile(
-    WORD.format("(?:photon(?:s|en)?|quanta|quantum|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
+    WORD.format("(?:photon(?:s|en)?|quanta|quantum|qntm|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
 )
+# A property of a sample as all that a line says, or that it says behind its key.
+SAMPLED = re.compile(
+    rf"(?:.*[:=\t,;])?\W*(?:(?:percent|spectral|total|diffuse)\W+)*{PROPERTY}\W*(?:percent)?\W*"
+)
+PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")
+LONGEST = 500  # characters of a line before the table that are looked at
 LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
+SHORT = {"Watt": "W", "Mol": "mol"}
 KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
 # The radiant quantity by the powers of 1/area and 1/solid angle.
 QUANTITIES = {
@@ -109,7 +118,8 @@ def wavelengths(
 
 def values(title: str) -> Meaning:
     """What the values under a title are; refuse what is no light, or not per wavelength."""
-    text = plain(title).replace("_", " ")
+    title = _with_short_units(title)
+    text = plain(title).replace("_", " ").replace("photon counts", "photons")
     if NO_LIGHT.search(text):
         raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
     if SCALED.search(text):
@@ -119,17 +129,68 @@ def values(title: str) -> Meaning:
         facts, factor = _light(part, part in brackets)
         if facts is None:
             continue
-        if facts.axis != PER_WAVELENGTH or facts.kind == LUMINOUS or facts.time:
+        if not _is_spectral(facts):
             problem = f"values in {quote(part)} are not power or photons per wavelength"
             raise ConditionError(problem, KNOWN)
-        are_photons = facts.kind == PHOTON
-        said = "photons turned into watts" if are_photons else ""
-        return Meaning(said, are_photons, QUANTITIES[facts.area, facts.solid_angle], factor * 1e-9)
+        return _absolute(facts, factor)
     if LUMENS.search(text):
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
         return Meaning("its values taken as relative photons per wavelength", True)
     return Meaning("its values taken as relative watts per wavelength")
+
+
+def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
+    """What the lines before a table say of its values: a unit; refuse what is no light.
+
+    `meant` is what the title of the column says.  Where it does not say photons, and the lines
+    speak of them without a unit per wavelength, nothing tells what the values are.
+    """
+    found: dict[object, Meaning] = {}
+    photons = ""
+    for line in lines:
+        line = _with_short_units(line[:LONGEST])
+        text = plain(line).replace("_", " ")
+        if SAMPLED.fullmatch(text):
+            raise ConditionError(f"'{quote(line.strip())}' is not light", KNOWN)
+        brackets, endings = units_in(re.sub(r"[\t,;:=]", " ", line))
+        for part in brackets + endings:
+            facts, factor = _light(part, part in brackets)
+            if facts and _is_spectral(facts):
+                if SCALED.search(text):
+                    raise ConditionError(f"'{quote(line.strip())}' scales its values", KNOWN)
+                one = _absolute(facts, factor)
+                said = filter(None, (f"in {quote(part)}, as its preamble says", one.said))
+                found[one] = one._replace(said=", ".join(said))
+                break
+        else:
+            photons = photons or (line if PHOTONS.search(text) else "")
+    if len(found) > 1:
+        problem = "the lines before the table have several units of light"
+        raise ConditionError(problem, "the unit in the title of the column")
+    if not found and photons and not meant.are_photons:
+        problem = f"'{quote(photons.strip())}' may mean that the values are photons"
+        raise ConditionError(problem, "a title over the values: watts, photons or their unit")
+    stated = next(iter(found.values()), None)
+    if stated and meant.are_photons and not stated.are_photons:
+        raise ConditionError("the title says photons, the lines before it watts", KNOWN)
+    return stated
+
+
+def _with_short_units(text: str) -> str:
+    """The text with uW and umol where it has uWatt and uMol, which are no spellings of units."""
+    return PREFIXED.sub(lambda found: found[1] + SHORT[found[2]], text)
+
+
+def _is_spectral(facts: Reading) -> bool:
+    """Whether it is power or photons per wavelength."""
+    return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
+
+
+def _absolute(facts: Reading, factor: float) -> Meaning:
+    are_photons = facts.kind == PHOTON
+    said = "photons turned into watts" if are_photons else ""
+    return Meaning(said, are_photons, QUANTITIES[facts.area, facts.solid_angle], factor * 1e-9)
 
 
 def _light(text: str, in_brackets: bool) -> tuple[Reading | None, float]:

@@ -1,5 +1,6 @@
 """Files of spectra, as people write them and as they get them wrong."""
 
+import codecs
 import subprocess
 
 import numpy as np
@@ -59,6 +60,109 @@ def test_a_unit_in_the_header_makes_a_spectrum_absolute(tmp_path):
     assert table.power(table.limits) == pytest.approx(300)  # 1 W/m2/nm over 300 nm
 
 
+ENCODED = "Wellenlänge;Bestrahlungsstärke\r\n[nm];[µW/cm²/nm]\r\n400;1,5\r\n500;3,25\r\n700;2\r\n"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-be", "latin-1"])
+def test_text_is_read_in_any_usual_encoding(encoding, tmp_path):
+    mark = codecs.BOM_UTF16_BE if encoding == "utf-16-be" else b""
+    path = tmp_path / "lamp.csv"
+    path.write_bytes(mark + ENCODED.encode(encoding))
+    table = read_file(str(path))
+    assert table.absolute == "irradiance"
+    assert list(table.values) == pytest.approx([0.015, 0.0325, 0.02], rel=1e-12)  # W/m2
+    assert any("Latin-1" in note for note in table.notes) == (encoding == "latin-1")
+
+
+@pytest.mark.parametrize("cut", [1, 3, 501])
+def test_text_in_utf16_that_is_cut_short_is_refused(cut, tmp_path):
+    path = tmp_path / "lamp.csv"
+    text = "\n".join(["nm,x", *(f"{k},1" for k in range(400, 701))])
+    path.write_bytes(text.encode("utf-16")[:-cut])
+    with pytest.raises(RadcalcError, match="not UTF-16"):
+        read_file(str(path))
+
+
+HEADED = {
+    "titles and units": "wavelength,irradiance\nnm,W/m2/nm\n",
+    "units in brackets below titles": "Wave ;Sample\n[nm] ;[W/m2/nm]\n\n",
+    "a title above": "Reference spectra v. 2.9.2,,,\nWvlgth nm,Global  W*m-2*nm-1\n",
+    "a preamble": "lamp 7 at 2.9 m\n3 scans of 100 ms were averaged\nGain\t4\nnm,E [W/m2/nm]\n",
+    "a preamble with the unit": "Title: bench 2\nUnits: W/m2/nm\nPower: 350\nwavelength,value\n",
+    "a unit in brackets before": "Irradiance [W/m2/nm],\nName,,\n[nm],\n",
+    "a unit in a comment": "# spectral irradiance in W/m2/nm\nwavelength,value\n",
+    "quotes": '"wavelength (nm)","E, on the bench (W/m2/nm)"\n',
+    "a prefix with a name": "wavelength,E [mWatt/m2/nm]\n",
+}
+
+
+@pytest.mark.parametrize("head", HEADED.values(), ids=HEADED.keys())
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+@pytest.mark.parametrize("tail", ["", "{}", "{}{}"])
+def test_what_stands_before_a_table_is_no_part_of_it(head, delimiter, tail, tmp_path):
+    rows = "".join(f"{x},{y}{tail}\n" for x, y in ((400, 1), (500, 3), (700, 2)))
+    tail = tail.replace("{}", ",")
+    text = head + rows.replace("{}", ",")
+    if '"' not in head and "E, " not in head:
+        text = text.replace(",", delimiter) if ";" not in head else text.replace(",", ";")
+    path = tmp_path / "lamp.csv"
+    path.write_text(text, encoding="utf-8")
+    table = read_file(str(path))
+    factor = 1e-3 if "mWatt" in head else 1
+    assert list(table.values) == pytest.approx([factor, 3 * factor, 2 * factor])
+    assert table.absolute == "irradiance"
+
+
+@pytest.mark.parametrize(
+    ("head", "message"),
+    [
+        ("Irradiance [umol/m2/s/nm]\nMode: W/m2/nm\nnm,x\n", "several units of light"),
+        ("REM: SUN (QNTM)\nnm,x\n", "may mean that the values are photons"),
+        ("PPFD: 12\nnm,x\n", "may mean that the values are photons"),
+        ("# photon flux\nnm,x\n", "may mean that the values are photons"),
+        ("Y Units: Reflectance (percent)\nnm,x\n", "is not light"),
+        ("Leaf 7\nTransmittance\nnm,x\n", "is not light"),
+        ("Units: 1e-3 W/m2/nm\nnm,x\n", "scales its values"),
+        ("Units: W/m2/nm\nnm,photons\n", "the title says photons, the lines before it watts"),
+        ("Pixel,Wavelength\n0,1\n", "the wavelengths are not in the first column"),
+    ],
+)
+def test_what_is_said_before_a_table_is_heard(head, message, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{head}400,1\n500,3\n700,2\n", encoding="utf-8")
+    with pytest.raises(RadcalcError) as caught:
+        read_file(str(path))
+    assert message in caught.value.message
+
+
+@pytest.mark.parametrize("unit", ["umol/m2/s/nm", "[umol/m2/s/nm]", "in umol m-2 s-1 nm-1"])
+@pytest.mark.parametrize("place", ["Values {}\nnm,x\n", "# values {}\nnm,x\n", "nm,E {}\n"])
+def test_a_unit_of_photons_is_never_one_of_watts(unit, place, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{place.format(unit)}400,1\n500,1\n700,1\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert table.absolute == "irradiance"
+    # h c N_A / lambda in W per umol/s, and the trapezoid of three points by hand:
+    # 50 (1/400 + 1/500) + 100 (1/500 + 1/700) = 0.567857
+    assert table.total() == pytest.approx(119.62656582 * 0.567857143, rel=1e-8)
+
+
+def test_wavelengths_behind_commas_and_blanks_are_in_columns(tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("400, 1.5\n500,-0.001\n700, 2\n", encoding="utf-8")
+    assert list(read_file(str(path)).values) == [1.5, -0.001, 2]
+
+
+def test_noise_beyond_the_visible_is_said_with_its_share(tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text("200,0\n210,-5\n220,0\n400,10\n700,10\n", encoding="utf-8")
+    # by hand: the triangle of -50 over 180 x 10 / 2 + 300 x 10 = 3900
+    assert "kept as noise: 1.3 % of the watts" in " ".join(read_file(str(path)).notes)
+    path.write_text("200,0\n210,-50\n220,0\n400,10\n700,10\n", encoding="utf-8")
+    with pytest.raises(RadcalcError, match=r"12\.8 % of those above"):
+        read_file(str(path))
+
+
 BROKEN = {
     "nothing": ("", "no data"),
     "one row": ("400 1\n", "1 row"),
@@ -103,7 +207,7 @@ BROKEN = {
         "400;1,000\n500;2,000\n",
         "line 1: '1,000' may be a thousand or a decimal",
     ),
-    "no text": (b"400 1\n500 \xff\n", "line 2: not UTF-8"),
+    "no text": (b"400 1\n500 \xff\n", "line 2: 'ÿ' is not a number"),
 }
 
 

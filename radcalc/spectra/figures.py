@@ -1,0 +1,74 @@
+"""The figures that a meter found itself, held against what its spectrum gives."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.rows import Figure
+from radcalc.spectra.spectrum import PAR, Table
+
+CLOSE = 0.01  # relative: what the meter's own tables make of the same spectrum
+UNITS = {"illuminance": "lx", "irradiance": "W/m2", "ppfd": "umol/m2/s", "cct": "K"}
+
+
+def chosen(tables: Sequence[Table], found: Mapping[str, Figure]) -> tuple[Table, tuple[str, ...]]:
+    """The table that the figures fit, and notes; the first is relative, for where none does.
+
+    Parameters
+    ----------
+    tables : sequence of Table
+        The same numbers, read in several ways; one that is alone is the answer.
+    found : mapping
+        What the meter found, by the names of `UNITS`, in these.
+
+    Returns
+    -------
+    table : Table
+        The first of those whose illuminance is within 1 % and rounding, or the relative one.
+    notes : tuple of str
+        What differs by more.
+    """
+    if len(tables) == 1:
+        return tables[0], ()
+    relative, *absolute = tables
+    given = found["illuminance"]
+    for table in absolute:
+        if _are_close(_illuminance(table), given):
+            return table, tuple(
+                f"the meter found {one.value:g} {UNITS[name]} ({name}), "
+                f"its spectrum gives {own:.6g}"
+                for name, one in found.items()
+                if (own := RESULTS[name](table)) is not None and not _are_close(own, one)
+            )
+    note = f"the meter found {given.value:g} lx, which its spectrum gives in no usual unit"
+    return relative, (note,)
+
+
+def _are_close(own: float, figure: Figure) -> bool:
+    return abs(own - figure.value) <= CLOSE * figure.value + figure.rounding
+
+
+def _illuminance(table: Table) -> float:
+    eye = OBSERVERS["photopic"]
+    return eye.maximum * table.seen(eye)
+
+
+def _ppfd(table: Table) -> float:
+    return table.photons(PAR) / AVOGADRO * 1e6
+
+
+def _temperature(table: Table) -> float | None:
+    from radcalc.spectra import colorimetry
+
+    try:
+        return colorimetry.temperature_and_distance(table.moments(*colorimetry.AT))[0]
+    except colorimetry.Undefined:
+        return None
+
+
+RESULTS: Mapping[str, Callable[[Table], float | None]] = {
+    "illuminance": _illuminance,
+    "irradiance": Table.total,
+    "ppfd": _ppfd,
+    "cct": _temperature,
+}

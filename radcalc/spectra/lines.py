@@ -1,0 +1,88 @@
+"""The lines of a file of a spectrum, a block at a time, whatever their encoding and their ends."""
+
+import codecs
+from collections.abc import Callable, Iterator
+
+from radcalc.errors import ConditionError
+
+BLOCK = 1 << 20  # bytes read at a time
+LONGEST = 1 << 22  # bytes of a line
+LARGEST = 1 << 29  # bytes of a file
+MARKS = {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}
+
+Lines = list[str]
+
+
+def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
+    """The error of a file, with the line (0: of none) that is wrong."""
+    where = f", line {number}" if number else ""
+    return ConditionError(f"{name}{where}: {problem}", hint)
+
+
+class Text:
+    """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
+
+    def __init__(self, name: str, read: Callable[[int], bytes]) -> None:
+        """Hold what reads so many bytes of the file, none at its end."""
+        self.name = name
+        self.read = read
+        self.encoding = "utf-8-sig"
+        self.note = ""
+
+    def blocks(self) -> Iterator[tuple[int, Lines]]:
+        """The lines, many at a time, and the number of the first of them."""
+        number, size, rest = 1, 0, b""
+        read = filter(None, self._in_utf8())
+        while True:
+            data = next(read, b"")
+            size += len(data)
+            if size > LARGEST:
+                raise refusal(self.name, 0, f"more than {LARGEST} bytes", "fewer rows")
+            ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
+            cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
+            whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
+            if not data:
+                whole = rest
+            elif len(rest) > LONGEST:
+                problem = f"a line of more than {LONGEST} bytes"
+                hint = "a wavelength and a value in every row"
+                raise refusal(self.name, number, problem, hint)
+            if whole:
+                lines = self._decoded(whole).splitlines()
+                yield number, lines
+                number += len(lines)
+            if not data:
+                return
+
+    def _in_utf8(self) -> Iterator[bytes]:
+        """The bytes of the file; of one in UTF-16 those that it would have in UTF-8."""
+        data = self.read(BLOCK)
+        if data[:2] not in MARKS:
+            while data:
+                yield data
+                data = self.read(BLOCK)
+            return
+        decoder = codecs.getincrementaldecoder("utf-16")()
+        while data:
+            yield self._from_utf16(decoder, data)
+            data = self.read(BLOCK)
+        yield self._from_utf16(decoder, b"")
+
+    def _from_utf16(self, decoder: codecs.IncrementalDecoder, data: bytes) -> bytes:
+        try:
+            return decoder.decode(data, not data).encode()
+        except UnicodeDecodeError:
+            problem = "not UTF-16 text, which its byte order mark says it is"
+            raise refusal(self.name, 0, problem, "the whole file, or one in UTF-8") from None
+
+    def _decoded(self, data: bytes) -> str:
+        """The text of whole lines; from the first that is not UTF-8 on they are Latin-1."""
+        try:
+            text = data.decode(self.encoding)
+        except UnicodeDecodeError:
+            self.encoding = "latin-1"
+            self.note = "the text is not UTF-8, and read as Latin-1"
+            return data.decode(self.encoding)
+        if self.encoding == "utf-8-sig":
+            self.encoding = "utf-8"
+        return text

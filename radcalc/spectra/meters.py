@@ -1,0 +1,97 @@
+"""The files of hand-held meters (UPRtek, Sekonic, LI-COR): the wavelength in the name of each row.
+
+    LUX<TAB>695.154907             Illuminance [lx],30.1
+    CCT<TAB>5198.000000            Tcp [K],3262
+    380nm<TAB>0.030267             Spectral Data 380[nm],0.000000000000
+
+They do not say the unit of the spectrum; it is the one in which it gives the illuminance that
+the meter found.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+from radcalc import columns
+from radcalc.errors import option
+from radcalc.spectra.lines import refusal
+from radcalc.spectra.rows import Figure, Row, Rows
+from radcalc.spectra.titles import Meaning
+
+SEARCHED = 500  # lines in which the spectrum begins
+BAND = re.compile(
+    r'\s*"?(?:spectral data\s*)?(\d{2,5}(?:[.,]\d+)?)\s*\[?nm\]?"?\s*[\t,;](.*)', re.IGNORECASE
+)
+# The figures of a meter by the names of results, and how it calls them.
+FIGURES = {
+    "illuminance": ("lux", "illuminance [lx]"),
+    "irradiance": ("irr",),
+    "ppfd": ("ppfd", "ppfd [umolm⁻²s⁻¹]"),
+    "cct": ("cct", "tcp [k]"),
+}
+# In which units spectra are written, told apart by powers of ten.
+UNITS = tuple(
+    Meaning(f"in {unit}, as the meter's own illuminance tells", photons, "irradiance", factor)
+    for unit, photons, factor in (
+        ("W/m2/nm", False, 1.0),
+        ("mW/m2/nm", False, 1e-3),
+        ("uW/cm2/nm", False, 1e-2),
+        ("umol/m2/s/nm", True, 1e-6 * 6.02214076e23),
+    )
+)
+RELATIVE = Meaning("its values taken as relative watts per wavelength")
+
+
+def begins(lines: Sequence[str]) -> bool:
+    """Whether a file has wavelengths in the names of its rows."""
+    return any(map(BAND.match, lines[:SEARCHED]))
+
+
+def read(lines: Sequence[str], name: str, column: str) -> Rows:
+    """The rows of its finest table, and the figures of the meter."""
+    if column:
+        raise refusal(name, 0, "there are no columns to choose from", f"no {option('column')}")
+    tables: list[list[Row]] = []
+    for number, line in enumerate(lines, 1):
+        if found := BAND.match(line):
+            row = number, found[1], found[2].strip('\t,; "')
+            if not tables or row[1] == tables[-1][0][1]:
+                tables.append([])
+            tables[-1].append(row)
+    finest = max(tables, key=len)
+    for table in tables:
+        _refuse_gaps(table, name)
+        if (table[0][1], table[-1][1]) != (finest[0][1], finest[-1][1]):
+            problem = f"it ends at {finest[-1][1]} nm, another table at {table[-1][1]} nm"
+            raise refusal(name, finest[-1][0], problem, "the whole file")
+    notes: tuple[str, ...] = ()
+    if len(tables) > 1:
+        notes = (f"of its {len(tables)} tables the one of {len(finest)} rows is taken",)
+    figures = _figures(lines)
+    meanings = (RELATIVE, *UNITS) if "illuminance" in figures else (RELATIVE,)
+    return Rows(finest, meanings, notes, figures, has_commas=True)
+
+
+def _refuse_gaps(table: list[Row], name: str) -> None:
+    """Refuse a table in which a row is missing, since its steps are all the same."""
+    places = [float(row[1].replace(",", ".")) for row in table]
+    steps = [after - before for before, after in pairwise(places)]
+    for row, step in zip(table[1:], steps, strict=True):
+        if abs(step - steps[0]) > 1e-6:
+            problem = f"a step of {step:g} nm to {row[1]} nm, where the first is of {steps[0]:g} nm"
+            raise refusal(name, row[0], problem, "a row for every wavelength")
+
+
+def _figures(lines: Sequence[str]) -> Mapping[str, Figure]:
+    """What the meter found."""
+    names = {spelling: name for name, spellings in FIGURES.items() for spelling in spellings}
+    found = {}
+    for line in lines:
+        cells = columns.cells(line, columns.dialect(line)[0])
+        name = names.get(columns.plain(cells[0]), "") if len(cells) > 1 else ""
+        if name:
+            number = columns.finite(cells[1], True)
+            if number is not None and number > 0:
+                places = len(cells[1].replace(",", ".").partition(".")[2])
+                found[name] = Figure(number, 0.5 * 10.0**-places)
+    return found

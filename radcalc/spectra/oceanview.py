@@ -1,0 +1,60 @@
+"""What the text of Ocean Optics' programs (OceanView, SpectraSuite, Jaz) says before its table.
+
+    Data from lamp_AbsoluteIrradiance_12-00.txt Node
+    XAxis mode: Wavelengths
+    Number of Pixels in Spectrum: 2048
+    >>>>>Begin Spectral Data<<<<<
+
+A table of Jaz has the columns W (wavelength), D (dark), R (reference, if there is one), S (sample)
+and P (processed).  That P of an absolute irradiance is in uW/cm2/nm no file says; the R package
+photobiologyInOut reads it so.
+"""
+
+import re
+from collections.abc import Sequence
+
+from radcalc.columns import plain
+from radcalc.errors import ConditionError, quote
+from radcalc.spectra.titles import KNOWN, PROPERTY
+
+MARK = ">>>>>"  # the table stands between two lines that begin so; not every file has the second
+NODE = re.compile(r"data from (.*) node")
+AXIS = re.compile(r"xaxis mode: *(.*)")
+PIXELS = re.compile(r"number of pixels in [a-z ]*: *(\d+)")
+REFERENCE = "reference spectrum present: yes"
+JAZ = (["w", "d", "s", "p"], ["w", "d", "r", "s", "p"])
+ABSOLUTE = "jaz absolute irradiance"
+
+
+def declared_rows(lines: Sequence[str]) -> int:
+    """How many rows the lines before a table say that it has; 0 where they do not.
+
+    Refuse another axis than wavelengths, and what is measured against a reference.
+    """
+    count = 0
+    for line in lines:
+        text = plain(line)
+        node, axis, pixels = NODE.match(text), AXIS.match(text), PIXELS.match(text)
+        if node and (found := re.search(PROPERTY, re.sub(r"[\W\d_]", " ", node[1]))):
+            raise ConditionError(f"'{quote(line.strip())}' is a {found[0]}, no light", KNOWN)
+        if axis and not axis[1].startswith("wavelength"):
+            raise ConditionError(f"'{quote(line.strip())}' is no wavelength", "wavelengths in nm")
+        count = int(pixels[1]) if pixels else count
+    return count
+
+
+def notes(lines: Sequence[str]) -> list[str]:
+    """What is doubtful of values that a program has worked on."""
+    if all(plain(line) != REFERENCE for line in lines):
+        return []
+    return ["a reference spectrum was stored: these may be values relative to it, and no light"]
+
+
+def processed(titles: Sequence[str], lines: Sequence[str]) -> str:
+    """What the title of column P of a Jaz means; '' where it is no table of one."""
+    if [plain(title) for title in titles] not in JAZ:
+        return ""
+    if len(titles) == len(JAZ[1]):
+        return "transmittance or reflectance (P, against R)"
+    is_absolute = any(plain(line).startswith(ABSOLUTE) for line in lines)
+    return "P [uW/cm2/nm]" if is_absolute else "P"

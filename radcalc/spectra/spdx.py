@@ -1,0 +1,100 @@
+"""IES TM-27-14: the XML of spectral data, in nanometres and SI units, or relative.
+
+Its names may have the namespace of the standard, another one or none.
+"""
+
+from collections.abc import Sequence
+from xml.parsers import expat
+
+from radcalc.errors import quote
+from radcalc.spectra.lines import refusal
+from radcalc.spectra.rows import Row, Rows
+from radcalc.spectra.titles import Meaning
+
+ROOT = "IESTM2714"
+LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",
+         "radiance": "W/m2/sr/nm"}  # fmt: skip
+RELATIVE = "relative"
+QUANTITIES = f"{', '.join(LIGHT)} or {RELATIVE}"
+
+
+def begins(lines: Sequence[str]) -> bool:
+    """Whether a file is XML."""
+    first = next((line for line in lines if line.strip()), "")
+    return first.lstrip().startswith("<")
+
+
+def read(lines: Sequence[str], name: str, column: str) -> Rows:
+    """The rows of all its lines; it has one spectrum, so that no column can be chosen."""
+    if column:
+        raise refusal(name, 0, "a file of TM-27 has no columns", "the same without the column")
+    document = _Document(name)
+    document.read("\n".join(lines))
+    quantity = document.quantity
+    if quantity == RELATIVE:
+        return Rows(document.rows, (Meaning("relative watts per wavelength of IES TM-27"),))
+    if quantity not in LIGHT:
+        what = f"the quantity is '{quote(quantity)}'" if quantity else "a quantity is missing"
+        raise refusal(name, 0, what, f"SpectralQuantity: {QUANTITIES}")
+    said = f"its {quantity} taken in {LIGHT[quantity]}, the SI units of IES TM-27"
+    return Rows(document.rows, (Meaning(said, absolute=quantity),))
+
+
+class _Document:
+    """What is read of a document while it is parsed."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.rows: list[Row] = []
+        self.quantity = ""
+        self.path: list[str] = []
+        self.text = ""
+        self.wavelength = ""
+        self.parser = expat.ParserCreate()
+        self.parser.StartElementHandler = self.start
+        self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.data
+        # Entities of its own could make gigabytes of a few lines, and a spectrum needs none.
+        self.parser.StartDoctypeDeclHandler = self.refuse_doctype
+
+    def read(self, text: str) -> None:
+        """Parse the whole; the declaration of an encoding no longer holds."""
+        try:
+            self.parser.Parse(text.encode(), True)
+        except expat.ExpatError as error:
+            problem = f"no XML: {expat.errors.messages[error.code]}"
+            raise refusal(self.name, error.lineno, problem, "the whole file") from None
+        if not self.rows:
+            raise refusal(self.name, 0, "there is no SpectralData", "a file of IES TM-27-14")
+
+    @property
+    def line(self) -> int:
+        return self.parser.CurrentLineNumber
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        name = tag.rpartition(":")[2]
+        if not self.path and name != ROOT:
+            problem = f"XML of '{quote(name)}', not {ROOT}"
+            raise refusal(self.name, self.line, problem, "a file of IES TM-27-14")
+        self.path.append(name)
+        self.text = ""
+        if name == "SpectralData":
+            self.wavelength = attributes.get("wavelength", "").strip()
+            if not self.wavelength:
+                raise refusal(self.name, self.line, "a wavelength is missing", "one in every row")
+
+    def end(self, tag: str) -> None:
+        name, text = self.path.pop(), self.text.strip()
+        self.text = ""
+        if name == "SpectralData":
+            self.rows.append((self.line, self.wavelength, text))
+        elif name == "SpectralQuantity":
+            if self.quantity:
+                raise refusal(self.name, self.line, "a second spectrum", "a file of one")
+            self.quantity = text.lower()
+
+    def data(self, text: str) -> None:
+        self.text += text
+
+    def refuse_doctype(self, *declared: object) -> None:
+        raise refusal(self.name, self.line, "a document type declaration", "the file without it")
