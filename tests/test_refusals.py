@@ -584,8 +584,25 @@ STREAMS = {
         ("lx", "fc", "--column", "E"), "has no column 'E'"),
     "a field of lines with their own units needs a delimiter": (
         ("fc", "--field", "1"), "--field needs --delimiter"),
-    "a column of lines with their own units needs a delimiter": (
-        ("fc", "--column", "E"), "--column needs --delimiter"),
+    "a column between blanks without a unit needs one": (
+        ("fc", "--column", "a"), "the header of stdin has no unit for 'a'"),
+    "a column that is added and renamed is refused": (
+        ("lx", "fc", "--header", "--add", "b", "--rename", "c"), "contradict"),
+    "a title is for a column that has one": (
+        ("lx", "fc", "--rename", "b"), "--rename needs a header"),
+    "one title for two fields is refused": (
+        ("lx", "fc", "-d", ",", "--field", "1,2", "--add", "b"), "for one field"),
+    "a title without a letter is refused": (("lx", "fc", "--add", " "), "is no title"),
+    "a title in another unit is refused": (("lx", "fc", "--add", "E [lx]"), "is in lx, not in fc"),
+    "a title of another quantity is refused": (
+        ("lx", "fc", "--add", "luminance"), "'luminance' would have illuminance (fc)"),
+    "a title of two words between blanks is refused": (
+        ("lx", "fc", "--field", "1", "--add", "a b"), "blanks, at which the lines are cut"),
+    "a column that becomes another quantity is refused": (
+        ("lx", "W/m2", "--spectrum", "D65", "--header"), "under a header would become"),
+    "decimal commas and fields between commas contradict each other": (
+        ("lx", "fc", "-d", "comma", "--decimal", ","), "contradict"),
+    "a decimal mark is a point or a comma": (("lx", "fc", "--decimal", "x"), "--decimal"),
     "a header of no lines is refused": (("lx", "fc", "--header=0"), "--header"),
     "a header of a word is refused": (("lx", "fc", "--header=x"), "--header"),
     "an unknown way to meet bad lines is refused": (("lx", "fc", "--invalid", "stop"), "--invalid"),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from radcalc.columns import IN_BRACKETS, plain, units_in
+from radcalc.columns import IN_BRACKETS, QUANTITY_OVER_UNIT, plain, units_in
 from radcalc.errors import ConditionError, quote
 from radcalc.quantities.light import NONE, describe, read
 from radcalc.units.dimensions import ANGLE
@@ -31,7 +31,6 @@ SCALED = re.compile(
     r"\d\s*(?:[a-z]?cd|candela|[a-z]*w/)|[*x×]\s*\d|\d\s*[*x×]|1/\(|10\^|\de[-+]?\d"
 )
 PER_FLUX = re.compile(r"cd\s*/\s*\(?\s*(?:k|1000\s*)?lm|cd\s+per\b")
-QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
 # The unit in a comment: I (cd), unit: cd, intensities in cd, cd.
 STATED = re.compile(r"(?:^|\bin |[:=/]|(?=[(\[]))\s*(\S+)$")
 KNOWN = "an intensity in cd, mcd, W/sr, mW/sr or the like, or no unit for relative values"

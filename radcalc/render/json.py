@@ -22,8 +22,8 @@ def results(results: Sequence[Result], style: Style) -> str:
     return f"{together}\n" if len(objects) == 1 else f"[{together}]\n"
 
 
-def line(result: Result, style: Style, place: dict[str, int]) -> str:
-    """One object of a stream, on a line: it begins with its `place`, the line and the field."""
+def line(result: Result, style: Style, place: dict[str, object]) -> str:
+    """One object of a stream, on a line: it begins with its `place`: line, field, column."""
     return f"{_text({**place, **_of_result(result, style)})}\n"
 
 

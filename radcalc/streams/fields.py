@@ -5,12 +5,12 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
-from radcalc.errors import MINUS, NumberError, UsageError, listed, nearest, option, quote
+from radcalc.errors import MINUS, NumberError, UsageError, option, quote
 
 BLANKS = b" \t"
 NAMED = {"tab": "\t", "\\t": "\t", "comma": ",", "semicolon": ";", "space": " "}
 MOST = 1_000_000  # as a field's number
-COMPARED = 1000  # names of a header that one is held against where it is not among them
+LONG = 1 << 16  # bytes of a header in which the units in brackets are not looked for
 FIELDS = "N, N-, N-M, -M or several of them with commas between"
 
 Span = tuple[int, int]  # where a text begins and ends
@@ -24,6 +24,11 @@ class Fields:
         """Read the list; raise UsageError where it is none."""
         self.ranges = sorted(_range(text, part) for part in text.replace(MINUS, "-").split(","))
         self.last = max(last or first for first, last in self.ranges)
+
+    @property
+    def is_one(self) -> bool:
+        """Whether it is one field, whatever the line."""
+        return self.ranges == [(self.last, self.last)]
 
     def of(self, count: int) -> Iterator[int]:
         """The indices of the fields meant, in order, of a line that has `count` of them."""
@@ -61,6 +66,14 @@ def read_delimiter(text: str) -> bytes:
             "a character, such as , or ; or tab",
         )
     return os.fsencode(character)
+
+
+# A title between blanks: a word, with a unit in brackets or behind a slash, if there is one.
+_BRACKETS = r"(?:\[[^\[\]]*\]|\((?:[^()]|\([^()]*\))*\))"
+_WORD = rf"(?:[^ \t\[\]()]|{_BRACKETS})+"
+TITLE = re.compile(
+    rf"{_WORD}(?:[ \t]+{_BRACKETS}|[ \t]+/[ \t]+{_WORD})?(?![^ \t])|[^ \t]+".encode()
+)
 
 
 class Cut:
@@ -115,39 +128,43 @@ class Cut:
             start, end = _strip(line, (start + 1, end - 1), self.blanks)
         return start, end
 
-    def find(self, header: bytes, name: str) -> Fields:
-        """The field whose cell in the header is that name."""
-        spans = [self.inner(header, span) for span in self.spans(header)]
-        cells = [header[start:end].replace(b'""', b'"') for start, end in spans]
-        wanted = os.fsencode(name).strip(BLANKS)
-        count = cells.count(wanted)
-        if count == 1:
-            return Fields(str(cells.index(wanted) + 1))
-        if count:
-            raise UsageError(
-                f"the header of stdin has the column '{quote(name)}' {count} times",
-                option("field", "N"),
-            )
-        names = [cell.decode("utf-8", "replace") for cell in cells[:COMPARED] if cell]
-        near = nearest(name, names) or names
-        raise UsageError(
-            f"the header of stdin has no column '{quote(name)}'",
-            listed(near)
-            if len(cells) > 1
-            else f"{option('delimiter', 'X')}, with what cuts the fields",
-        )
+    def titles(self, header: bytes) -> list[Span]:
+        """Where the titles stand; between blanks a unit in brackets belongs to the one before.
 
-    def convert(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+        A # at the start of the line is no title.
+        """
+        start = len(header) - len(header.lstrip(BLANKS + b"#"))
+        if self.delimiter or len(header) > LONG:
+            return [self.inner(header, (max(a, start), b)) for a, b in self.spans(header)]
+        return [found.span() for found in TITLE.finditer(header, start)]
+
+    def joint(self, line: bytes) -> bytes:
+        """What stands before a field that is added to a line."""
+        return self.delimiter or (b"\t" if b"\t" in line else b" ")
+
+    def quoted(self, field: bytes) -> bytes:
+        """A field as it can stand in a line."""
+        if self.delimiter and (self.delimiter in field or field[:1] == b'"'):
+            return b'"' + field.replace(b'"', b'""') + b'"'
+        return field
+
+    def convert(
+        self, block: bytes, fields: Fields, convert: Convert, width: int = 0, adds: bool = False
+    ) -> bytes | None:
         """Convert the fields of a block of lines, all lines at once.
 
-        None where a line has not the shape of the others: each has to be looked at by itself.
+        Every line has `width` fields, where that is not 0.  With `adds` the one field stays, and
+        what it becomes is added to the line.  None where a line has not the shape of the others:
+        each has to be looked at by itself.
         """
         shown = None
         if self.delimiter and b'"' not in block and b"#" not in block:
-            shown = self._table(block, fields, convert)
-        return shown or self._matched(block, fields, convert)
+            shown = self._table(block, fields, convert, width, adds)
+        return shown or self._matched(block, fields, convert, width, adds)
 
-    def _table(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+    def _table(
+        self, block: bytes, fields: Fields, convert: Convert, expected: int, adds: bool
+    ) -> bytes | None:
         """Convert column by column, where all lines have as many fields."""
         mark = self.delimiter
         rows = block.count(b"\n")
@@ -157,42 +174,55 @@ class Cut:
         cells = block[:-1].replace(b"\n", end).split(mark)
         ends = cells[width :: width + 1]
         regular = len(cells) == rows * (width + 1) - 1 and ends.count(b"\n") == rows - 1
-        if not regular or width < fields.last:
+        if not regular or width < fields.last or expected not in (0, width):
             return None
         for index in fields.of(width):
             column = convert(cells[index :: width + 1])
             if column is None:
                 return None
+            if adds:
+                last = zip(cells[width - 1 :: width + 1], column, strict=True)
+                index, column = width - 1, [cell + mark + new for cell, new in last]
             cells[index :: width + 1] = column
         return mark.join(cells).replace(end, b"\n") + b"\n"
 
-    def _matched(self, block: bytes, fields: Fields, convert: Convert) -> bytes | None:
+    def _matched(
+        self, block: bytes, fields: Fields, convert: Convert, width: int, adds: bool
+    ) -> bytes | None:
         """Convert one field of lines with blanks or quotes around their fields."""
-        if fields.ranges != [(fields.last, fields.last)] or len(self.delimiter) > 1:
+        if not fields.is_one or len(self.delimiter) > 1 or 0 < width < fields.last:
             return None
         # what is between the matches, what stands before the field, the field, and so on
-        parts = re.split(self._line(fields.last - 1), block)
+        parts = re.split(self._line(fields.last - 1, width), block)
         if len(parts) != 3 * block.count(b"\n") + 1:
             return None
         column = convert(parts[2::3])
         if column is None:
             return None
-        parts[2::3] = column
+        if adds:
+            lines = zip(parts[1::3], parts[3::3], column, strict=True)
+            parts[3::3] = [
+                rest[:-1] + self.joint(before + rest) + new + b"\n" for before, rest, new in lines
+            ]
+        else:
+            parts[2::3] = column
         return b"".join(parts)
 
-    def _line(self, before: int) -> re.Pattern[bytes]:
+    def _line(self, before: int, width: int) -> re.Pattern[bytes]:
         """What a line with so many fields before the one that is meant looks like.
 
         In groups: what stands before the field, and the field, which has no blanks in it.  What
         is quoted has no quotes in it, and the rest of the line is well formed.
         """
+        behind = f"{{{width - before - 1}}}" if width else "*"
         if not self.delimiter:
             text = rf"^([ \t]*(?!#)(?:[^ \t\n]+[ \t]+){{{before}}})([^ \t\n]+)"
+            text += rf"(?=(?:[ \t]+[^ \t\n]+){behind}[ \t]*$)" if width else ""
             return re.compile(text.encode(), re.MULTILINE)
         mark = re.escape(self.delimiter).decode("latin-1")
         blanks = f"[{self.blanks.decode()}]*"
         cell = rf'(?:{blanks}"[^"\n]*"{blanks}|[^"\n{mark}]*)'
-        rest = rf"{blanks}(?:{mark}{cell})*$"
+        rest = rf"{blanks}(?:{mark}{cell}){behind}$"
         field = rf'[^" \t\n{mark}]+'
         opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
         text = rf"^(?![ \t]*#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"

@@ -3,7 +3,9 @@
 Each is converted by itself, as a single conversion is, or many at a time where all are plain.
 """
 
+import re
 from collections.abc import Callable
+from typing import Protocol
 
 from radcalc.conversion.plan import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
@@ -15,6 +17,25 @@ from radcalc.units.table import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
 NUMBER = b"0123456789.+-"
+POINT, COMMA = b".", b","  # what decimals begin with
+DECIMAL_COMMA = re.compile(r"(?<![\d,])(?:\d+,\d*|,\d+)(?![\d,])")
+POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has another
+
+
+class Texts(Protocol):
+    """What a stream does with the texts that it cuts out of lines."""
+
+    def read(self, text: bytes) -> tuple[Plan, float]:
+        """The plan and the number of one text; raise RadcalcError where it is none."""
+
+    def show(self, made: Plan, value: float) -> bytes:
+        """What stands in the output for one that was read."""
+
+    def lines(self, block: bytes) -> bytes | None:
+        """Convert a block of lines, each of them one text; None where any is unusual."""
+
+    def column(self, texts: list[bytes]) -> list[bytes] | None:
+        """Convert many texts; None where any is unusual."""
 
 
 class Numbers:
@@ -23,31 +44,36 @@ class Numbers:
     example = f"{option('field', 'N')} for one of several fields, or "
     example += f"{command('convert', '-', 'TARGET')} for 100 lx"
 
-    def __init__(self, made: Plan, precision: int | None = None) -> None:
-        """Take the plan for all of them."""
+    def __init__(self, made: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
+        """Take the plan for all of them, and the decimal mark that they have."""
         self.made = made
         self.precision = precision
+        self.mark = mark
         self.bulk = Bulk(made, precision or DIGITS)
 
     def read(self, text: bytes) -> tuple[Plan, float]:
         """The plan and the number of one text."""
         try:
-            return self.made, parse_number(_decoded(text))
+            return self.made, parse_number(_pointed(_decoded(text), self.mark))
         except NumberError as error:
-            several = len(text.split(None, 1)) > 1
-            raise NumberError(error.message, self.example if several else error.hint) from None
+            hint = error.hint
+            if len(text.split(None, 1)) > 1:
+                hint = self.example
+            elif self.mark == POINT and b"," in text and error.hint[:1].isdigit():
+                hint += f", or {option('decimal', ',')} for commas in all numbers"
+            raise NumberError(error.message, hint) from None
 
     def show(self, made: Plan, value: float) -> bytes:
         """What stands in the output for a number that was read."""
-        return number(made.apply(value), self.precision).encode()
+        return number(made.apply(value), self.precision).encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
         """Convert a block of lines, each of them one text; None where any is unusual."""
-        return self.bulk.lines(block)
+        return _with_mark(self.mark, block, self.bulk)
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts; None where any is unusual."""
-        shown = self.bulk.lines(b"\n".join(texts) + b"\n")
+        shown = self.lines(b"\n".join(texts) + b"\n")
         return None if shown is None else shown[:-1].split(b"\n")
 
 
@@ -55,18 +81,23 @@ class Quantities:
     """Texts that carry their own units: a plan for each that comes."""
 
     def __init__(
-        self, plans: Callable[[Unit], Plan], unit: bytes, precision: int | None = None
+        self,
+        plans: Callable[[Unit], Plan],
+        unit: bytes,
+        precision: int | None = None,
+        mark: bytes = POINT,
     ) -> None:
-        """Take what makes a plan from a unit, and what follows each answer."""
+        """Take what makes a plan from a unit, what follows each answer, and the decimal mark."""
         self.plans = plans
         self.unit = unit
         self.precision = precision
+        self.mark = mark
         self.known: dict[str, Plan | RadcalcError] = {}
         self.bulks: dict[bytes, Bulk | None] = {}
 
     def read(self, text: bytes) -> tuple[Plan, float]:
         """The plan and the number of one text."""
-        amount = read_amount(_decoded(text))
+        amount = read_amount(_pointed(_decoded(text), self.mark))
         if amount.unit is None:
             raise UsageError(
                 f"'{quote(text.decode())}' has no unit",
@@ -96,7 +127,8 @@ class Quantities:
 
     def show(self, made: Plan, value: float) -> bytes:
         """What stands in the output for a quantity that was read."""
-        return number(made.apply(value), self.precision).encode() + self.unit
+        shown = number(made.apply(value), self.precision).encode()
+        return shown.replace(POINT, self.mark) + self.unit
 
     def lines(self, block: bytes) -> bytes | None:
         """Convert a block of lines, each of them one text; None where any is unusual."""
@@ -107,7 +139,8 @@ class Quantities:
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts, those of one unit at a time; None where any is unusual."""
-        units = [text.lstrip(NUMBER) for text in texts]
+        start = NUMBER if self.mark == POINT else NUMBER.replace(POINT, self.mark)
+        units = [text.lstrip(start) for text in texts]
         places: dict[bytes, list[int]] = {}
         for place, unit in enumerate(units):
             if unit in places:
@@ -120,7 +153,8 @@ class Quantities:
             if bulk is None:
                 return None
             size = len(unit)
-            numbers = bulk.lines(b"\n".join([texts[place][:-size] for place in having]) + b"\n")
+            block = b"\n".join([texts[place][:-size] for place in having]) + b"\n"
+            numbers = _with_mark(self.mark, block, bulk)
             if numbers is None:
                 return None
             for place, value in zip(having, numbers.split(b"\n"), strict=False):
@@ -148,6 +182,30 @@ class Quantities:
                     pass
             self.bulks[unit] = bulk
         return self.bulks[unit]
+
+
+def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
+    """Convert lines of one decimal number each, which have that decimal mark."""
+    if mark == POINT:
+        return bulk.lines(block)
+    if POINT in block:
+        return None
+    shown = bulk.lines(block.replace(mark, POINT))
+    return shown and shown.replace(POINT, mark)
+
+
+def _pointed(text: str, mark: bytes) -> str:
+    """A text with decimal points in the place of its decimal marks."""
+    if mark == POINT:
+        return text
+    if POINTED.search(text):
+        raise NumberError(
+            f"'{quote(text)}' has a point in its number, where commas are decimal",
+            "a comma before the decimals, and nothing between thousands",
+        )
+    if "," in DECIMAL_COMMA.sub("", text):
+        raise NumberError(f"'{quote(text)}' is not a number with a decimal comma", "1,5")
+    return text.replace(mark.decode(), ".")
 
 
 def _decoded(text: bytes) -> str:

@@ -9,10 +9,14 @@ from io import BytesIO
 from itertools import islice
 
 from radcalc.conversion.plan import Plan
-from radcalc.errors import LineError, RadcalcError, UsageError
+from radcalc.errors import LineError, NumberError, RadcalcError, UsageError, option
 from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
-from radcalc.streams.readers import Numbers, Quantities
+from radcalc.streams.readers import Texts
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from radcalc.streams.header import Header
 
 BLOCK = 1 << 16
 FEW = 200  # bytes that are not cut further
@@ -29,28 +33,39 @@ class Stream:
 
     def __init__(
         self,
-        texts: Numbers | Quantities,
+        texts: Texts,
         cut: Cut | None = None,
         fields: Fields | None = None,
-        name: str = "",
-        header: int = 0,
+        lines: int = 0,
+        header: "Header | None" = None,
         record: Record | None = None,
+        adds: bool = False,
     ) -> None:
-        """Take whole lines where `cut` is None; `name` is a column's in the header.
+        """Take whole lines where `cut` is None; the first `lines` are a header.
 
-        With a `record` every number becomes a line of its own, and nothing else is shown.
+        With `adds` what is converted stays, and the result is a field behind the others.  With a
+        `record` every number becomes a line of its own, and nothing else is shown.
         """
         self.texts = texts
         self.cut = cut
         self.fields = fields or Fields()
-        self.name = name
+        self.lines = lines
         self.header = header
         self.record = record
+        self.adds = adds
+        self.width = 0  # fields of every line; 0 for any number
+        # A comma may stand in a number: without a header the first good line says how many.
+        self.is_counted = bool(cut and cut.delimiter == b"," and not lines)
 
-    def head(self, line: bytes) -> None:
-        """Find the column in the last line of the header."""
-        if self.name and self.cut:
-            self.fields = self.cut.find(_body(line), self.name)
+    def head(self, line: bytes) -> bytes:
+        """Read the last line of the header: what it is in the output."""
+        if self.header is None:
+            return line
+        body = _body(line)
+        shown, self.width = self.header.read(body, self.fields)
+        self.texts = self.header.texts or self.texts
+        self.fields = self.header.fields or self.fields
+        return shown + line[len(body) :]
 
     def block(self, block: bytes) -> bytes | None:
         """Convert a block of whole lines at once; None where any of them is unusual."""
@@ -62,10 +77,16 @@ class Stream:
             if not ends == block.count(b"\r") == block.count(b"\n"):
                 return None
             block = block.replace(b"\r\n", b"\n")
+        if self.is_counted and not self.width:
+            return None  # the first lines go one by one
         if self.cut:
-            shown = self.cut.convert(block, self.fields, self.texts.column)
+            column = self.texts.column
+            shown = self.cut.convert(block, self.fields, column, self.width, self.adds)
         else:
             shown = self.texts.lines(block)
+            if shown and self.adds:
+                lines = zip(block.split(b"\n"), shown.split(b"\n"), strict=True)
+                shown = b"\n".join([line and line + b"\t" + new for line, new in lines])
         return shown.replace(b"\n", b"\r\n") if shown and crlf else shown
 
     def line(self, line: bytes, count: int) -> bytes:
@@ -74,7 +95,7 @@ class Stream:
         text = body.lstrip(BLANKS)
         if not text or text[:1] == b"#":
             return b"" if self.record else line
-        out, done = bytearray(), 0
+        out, done, added = bytearray(), 0, b""
         field: int | None = None
         try:
             places = self._places(body)
@@ -84,18 +105,48 @@ class Stream:
                 shown = self.texts.column(texts) if at_once else None
                 for k, (field, (start, end)) in enumerate(some):
                     if shown:
-                        out += body[done:start] + shown[k]
+                        new = shown[k]
                     else:
                         made, value = self.texts.read(texts[k])
                         if self.record:
                             out += self.record(count, field, made, value).encode()
-                        else:
-                            out += body[done:start] + self.texts.show(made, value)
-                    done = end
+                            continue
+                        new = self.texts.show(made, value)
+                    if self.adds:
+                        added = self._joint(body) + new
+                    else:
+                        out += body[done:start] + new
+                        done = end
         except RadcalcError as error:
             where = f"stdin, line {count}" + (f", field {field}" if field else "")
             raise LineError(f"{where}: {error.message}", error.hint) from None
-        return bytes(out if self.record else out + line[done:])
+        if self.is_counted and not self.width and self.cut:
+            self.width = sum(1 for _ in self.cut.spans(body))
+        if self.record:
+            return bytes(out)
+        return bytes(out + body[done:] + added + line[len(body) :])
+
+    def passed(self, line: bytes) -> bytes:
+        """A line that cannot be converted as it passes; a field that is added is empty."""
+        if self.record or not self.adds:
+            return b"" if self.record else line
+        body = _body(line)
+        empty = b"-" if self.cut and not self.cut.delimiter else b""
+        return body + self._joint(body) + empty + line[len(body) :]
+
+    def _joint(self, body: bytes) -> bytes:
+        return self.cut.joint(body) if self.cut else b"\t"
+
+    def _check_width(self, count: int) -> None:
+        """Refuse a line that has not as many fields as the header, or as the first good line."""
+        if self.width and count != self.width:
+            place = "and lines before have" if self.is_counted else "under a header of"
+            hint = "as many in every line"
+            if self.cut and self.cut.delimiter == b",":
+                hint += "; quotes around one with a comma in it"
+            elif self.cut and not self.cut.delimiter:
+                hint += f"; {option('delimiter', 'X')} where a field may have blanks"
+            raise NumberError(f"{count} fields {place} {self.width}", hint)
 
     def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
         """The texts to be converted: the number of the field, and where it is.
@@ -105,7 +156,9 @@ class Stream:
         if self.cut is None:
             yield None, (len(body) - len(body.lstrip(BLANKS)), len(body.rstrip(BLANKS)))
             return
-        chosen = self.fields.of(sum(1 for _ in self.cut.spans(body)))
+        count = sum(1 for _ in self.cut.spans(body))
+        self._check_width(count)
+        chosen = self.fields.of(count)
         wanted = next(chosen, None)
         for index, span in enumerate(self.cut.spans(body)):
             if index == wanted:
@@ -125,6 +178,7 @@ def run(
     What stands before a bad line is written before anything is said about it.
     """
     count, good = 0, True
+    stream.width = 0
     for block in _blocks(read):
         if block is None:
             problem = f"stdin, line {count + 1}: more than {LONGEST} bytes"
@@ -133,11 +187,11 @@ def run(
             if not stream.record:
                 write(BOM)
             block = block[len(BOM) :]
-        while block and count < stream.header:
+        while block and count < stream.lines:
             line, block = _first(block)
             count += 1
-            if count == stream.header:
-                stream.head(line)
+            if count == stream.lines:
+                line = stream.head(line)
             if not stream.record:
                 write(line)
         if not block:
@@ -161,10 +215,9 @@ def run(
                     if invalid != IGNORE:
                         complain(error)
                     good = good and invalid != FAIL
-                    if not stream.record:
-                        lines.append(line)
+                    lines.append(stream.passed(line))
         write(b"".join(lines))
-    if count < stream.header and stream.name:
+    if count < stream.lines and stream.header and stream.header.column:
         raise UsageError("stdin has no header", "a line with the names of the columns")
     return good
 

@@ -66,7 +66,7 @@ EXACT = {
     "empty fields elsewhere": (b",1,\n,2,\n", ("-d", ",", "--field", "2"),
                                b",0.09290304,\n,0.18580608,\n"),
     "a header": (b"E\n1\n", ("--header",), b"E\n0.09290304\n"),
-    "two lines of header": (b"E\nlx\n1\n", ("--header=2",), b"E\nlx\n0.09290304\n"),
+    "two lines of header": (b"E\nlx\n1\n", ("--header=2",), b"E\nfc\n0.09290304\n"),
     "a header alone": (b"E", ("--header=3",), b"E"),
     "a column": (b"t,E\n0,1\n", ("-d", ",", "--column", "E"), b"t,E\n0,0.09290304\n"),
     "a column of a header in quotes": (

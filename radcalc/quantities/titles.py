@@ -1,0 +1,195 @@
+"""Titles over columns: the name and the unit in each, and the column that a name means.
+
+A unit stands in brackets (`E [lx]`), behind a slash as in ISO 80000 (`E / lx`), or is a word of
+the title (`E_lx`, `E, lx`, `lux desk`) or all of it.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from radcalc.columns import IN_BRACKETS, QUANTITY_OVER_UNIT
+from radcalc.errors import UnitError, UsageError, listed, nearest, quote
+from radcalc.quantities.light import read
+from radcalc.units.scales import find as find_scale
+from radcalc.units.scales import scale_of
+from radcalc.units.table import Unit, unit_of
+
+AROUND = " \t,;:_/-–"  # what stands between a name and a unit
+LONGEST = 200  # characters of a title in which a unit is looked for
+MOST_WORDS = 8  # of such a title
+WORD = re.compile(r"[^\s,;:_]+")
+# Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
+PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
+SCALED_BEFORE = re.compile(
+    r"(?:[(\[][^)\]]*[\d⁰¹²³⁴-⁹]|(?:^|\s)1(?:0+|e)[-+^\d⁰¹²³⁴-⁹]*|[*×]|\d\s?x)\s*$"
+)
+SCALED_BEHIND = re.compile(r"\s*[*×x/·]\s*\d")
+IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
+# What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
+SUBSCRIPTS = ("e", "v", "p", "ph", "q")
+COMPARED = 1000  # titles that a name is held against where it is none of them
+
+
+class Title(NamedTuple):
+    """A title: what is named in it, and its unit, which is the text from `start` to `end`.
+
+    `text[opening:start]` and `text[end:closing]` set the unit off from the name.
+    """
+
+    text: str
+    name: str
+    unit: Unit | None = None
+    opening: int = 0
+    start: int = 0
+    end: int = 0
+    closing: int = 0
+
+    def with_unit(self, unit: str) -> str:
+        """The title with another unit in the place of its own; as it is where it has none."""
+        return self.text[: self.start] + unit + self.text[self.end :] if self.unit else self.text
+
+    def renamed(self, name: str, unit: str) -> str:
+        """Another name with a unit, set off as it is here; the name alone where there is none."""
+        if self.unit is None:
+            return name
+        if not self.opening:  # lux, lux (desk)
+            return f"{name} [{unit}]"
+        before, behind = self.text[self.opening : self.start], self.text[self.end : self.closing]
+        return name + before + unit + behind
+
+
+def read_title(text: str, like: Unit | None = None) -> Title:
+    """The name and the unit in a title.
+
+    A unit of the quantity of `like` is looked for first, or of any of light without it.  Then
+    what is in brackets is any unit, and a word of more than one letter is one of light.
+
+    Raises UnitError where the title scales its numbers, as in `E (1000 lx)`.
+    """
+    candidates = list(_candidates(text)) if len(text) <= LONGEST else []
+    for is_fitting in (_fits, _contradicts):
+        for title, in_brackets in candidates:
+            if is_fitting(title, in_brackets, like):
+                _refuse_scaled(title)
+                return title
+    return Title(text, text)
+
+
+def is_same(one: Unit, other: Unit) -> bool:
+    """Whether two units have the same numbers: lux, lx and lm/m2."""
+    if one.is_scale or other.is_scale:
+        return scale_of(one) == scale_of(other)
+    return _measure(one) == _measure(other) and one.top * other.bottom == other.top * one.bottom
+
+
+def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None) -> int:
+    """The place of the one column of that name.
+
+    It is a whole title, or a title without its unit, or either in any case of letters: the first
+    of these that is there.  Raises UsageError where none is, or several.
+    """
+    name = name.strip()
+    folded = name.casefold()
+    found = [place for place, title in enumerate(titles) if title == name]
+    if not found:
+        near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
+        bare = [(k, title, _name(title, like)) for k, title in near[:COMPARED]]
+        found = (
+            [k for k, _, own in bare if own == name]
+            or [k for k, title, _ in bare if title.casefold() == folded]
+            or [k for k, _, own in bare if own.casefold() == folded]
+        )
+    if len(found) == 1:
+        return found[0]
+    if found:
+        several = [f"{quote(titles[k])} (field {k + 1})" for k in found[:COMPARED]]
+        raise UsageError(
+            f"{where} has the column '{quote(name)}' {len(found)} times", listed(several)
+        )
+    known = [title for title in titles[:COMPARED] if title]
+    raise UsageError(
+        f"{where} has no column '{quote(name)}'",
+        listed(nearest(name, known) or known) or "a title for each column",
+    )
+
+
+def _name(title: str, like: Unit | None) -> str:
+    try:
+        return read_title(title, like).name
+    except UnitError:
+        return title
+
+
+def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
+    """Every part of a title that is a unit, and whether it stands in brackets."""
+    for found in [*IN_BRACKETS.finditer(text)][::-1]:
+        inner = found[1] if found[1] is not None else found[2]
+        start = found.start() + 1
+        preamble = PREAMBLE.match(inner)
+        for before in (0, preamble.end() if preamble else 0):
+            if title := _title(text, found.start(), start + before, found.end() - 1, found.end()):
+                yield title, True
+                break
+    words = [word.span() for word in WORD.finditer(text)][:MOST_WORDS]
+    for count in range(len(words), 0, -1):
+        for first in range(len(words) - count, -1, -1):  # the last first
+            start, end = words[first][0], words[first + count - 1][1]
+            if title := _title(text, start, start, end, end):
+                yield title, False
+    if behind := QUANTITY_OVER_UNIT.fullmatch(text):
+        head = unit_of(text[: text.index("/")].strip())
+        is_ratio = head is not None and len(head.text) > 1 and read(head) is not None
+        start, end = behind.span(1)
+        if not is_ratio and (title := _title(text, start, start, end, end)):
+            yield title, False
+
+
+def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title | None:
+    """The title in which a part is the unit; None where it is none."""
+    inner = text[start:end]
+    start += len(inner) - len(inner.lstrip())
+    inner = inner.strip()
+    unit = find_scale(inner) or unit_of(inner)
+    if unit is None:
+        return None
+    before = text[:opening].rstrip(AROUND)
+    before = IN.sub("", before).rstrip(AROUND)
+    name = " ".join(filter(None, [before, text[closing:].strip(AROUND)]))
+    return Title(text, name, unit, len(before), start, start + len(inner), closing)
+
+
+def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
+    """Whether the unit measures what `like` does, or light that can be told without it."""
+    unit = title.unit
+    if unit is None or like is None:
+        return _contradicts(title, in_brackets, like) and unit is not None and _is_light(unit)
+    readings = {_measure(one) for one in (unit, *getattr(unit, "others", ()))}
+    return any(_measure(one) in readings for one in (like, *getattr(like, "others", ())))
+
+
+def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
+    """Whether the unit is surely meant as one, whatever it measures."""
+    unit = title.unit
+    if unit is None or in_brackets:
+        return unit is not None
+    is_word = len(unit.text) > 1 and unit.text not in SUBSCRIPTS
+    is_name_of_kind = len(unit.atoms) == 1 and unit.atoms[0][0] == "photon"  # photon irradiance
+    return is_word and not is_name_of_kind and _is_light(unit)
+
+
+def _is_light(unit: Unit) -> bool:
+    return read(unit) is not None
+
+
+def _measure(unit: Unit) -> tuple[object, bool]:
+    return unit.dimension, unit.is_exitance
+
+
+def _refuse_scaled(title: Title) -> None:
+    before, behind = title.text[: title.start], title.text[title.end :]
+    if SCALED_BEFORE.search(before) or SCALED_BEHIND.match(behind):
+        unit = title.unit.text if title.unit else ""
+        raise UnitError(
+            f"the title '{quote(title.text)}' scales its numbers", f"numbers in {quote(unit)}"
+        )

@@ -1,0 +1,194 @@
+"""What the header of a stream says: which fields are meant, how many there are, in what units.
+
+It is held against the unit of the numbers, and says in the output what the numbers there are.
+"""
+
+from collections.abc import Callable
+
+from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
+from radcalc.quantities.light import describe
+from radcalc.quantities.search import fold, index
+from radcalc.quantities.targets import GENERIC
+from radcalc.quantities.titles import Title, find, is_same, read_title
+from radcalc.streams.fields import BLANKS, Cut, Fields, Span
+from radcalc.streams.readers import Texts
+from radcalc.units.table import Unit, resolve
+
+WHERE = "the header of stdin"
+NEW_NAME = f"{option('add', 'NAME')} for a column of its own, or {option('rename', 'NAME')}"
+
+
+class Header:
+    """The titles in the last line of the header.
+
+    `texts` reads the numbers where their unit is that of the titles, `fields` are those of the
+    column that is meant, and `shown` the titles of the results by field.
+    """
+
+    def __init__(
+        self,
+        cut: Cut | None,
+        source: Unit | None,
+        target: Unit,
+        titled: Callable[[Unit], Texts],
+        note: Callable[[str], None],
+        column: str = "",
+        name: str | None = None,
+        adds: bool = False,
+    ) -> None:
+        """Take what is typed.
+
+        `source` is the unit of the numbers, or None; `titled` makes what reads numbers in the unit
+        of their title.  `column` is the title that is meant, `name` the title of the results, and
+        with `adds` that of a new column behind the others.
+        """
+        self.cut = cut
+        self.source = source
+        self.target = target
+        self.titled = titled
+        self.note = note
+        self.column = column
+        self.own = None if name is None else self._own(name, "add" if adds else "rename")
+        self.adds = adds
+        self.texts: Texts | None = None
+        self.fields: Fields | None = None
+        self.shown: dict[int | None, str] = {}
+
+    def read(self, line: bytes, fields: Fields) -> tuple[bytes, int]:
+        """What the line is in the output, and how many fields every line has (0: any number)."""
+        if b"\0" in line:
+            raise UsageError(f"{WHERE} is no text in UTF-8", "UTF-8 (iconv converts UTF-16)")
+        try:
+            spans = self._spans(line)
+            titles = [self._text(line, span) for span in spans]
+            if self.column:
+                fields = self.fields = Fields(str(self._find(titles) + 1))
+            places = list(fields.of(len(titles)))
+            read = [read_title(titles[place], self.source) for place in places]
+        except (NumberError, UnitError) as error:
+            raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
+        self._check_units(read)
+        out, done = bytearray(), 0
+        for place, title in zip(places, read, strict=True):
+            told = self.title_of(title)
+            self.shown[place + 1 if self.cut else None] = told
+            if told != title.text and not self.adds:
+                start, end = spans[place]
+                out += line[done:start] + self._cell(told, self._is_quoted(line, start))
+                done = end
+        out += line[done:]
+        if self.adds:
+            if (told := self.title_of(read[0])) in titles:
+                raise UsageError(f"{WHERE} has the column '{quote(told)}'", "another name")
+            out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(told)
+        return bytes(out), len(titles) if self.cut else 0
+
+    def title_of(self, title: Title | None = None) -> str:
+        """What stands over the results of the column with that title, or without one."""
+        unit = self.target.text
+        if self.cut and not self.cut.delimiter:
+            unit = unit.replace(" ", ".")  # one word where lines are cut at blanks
+        if self.own:
+            if self.own.unit or (title and not title.unit and not self.adds):
+                return self.own.text
+            if title and not self.adds:
+                return title.renamed(self.own.text, unit)
+            return f"{self.own.text} [{unit}]"
+        if title is None:
+            return ""
+        if title.unit is None and title.text[-1:] in ("]", ")"):
+            self.note(f"the title '{quote(title.text)}' has no unit that is known, and stays")
+        _refuse_other(title.name, self.target)
+        return title.with_unit(unit)
+
+    def _spans(self, line: bytes) -> list[Span]:
+        if self.cut:
+            return self.cut.titles(line)
+        start = len(line) - len(line.lstrip(BLANKS + b"#"))
+        return [(start, max(start, len(line.rstrip(BLANKS))))]
+
+    def _find(self, titles: list[str]) -> int:
+        """The place of the column that is meant."""
+        try:
+            return find(titles, self.column, WHERE, self.source)
+        except UsageError as error:
+            if len(titles) == 1:
+                error.hint = f"{option('delimiter', 'X')}, with what cuts the fields"
+            raise
+
+    def _check_units(self, titles: list[Title]) -> None:
+        """Hold the units in the titles against the one that is typed, or take theirs."""
+        first = next((title for title in titles if title.unit), None)
+        if first is None or first.unit is None:
+            if self.source is None and self.cut and not self.cut.delimiter:
+                raise UsageError(
+                    f"{WHERE} has no unit for '{quote(titles[0].text)}'",
+                    command("convert", "-", "UNIT", quote(self.target.text)),
+                )
+            return
+        for title in titles:
+            if self.source is None:
+                if title.unit is None or not is_same(title.unit, first.unit):
+                    raise UsageError(
+                        f"'{quote(first.text)}' and '{quote(title.text)}' have not the same unit",
+                        "a call for each unit",
+                    )
+            elif title.unit and not is_same(title.unit, self.source):
+                said, typed = quote(title.unit.text), quote(self.source.text)
+                is_there = is_same(title.unit, self.target)
+                raise UsageError(
+                    f"the column '{quote(title.text)}' is in {said}, not in {typed}",
+                    f"a column in {typed}"
+                    if is_there
+                    else command("convert", "-", said, quote(self.target.text)),
+                )
+        if self.source is None:
+            self.texts = self.titled(first.unit)
+
+    def _own(self, name: str, symbol: str) -> Title:
+        """The name that is typed for the column of the results, which may have its unit."""
+        typed = option(symbol, quote(name))
+        if not name.strip() or not name.isprintable():
+            raise UsageError(f"{typed} is no title", "a word for the column")
+        if self.cut and not self.cut.delimiter and len(name.split()) > 1:
+            hint = "_".join(name.split())
+            raise UsageError(f"{typed} has blanks, at which the lines are cut", quote(hint))
+        own = read_title(name, self.target)
+        if own.unit and not is_same(own.unit, self.target):
+            said, target = quote(own.unit.text), quote(self.target.text)
+            raise UsageError(f"{typed} is in {said}, not in {target}", quote(own.with_unit(target)))
+        _refuse_other(own.name, self.target)
+        return own
+
+    def _text(self, line: bytes, span: Span) -> str:
+        start, end = span
+        text = line[start:end].decode(errors="surrogateescape")
+        return text.replace('""', '"') if self._is_quoted(line, start) else text
+
+    def _is_quoted(self, line: bytes, start: int) -> bool:
+        is_csv = self.cut is not None and self.cut.delimiter
+        return bool(is_csv and line[:start].rstrip(BLANKS).endswith(b'"'))
+
+    def _cell(self, title: str, in_quotes: bool = False) -> bytes:
+        """A title as it stands in the line."""
+        text = title.encode(errors="surrogateescape")
+        if in_quotes:
+            return text.replace(b'"', b'""')
+        return self.cut.quoted(text) if self.cut else text
+
+
+def refuse_change(source: Unit, target: Unit) -> None:
+    """Refuse numbers of another quantity under a title that was there for the first."""
+    if source.dimension != target.dimension or source.is_exitance != target.is_exitance:
+        raise UsageError(
+            f"{describe(source)} under a header would become {describe(target)}", NEW_NAME
+        )
+
+
+def _refuse_other(name: str, target: Unit) -> None:
+    """Refuse a title that names another quantity than the one of the unit."""
+    folded = fold(name)
+    named = [] if folded in GENERIC else index().names.get(folded, [])
+    units = [resolve(quantity.unit) for quantity in named]
+    if units and all(unit.dimension != target.dimension for unit in units):
+        raise UsageError(f"the column '{quote(name)}' would have {describe(target)}", NEW_NAME)
