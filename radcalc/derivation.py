@@ -33,6 +33,8 @@ DIGITS, MOST_DIGITS = 6, 17
 def format_number(value: Any, digits: int = DIGITS) -> str:
     """A number for a derivation or a message; an array by its least and its greatest element."""
     if not isinstance(value, (int, float)):
+        if not value.size:
+            return "no numbers"
         low, high = (format_number(float(end), digits) for end in (value.min(), value.max()))
         return low if low == high else f"{low} to {high}"
     return f"{value + 0.0:.{digits}g}"  # no -0

@@ -151,6 +151,10 @@ class RadcalcError(Exception):
         self.message = message
         self.hint = hint
 
+    def __reduce__(self) -> "tuple[Any, ...]":
+        """How it is pickled, with its fields, for another process to raise."""
+        return _remade, (type(self), self.args, self.__dict__)
+
     def spelled(self, spelling: "Any") -> tuple[str, str]:
         """Message and hint with the names of symbols and commands as a gate spells them."""
         return spell(self.message, spelling), spell(self.hint, spelling)
@@ -159,6 +163,14 @@ class RadcalcError(Exception):
         """Both lines."""
         message, hint = self.spelled(Plain)
         return f"{message}\ntry: {hint}" if hint else message
+
+
+def _remade(
+    kind: "type[RadcalcError]", args: "tuple[str]", fields: "dict[str, Any]"
+) -> RadcalcError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(fields)
+    return error
 
 
 class NumberError(RadcalcError):

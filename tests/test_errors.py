@@ -1,6 +1,7 @@
 """What every error says at each gate, and that no text of a user's is taken for a mention."""
 
 import inspect
+import pickle
 from collections.abc import Callable
 from typing import Any
 
@@ -201,6 +202,14 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
 def test_an_error_is_said_as_one_types_at_the_gate(gate, row):
     error, *said = row
     assert GATES[gate](error()) == said[list(GATES).index(gate)]
+
+
+@pytest.mark.parametrize("row", ERRORS.values(), ids=ERRORS)
+def test_an_error_reaches_another_process_whole(row):
+    error = row[0]()
+    arrived = pickle.loads(pickle.dumps(error))
+    assert (type(arrived), arrived.args) == (type(error), error.args)
+    assert vars(arrived) == vars(error)
 
 
 def test_every_class_of_error_is_said_somewhere():

@@ -24,6 +24,7 @@ KEEPERS = {
     "pint": ("radcalc.units.registry", "radcalc.units.compile"),
     "colour": ("radcalc.spectra.compile",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
+    "dask": ("radcalc.api.lazy",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
     "uncertainties": ("radcalc.units.uncertain",),
     "numpy": (

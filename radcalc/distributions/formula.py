@@ -87,7 +87,7 @@ class Formula:
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
         with numpy.errstate(all="ignore"):
             found = self.expression(at) * self.factor + 0.0 * (theta + phi)
-            least, most = numpy.min(found), numpy.max(abs(found))
+            least, most = numpy.min(found, initial=0.0), numpy.max(abs(found), initial=0.0)
         if not numpy.isfinite(most):
             self._refuse("no finite value", ~numpy.isfinite(found), theta, phi, "a finite number")
         if least < -NEGATIVE * most:

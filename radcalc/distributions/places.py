@@ -348,7 +348,7 @@ def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Num
 
 def _counts(distribution: Distribution, radius: Number, away: Number) -> list[int]:
     """How many radii of a disc are looked at, so that nothing of the light falls between them."""
-    widest = float(numpy.arctan(numpy.max(radius / away)))
+    widest = float(numpy.arctan(numpy.max(radius / away, initial=0.0)))
     least = math.pi * widest / distribution.finest
     counts = [count for count in COUNTS if 2 * count >= least]
     if len(counts) < 2:

@@ -262,7 +262,7 @@ def steepest(reach: Number, distance: Number) -> str:
     """
     _check(reach, distance)
     part = reach / distance
-    part = float(part.max()) if is_array(part) else part
+    part = float(part.max(initial=0.0)) if is_array(part) else part
     most = 90 - math.degrees(math.asin(min(part, 1.0)))
     return f"{math.floor(10 * most) / 10:g}deg"
 
@@ -286,4 +286,4 @@ def percent(bound: Number) -> str:
     >>> far_field.percent(0.022)
     'within 2.2 %'
     """
-    return f"within {100 * (float(bound.max()) if is_array(bound) else bound):.2g} %"
+    return f"within {100 * (float(bound.max(initial=0.0)) if is_array(bound) else bound):.2g} %"

@@ -323,8 +323,6 @@ def real(value: Any, what: str, hint: str) -> Any:
         raise NumberError(problem, hint) from None
     except (TypeError, ValueError, Warning):
         raise NumberError(problem, hint) from None
-    if not array.size:
-        raise NumberError(f"{what} has an array without a number", hint)
     return array if array.ndim else float(array)
 
 

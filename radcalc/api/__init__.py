@@ -1,4 +1,8 @@
-"""The Python API: Pint quantities in and out, arrays welcome."""
+"""The Python API: Pint quantities in and out, arrays welcome.
+
+Dask's arrays too, where a function works element by element: what depends on them is then an array
+of Dask's, and what is impossible among their elements raises its error as that is computed.
+"""
 
 from collections.abc import Callable, Iterable
 from functools import wraps
@@ -128,11 +132,37 @@ def in_python(function: Callable[..., T]) -> Callable[..., T]:
     return call
 
 
+def is_lazy(value: Any) -> bool:
+    """Whether it is a collection of Dask's, or a quantity that has one."""
+    return hasattr(getattr(value, "magnitude", value), "__dask_graph__")
+
+
+def in_blocks(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Let a function that works element by element take Dask's arrays, and wait as they do."""
+
+    @wraps(function)
+    def call(*words: Any, **given: Any) -> Any:
+        if not any(map(is_lazy, (*words, *given.values()))):
+            return function(*words, **given)
+        from radcalc.api.lazy import blockwise
+
+        return blockwise(function.__name__, words, given)
+
+    return call
+
+
+def _refuse_lazy(value: Any, what: str) -> None:
+    if is_lazy(value):
+        problem = f"{what} is one of Dask's, for which the answer here cannot wait"
+        raise ConditionError(problem, "an array in memory: .compute() before the call")
+
+
 def _in_words(text: str) -> str:
     return spell(text, Python)
 
 
 @in_python
+@in_blocks
 def convert(value: Any, target: str, **conditions: Any) -> Any:
     """Convert a quantity to another unit, or to another quantity under conditions.
 
@@ -140,7 +170,8 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     ----------
     value : str, Quantity or float
         A text such as ``"100 lx"``, or a `radcalc.Quantity`, whose magnitude may be an array
-        of any shape, or a number of the `uncertainties` package.  A bare number is dimensionless.
+        of any shape, Dask's too, or a number of the `uncertainties` package.  A bare number is
+        dimensionless.
     target : str
         The unit of the result, or a scale: ``"dBm"``.
     **conditions
@@ -263,6 +294,7 @@ def factor(source: str, target: str, **conditions: Any) -> float:
 
 
 @in_python
+@in_blocks
 def point_source(
     *, distribution: Any = None, any_incidence: bool = False, **given: Any
 ) -> dict[str, Any]:
@@ -278,7 +310,8 @@ def point_source(
         Work out the incidence, in place of taking it as 0.
     **given : str, Quantity or float
         As the options of ``radcalc point-source``, with underscores: ``flux="800 lm"``,
-        ``distance=Quantity(array, "m")``.  Arrays are broadcast together.
+        ``distance=Quantity(array, "m")``.  Arrays are broadcast together.  For Dask's arrays the
+        results are such, and a value that is impossible raises its error when they are computed.
 
     Returns
     -------
@@ -537,6 +570,7 @@ def _row(source: Any) -> Any:
 
 
 @in_python
+@in_blocks
 def lambertian(
     shape: str = "patch", *, corner: bool = False, perpendicular: bool = False, **given: Any
 ) -> dict[str, Any]:
@@ -576,6 +610,7 @@ def lambertian(
 
 
 @in_python
+@in_blocks
 def uberlight(point: Any, *, omni: bool = False, **given: Any) -> dict[str, Any]:
     """What a cinematographer's light sends to points, and how much each setting attenuates it.
 
@@ -616,6 +651,7 @@ def uberlight(point: Any, *, omni: bool = False, **given: Any) -> dict[str, Any]
 
 def _place(point: Any) -> Given:
     """Points, as a text, lengths or numbers of metres."""
+    _refuse_lazy(point, "the array of points")
     if isinstance(point, str):
         return read_place("point", point)
     metres, unit = point, None
@@ -636,6 +672,7 @@ def _place(point: Any) -> Given:
 
 
 @in_python
+@in_blocks
 def sky(kind: str | int = "overcast", **given: Any) -> dict[str, Any]:
     """The light of the sky, toward a direction, on the ground and on a plane.
 
@@ -671,6 +708,7 @@ def sky(kind: str | int = "overcast", **given: Any) -> dict[str, Any]:
 
 
 @in_python
+@in_blocks
 def ev(**given: Any) -> dict[str, Any]:
     """Exposure values, and the light that a meter shows them for.
 
@@ -701,6 +739,7 @@ def ev(**given: Any) -> dict[str, Any]:
 
 
 @in_python
+@in_blocks
 def calorimeter(**given: Any) -> dict[str, Any]:
     """The radiant flux that heats a body, or how warm a flux makes it.
 
@@ -749,6 +788,7 @@ def _given(keyword: str, value: Any, known: Any, what: str) -> Given | None:
         raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords or "help(radcalc)")
     if value is None or value is False:
         return None
+    _refuse_lazy(value, keyword)
     if isinstance(value, (list, tuple)) and any(map(_is_quantity, value)):
         if SYMBOLS[name].form not in (DIRECTION, POINT, VECTOR, NUMBERS):
             array = f"one quantity, {keyword}=radcalc.Quantity([1, 2], UNIT)"
@@ -814,6 +854,7 @@ def _converted(made: Plan, magnitude: Any, given: list[Given]) -> Any:
 
 def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any, list[Given]]:
     """The plan that both need, the magnitude to apply it to, and the conditions."""
+    _refuse_lazy(value, "the value")
     if not isinstance(target, str):
         raise UnitError(
             f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"

@@ -1,0 +1,204 @@
+"""Dask's arrays: a calculation that waits, and is then done block by block.
+
+A calculator looks at the values that it is given, so it cannot work with what is not there yet.
+It is run on arrays without elements, which tells what results there are, in which units and along
+which axes, and later on each block, where what is wrong with a value raises its error.
+"""
+
+from typing import Any, NamedTuple
+
+import dask.array
+import numpy
+
+from radcalc import api
+from radcalc.errors import ConditionError, option
+from radcalc.maths import is_column
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.units.registry import from_container
+
+ALONE = ""  # the name of the result of a function that gives one
+
+
+class Place(NamedTuple):
+    """Where an array stands in a call, by number or keyword, and the unit if it is a quantity's.
+
+    Of a point there are three arrays, one for each coordinate.
+    """
+
+    key: int | str
+    unit: str
+    parts: int
+
+
+class Result(NamedTuple):
+    """A result for no elements: its unit, its shape, and its value, which may have no axis."""
+
+    unit: str
+    shape: tuple[int, ...]
+    value: Any
+
+
+class Call(NamedTuple):
+    """A call that can be sent to another process, and where it takes the arrays of a block.
+
+    Arguments are magnitudes with a unit, as Pint's quantities would lose their registry.
+    """
+
+    function: str
+    words: tuple[Any, ...]
+    given: dict[str, Any]
+    places: tuple[Place, ...]
+
+    def results(self, *blocks: Any) -> dict[str, Any]:
+        """What the function gives for these blocks."""
+        arguments = [*enumerate(self.words), *self.given.items()]
+        values: dict[Any, Any] = {key: _quantity(*one) for key, one in arguments if one}
+        left = iter(blocks)
+        for place in self.places:
+            parts = [next(left) for _ in range(place.parts)]
+            array = parts[0] if place.parts == 1 else numpy.stack(parts, -1)
+            values[place.key] = _quantity(array, place.unit)
+        words = [values.pop(key) for key in range(len(self.words))]
+        found = getattr(api, self.function)(*words, **values)
+        return found if isinstance(found, dict) else {ALONE: found}
+
+
+class Rows(NamedTuple):
+    """The results of a call that are arrays, one behind the other along a first axis."""
+
+    call: Call
+    expected: dict[str, Result]
+
+    def __call__(self, *blocks: Any) -> Any:
+        """The results for these blocks, which must be those that there are for no elements."""
+        found = self.call.results(*blocks)
+        if not (found.keys() == self.expected.keys() and all(map(self._fits, found.items()))):
+            problem = "not all elements have the same results, in number and unit"
+            raise ConditionError(problem, "arrays in memory: .compute() before the call")
+        shape = numpy.broadcast_shapes(*(block.shape for block in blocks))
+        rows = [_magnitude(found[name]) for name, one in self.expected.items() if one.shape]
+        rows = [row if row.shape == shape else numpy.broadcast_to(row, shape) for row in rows]
+        return rows[0][None] if len(rows) == 1 else numpy.stack(rows)
+
+    def _fits(self, found: tuple[str, Any]) -> bool:
+        name, value = found
+        unit, shape, known = self.expected[name]
+        same = bool(shape) or numpy.array_equal(_magnitude(value), known, equal_nan=True)
+        return same and _unit(value) == unit
+
+
+def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> Any:
+    """What a function of the API gives for Dask's arrays: the same as for NumPy's, but waiting.
+
+    Parameters
+    ----------
+    function : str
+        The name of a function of `radcalc.api` that works element by element.
+    words, given
+        Its arguments, a Dask array or a quantity that has one among them.
+
+    Returns
+    -------
+    Quantity, dask.array.Array, or dict of str to Quantity
+        As of the function; what depends on an array is a Dask array.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        What is wrong whatever the elements are; what is wrong with one of them is raised when the
+        results are computed.
+    """
+    rest: dict[Any, Any] = dict([*enumerate(words), *given.items()])
+    parts = {key: found for key, value in rest.items() if (found := _arrays(function, key, value))}
+    places = [Place(key, _unit(rest[key]), len(found)) for key, found in parts.items()]
+    arrays = [array for found in parts.values() for array in found]
+    plain = {
+        key: None if key in parts else (_magnitude(value), _unit(value))
+        for key, value in rest.items()
+    }
+    call = Call(
+        function,
+        tuple(plain[key] for key in range(len(words))),
+        {key: plain[key] for key in given},
+        tuple(places),
+    )
+    is_single = not any(array.ndim for array in arrays)
+    arrays = [array if array.ndim else array.reshape(1) for array in arrays]
+    empty = call.results(*map(_without_elements, arrays))
+    expected = {
+        name: Result(_unit(value), numpy.shape(_magnitude(value)), _magnitude(value))
+        for name, value in empty.items()
+    }
+    names = [name for name, one in expected.items() if one.shape]
+    axes = tuple(range(max(array.ndim for array in arrays)))
+    try:
+        rows: Any = dask.array.blockwise(  # type: ignore[no-untyped-call]
+            Rows(call, expected),
+            (len(axes), *axes),
+            *(x for array in arrays for x in (array, axes[len(axes) - array.ndim :])),
+            new_axes={len(axes): len(names)},
+            dtype=numpy.result_type(*(expected[name].value.dtype for name in names)),
+            meta=numpy.empty((0,) * (len(axes) + 1)),
+            token=f"radcalc-{function}",
+        )
+    except ValueError:
+        hint = "arrays of one shape, or of shapes that NumPy broadcasts, with known chunks"
+        raise ConditionError("the arrays do not fit together", hint) from None
+    results = dict(empty)
+    for row, name in enumerate(names):
+        array = rows[(row, *_index(expected[name].shape, len(axes), is_single))]
+        results[name] = api.Quantity(array, empty[name].units) if expected[name].unit else array
+    return results.get(ALONE, results)
+
+
+def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
+    """The arrays of an argument, NumPy's too, as Dask's; none, if it is one value for all."""
+    array = _magnitude(value)
+    symbol = SYMBOLS.get(str(key).replace("_", "-"))
+    if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):
+        array = numpy.asarray(array)
+    is_lazy = api.is_lazy(array)
+    if is_lazy and not isinstance(array, dask.array.Array):
+        problem = f"a {type(array).__name__} of Dask is no array"
+        raise ConditionError(problem, "its values: .to_dask_array(), or .values")
+    if is_lazy and symbol and symbol.form != QUANTITY:
+        raise ConditionError(f"{option(symbol.name)} is a Dask array", "one value: .compute()")
+    if function == "uberlight" and key in (0, "point"):
+        if not is_lazy and numpy.ndim(array) < 2:
+            return []
+        if array.shape[-1:] != (3,):
+            raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
+        return [_lazy(array[..., axis]) for axis in range(3)]
+    return [_lazy(array)] if is_lazy or is_column(array) else []
+
+
+def _lazy(array: Any) -> Any:
+    return dask.array.asarray(array)  # type: ignore[no-untyped-call]
+
+
+def _without_elements(array: Any) -> Any:
+    """An array of no elements with the axes of another, where those of length 1 are kept."""
+    shape = [int(length == 1) for length in array.shape]
+    if all(shape):
+        shape[-1] = 0
+    return numpy.empty(shape, array.dtype)
+
+
+def _index(shape: tuple[int, ...], count: int, is_single: bool) -> tuple[Any, ...]:
+    """Where a result stands in rows with so many axes: it may have fewer, or be one long."""
+    if is_single:
+        return (0,)
+    kept = (slice(None, 1) if length == 1 else slice(None) for length in shape)
+    return (*[0] * (count - len(shape)), *kept)
+
+
+def _magnitude(value: Any) -> Any:
+    return getattr(value, "magnitude", value)
+
+
+def _unit(value: Any) -> str:
+    return from_container(value._units).text if hasattr(value, "magnitude") else ""
+
+
+def _quantity(magnitude: Any, unit: str) -> Any:
+    return api.Quantity(magnitude, unit) if unit else magnitude

@@ -1,0 +1,232 @@
+"""Dask's arrays go through the calculators as NumPy's do, and wait until they are computed."""
+
+import dask
+import dask.array
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import radcalc
+from radcalc.api.lazy import Call, Place, Result, Rows
+from radcalc.errors import ConditionError, RadcalcError
+
+Q = radcalc.Quantity
+A = np.linspace(0.5, 4.0, 12).reshape(3, 4)  # in chunks that do not fit together
+B = np.linspace(1.0, 1.5, 4)
+DOWNLIGHT = str(ROOT / "examples" / "downlight.ies")
+
+
+class Waiting:
+    """An array that counts what is read of it."""
+
+    def __init__(self, values: np.ndarray) -> None:
+        self.values, self.shape, self.dtype = values, values.shape, values.dtype
+        self.ndim, self.reads = values.ndim, 0
+
+    def __getitem__(self, where):
+        self.reads += 1
+        return self.values[where]
+
+
+CALLS = {
+    "a value": (radcalc.convert, (A, "lx"), ("umol/m2/s",), {"spectrum": "LED-B3"}, {}),
+    "a value on a scale": (radcalc.convert, (A, "mW"), ("dBm",), {}, {}),
+    "a condition": (radcalc.convert, "5 cd", ("lx",), {}, {"distance": (A, "m")}),
+    "a value and a condition": (
+        radcalc.convert, (A, "cd"), ("lx",), {}, {"distance": (B, "m")}),
+    "a patch": (
+        radcalc.convert, "1 W/sr", ("W",), {"area": "20 mm2"}, {"distance": (A, "m")}),
+    "a distance": (
+        radcalc.point_source, None, (), {"intensity": "100 cd"}, {"distance": (A, "m")}),
+    "an intensity and a distance": (
+        radcalc.point_source, None, (), {}, {"intensity": (A, "cd"), "distance": (B, "m")}),
+    "a lobe": (
+        radcalc.point_source, None, (), {"flux": "800 lm", "offset": "1 m"},
+        {"height": (A, "m"), "exponent": (B, "")}),
+    "a distance from an irradiance": (
+        radcalc.point_source, None, (), {"flux": "800 lm"}, {"irradiance": (A, "lx")}),
+    "a file": (
+        radcalc.point_source, None, (), {"distribution": DOWNLIGHT, "spectrum": "D65"},
+        {"height": (A, "m"), "offset": (B, "m")}),
+    "a direction beside it": (
+        radcalc.point_source, None, (), {"distribution": DOWNLIGHT, "aim": (1, 0, -1)},
+        {"height": (A, "m")}),
+    "an expression": (
+        radcalc.point_source, None, (), {"distribution": "3*max(cos(theta), 0) cd"},
+        {"height": (A, "m"), "offset": (B, "m")}),
+    "a diffuse patch": (
+        radcalc.lambertian, None, (), {"luminance": "9 cd/m2", "area": "1 cm2"},
+        {"distance": (A, "m"), "tilt": (B, "deg")}),
+    "a disc off the axis": (
+        radcalc.lambertian, None, ("disc",), {"luminance": "9 cd/m2", "radius": "1 m"},
+        {"height": (A, "m"), "offset": (B, "m")}),
+    "a rectangle": (
+        radcalc.lambertian, None, ("rectangle",), {"luminance": "9 cd/m2", "width": "1 m"},
+        {"length": (A, "m"), "height": (B, "m")}),
+    "a sky": (
+        radcalc.sky, None, ("clear",), {"horizontal_illuminance": "9 klx", "sun_azimuth": "5 deg"},
+        {"sun_elevation": (30 * B, "deg"), "tilt": (A, "deg"), "azimuth": (A, "deg")}),
+    "a meter": (radcalc.ev, None, (), {"time": "1/50 s"}, {"f_number": (A, "")}),
+    "heat": (
+        radcalc.calorimeter, None, (), {"specific_heat": "385 J/kg/K", "time": "30 s"},
+        {"mass": (A, "kg"), "temperature_rise": (B, "K")}),
+    "a light of films": (
+        radcalc.uberlight, None, ((0.0, 0.0, 1.0),), {"falloff": 1},
+        {"intensity": (A, "cd"), "falloff_distance": (B, "m")}),
+}  # fmt: skip
+
+
+def lazy(values):
+    """A Dask array in chunks, and what counts the reads of it."""
+    counted = Waiting(values)
+    chunks = (2,) * (values.ndim - 1) + (3,)
+    return dask.array.from_array(counted, chunks=chunks, asarray=False, meta=np.empty(0)), counted
+
+
+def of(values, unit):
+    return Q(values, unit) if unit else values
+
+
+def asked(function, value, words, given, arrays, make):
+    if isinstance(value, tuple):
+        value = of(make(value[0]), value[1])
+    first = () if value is None else (value,)
+    told = {name: of(make(values), unit) for name, (values, unit) in arrays.items()}
+    found = function(*first, *words, **given, **told)
+    return found if isinstance(found, dict) else {"value": found}
+
+
+@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
+def test_the_answers_are_those_of_arrays_in_memory_and_wait(call):
+    sources = []
+
+    def make(values):
+        array, counted = lazy(values)
+        sources.append(counted)
+        return array
+
+    found, expected = asked(*call, make), asked(*call, lambda values: values)
+    assert [one.reads for one in sources] == [0] * len(sources)
+    assert list(found) == list(expected)
+    some = 0
+    for name, value in expected.items():
+        told, known = (getattr(one, "magnitude", one) for one in (found[name], value))
+        assert getattr(found[name], "units", "") == getattr(value, "units", "")
+        some += isinstance(told, dask.array.Array)
+        assert isinstance(told, dask.array.Array) == isinstance(known, np.ndarray), name
+        computed = dask.compute(told, scheduler="synchronous")[0]
+        assert np.shape(told) == np.shape(known)
+        np.testing.assert_allclose(computed, known, rtol=1e-14)
+    assert some
+    assert any(one.reads for one in sources)
+
+
+def test_the_points_of_a_light_may_be_lazy():
+    points = np.stack([A - 2, 0 * A, A], -1)
+    array = dask.array.from_array(points, chunks=(2, 3, 2))
+    falloff = dask.array.from_array(B, chunks=2)
+    found = radcalc.uberlight(Q(array, "m"), intensity="9 cd", falloff=falloff)
+    expected = radcalc.uberlight(Q(points, "m"), intensity="9 cd", falloff=B)
+    for name in ("x", "irradiance", "attenuation"):
+        assert isinstance(found[name].m, dask.array.Array)
+        np.testing.assert_allclose(found[name].m.compute(), expected[name].m, rtol=1e-14)
+    alone = radcalc.uberlight(array[0, 0], intensity="9 cd")["irradiance"].m
+    assert alone.compute() == radcalc.uberlight(points[0, 0], intensity="9 cd")["irradiance"].m
+
+
+def test_what_depends_on_some_arrays_only_has_their_shape():
+    """As NumPy broadcasts: a column of distances and a row of intensities."""
+    column, row = A[:, :1], B
+    lazily = [dask.array.from_array(array, chunks=2) for array in (column, row)]
+    found = radcalc.point_source(distance=Q(lazily[0], "m"), intensity=Q(lazily[1], "cd"))
+    expected = radcalc.point_source(distance=Q(column, "m"), intensity=Q(row, "cd"))
+    for name, value in expected.items():
+        assert np.shape(found[name].m) == np.shape(value.m), name
+    np.testing.assert_allclose(found["irradiance"].m.compute(), expected["irradiance"].m)
+    np.testing.assert_allclose(found["flux"].m.compute(), expected["flux"].m)
+
+
+def test_arrays_in_memory_and_lists_beside_a_lazy_one_are_cut_as_it_is():
+    """Else a list as long as a chunk would be taken for each chunk anew."""
+    distance = Q(dask.array.from_array(np.arange(1.0, 7.0), chunks=3), "m")
+    exponents = [1, 2, 3, 4, 5, 6]
+    found = radcalc.point_source(intensity="1 cd", distance=distance, exponent=exponents)
+    assert found["exponent"].m.compute().tolist() == exponents
+    with pytest.raises(ConditionError, match="do not fit together"):
+        radcalc.point_source(intensity="1 cd", distance=distance, exponent=[1, 2, 3])
+
+
+def test_a_single_lazy_number_and_lengths_that_are_not_known_yet():
+    one = dask.array.from_array(np.array(2.0))
+    assert radcalc.convert("1 cd", "lx", distance=Q(one, "m")).m.compute() == 0.25
+    logged = dask.array.from_array(np.array([1.0, -1.0, 2.0, -3.0]), chunks=2)
+    kept = logged[logged > 0]  # chunks of lengths that only the values tell, and one may be empty
+    assert radcalc.convert(Q(kept, "klx"), "lx").m.compute().tolist() == [1000.0, 2000.0]
+    found = radcalc.point_source(flux="1 lm", distance=Q(logged[logged < -1], "m") * -1)
+    assert found["distance"].m.compute().tolist() == [3.0]
+
+
+@pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf])
+def test_a_value_that_is_not_possible_raises_when_it_is_computed(bad):
+    values = np.ones(8)
+    values[5] = bad
+    array = dask.array.from_array(values, chunks=2)
+    found = radcalc.point_source(intensity="1 cd", distance=Q(array, "m"))["irradiance"].m
+    assert found[:4].compute().tolist() == [1.0] * 4
+    with pytest.raises(RadcalcError, match=r'distance=".*m.* is not possible|is beyond'):
+        found.compute(scheduler="synchronous")
+    if bad < 0:
+        lit = radcalc.convert(Q(array, "cd"), "lx", distance="1 m").m
+        with pytest.raises(ConditionError, match="negative luminous intensity is no light"):
+            lit.compute()
+
+
+def test_a_receiver_that_is_too_near_raises_when_it_is_computed():
+    array = dask.array.from_array(np.array([1.0, 0.01]), chunks=1)
+    found = radcalc.lambertian(luminance="1 cd/m2", area="1 cm2", distance=Q(array, "m"))
+    assert found["irradiance"].m[0].compute() > 0
+    with pytest.raises(RadcalcError, match="distance"):
+        found["irradiance"].m.compute()
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda x: radcalc.convert(Q(x, "lm"), "cd"), "a solid angle is missing"),
+        (lambda x: radcalc.convert(Q(x, "lm"), "m"), "no condition links"),
+        (lambda x: radcalc.point_source(distance=Q(x, "lm")), "takes a length"),
+        (lambda x: radcalc.point_source(flux="1 lm", distance=x), "numbers without a unit"),
+        (lambda x: radcalc.point_source(zork=x), "there is no input 'zork'"),
+        (lambda x: radcalc.point_source(intensity="1 cd", toward=x), "toward is a Dask array"),
+        (lambda x: radcalc.point_source(intensity="1+-0.1 cd", distance=Q(x, "m")), "uncertain"),
+        (lambda x: radcalc.uberlight(x, intensity="1 cd"), "three coordinates"),
+        (lambda x: radcalc.explain(Q(x, "lx"), "fc"), "single values"),
+        (lambda x: radcalc.factor("cd", "lx", distance=Q(x, "m")), "distance is one of Dask's"),
+        (lambda x: radcalc.scene([{"z": 2, "intensity": "1 cd"}], x), "points is one of Dask's"),
+        (
+            lambda x: radcalc.environment("sky:clear", sun_elevation=Q(x, "deg")),
+            "sun_elevation is one of Dask's",
+        ),
+    ],
+)
+def test_what_is_wrong_whatever_the_elements_are_is_refused_at_once(call, said):
+    array, counted = lazy(A)
+    with pytest.raises(RadcalcError, match=said) as caught:
+        call(array)
+    assert caught.value.hint
+    assert counted.reads == 0
+
+
+def test_a_call_can_be_sent_to_another_process():
+    import pickle
+
+    call = Call("convert", (None, ("lx", "")), {"distance": (2.0, "m")}, (Place(0, "cd", 1),))
+    rows = pickle.loads(pickle.dumps(Rows(call, {"": Result("lux", (0,), np.empty(0))})))
+    assert rows(np.array([4.0])).tolist() == [[1.0]]
+
+
+def test_results_that_not_all_elements_have_are_refused():
+    call = Call("convert", (None, ("lx", "")), {"distance": (2.0, "m")}, (Place(0, "cd", 1),))
+    for known in (Result("footcandle", (0,), np.empty(0)), Result("lux", (), 5.0)):
+        with pytest.raises(ConditionError, match="not all elements have the same results"):
+            Rows(call, {"": known})(np.array([4.0]))
