@@ -42,6 +42,7 @@ COMMANDS = {
     "ev": "Exposure values and the light meter.",
     "calorimeter": "Radiant flux from the heat it leaves.",
     "screen": "The picture on a projection screen.",
+    "dose": "What samples of light in time add up to.",
     "integrate": "Integrals over directions.",
     "photon": "Wavelength, frequency and energy of a photon.",
     "spectrum": "Peak, efficacies and colour of a spectrum.",

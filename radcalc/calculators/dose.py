@@ -1,0 +1,380 @@
+"""What samples of light in time add up to: exposure or energy, by the trapezoidal rule.
+
+Between two samples the light is taken to run straight.  A step that is longer than `max-gap`, or
+from which a sample was left out, is a gap: nothing is added there, and it is told.
+"""
+
+from bisect import bisect_left
+from collections.abc import Callable, Iterator
+from math import fsum, inf
+from operator import add, mul, sub
+from typing import Any, NamedTuple
+
+from radcalc.answer import Answer, Value
+from radcalc.calculators.results import value
+from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.derivation import (
+    Formula,
+    coherent_unit_of,
+    format_number,
+    format_value,
+    letter_of,
+)
+from radcalc.errors import ConditionError, NumberError, mention, option
+from radcalc.given import Inputs
+from radcalc.laws.law import law
+from radcalc.quantities.light import describe
+from radcalc.quantities.light import read as read_light
+from radcalc.units.table import Unit, divide
+
+FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
+NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
+LONG = 10  # times the mean of the others: a step that is told
+SLACK = 1e-9  # of a gap's limit
+
+MEAN = {
+    IRRADIANCE: law("mean irradiance", "{exposure} = {mean-irradiance} {covered-time}"),
+    FLUX: law("mean flux", "{energy} = {mean-flux} {covered-time}"),
+}
+RECEIVED = law("received energy", "{energy} = {exposure} {receiver-area}", "ISO 80000-7")
+SUM = {
+    IRRADIANCE: Formula("exposure of samples", "{exposure} = sum of (E_i + E_i+1)/2 (t_i+1 - t_i)"),
+    FLUX: Formula("energy of samples", "{energy} = sum of (Phi_i + Phi_i+1)/2 (t_i+1 - t_i)"),
+}
+OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
+      FLUX: ("energy", "maximum-flux")}  # fmt: skip
+PAGE = Page(
+    "a dose",
+    ("receiver-area",),
+    ("exposure", "energy", "mean-irradiance", "mean-flux", "maximum-irradiance", "maximum-flux"),
+)
+# What people read an exposure in, beside its coherent unit.
+ALSO = {"lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h",
+        "J": "Wh"}  # fmt: skip
+
+Spans = Callable[[float], tuple[float, float, str]]  # the period of a time: from, to, its name
+
+
+def check_unit(unit: Unit) -> None:
+    """Refuse samples whose sum over time is no exposure and no energy."""
+    reading = read_light(unit)
+    if reading and not reading.axis and not reading.retinal:
+        if reading.geometry in OF and not unit.is_scale:
+            return
+        if reading.time:
+            problem = f"{describe(unit)} is a sum over time already"
+            raise ConditionError(problem, "samples of an irradiance, illuminance, PPFD or flux")
+    raise ConditionError(
+        f"{describe(unit)} adds up to no exposure and no energy",
+        "samples of an irradiance, illuminance, PPFD or flux: W/m2, lx, umol/m2/s, W, lm",
+    )
+
+
+class Step(NamedTuple):
+    """From one sample to the next: the length and the ends [ticks]."""
+
+    length: float
+    start: float
+    end: float
+
+
+NO_STEP = Step(0, 0, 0)
+
+
+class Period:
+    """What the samples of a day, an hour or a whole log add up to, in their unit and in ticks.
+
+    The sum is kept in two floats, so that ten million terms lose no digits.
+    """
+
+    __slots__ = ("count", "covered", "end", "label", "low", "peak", "start", "total", "when")
+
+    def __init__(self, start: float, end: float, label: str = "") -> None:
+        self.start, self.end, self.label = start, end, label
+        self.total = self.low = 0.0
+        self.covered: float = 0
+        self.count = 0
+        self.peak, self.when = -inf, start
+
+    def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
+        """Add what lies between samples, of which the first may have been counted before."""
+        highest = max(values)
+        if highest > self.peak:
+            self.peak, self.when = highest, times[values.index(highest)]
+        self.covered += times[-1] - times[0]
+        part = _sum(values, steps)
+        total = self.total + part  # Neumaier's sum
+        if abs(self.total) >= abs(part):
+            self.low += (self.total - total) + part
+        else:
+            self.low += (part - total) + self.total
+        self.total = total
+
+
+class Dose:
+    """Samples as they come, added up over all of the log, or by periods of it."""
+
+    def __init__(self, longest: float = inf, bridges: bool = False, spans: Spans | None = None):
+        """Take the longest step to be bridged [ticks], and what cuts time into periods.
+
+        It `bridges` a sample that was left out, where somebody said how long a step may be.
+        """
+        self.longest = longest * (1 + SLACK)
+        self.bridges = bridges
+        self.spans = spans
+        self.periods: list[Period] = []
+        self.first: Any = None  # tick
+        self.time: Any = None  # of the last sample
+        self.value = 0.0
+        self.is_broken = False
+        self.count = 0
+        self.peak, self.peak_at = -inf, 0.0
+        self.gaps, self.gap_time, self.widest = 0, 0.0, NO_STEP
+        self.step = NO_STEP  # the longest that is bridged
+        self.negative, self.below, self.least, self.least_at = 0, 0.0, 0.0, 0.0
+
+    def interrupt(self) -> None:
+        """A sample is missing here: what lies between its neighbours is not known."""
+        self.is_broken = not self.bridges
+
+    def add(self, times: list[Any], values: list[float]) -> None:
+        """Take samples in the order of their times, of which there is at least one."""
+        self._watch(times, values)
+        counted = 0  # samples of the run that were counted before
+        if self.first is None:
+            self.first = times[0]
+        elif self.is_broken or times[0] - self.time > self.longest:
+            self._gap(self.time, times[0])
+        else:
+            times, values, counted = [self.time, *times], [self.value, *values], 1
+        self.time, self.value, self.is_broken = times[-1], values[-1], False
+        steps = list(map(sub, times[1:], times))
+        start = 0
+        if steps and max(steps) > self.longest:
+            for k, step in enumerate(steps, 1):
+                if step > self.longest:
+                    self._run(times[start:k], values[start:k], steps[start : k - 1], counted)
+                    self._gap(times[k - 1], times[k])
+                    start, counted = k, 0
+        self._run(times[start:], values[start:], steps[start:], counted)
+
+    def _watch(self, times: list[Any], values: list[float]) -> None:
+        """Keep the greatest sample, and what is below 0."""
+        self.count += len(times)
+        high, low = max(values), min(values)
+        if high > self.peak:
+            self.peak, self.peak_at = high, times[values.index(high)]
+        if low < 0:
+            self.negative += sum(one < 0 for one in values)
+            if low < self.least:
+                self.least, self.least_at = low, times[values.index(low)]
+
+    def _gap(self, start: Any, end: Any) -> None:
+        self.gaps += 1
+        self.gap_time += end - start
+        self.widest = max(self.widest, Step(end - start, start, end))
+
+    def _run(self, times: list[Any], values: list[float], steps: list[Any], counted: int) -> None:
+        """Add samples without a gap between them, cut at the ends of periods."""
+        if steps:
+            longest = max(steps)
+            if longest > self.step.length:
+                at = steps.index(longest)
+                self.step = Step(longest, times[at], times[at + 1])
+            if min(values) < 0:
+                self.below += fsum(map(_below, values, values[1:], steps))
+        while True:
+            period = self._period(times[0])
+            end = period.end
+            cut = bisect_left(times, end)
+            period.count += cut - counted
+            if cut == len(times):
+                period.take(times, values, steps)
+                return
+            left = end - times[cut - 1]
+            value = values[cut]
+            if times[cut] != end:  # on the straight line between two samples
+                value = values[cut - 1] + (value - values[cut - 1]) * (left / steps[cut - 1])
+            period.take([*times[:cut], end], [*values[:cut], value], [*steps[: cut - 1], left])
+            counted = int(times[cut] != end)
+            if counted:
+                times, values = [end, *times[cut:]], [value, *values[cut:]]
+                steps = [times[1] - end, *steps[cut:]]
+            else:
+                times, values, steps = times[cut:], values[cut:], steps[cut:]
+
+    def _period(self, time: Any) -> Period:
+        last = self.periods[-1] if self.periods else None
+        if last and last.start <= time < last.end:
+            return last
+        start, end, label = self.spans(time) if self.spans else (time, inf, "")
+        if last and start < last.end:
+            start = last.end
+        self.periods.append(Period(start, end, label))
+        return self.periods[-1]
+
+
+class Log(NamedTuple):
+    """Samples added up: the unit they are in, a tick as a ratio of seconds, how a time is said."""
+
+    dose: Dose
+    unit: Unit
+    tick: tuple[int, int]
+    say: Callable[[float], str]
+
+    def seconds(self, ticks: float) -> float:
+        """A number of ticks in seconds."""
+        return _exact(ticks, self.tick)
+
+    def check(self) -> None:
+        """Refuse what is no dose: too few samples, or readings that are no light."""
+        dose, unit = self.dose, self.unit.text
+        if dose.count < 2:
+            problem = "one sample makes no dose" if dose.count else "there is no sample"
+            raise ConditionError(problem, "two samples or more")
+        if not any(period.covered for period in dose.periods):
+            raise ConditionError(
+                "every step is a gap, and nothing is added up", mention("a longer {max-gap}")
+            )
+        if dose.least < -NOISE * dose.peak:
+            raise ConditionError(
+                f"a sample of {format_number(dose.least)} {unit} at {self.say(dose.least_at)} is "
+                f"too far below 0 for a meter's offset (the peak is {format_number(dose.peak)})",
+                "a column of light, and no marks such as -99 for what is missing",
+            )
+
+    def remarks(self) -> list[str]:
+        """What is to be said of the samples."""
+        dose, unit = self.dose, self.unit.text
+        notes = [
+            f"the greatest sample, {format_number(dose.peak)} {unit}, is at "
+            f"{self.say(dose.peak_at)}"
+        ]
+        if dose.gaps:
+            told = f"a gap of {self._told(dose.widest)}"
+            if dose.gaps > 1:
+                whole = _duration(self.seconds(dose.gap_time))
+                told = f"{dose.gaps} gaps of {whole} in all; the longest, {self._told(dose.widest)}"
+            notes.append(f"not bridged: {told}")
+        if others := dose.count - dose.gaps - 2:
+            bridged = dose.time - dose.first - dose.gap_time
+            mean = (bridged - dose.step.length) / others
+            if others > 0 and dose.step.length > LONG * mean:
+                notes.append(
+                    f"bridged by a straight line: a step of {self._told(dose.step)}; the others "
+                    f"have {_duration(self.seconds(mean))} on average "
+                    f"({option('max-gap', '10min')} would leave it out)"
+                )
+        if dose.negative:
+            below = format_number(_exact(dose.below, self.tick))
+            many = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
+            notes.append(
+                f"kept as a meter's offset: {many} below 0, down to {format_number(dose.least)} "
+                f"{unit}, together {below} {unit} s"
+            )
+        return notes
+
+    def _told(self, step: Step) -> str:
+        length = _duration(self.seconds(step.length))
+        return f"{length}, from {self.say(step.start)} to {self.say(step.end)}"
+
+    def of_all(self, given: Inputs) -> Answer:
+        """The dose of the whole log."""
+        dose = self.dose
+        whole = dose.periods[0]
+        whole.end = dose.time
+        answer = self._answer(whole, given)
+        gaps = [
+            value("gaps", float(dose.gaps)),
+            value("gap-time", self.seconds(dose.gap_time)),
+            value("longest-gap", self.seconds(dose.widest.length)),
+        ]
+        return answer._replace(
+            values=[*answer.values, *gaps], notes=[*answer.notes, *self.remarks()]
+        )
+
+    def of_periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:
+        """The dose of each day or hour, by its name; the first has the remarks on all."""
+        notes = self.remarks()
+        for period in self.dose.periods:
+            if period.covered:
+                answer = self._answer(period, given)
+                covered, whole = (
+                    _duration(self.seconds(ticks))
+                    for ticks in (period.covered, period.end - period.start)
+                )
+                if covered != whole:
+                    notes = [f"{period.label}: {covered} of {whole} are covered", *notes]
+                yield period.label, answer._replace(notes=[*answer.notes, *notes])
+                notes = []
+
+    def _answer(self, period: Period, given: Inputs) -> Answer:
+        reading = read_light(self.unit)
+        assert reading is not None
+        geometry = reading.geometry
+        amount, peak = OF[geometry]
+        factor = self.unit.top, self.unit.bottom
+        total, covered = period.total + period.low, self.seconds(period.covered)
+        sheet = Worksheet(PAGE, given, preferred=reading.kind)
+        sheet.know(amount, _exact(total, self.tick, factor))
+        sheet.know("covered-time", covered)
+        sheet.know(peak, _exact(period.peak, factor))
+        whole = coherent_unit_of(amount, reading.kind)
+        sum_told = f"{format_value(sheet.known[amount].value, whole)}, of {period.count} samples"
+        sheet.placed.append(SUM[geometry].told(f"{letter_of(amount)} = {sum_told}"))
+        sheet.assume("the light runs straight between samples (the trapezoidal rule)")
+        laws = [MEAN[geometry], RECEIVED]
+        sheet.solve(laws)
+        answer = sheet.answer(laws)
+        duration = self.seconds(period.end - period.start)
+        times = [
+            value("time-of-maximum", self.seconds(period.when - period.start)),
+            value("duration", duration),
+            value("covered-time", covered),
+            value("coverage", covered / duration, label="covered share of the time"),
+            value("samples", float(period.count)),
+        ]
+        return answer._replace(values=[*map(_customary, answer.values), *times])
+
+
+def _sum(values: list[float], steps: list[Any]) -> float:
+    """The area under straight lines between values."""
+    try:
+        return fsum(map(mul, map(add, values[1:], values), steps)) / 2
+    except (OverflowError, ValueError):  # beyond a float, in sum or with both signs
+        return inf
+
+
+def _below(one: float, other: float, step: float) -> float:
+    """The area below 0 under a straight line."""
+    low, high = min(one, other), max(one, other)
+    if low >= 0:
+        return 0.0
+    return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
+
+
+def _customary(result: Value) -> Value:
+    """An exposure or energy in the unit that people read it in, too."""
+    also = ALSO.get(result.units[0]) if result.units else None
+    return result._replace(units=(also, *result.units)) if also else result
+
+
+def _exact(number: float, *ratios: tuple[int, int]) -> float:
+    """A number times ratios, rounded once."""
+    if number - number == 0:
+        over, under = number.as_integer_ratio()
+        for top, bottom in ratios:
+            over *= top
+            under *= bottom
+        number = divide(over, under)
+    if number - number:
+        raise NumberError("the sum cannot be held by a number", "less extreme samples")
+    return number
+
+
+def _duration(seconds: float) -> str:
+    """A duration for people."""
+    for size, unit in ((86400, "d"), (3600, "h"), (60, "min")):
+        if seconds >= size:
+            return f"{format_number(seconds / size)} {unit}"
+    return f"{format_number(seconds)} s"

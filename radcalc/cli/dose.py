@@ -1,0 +1,204 @@
+"""`radcalc dose FILE|-`."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from math import inf
+
+import click
+
+from radcalc import stdio
+from radcalc.answer import Answer, Input, texts_of
+from radcalc.calculators import dose as page
+from radcalc.cli.calculator import Answered, Asked, run, show
+from radcalc.cli.cases import cases
+from radcalc.cli.check import refuse_several
+from radcalc.cli.command import FILE, LIGHT, define
+from radcalc.cli.options import Output
+from radcalc.cli.spelling import spelled
+from radcalc.cli.streams import refuse_second_reader
+from radcalc.errors import ConditionError, RadcalcError, UsageError, quote_path
+from radcalc.errors import command as call_of
+from radcalc.given import Inputs, inputs_of, refuse_uncertain
+from radcalc.streams import ABORT, INVALID
+from radcalc.streams.fields import read_delimiter
+from radcalc.streams.samples import Log, Settings
+from radcalc.units import timestamps
+
+TIME_COLUMN = click.Option(
+    ["--time-column"],
+    multiple=True,
+    metavar="NAME",
+    help="The column of the times, by name or number; twice where date and clock stand apart.",
+)
+COLUMN = click.Option(
+    ["--column"], metavar="NAME", help="The column of the values, by name or number."
+)
+UNIT = click.Option(
+    ["--unit"], metavar="lx", help="What the values are in, where no title has it: lx, W/m2 ..."
+)
+DELIMITER = click.Option(
+    ["-d", "--delimiter"],
+    metavar="X",
+    help="What cuts the cells: one character, or tab (default: what the lines show).",
+)
+INVALID_LINES = click.Option(
+    ["--invalid"],
+    type=click.Choice(INVALID),
+    default=ABORT,
+    help="At a line that cannot be read: stop (abort, the default), or leave it out and fail at "
+    "the end (status 2), warn (status 0) or ignore it (status 0).",
+)
+TIME_ZONE = click.Option(
+    ["--time-zone"],
+    metavar="ZONE",
+    help="The zone of local times, and of days: Europe/Prague, +02:00, UTC.",
+)
+TIME_UNIT = click.Option(
+    ["--time-unit"], metavar="s", help="What times that are numbers are in, from the start."
+)
+TIME_FORMAT = click.Option(
+    ["--time-format"],
+    metavar="FORMAT",
+    help="How dates are written, as strptime has it: %d/%m/%Y %H:%M.",
+)
+BY = click.Option(
+    ["--by"],
+    type=click.Choice(timestamps.PERIODS),
+    help="An answer for each local day, or each hour.",
+)
+
+
+@define(
+    "dose",
+    {
+        "Columns": (COLUMN, UNIT, TIME_COLUMN, DELIMITER, INVALID_LINES),
+        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, "max-gap", BY),
+        "Light": ("receiver-area", *LIGHT),
+    },
+    words="FILE|-",
+    operands=(FILE, (".csv", ".tsv", ".txt", ".dat")),
+)
+def command(
+    words: tuple[str, ...],
+    typed: dict[str, str],
+    time_column: tuple[str, ...],
+    column: str | None,
+    unit: str | None,
+    delimiter: str | None,
+    invalid: str,
+    time_zone: str | None,
+    time_unit: str | None,
+    time_format: str | None,
+    by: str | None,
+    asked: Asked,
+    shown: Output,
+) -> int:
+    """Add up samples of light in time: exposure, energy, daily light integral.
+
+    \b
+    Examples:
+      radcalc dose lux.csv
+      radcalc dose lux.csv --spectrum D65 -g photon-exposure:mol/m2
+      radcalc dose par.csv --by day --time-zone Europe/Prague --max-gap 30min
+      radcalc dose par.csv --by day --format csv -g exposure:mol/m2 -g coverage:%
+      radcalc dose gallery.csv -g exposure:lx.h
+      radcalc dose - --unit W/m2 --time-unit s < samples.txt
+      radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
+
+    FILE has a time and a value in each line, - is standard input.  The values are irradiances,
+    illuminances or PPFD, which add up to an exposure (with --receiver-area to an energy), or
+    fluxes, which add up to an energy; their unit stands in the title (E [lx], PAR_umol/m2/s) or
+    in --unit.
+
+    Times are ISO 8601 with T or a blank, Unix time, or numbers whose unit the title or
+    --time-unit tells.  A local time has no offset: --time-zone says whose it is, and knows the
+    days of 23 and of 25 hours.  Dates that may be read in two ways are refused: --time-format.
+
+    Between two samples the light runs straight.  Steps longer than --max-gap are not bridged, nor
+    is, without it, a step in which a line was left out; they are told, and counted by coverage.
+    """
+    if len(words) != 1:
+        problem = "there is a word too many" if words else "the file with the samples is missing"
+        raise UsageError(problem, call_of("dose", "FILE"))
+    if words[0] == "-":
+        refuse_second_reader(typed)
+    each = cases(typed)
+    if by and len(each) > 1:
+        raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
+    if by and asked.check is not None:
+        refuse_several(2)
+    gaps = {case.given["max-gap"].value for case in each if "max-gap" in case.given}
+    if len(gaps) > 1:
+        raise UsageError("a list of gaps is not for one reading of a log", "--max-gap once")
+    for case in each:
+        refuse_uncertain([one for name, one in case.given.items() if name == "max-gap"], "a log")
+    clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
+    cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
+    settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
+    texts = {"file": words[0], "column": column, "unit": unit, "time-zone": time_zone}
+    told = texts_of({name: text for name, text in texts.items() if text})
+    with _reader(words[0]) as (name, read):
+        log = Log(name, read, settings, _complain)
+        summed = _summed(log, next(iter(gaps), inf), by or "")
+    summed.check()
+
+    def with_remarks(answer: Answer) -> Answer:
+        assumptions = (*log.assumptions, *answer.assumptions)
+        return answer._replace(assumptions=assumptions, notes=[*answer.notes, *log.notes])
+
+    if by:
+        given = dict(each[0].given)
+        inputs = (*told, *inputs_of(given))
+        given.pop("max-gap", None)
+        answers = [
+            Answered(label, (*inputs, Input(by, text=label)), with_remarks(answer))
+            for label, answer in summed.of_periods(given)
+        ]
+        show(answers, asked, shown, [one.inputs for one in answers])
+    else:
+
+        def work_out(given: Inputs) -> Answer:
+            given = {name: one for name, one in given.items() if name != "max-gap"}
+            return with_remarks(summed.of_all(given))
+
+        status = run(each, work_out, asked, shown, "dose", operands=told)
+        if status != stdio.ANSWERED:
+            return status
+    return stdio.ANSWERED if log.is_good else stdio.FAILED
+
+
+@contextmanager
+def _reader(path: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
+    """The name of a file or of standard input, and what reads it."""
+    if path == "-":
+        yield "stdin", stdio.read
+        return
+    name = quote_path(path)
+    try:
+        with open(path, "rb", buffering=0) as file:
+            yield name, file.read
+    except OSError as error:
+        problem = f"cannot read {name}: {error.strerror}"
+        raise ConditionError(problem, "a file with a time and a value in each line") from None
+
+
+def _summed(log: Log, longest: float, by: str) -> page.Log:
+    """A log added up, with no step bridged that is longer than so many seconds."""
+    clock = log.clock
+    page.check_unit(log.layout.unit)
+    top, bottom = clock.tick
+    dose = page.Dose(
+        longest * bottom / top,
+        longest < inf,
+        (lambda time: clock.period(time, by)) if by else None,
+    )
+    for samples in log.samples():
+        if samples:
+            dose.add(*samples)
+        else:
+            dose.interrupt()
+    return page.Log(dose, log.layout.unit, clock.tick, clock.say)
+
+
+def _complain(error: RadcalcError) -> None:
+    stdio.say([f"radcalc: {spelled(error.message)}"])

@@ -1,0 +1,519 @@
+"""Logs of light: the lines of a file or a stream as times and values, many at a time.
+
+The first lines show how a log is laid out: what parts its cells, which lines are its header, how
+its times are written, and in which unit its values are.
+"""
+
+import codecs
+import re
+from collections.abc import Callable, Iterator, Sequence
+from operator import lt
+from typing import Any, NamedTuple
+
+from radcalc import columns
+from radcalc.errors import (
+    LineError,
+    MissingInput,
+    NumberError,
+    RadcalcError,
+    UsageError,
+    listed,
+    mention,
+    nearest,
+    option,
+    quote,
+)
+from radcalc.quantities.light import describe
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.names import PPFD
+from radcalc.streams import ABORT, FAIL, IGNORE
+from radcalc.units import timestamps
+from radcalc.units.scales import resolve_any
+from radcalc.units.table import Unit, resolve, unit_of
+
+BLOCK = 1 << 16  # bytes read at a time
+LONGEST = 1 << 20  # letters of a line
+HEAD = 100  # lines in which the data begin
+FEW = 32  # lines that are not cut further
+BOMS = {
+    codecs.BOM_UTF8: "utf-8-sig",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
+MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
+MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # as loggers mark what is missing: -9999.9
+LEAST = -999.0  # such marks are no greater
+PPFD_UNIT = "umol/m2/s"
+OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
+
+Row = tuple[int, str]  # the number of a line and its text
+
+Samples = tuple[list[Any], list[float]]  # times in ticks, and values
+
+
+class Settings(NamedTuple):
+    """What is told of a log: its columns, its unit, what parts its cells, how its times are."""
+
+    times: tuple[str, ...] = ()
+    column: str = ""
+    unit: str = ""
+    delimiter: str = ""
+    invalid: str = ABORT
+    clock: timestamps.Settings = timestamps.Settings()
+
+
+class Layout(NamedTuple):
+    """Where the times and the values of a log stand, and how they are read."""
+
+    delimiter: str | None
+    width: int
+    times: tuple[int, ...]
+    place: int
+    clock: timestamps.Clock
+    unit: Unit
+
+
+class Log:
+    """A log, read a block at a time."""
+
+    def __init__(
+        self, name: str, read: Callable[[int], bytes], settings: Settings, say: Callable[..., None]
+    ) -> None:
+        """Read the first lines; `say` is told of lines that are left out."""
+        self.name = name
+        self.settings = settings
+        self.say = say
+        self.notes: list[str] = []
+        self.assumptions: list[str] = []
+        self.is_good = True
+        self.left_out, self.first_left_out = 0, ""
+        self.last: Any = None  # tick
+        self.last_line = 0
+        self.decimals = columns.Decimals()
+        self._blocks = self._decoded(read)
+        self.layout = self._lay_out()
+
+    @property
+    def clock(self) -> timestamps.Clock:
+        """What reads the times."""
+        return self.layout.clock
+
+    def error(self, number: int, problem: str, hint: str) -> LineError:
+        """What is wrong, with the line."""
+        where = f", line {number}" if number else ""
+        return LineError(f"{self.name}{where}: {problem}", hint)
+
+    def samples(self) -> Iterator[Samples | None]:
+        """Times and values, many at a time; None where a line was left out."""
+        for number, lines in self._pending:
+            yield from self._of(lines, number)
+        for number, lines in self._blocks:
+            yield from self._of(lines, number)
+        if doubt := self.decimals.doubt():
+            raise self.error(*doubt, columns.MARKS)
+        if self.left_out:
+            many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
+            self.notes.append(f"{many} left out; the first: {self.first_left_out}")
+        self.assumptions += self.clock.assumptions
+
+    def _decoded(self, read: Callable[[int], bytes]) -> Iterator[tuple[int, list[str]]]:
+        """Lines without their ends, many at a time, and the number of the first of them."""
+        number, rest = 1, ""
+        decoder: codecs.IncrementalDecoder | None = None
+        while True:
+            data = read(BLOCK)
+            if decoder is None:
+                name = next((name for bom, name in BOMS.items() if data.startswith(bom)), "utf-8")
+                decoder = codecs.getincrementaldecoder(name)()
+            try:
+                text = rest + decoder.decode(data, final=not data)
+            except UnicodeDecodeError:
+                raise self.error(
+                    0, f"no text in UTF-8 near line {number}", "iconv, which converts it"
+                ) from None
+            cut = text.rfind("\n") + 1 if data else len(text)
+            lines, rest = text[:cut].removesuffix("\n").split("\n"), text[cut:]
+            if len(rest) > LONGEST:
+                raise self.error(number, f"more than {LONGEST} letters", "shorter lines")
+            if cut:
+                if "\r" in text:
+                    lines = [line.removesuffix("\r") for line in lines]
+                yield number, lines
+                number += len(lines)
+            if not data:
+                return
+
+    # How the log is laid out.
+
+    def _lay_out(self) -> Layout:
+        """Read the first lines, of which those with data are kept for later."""
+        head: list[Row] = []
+        for number, lines in self._blocks:
+            head += enumerate(lines, number)
+            if len(head) >= HEAD:
+                break
+        rows = [row for row in head[:HEAD] if not _is_remark(row[1])]
+        named = self._named_row(rows)
+        start = 0 if named is None else named + 1
+        first = next((k for k in range(start, len(rows)) if self._is_data(rows[k][1], named)), None)
+        if first is None:
+            raise self.error(
+                0,
+                f"no time and value in the first {HEAD} lines" if rows else "there is no data",
+                "lines with a time and a value: 2024-06-01T12:35,812",
+            )
+        number, line = rows[first]
+        self._pending = [(number, [text for n, text in head if n >= number])]
+        delimiter = self._delimiter(line)
+        width = len(columns.cells(line, delimiter))
+        titles = self._titles(rows[:first], named, delimiter, width)
+        if not titles:
+            comments = [text for n, text in head if n < number and _is_comment(text)]
+            titles = self._commented(comments, width)
+        return self._columns(number, columns.cells(line, delimiter), titles, delimiter)
+
+    def _delimiter(self, line: str) -> str | None:
+        return self.settings.delimiter or columns.dialect(line)[0]
+
+    def _named_row(self, rows: Sequence[Row]) -> int | None:
+        """The row with the names of columns that were asked for."""
+        names = {*self.settings.times, self.settings.column} - {""}
+        names = {name for name in names if not name.isdecimal()}
+        if not names:
+            return None
+        found = [
+            k
+            for k, (_, line) in enumerate(rows)
+            if names <= {*columns.cells(line, self._delimiter(line))}
+        ]
+        if not found:
+            titles = [columns.cells(line, self._delimiter(line)) for _, line in rows]
+            cells = [cell for row in titles for cell in row if cell and not _is_number(cell)]
+            missing = next((n for n in sorted(names) if n not in cells), min(names))
+            near = [quote(name) for name in nearest(missing, cells, 3)]
+            shown = near or [listed(max(titles, key=len, default=[]))]
+            raise self.error(0, f"there is no column '{quote(missing)}'", ", ".join(shown))
+        return found[0]
+
+    def _is_data(self, line: str, named: int | None) -> bool:
+        """Whether a line has a time and a value: a stamp and a number, or numbers alone."""
+        cells = columns.cells(line, self._delimiter(line))
+        numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
+        if named is not None:
+            return any(map(_is_number, cells))
+        if any(map(self._is_stamp, cells)):
+            return len(numbers) > 0
+        return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
+
+    def _is_stamp(self, cell: str) -> bool:
+        return timestamps.looks_like_stamp(cell, self.settings.clock.format)
+
+    def _titles(
+        self, rows: Sequence[Row], named: int | None, delimiter: str | None, width: int
+    ) -> list[list[str]]:
+        """The rows of titles above the data: names, and units if they stand below."""
+        found: list[list[str]] = []
+        for _, line in reversed(rows[named or 0 :]):
+            cells = columns.cells(line, delimiter)
+            if len(cells) != width or any(_is_number(cell) for cell in cells if cell):
+                break
+            found.insert(0, cells)
+        if named is not None and len(found) < len(rows) - named:
+            number, line = rows[named]
+            count = len(columns.cells(line, delimiter))
+            raise self.error(
+                number,
+                f"{count} titles over {width} columns",
+                "a title for each column, without delimiters in it but in quotation marks",
+            )
+        return found
+
+    def _commented(self, comments: Sequence[str], width: int) -> list[list[str]]:
+        """The titles of columns, where a comment has them."""
+        for comment in reversed(comments):
+            text = comment.lstrip("#%/; \t")
+            cells = columns.cells(text, self._delimiter(text))
+            if len(cells) == width:
+                return [cells]
+        return []
+
+    def _columns(
+        self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
+    ) -> Layout:
+        """Which columns have the times and the values, by their titles and the first line."""
+        names = titles[0] if titles else []
+        times = self._time_columns(number, cells, names)
+        place, unit = self._value_column(number, cells, titles, times)
+        title = " ".join([names[k] for k in times]) if names else ""
+        text = " ".join([cells[k] for k in times])
+        try:
+            clock = timestamps.clock_for(text, self.settings.clock._replace(title=title))
+        except NumberError as error:
+            raise self.error(number, error.message, error.hint) from None
+        return Layout(delimiter, len(cells), times, place, clock, unit)
+
+    def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
+        """The column of the times, or those of dates and of clocks."""
+        if self.settings.times:
+            return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
+        stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]
+        if not stamps:
+            stamps = [k for k, name in enumerate(names) if _is_of_time(name)]
+            if not names or (not stamps and len(cells) == 2):
+                stamps = [0]
+        clocks = [k for k, cell in enumerate(cells) if timestamps.looks_like_clock(cell)]
+        if len(stamps) == 1:
+            return (*stamps, *clocks) if len(clocks) == 1 and clocks != stamps else tuple(stamps)
+        shown = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
+        problem = f"there are {len(stamps)} columns of times" if stamps else "no column has times"
+        raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(shown)}")
+
+    def _value_column(
+        self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
+    ) -> tuple[int, Unit]:
+        """The column of the values, and their unit."""
+        others = [k for k in range(len(cells)) if k not in times]
+        units = {k: unit for k in others if (unit := self._unit_in(titles, k))}
+        if self.settings.column:
+            place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
+        else:
+            numbers = [k for k in others if _is_number(cells[k])]
+            of_light = list(units) or (others if len(others) == 1 else numbers)
+            if len(of_light) != 1:
+                shown = [titles[0][k] if titles else str(k + 1) for k in of_light or others]
+                raise self.error(
+                    number,
+                    f"there are {len(of_light)} columns of values",
+                    f"{option('column', 'NAME')} of {listed(shown)}",
+                )
+            place = of_light[0]
+        if place in times:
+            raise UsageError("one column has the times and the values", "two columns")
+        return place, self._unit(units.get(place), titles[0][place] if titles else "")
+
+    def _unit(self, declared: Unit | None, title: str) -> Unit:
+        """The unit of the values: as told, or as the title has it."""
+        if not self.settings.unit:
+            if declared is None:
+                raise MissingInput(
+                    f"{self.name}: the unit of the values is missing",
+                    mention("{unit=lx}, or a title such as E [lx]"),
+                )
+            return declared
+        told = resolve_any(self.settings.unit)
+        if declared and (told.top, told.bottom, told.dimension) != (
+            declared.top,
+            declared.bottom,
+            declared.dimension,
+        ):
+            raise UsageError(
+                f"{option('unit', quote(told.text))} contradicts the title '{quote(title)}', "
+                f"which has {describe(declared)}",
+                "the same without it, or another column",
+            )
+        return told
+
+    def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
+        """The unit of light in the titles of a column."""
+        own = [row[place] for row in titles]
+        for title in own:
+            brackets, _ = columns.units_in(title)
+            for text in brackets:
+                unit = unit_of(text) if text else None
+                if unit and read_light(unit):
+                    return unit
+            for text in columns.units_in(_without_brackets(title))[1]:
+                unit = unit_of(text) if text else None
+                reading = read_light(unit) if unit else None
+                if reading and not reading.time:  # E is no einstein here
+                    return unit
+        for title in own:
+            if {*columns.plain(_without_brackets(title)).split()} & {*PPFD}:
+                self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}")
+                return resolve(PPFD_UNIT)
+        return None
+
+    def _place(self, name: str, names: list[str], width: int) -> int:
+        """The column of a name, or of a number."""
+        if name in names:
+            if names.count(name) > 1:
+                raise self.error(0, f"two columns are called '{quote(name)}'", "its number")
+            return names.index(name)
+        if name.isdecimal() and 1 <= int(name[:9]) <= width:
+            return int(name) - 1
+        shown = ", ".join(map(quote, nearest(name, names, 3))) or listed(names)
+        raise self.error(0, f"there is no column '{quote(name)}'", shown or f"from 1 to {width}")
+
+    # The samples.
+
+    def _of(self, lines: list[str], number: int) -> Iterator[Samples | None]:
+        """The samples of lines, all at once or in parts, down to a few that are read alone."""
+        found = self._at_once(lines, number)
+        if found:
+            yield found
+        elif len(lines) <= FEW:
+            yield from self._one_by_one(lines, number)
+        else:
+            middle = len(lines) // 2
+            yield from self._of(lines[:middle], number)
+            yield from self._of(lines[middle:], number + middle)
+
+    def _at_once(self, lines: list[str], number: int) -> Samples | None:
+        """The samples of lines that have nothing unusual; else None."""
+        layout = self.layout
+        try:
+            cells = _columns_of(lines, layout.delimiter, layout.width)
+            texts = cells[layout.place]
+            joined = " ".join(texts)
+            if not joined.isascii() or "_" in joined or "," in joined:
+                return None
+            marks = self.decimals
+            if layout.delimiter != ",":
+                if marks.comma or marks.doubtful:
+                    return None
+                if not marks.point and "." in joined:
+                    marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
+            values = list(map(float, texts))
+            total = sum(values)
+            if total - total or min(values) <= LEAST:
+                return None
+            stamps = cells[layout.times[0]]
+            if layout.times[1:]:
+                stamps = list(map(" ".join, zip(*[cells[k] for k in layout.times], strict=True)))
+            times: list[Any] = list(layout.clock.many(stamps))
+        except (ValueError, TypeError, RadcalcError):
+            return None
+        if not all(map(lt, times, times[1:])) or (self.last is not None and times[0] <= self.last):
+            return None
+        self.last, self.last_line = times[-1], number + len(lines) - 1
+        return times, values
+
+    def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
+        """The samples of lines, each by itself; what is wrong with one is said."""
+        times: list[Any] = []
+        values: list[float] = []
+        for number, line in enumerate(lines, number):  # noqa: B020
+            if _is_remark(line):
+                continue
+            is_missing = True
+            try:
+                time, value = self._sample(line, number)
+                is_missing = False
+                self._check_order(time, number)
+            except LineError as error:
+                if self.settings.invalid == ABORT:
+                    raise
+                self._leave_out(error)
+                if is_missing:
+                    if times:
+                        yield times, values
+                        times, values = [], []
+                    yield None
+                continue
+            self.last, self.last_line = time, number
+            times.append(time)
+            values.append(value)
+        if times:
+            yield times, values
+
+    def _leave_out(self, error: LineError) -> None:
+        self.first_left_out = self.first_left_out or error.message
+        self.left_out += 1
+        self.is_good = self.is_good and self.settings.invalid != FAIL
+        if self.settings.invalid != IGNORE:
+            self.say(error)
+
+    def _sample(self, line: str, number: int) -> tuple[Any, float]:
+        """The time and the value of a line."""
+        layout = self.layout
+        cells = columns.cells(line, layout.delimiter)
+        if len(cells) != layout.width:
+            raise self.error(
+                number, f"{len(cells)} cells instead of {layout.width}", "a cell in every column"
+            )
+        try:
+            time = layout.clock.one(" ".join([cells[k] for k in layout.times]))
+        except RadcalcError as error:
+            raise self.error(number, error.message, error.hint) from None
+        text, comma = cells[layout.place], layout.delimiter != ","
+        if text.lower() in MISSING or MARKED.fullmatch(text):
+            hint = mention("{invalid=ignore}, which leaves the line out")
+            raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
+        value = columns.finite(text, comma)
+        if value is None:
+            raise self.error(number, f"'{quote(text)}' is not a number", "a number")
+        if comma and (problem := self.decimals.conflict(text, number)):
+            raise self.error(number, problem, columns.MARKS)
+        return time, value
+
+    def _check_order(self, time: Any, number: int) -> None:
+        """Refuse a time that is not after the one before."""
+        if self.last is None or time > self.last:
+            return
+        say = self.clock.say
+        if time == self.last:
+            problem = f"the time {say(time)} stands in line {self.last_line} already"
+            raise self.error(number, problem, "each time once")
+        problem = f"{say(time)} is before {say(self.last)} in line {self.last_line}"
+        hint = "lines in the order of their times"
+        if isinstance(self.clock, timestamps.Calendar) and not self.clock.is_told:
+            hint += f"; where clocks were put back, {timestamps.ZONE}"
+        raise self.error(number, problem, hint)
+
+
+def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[list[str]]:
+    """The columns of lines that have as many cells each; ValueError where any has not."""
+    if not delimiter:
+        rows = [line.split() for line in lines]
+    else:
+        text = "\n".join(lines)
+        if '"' in text:
+            rows = _unquoted(lines, delimiter)
+        else:
+            # the ends of the lines as cells of their own: in a table they are a column
+            cells = text.replace("\n", f"{delimiter}\n{delimiter}").split(delimiter)
+            if cells[width :: width + 1].count("\n") != len(lines) - 1:
+                raise ValueError
+            if len(cells) != len(lines) * (width + 1) - 1:
+                raise ValueError
+            return [cells[k :: width + 1] for k in range(width)]
+    if {*map(len, rows)} != {width}:
+        raise ValueError
+    return [list(column) for column in zip(*rows, strict=True)]
+
+
+def _unquoted(lines: list[str], delimiter: str) -> list[list[str]]:
+    """The cells of lines; ValueError where a quoted one goes on in the next."""
+    import csv
+
+    try:
+        rows = list(csv.reader(lines, delimiter=delimiter))
+    except csv.Error:
+        raise ValueError from None
+    if len(rows) != len(lines):
+        raise ValueError
+    return rows
+
+
+def _is_comment(line: str) -> bool:
+    return line.lstrip().startswith(columns.COMMENTS)
+
+
+def _is_remark(line: str) -> bool:
+    """Whether a line is blank or a comment."""
+    return not line or line.isspace() or _is_comment(line)
+
+
+def _without_brackets(title: str) -> str:
+    return columns.IN_BRACKETS.sub(" ", title).replace("_", " ").strip(" ,:")
+
+
+def _is_number(cell: str) -> bool:
+    return columns.is_number(cell, comma=True)
+
+
+def _is_of_time(title: str) -> bool:
+    """Whether a title is that of times."""
+    return bool(OF_TIME.search(columns.plain(title).replace("_", " "))) or bool(
+        timestamps.unit_in(title)
+    )

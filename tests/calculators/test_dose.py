@@ -1,0 +1,184 @@
+"""Samples added up: against exact fractions, in parts, over gaps, in constant memory."""
+
+import tracemalloc
+from fractions import Fraction
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.calculators.dose import Dose, Log, check_unit
+from radcalc.errors import RadcalcError
+from radcalc.given import read
+from radcalc.units.table import resolve
+
+DAY = 100  # ticks of the days of these tests
+
+
+def days(time):
+    start = time // DAY * DAY
+    return start, start + DAY, f"day {start // DAY}"
+
+
+def summed(times, values, size=1 << 20, **told):
+    """A dose of samples that come in parts."""
+    dose = Dose(**told)
+    for k in range(0, len(times), size):
+        dose.add(times[k : k + size], values[k : k + size])
+    return dose
+
+
+def total(dose):
+    return sum(Fraction(period.total) + Fraction(period.low) for period in dose.periods)
+
+
+def exact(times, values, longest=None):
+    """The trapezoids, in fractions."""
+    pairs = list(pairwise(zip(times, map(Fraction, values), strict=True)))
+    return sum((v + w) / 2 * (b - a) for (a, v), (b, w) in pairs if not longest or b - a <= longest)
+
+
+LOGS = st.lists(
+    st.tuples(st.integers(1, 400), st.floats(0, 1e6, allow_subnormal=False)), min_size=2
+)
+
+
+def log_of(steps):
+    times, now = [], 0
+    for step, _ in steps:
+        now += step
+        times.append(now)
+    return times, [value for _, value in steps]
+
+
+@given(LOGS, st.integers(1, 7), st.sampled_from([None, 1, 50, 200]))
+def test_the_sum_is_that_of_fractions_in_parts_and_with_gaps(steps, size, longest):
+    times, values = log_of(steps)
+    dose = summed(times, values, size, **({"longest": longest} if longest else {}))
+    expected = exact(times, values, longest)
+    assert abs(total(dose) - expected) <= expected * Fraction(1, 2**51)
+    bridged = [b - a for a, b in pairwise(times) if not longest or b - a <= longest]
+    assert dose.gaps == len(times) - 1 - len(bridged)
+    assert dose.gap_time + sum(bridged) == times[-1] - times[0]
+    assert sum(period.covered for period in dose.periods) == sum(bridged)
+    assert dose.periods[0].count == dose.count == len(times)
+
+
+@given(LOGS, st.integers(1, 7), st.sampled_from([None, 50, 200]))
+def test_days_add_up_to_the_whole(steps, size, longest):
+    times, values = log_of(steps)
+    told = {"longest": longest} if longest else {}
+    dose = summed(times, values, size, spans=days, **told)
+    expected = exact(times, values, longest)
+    assert abs(total(dose) - expected) <= expected * Fraction(1, 2**45)
+    assert sum(period.count for period in dose.periods) == len(times)
+    for period in dose.periods:
+        assert period.count == sum(period.start <= time < period.end for time in times)
+        assert 0 <= period.covered <= DAY
+        assert period.start <= period.when <= period.end
+    assert [p.start for p in dose.periods] == sorted({p.start for p in dose.periods})
+
+
+def test_a_trapezoid_over_days_is_cut_on_its_line():
+    """From 0 at 50 to 300 at 350: 50 at 100, 150 at 200, 250 at 300."""
+    dose = summed([50, 350], [0.0, 300.0], spans=days)
+    sums = [50 * 25, 100 * 100, 100 * 200, 50 * 275]
+    assert [period.total for period in dose.periods] == sums
+    assert [period.peak for period in dose.periods] == [50, 150, 250, 300]
+    assert [period.count for period in dose.periods] == [1, 0, 0, 1]
+
+
+def test_small_terms_are_not_lost_beside_large_ones():
+    """1e17 alone, then 10 000 times 1 in blocks of their own, each less than a half ulp (8)."""
+    times = [0, 1, 2, *range(3, 10004)]
+    values = [1e17, 1e17, 0.0, *[1.0] * 10001]
+    dose = summed(times, values, 1)
+    assert total(dose) == exact(times, values)
+
+
+def test_a_sample_left_out_is_a_gap_unless_the_longest_step_is_told():
+    for told, gaps in (({}, 1), ({"longest": 20, "bridges": True}, 0)):
+        dose = Dose(**told)
+        dose.add([0], [1.0])
+        dose.interrupt()
+        dose.add([20, 30], [1.0, 1.0])
+        assert (dose.gaps, float(total(dose))) == (gaps, 10 if gaps else 30)
+
+
+def test_what_is_below_0_is_kept_and_told():
+    """From -1 to 3 in 4: below 0 for 1, a triangle of 1/2."""
+    dose = summed([0, 4, 8, 10], [-1.0, 3.0, 99.0, 99.0])
+    assert total(dose) == 4 + 4 * 51 + 2 * 99
+    assert (dose.negative, dose.least, dose.below) == (1, -1.0, -0.5)
+
+
+@pytest.mark.parametrize(
+    ("unit", "said"),
+    [
+        ("cd/m2", "luminance"),
+        ("cd", "luminous intensity"),
+        ("lx.s", "sum over time"),
+        ("J/m2", "sum over time"),
+        ("W/m2/nm", "spectral irradiance"),
+        ("td", "retinal illuminance"),
+        ("m", "length"),
+    ],
+)
+def test_what_adds_up_to_no_dose_is_refused(unit, said):
+    with pytest.raises(RadcalcError) as refused:
+        check_unit(resolve(unit))
+    assert said in refused.value.message
+
+
+def answer(dose, unit="lx", **inputs):
+    log = Log(dose, resolve(unit), (1, 1), str)
+    log.check()
+    given = {name: read(name, text) for name, text in inputs.items()}
+    return {value.name: value for value in log.of_all(given).values}
+
+
+def test_no_light_has_no_mean_trouble():
+    found = answer(summed([0, 10], [0.0, 0.0]))
+    assert found["exposure"].amount == found["mean-irradiance"].amount == 0
+
+
+def test_flux_gives_energy_and_over_a_receiver_its_exposure():
+    dose = summed([0, 10], [1.0, 3.0])
+    found = answer(dose, "mW", **{"receiver-area": "4cm2"})
+    assert (found["energy"].amount, found["exposure"].amount) == (0.02, pytest.approx(50))
+
+
+@pytest.mark.parametrize(
+    ("times", "values", "said"),
+    [
+        ([0], [1.0], "one sample"),
+        ([0, 10], [-1.0, 10.0], "too far below 0"),
+        ([0, 10], [-1.0, -1.0], "too far below 0"),
+        ([0, 10], [1e308, 1e308], "cannot be held"),
+        ([0, 1, 2], [1e308, 1e308, 1e308], "cannot be held"),
+    ],
+)
+def test_what_is_no_dose_is_refused(times, values, said):
+    with pytest.raises(RadcalcError) as refused:
+        answer(summed(times, values))
+    assert said in refused.value.message
+
+
+def test_all_gaps_are_refused():
+    with pytest.raises(RadcalcError, match="every step is a gap"):
+        answer(summed([0, 10, 20], [1.0, 1.0, 1.0], longest=5))
+
+
+def test_a_long_log_needs_no_more_memory_than_a_short_one():
+    def most(blocks):
+        tracemalloc.start()
+        dose = Dose()
+        for k in range(blocks):
+            dose.add(list(range(1000 * k, 1000 * (k + 1))), [1.0] * 1000)
+        used = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert total(dose) == 1000 * blocks - 1
+        return used
+
+    assert most(1000) < 2 * most(10)

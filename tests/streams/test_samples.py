@@ -1,0 +1,159 @@
+"""Logs of light: their layouts, by the descriptions of their makers, and what is wrong in them."""
+
+import io
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.errors import LineError, RadcalcError
+from radcalc.streams import samples
+from radcalc.streams.samples import Log, Settings
+from radcalc.units import timestamps
+
+
+def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Log]:
+    """Times in seconds from the first, with None where a line was left out; values; the log."""
+    raw = io.BytesIO(data.encode() if isinstance(data, str) else data)
+    clock = {key: told.pop(key) for key in ("zone", "format") if key in told}
+    if "time_unit" in told:
+        clock["unit"] = told.pop("time_unit")
+    settings = Settings(**told, clock=timestamps.Settings(**clock))
+    log = Log("log", lambda count: raw.read(min(count, size)), settings, lambda error: None)
+    times, values = [], []
+    top, bottom = log.clock.tick
+    for found in log.samples():
+        times += found[0] if found else [None]
+        values += found[1] if found else []
+    first = next(time for time in times if time is not None)
+    return [None if t is None else (t - first) * top / bottom for t in times], values, log
+
+
+# As Onset's HOBOware exports: a title of the plot, quoted titles with the logger's number, events
+# in lines without values.
+HOBO = """"Plot Title: pond"
+"#","Date Time, GMT+01:00","Temp, °C (SEN S/N: 1)","Intensity, Lux (LGR S/N: 1)","Stopped"
+1,06/01/19 12:00:00 AM,20.1,0.0,
+2,06/01/19 12:10:00 PM,20.1,21500.4,
+3,06/01/19 12:20:00 PM,,,Logged
+"""
+# As Campbell Scientific's TOA5: the logger, the titles, their units, how they were sampled.
+TOA5 = """"TOA5","CR1000","CR1000","12345","CR1000.Std.27","CPU:par.CR1","1234","Table1"
+"TIMESTAMP","RECORD","BattV","PAR_Avg"
+"TS","RN","Volts","umol/s/m^2"
+"","","Smp","Avg"
+"2024-06-01 12:00:00",0,12.6,1500
+"2024-06-01 12:10:00",1,12.6,1490.5
+"""
+# As NREL's Measurement and Instrumentation Data Center: the date and the clock in two columns.
+MIDC = """DATE (MM/DD/YYYY),MST,Global CMP22 (vent/cor) [W/m^2],Zenith Angle [degrees]
+1/2/2019,00:00,-1.2,160
+1/2/2019,00:01,-1.1,160
+"""
+LAYOUTS = {
+    "HOBO": (HOBO, {"format": "%m/%d/%y %I:%M:%S %p", "invalid": "ignore"}, 43800, 21500.4, "Lux"),
+    "TOA5": (TOA5, {}, 600, 1490.5, "umol/s/m^2"),
+    "MIDC": (MIDC, {}, 60, -1.1, "W/m^2"),
+    "commas": ("01.06.2024 00:00;0,5\n01.06.2024 00:10;1,25\n", {"unit": "klx"}, 600, 1.25, "klx"),
+    "blanks": ("2024-06-01 00:00:00 1\n2024-06-01 00:00:10 2\n", {"unit": "lx"}, 10, 2, "lx"),
+    "a comment": ("# t [min], E [lx]\n0,1\n1,2\n", {}, 60, 2, "lx"),
+    "title alone": ("s\tlux\n0\t1\n1\t2\n", {}, 1, 2, "lux"),
+    "a word": ("time_s,ppfd\n0,1\n1,2\n", {}, 1, 2, "umol/m2/s"),
+    "three": ("t_s,E_lx,P_W\n0,1,5\n1,2,6\n", {"column": "P_W"}, 1, 6, "W"),
+    "by number": ("0,1,5\n1,2,6\n", {"column": "3", "unit": "W", "times": ("1",),
+                                     "time_unit": "s"}, 1, 6, "W"),
+    "clock first": ("12:00,2024-06-01,1\n12:01,2024-06-01,2\n", {"unit": "lx"}, 60, 2, "lx"),
+    "delimiter": ("t_s:E_lx\n0:1\n1:2\n", {"delimiter": ":"}, 1, 2, "lx"),
+    "Unix": ("timestamp,E [lx]\n1717245300,1\n1717245301,2\n", {}, 1, 2, "lx"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+@pytest.mark.parametrize("size", [1 << 20, 7])
+def test_a_layout_is_read_however_it_arrives(name, size):
+    text, told, seconds, value, unit = LAYOUTS[name]
+    times, values, log = read(text, size, **told)
+    seen = [time for time in times if time is not None]
+    assert (seen, values[-1], log.layout.unit.text) == ([0, seconds], value, unit)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-16-le", "utf-16-be"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_byte_order_mark_tells_the_encoding(encoding, end):
+    text = f"time,E (lx){end}2024-06-01 00:00,1{end}2024-06-01 00:01,2{end}"
+    data = text.encode(encoding)
+    if encoding in ("utf-16-le", "utf-16-be"):
+        data = "\ufeff".encode(encoding) + data
+    assert read(data, 5)[:2] == ([0, 60], [1, 2])
+
+
+@pytest.mark.parametrize(
+    ("text", "told", "said"),
+    [
+        ("", {}, "there is no data"),
+        ("t_s,E_lx\n", {}, "no time and value"),
+        ("t_s,E_lx\n0,1\n1\n", {}, "line 3: 1 cells instead of 2"),
+        ("t_s,E_lx\n0,1\n1,2,3\n", {}, "line 3: 3 cells instead of 2"),
+        ("t_s;E_lx\n0;1,5\n1;2.5\n", {}, "line 3: a decimal point, but line 2 has a decimal comma"),
+        ("t_s;E_lx\n0;1,500\n1;2\n", {}, "may be a thousand"),
+        ("t_s,E_lx\n0,1\n1,x\n", {}, "line 3: 'x' is not a number"),
+        ("t_s,E_lx\n0,1\n1,inf\n", {}, "line 3: 'inf' is not a number"),
+        ("t_s,E_lx\n0,1\n1,1_0\n", {}, "line 3: '1_0' is not a number"),
+        ("t_s,E_lx\n0,1\nx,1\n", {}, "line 3: 'x' is not a number of s"),
+        *[(f"t_s,E_lx\n0,1\n1,{mark}\n", {}, "line 3: a value is missing")
+          for mark in ("", "NaN", "N/A", "--", "null", "-9999", "-9999.9", "-6999")],
+        ("t_s,E_lx\n0,1\n2,1\n1,1\n", {}, "line 4: 1 s is before 2 s in line 3"),
+        ("t_s,E_lx\n0,1\n2,1\n2,1\n", {}, "line 4: the time 2 s stands in line 3 already"),
+        ("t_s,E_lx,F_lx\n0,1,2\n1,1,2\n", {}, "there are 2 columns of values"),
+        ("t_s,a,b\n0,1,2\n1,1,2\n", {"unit": "lx"}, "there are 2 columns of values"),
+        ("a,b,E_lx\n2024-06-01,2024-06-02,1\n", {}, "there are 2 columns of times"),
+        ("a,b,E_lx\n1,2,1\n", {}, "no column has times"),
+        ("t_s,E_lx\n0,1\n", {"column": "F"}, "no column 'F'"),
+        ("t_s,E_lx\n0,1\n", {"column": "3"}, "no column '3'"),
+        ("t_s,E,E\n0,1,2\n", {"column": "E", "unit": "lx"}, "two columns are called 'E'"),
+        ("t_s,E_lx\n0,1\n", {"column": "1"}, "one column has the times and the values"),
+        ("t_s,E\n0,1\n", {}, "the unit of the values is missing"),
+        ("t_s,E_lx\n0,1\n", {"unit": "fc"}, "contradicts the title 'E_lx'"),
+        ("t_s,E_lx,\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles over 2 columns"),
+        ("t_s,E_\xb5\n0,1\n1,2\n".encode("latin-1"), {}, "no text in UTF-8"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_refused_with_its_line(text, told, said):
+    with pytest.raises(RadcalcError) as refused:
+        read(text, **told)
+    assert said in refused.value.message
+    assert refused.value.hint
+
+
+def test_a_line_too_long_fills_no_memory():
+    with pytest.raises(LineError, match="letters"):
+        read("t_s,E_lx\n0,1\n" + "1" * (samples.LONGEST + 2))
+
+
+@pytest.mark.parametrize(
+    ("invalid", "is_good"), [("fail", False), ("warn", True), ("ignore", True)]
+)
+def test_what_is_left_out_is_told_and_leaves_a_mark(invalid, is_good):
+    times, values, log = read("t_s,E_lx\n0,1\n1,--\n2,3\n2,4\n3,5\n", invalid=invalid)
+    assert (times, values) == ([0, None, 2, 3], [1, 3, 5])  # a line twice hides no sample
+    assert log.is_good is is_good
+    assert "2 lines are left out; the first: log, line 3" in log.notes[0]
+
+
+def test_lines_one_by_one_are_what_they_are_at_once(monkeypatch):
+    lines = [f"2024-06-{1 + k // 24:02} {k % 24:02}:30,{k * 0.1:.1f}" for k in range(500)]
+    text = "time,E [lx]\n" + "\n".join(lines) + "\n"
+    at_once = read(text)[:2]
+    monkeypatch.setattr(Log, "_at_once", lambda *_: None)
+    assert read(text)[:2] == at_once
+    assert len(at_once[1]) == 500
+
+
+@given(st.lists(st.integers(0, 999), max_size=60), st.integers(1, 400))
+def test_what_is_left_out_does_not_depend_on_the_blocks(bad, size):
+    lines = [f"{k},{'x' if k in bad else k}" for k in range(1000)]
+    text = "t_s,E_lx\n0.5,1\n" + "\n".join(lines[1:]) + "\n"
+    times, values, _ = read(text, size, invalid="ignore")
+    expected = [1.0, *(float(k) for k in range(1, 1000) if k not in bad)]
+    assert values == expected
+    assert times.count(None) == len({*bad} - {0})

@@ -1,0 +1,193 @@
+"""Times of logs: every way of writing them, zones that change their clocks, and what is refused.
+
+What a stamp is in UTC is written beside it; the changes of clocks are those of Directive
+2000/84/EC, at 01:00 UTC of the last Sundays of March and October.
+"""
+
+from datetime import UTC, datetime
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from radcalc.errors import RadcalcError
+from radcalc.units.timestamps import PER_DAY, PER_HOUR, SECOND, Settings, clock_for
+
+PRAGUE = "Europe/Prague"
+
+
+def utc(text: str) -> int:
+    """A tick, from ISO 8601 in UTC."""
+    return round(datetime.fromisoformat(text).replace(tzinfo=UTC).timestamp()) * SECOND
+
+
+READ = [
+    ("2024-06-01T12:35:00Z", {}, "2024-06-01T12:35"),
+    ("2024-06-01 12:35", {}, "2024-06-01T12:35"),
+    ("2024-06-01T14:35:00+02:00", {}, "2024-06-01T12:35"),
+    ("2024-06-01 14:35+0200", {}, "2024-06-01T12:35"),
+    ("2024-06-01 07:05 -0530", {}, "2024-06-01T12:35"),
+    ("2024/6/1 12:35", {}, "2024-06-01T12:35"),
+    ("20240601T123500Z", {}, "2024-06-01T12:35"),
+    ("20240601T1235", {}, "2024-06-01T12:35"),
+    ("2024-06-01", {}, "2024-06-01T00:00"),
+    ("20240601", {}, "2024-06-01T00:00"),
+    ("2024-02-28 24:00", {}, "2024-02-29T00:00"),
+    ("2024-02-29 24:00", {}, "2024-03-01T00:00"),
+    ("2023-12-31 24:00", {}, "2024-01-01T00:00"),
+    ("01.06.2024 12:35:00", {}, "2024-06-01T12:35"),
+    ("31/12/2024 12:35", {}, "2024-12-31T12:35"),
+    ("12/31/2024 12:35 PM", {}, "2024-12-31T12:35"),
+    ("12/31/2024 12:35:00 AM", {}, "2024-12-31T00:35"),
+    ("6/1/2024 12:35", {"title": "DATE (MM/DD/YYYY) MST"}, "2024-06-01T12:35"),
+    ("6/1/2024 12:35", {"title": "date dd/mm/yyyy"}, "2024-01-06T12:35"),
+    ("2024-06-01 12:35", {"title": "Date Time, GMT-05:00"}, "2024-06-01T17:35"),
+    ("2024-06-01 12:35", {"title": "time_utc", "zone": PRAGUE}, "2024-06-01T12:35"),
+    ("2024-06-01 12:35", {"zone": PRAGUE}, "2024-06-01T10:35"),
+    ("2024-12-01 12:35", {"zone": PRAGUE}, "2024-12-01T11:35"),
+    ("2024-06-01 12:35", {"zone": "+05:30"}, "2024-06-01T07:05"),
+    ("06/01/24 12:35:00 PM", {"format": "%m/%d/%y %I:%M:%S %p"}, "2024-06-01T12:35"),
+    ("20240601:1235", {"format": "%Y%m%d:%H%M"}, "2024-06-01T12:35"),
+    ("2024 153 12:35", {"format": "%Y %j %H:%M"}, "2024-06-01T12:35"),
+    ("1 Jun 2024", {"format": "%d %b %Y"}, "2024-06-01T00:00"),
+    ("1717245300", {}, "2024-06-01T12:35"),
+    ("1717245300000", {}, "2024-06-01T12:35"),
+    ("1717245300", {"title": "time [s]"}, "2024-06-01T12:35"),
+    ("1717245300.0", {"zone": PRAGUE}, "2024-06-01T12:35"),
+]
+
+
+@pytest.mark.parametrize(("text", "told", "expected"), READ)
+def test_a_time_is_the_same_alone_and_among_many(text, told, expected):
+    clock = clock_for(text, Settings(**told))
+    assert clock.one(text) == utc(expected)
+    try:
+        assert clock.many([text]) == [utc(expected)]
+    except ValueError:
+        assert "format" in told  # where one pattern has the date and the time
+
+
+def test_fractions_of_a_second_are_whole_nanoseconds():
+    clock = clock_for("2024-06-01 12:35:00.5", Settings())
+    texts = ["2024-06-01 12:35:00.5", "2024-06-01 12:35:00,000000001", "2024-06-01 12:35:00"]
+    assert [clock.one(text) - utc("2024-06-01T12:35") for text in texts] == [SECOND // 2, 1, 0]
+    unix = clock_for("1717245300.25", Settings())
+    assert unix.one("1717245300.25") - utc("2024-06-01T12:35") == SECOND // 4
+
+
+@pytest.mark.parametrize(
+    ("text", "told", "seconds"),
+    [
+        ("90", {"title": "t [s]"}, 90),
+        ("1.5", {"title": "time_min"}, 90),
+        ("1,5", {"title": "Zeit (min)"}, 90),
+        ("0.025", {"unit": "h"}, 90),
+        ("90000", {"title": "elapsed ms"}, 90),
+        ("0.5", {"title": "days"}, 43200),
+    ],
+)
+def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
+    clock = clock_for(text, Settings(**told))
+    assert Fraction(str(clock.one(text))) * Fraction(*clock.tick) == seconds
+
+
+@pytest.mark.parametrize(
+    ("text", "told", "said"),
+    [
+        ("06/01/2024 12:35", {}, "may be 2024-01-06 or 2024-06-01"),
+        ("06/01/24 12:35", {}, "a year of 2 digits"),
+        ("2024-02-30", {}, "no day of the calendar"),
+        ("2023-02-29", {}, "no day of the calendar"),
+        ("2024-06-01 25:00", {}, "no time of the day"),
+        ("2024-06-01 12:60", {}, "no time of the day"),
+        ("2024-06-01 13:00 PM", {}, "no time of the day"),
+        ("2024-06-01 noon", {}, "no date and time"),
+        ("9999-12-31", {}, "in the year 9999"),
+        ("yesterday", {}, "no date and time"),
+        ("12", {}, "the unit of the times is missing"),
+        ("12", {"unit": "lx"}, "no unit of time"),
+        ("12", {"unit": "h", "title": "t [s]"}, "contradicts the title"),
+        ("2024-06-01", {"unit": "s"}, "is of numbers"),
+        ("12", {"unit": "s", "zone": PRAGUE}, "no date"),
+        ("2024-06-01", {"zone": "Europe/Praha"}, "no time zone"),
+        ("2024-06-01", {"zone": "../../etc/passwd"}, "no time zone"),
+        ("2024-06-01", {"zone": "+25:00"}, "no offset"),
+        ("2024-06-01", {"format": "%Q"}, "not read here"),
+        ("2024-06-01", {"format": "%Y %Y"}, "twice"),
+        ("2024-03-31 02:30", {"zone": PRAGUE}, "does not exist"),
+        ("2024-10-27 02:30", {"zone": PRAGUE}, "comes twice"),
+    ],
+)
+def test_what_is_no_time_or_may_be_two_is_refused(text, told, said):
+    with pytest.raises(RadcalcError) as refused:
+        clock_for(text, Settings(**told)).one(text)
+    assert said in refused.value.message
+    assert refused.value.hint
+
+
+def test_an_offset_stands_in_all_stamps_or_in_none():
+    clock = clock_for("2024-06-01T12:35Z", Settings())
+    with pytest.raises(RadcalcError, match="no offset"):
+        clock.one("2024-06-01T12:36")
+
+
+def test_no_zone_data_is_told_with_what_helps(monkeypatch):
+    import zoneinfo
+
+    monkeypatch.setattr(zoneinfo, "ZoneInfo", lambda name: {}[name])
+    monkeypatch.setattr(zoneinfo, "available_timezones", set)
+    with pytest.raises(RadcalcError, match="no data of time zones") as refused:
+        clock_for("2024-06-01", Settings(zone=PRAGUE))
+    assert "tzdata" in refused.value.hint
+
+
+def test_an_hour_that_comes_twice_is_told_by_the_order():
+    """01:30 is the last before the hour, in summer time; 02:00 CET is 01:00 UTC."""
+    clock = clock_for("2024-10-27 01:30", Settings(zone=PRAGUE))
+    texts = ["01:30", "02:00", "02:30", "02:00", "02:30", "03:00"]
+    ticks = [clock.one(f"2024-10-27 {text}") for text in texts]
+    first = utc("2024-10-26T23:30")
+    assert [(tick - first) // (60 * SECOND) for tick in ticks] == [0, 30, 60, 90, 120, 150]
+    assert "2024-10-27 02:00" in " ".join(clock.assumptions)
+
+
+def test_a_log_that_ends_in_such_an_hour_is_taken_as_the_first():
+    clock = clock_for("2024-10-27 01:30", Settings(zone=PRAGUE))
+    assert clock.one("2024-10-27 01:30") < clock.one("2024-10-27 02:30")
+    assert "taken as the first" in " ".join(clock.assumptions)
+
+
+@pytest.mark.parametrize(
+    ("zone", "day", "hours"),
+    [
+        (PRAGUE, "2024-03-31", 23),
+        (PRAGUE, "2024-10-27", 25),
+        (PRAGUE, "2024-02-29", 24),
+        ("Australia/Lord_Howe", "2024-04-07", 24.5),  # clocks go back by half an hour
+        ("Africa/Cairo", "2024-04-26", 23),  # at midnight: the day begins at 01:00
+    ],
+)
+def test_a_day_is_as_long_as_it_is_by_the_clock(zone, day, hours):
+    clock = clock_for(f"{day} 12:00", Settings(zone=zone))
+    period = clock.period(clock.one(f"{day} 12:00"), PER_DAY)
+    assert (period.label, (period.end - period.start) / 3600 / SECOND) == (day, hours)
+
+
+def test_days_of_stamps_with_changing_offsets_need_a_zone():
+    clock = clock_for("2024-10-26T12:00+02:00", Settings())
+    for text in ("2024-10-26T12:00+02:00", "2024-10-28T12:00+01:00"):
+        tick = clock.one(text)
+    with pytest.raises(RadcalcError, match="the offset changes"):
+        clock.period(tick, PER_DAY)
+
+
+@given(st.integers(utc("1990-01-01T00:00") // SECOND, utc("2037-12-31T00:00") // SECOND))
+def test_periods_hold_their_time_and_follow_each_other(seconds):
+    clock = clock_for("2024-06-01 12:00", Settings(zone=PRAGUE))
+    tick = seconds * SECOND
+    for by in (PER_DAY, PER_HOUR):
+        period = clock.period(tick, by)
+        assert period.start <= tick < period.end
+        assert clock.period(period.end - 1, by) == period
+        assert clock.period(period.end, by).start == period.end
