@@ -1,4 +1,4 @@
-"""The lines of a file of a spectrum, a block at a time, whatever their encoding and their ends."""
+"""The lines of a file of numbers, a block at a time, whatever their encoding and their ends."""
 
 import codecs
 from collections.abc import Callable, Iterator
@@ -22,10 +22,21 @@ def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
 class Text:
     """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
 
-    def __init__(self, name: str, read: Callable[[int], bytes]) -> None:
-        """Hold what reads so many bytes of the file, none at its end."""
+    def __init__(
+        self,
+        name: str,
+        read: Callable[[int], bytes],
+        row: str = "a wavelength and a value",
+        largest: float = LARGEST,
+    ) -> None:
+        """Hold what reads so many bytes of the file, none at its end.
+
+        A `row` should have that; the file may have so many bytes.
+        """
         self.name = name
         self.read = read
+        self.row = row
+        self.largest = largest
         self.encoding = "utf-8-sig"
         self.note = ""
 
@@ -36,8 +47,8 @@ class Text:
         while True:
             data = next(read, b"")
             size += len(data)
-            if size > LARGEST:
-                raise refusal(self.name, 0, f"more than {LARGEST} bytes", "fewer rows")
+            if size > self.largest:
+                raise refusal(self.name, 0, f"more than {self.largest} bytes", "fewer rows")
             ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
             cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
             whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
@@ -45,8 +56,7 @@ class Text:
                 whole = rest
             elif len(rest) > LONGEST:
                 problem = f"a line of more than {LONGEST} bytes"
-                hint = "a wavelength and a value in every row"
-                raise refusal(self.name, number, problem, hint)
+                raise refusal(self.name, number, problem, f"{self.row} in every row")
             if whole:
                 lines = self._decoded(whole).splitlines()
                 yield number, lines

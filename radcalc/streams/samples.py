@@ -4,9 +4,9 @@ The first lines show how a log is laid out: what parts its cells, which lines ar
 its times are written, and in which unit its values are.
 """
 
-import codecs
 import re
 from collections.abc import Callable, Iterator, Sequence
+from math import inf
 from operator import lt
 from typing import Any, NamedTuple
 
@@ -16,32 +16,29 @@ from radcalc.errors import (
     MissingInput,
     NumberError,
     RadcalcError,
+    UnitError,
     UsageError,
     listed,
     mention,
-    nearest,
     option,
     quote,
 )
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
+from radcalc.quantities.titles import find, is_same, read_title
+from radcalc.spectra.lines import Text
 from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.units import timestamps
+from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
-from radcalc.units.table import Unit, resolve, unit_of
+from radcalc.units.table import Unit, resolve
 
-BLOCK = 1 << 16  # bytes read at a time
-LONGEST = 1 << 20  # letters of a line
 HEAD = 100  # lines in which the data begin
 FEW = 32  # lines that are not cut further
-BOMS = {
-    codecs.BOM_UTF8: "utf-8-sig",
-    codecs.BOM_UTF16_LE: "utf-16",
-    codecs.BOM_UTF16_BE: "utf-16",
-}
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # as loggers mark what is missing: -9999.9
+SECONDS = resolve("s")
 LEAST = -999.0  # such marks are no greater
 PPFD_UNIT = "umol/m2/s"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
@@ -90,7 +87,8 @@ class Log:
         self.last: Any = None  # tick
         self.last_line = 0
         self.decimals = columns.Decimals()
-        self._blocks = self._decoded(read)
+        self.text = Text(name, read, "a time and a value", inf)
+        self._blocks = self.text.blocks()
         self.layout = self._lay_out()
 
     @property
@@ -111,37 +109,12 @@ class Log:
             yield from self._of(lines, number)
         if doubt := self.decimals.doubt():
             raise self.error(*doubt, columns.MARKS)
+        if self.text.note:
+            self.notes.append(self.text.note)
         if self.left_out:
             many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
             self.notes.append(f"{many} left out; the first: {self.first_left_out}")
         self.assumptions += self.clock.assumptions
-
-    def _decoded(self, read: Callable[[int], bytes]) -> Iterator[tuple[int, list[str]]]:
-        """Lines without their ends, many at a time, and the number of the first of them."""
-        number, rest = 1, ""
-        decoder: codecs.IncrementalDecoder | None = None
-        while True:
-            data = read(BLOCK)
-            if decoder is None:
-                name = next((name for bom, name in BOMS.items() if data.startswith(bom)), "utf-8")
-                decoder = codecs.getincrementaldecoder(name)()
-            try:
-                text = rest + decoder.decode(data, final=not data)
-            except UnicodeDecodeError:
-                raise self.error(
-                    0, f"no text in UTF-8 near line {number}", "iconv, which converts it"
-                ) from None
-            cut = text.rfind("\n") + 1 if data else len(text)
-            lines, rest = text[:cut].removesuffix("\n").split("\n"), text[cut:]
-            if len(rest) > LONGEST:
-                raise self.error(number, f"more than {LONGEST} letters", "shorter lines")
-            if cut:
-                if "\r" in text:
-                    lines = [line.removesuffix("\r") for line in lines]
-                yield number, lines
-                number += len(lines)
-            if not data:
-                return
 
     # How the log is laid out.
 
@@ -177,23 +150,24 @@ class Log:
 
     def _named_row(self, rows: Sequence[Row]) -> int | None:
         """The row with the names of columns that were asked for."""
-        names = {*self.settings.times, self.settings.column} - {""}
-        names = {name for name in names if not name.isdecimal()}
+        every = (*self.settings.times, self.settings.column)
+        names = [name for name in every if name and not name.isdecimal()]
         if not names:
             return None
-        found = [
-            k
-            for k, (_, line) in enumerate(rows)
-            if names <= {*columns.cells(line, self._delimiter(line))}
-        ]
-        if not found:
-            titles = [columns.cells(line, self._delimiter(line)) for _, line in rows]
-            cells = [cell for row in titles for cell in row if cell and not _is_number(cell)]
-            missing = next((n for n in sorted(names) if n not in cells), min(names))
-            near = [quote(name) for name in nearest(missing, cells, 3)]
-            shown = near or [listed(max(titles, key=len, default=[]))]
-            raise self.error(0, f"there is no column '{quote(missing)}'", ", ".join(shown))
-        return found[0]
+        refusal: UsageError | None = None
+        widest = 0
+        for k, (_, line) in enumerate(rows):
+            cells = columns.cells(line, self._delimiter(line))
+            try:
+                for name in names:
+                    find(cells, name, self.name)
+            except UsageError as error:
+                titles = [cell for cell in cells if cell and not _is_number(cell)]
+                if len(titles) > widest:
+                    refusal, widest = error, len(titles)
+            else:
+                return k
+        raise refusal or self.error(0, f"there is no column '{quote(names[0])}'", "its number")
 
     def _is_data(self, line: str, named: int | None) -> bool:
         """Whether a line has a time and a value: a stamp and a number, or numbers alone."""
@@ -247,7 +221,8 @@ class Log:
         title = " ".join([names[k] for k in times]) if names else ""
         text = " ".join([cells[k] for k in times])
         try:
-            clock = timestamps.clock_for(text, self.settings.clock._replace(title=title))
+            told = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
+            clock = timestamps.clock_for(text, told)
         except NumberError as error:
             raise self.error(number, error.message, error.hint) from None
         return Layout(delimiter, len(cells), times, place, clock, unit)
@@ -301,11 +276,7 @@ class Log:
                 )
             return declared
         told = resolve_any(self.settings.unit)
-        if declared and (told.top, told.bottom, told.dimension) != (
-            declared.top,
-            declared.bottom,
-            declared.dimension,
-        ):
+        if declared and not is_same(declared, told):
             raise UsageError(
                 f"{option('unit', quote(told.text))} contradicts the title '{quote(title)}', "
                 f"which has {describe(declared)}",
@@ -317,32 +288,26 @@ class Log:
         """The unit of light in the titles of a column."""
         own = [row[place] for row in titles]
         for title in own:
-            brackets, _ = columns.units_in(title)
-            for text in brackets:
-                unit = unit_of(text) if text else None
-                if unit and read_light(unit):
-                    return unit
-            for text in columns.units_in(_without_brackets(title))[1]:
-                unit = unit_of(text) if text else None
-                reading = read_light(unit) if unit else None
-                if reading and not reading.time:  # E is no einstein here
-                    return unit
+            try:
+                unit = read_title(title).unit
+            except UnitError as error:
+                raise self.error(0, error.message, error.hint) from None
+            if unit and read_light(unit):
+                return unit
         for title in own:
-            if {*columns.plain(_without_brackets(title)).split()} & {*PPFD}:
+            if {*columns.plain(title).replace("_", " ").split()} & {*PPFD}:
                 self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}")
                 return resolve(PPFD_UNIT)
         return None
 
     def _place(self, name: str, names: list[str], width: int) -> int:
         """The column of a name, or of a number."""
-        if name in names:
-            if names.count(name) > 1:
-                raise self.error(0, f"two columns are called '{quote(name)}'", "its number")
-            return names.index(name)
-        if name.isdecimal() and 1 <= int(name[:9]) <= width:
+        if name.isdecimal() and name not in names:
+            if not 1 <= int(name[:9]) <= width:
+                problem = f"there is no column '{quote(name)}'"
+                raise self.error(0, problem, f"from 1 to {width}")
             return int(name) - 1
-        shown = ", ".join(map(quote, nearest(name, names, 3))) or listed(names)
-        raise self.error(0, f"there is no column '{quote(name)}'", shown or f"from 1 to {width}")
+        return find(names, name, self.name)
 
     # The samples.
 
@@ -504,16 +469,17 @@ def _is_remark(line: str) -> bool:
     return not line or line.isspace() or _is_comment(line)
 
 
-def _without_brackets(title: str) -> str:
-    return columns.IN_BRACKETS.sub(" ", title).replace("_", " ").strip(" ,:")
-
-
 def _is_number(cell: str) -> bool:
     return columns.is_number(cell, comma=True)
 
 
 def _is_of_time(title: str) -> bool:
     """Whether a title is that of times."""
-    return bool(OF_TIME.search(columns.plain(title).replace("_", " "))) or bool(
-        timestamps.unit_in(title)
-    )
+    is_named = OF_TIME.search(columns.plain(title).replace("_", " "))
+    return bool(is_named) or _unit_of_time(title) is not None
+
+
+def _unit_of_time(title: str) -> Unit | None:
+    """The unit of time in a title: t [s], time_s, hours."""
+    unit = read_title(title, SECONDS).unit
+    return unit if unit and unit.dimension == TIME else None

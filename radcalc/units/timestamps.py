@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeVar
 from radcalc import columns
 from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
 from radcalc.units.dimensions import TIME
-from radcalc.units.table import Unit, resolve, unit_of
+from radcalc.units.table import Unit, resolve
 
 SECOND = 10**9  # ticks of a calendar
 HOUR, DAY = 3600 * SECOND, 86400 * SECOND
@@ -68,12 +68,16 @@ ONE_OFFSET = mention("{time-zone=+01:00}, where the clock was not changed")
 
 
 class Settings(NamedTuple):
-    """What is told of the times: the zone, the unit of numbers, the format of dates, a title."""
+    """What is told of the times: the zone, the unit of numbers, the format of dates.
+
+    The title of their column may have told something, and the unit `declared` there.
+    """
 
     zone: str = ""
     unit: str = ""
     format: str = ""
     title: str = ""
+    declared: Unit | None = None
 
 
 class Period(NamedTuple):
@@ -411,16 +415,6 @@ def looks_like_clock(text: str) -> bool:
     return bool(TIME_ALONE.fullmatch(text))
 
 
-def unit_in(title: str) -> Unit | None:
-    """The unit of time in a title: t [s], time_s, hours."""
-    brackets, words = columns.units_in(title.replace("_", " "))
-    for text in (*brackets, *words):
-        unit = unit_of(text) if text else None
-        if unit and unit.dimension == TIME:
-            return unit
-    return None
-
-
 def clock_for(first: str, settings: Settings) -> Clock:
     """What reads the times of a log, of which the first is known."""
     zone = zone_of(settings.zone) if settings.zone else None
@@ -442,7 +436,7 @@ def clock_for(first: str, settings: Settings) -> Clock:
 def _of_numbers(first: str, settings: Settings, zone: tzinfo | None) -> Clock:
     """Unix time, a date in digits alone, or what has passed in a unit."""
     whole = first.replace(",", ".").partition(".")[0]
-    unit = unit_in(settings.title)
+    unit = settings.declared
     if settings.unit:
         told = resolve(settings.unit)
         if told.dimension != TIME:

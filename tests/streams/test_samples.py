@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.errors import LineError, RadcalcError
-from radcalc.streams import samples
+from radcalc.errors import RadcalcError
+from radcalc.spectra import lines
 from radcalc.streams.samples import Log, Settings
 from radcalc.units import timestamps
 
@@ -59,11 +59,14 @@ LAYOUTS = {
     "a comment": ("# t [min], E [lx]\n0,1\n1,2\n", {}, 60, 2, "lx"),
     "title alone": ("s\tlux\n0\t1\n1\t2\n", {}, 1, 2, "lux"),
     "a word": ("time_s,ppfd\n0,1\n1,2\n", {}, 1, 2, "umol/m2/s"),
-    "three": ("t_s,E_lx,P_W\n0,1,5\n1,2,6\n", {"column": "P_W"}, 1, 6, "W"),
+    "three": ("t_s,E_lx,P_mW\n0,1,5\n1,2,6\n", {"column": "P_mW"}, 1, 6, "mW"),
     "by number": ("0,1,5\n1,2,6\n", {"column": "3", "unit": "W", "times": ("1",),
                                      "time_unit": "s"}, 1, 6, "W"),
     "clock first": ("12:00,2024-06-01,1\n12:01,2024-06-01,2\n", {"unit": "lx"}, 60, 2, "lx"),
     "delimiter": ("t_s:E_lx\n0:1\n1:2\n", {"delimiter": ":"}, 1, 2, "lx"),
+    "over a slash": ("t / min,E / klx\n0,1\n1,2\n", {}, 60, 2, "klx"),
+    "without its unit": ("t_s,E_lx,F_lx\n0,1,5\n1,2,6\n", {"column": "f"}, 1, 6, "lx"),
+    "Latin-1": ("t_s,E_lx,T \xb0C\n0,1,1\n1,2,1\n".encode("latin-1"), {}, 1, 2, "lx"),
     "Unix": ("timestamp,E [lx]\n1717245300,1\n1717245301,2\n", {}, 1, 2, "lx"),
 }  # fmt: skip
 
@@ -108,14 +111,14 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s,a,b\n0,1,2\n1,1,2\n", {"unit": "lx"}, "there are 2 columns of values"),
         ("a,b,E_lx\n2024-06-01,2024-06-02,1\n", {}, "there are 2 columns of times"),
         ("a,b,E_lx\n1,2,1\n", {}, "no column has times"),
-        ("t_s,E_lx\n0,1\n", {"column": "F"}, "no column 'F'"),
+        ("t_s,E_lx\n0,1\n", {"column": "F"}, "has no column 'F'"),
         ("t_s,E_lx\n0,1\n", {"column": "3"}, "no column '3'"),
-        ("t_s,E,E\n0,1,2\n", {"column": "E", "unit": "lx"}, "two columns are called 'E'"),
+        ("t_s,E,E\n0,1,2\n", {"column": "E", "unit": "lx"}, "the column 'E' 2 times"),
         ("t_s,E_lx\n0,1\n", {"column": "1"}, "one column has the times and the values"),
         ("t_s,E\n0,1\n", {}, "the unit of the values is missing"),
         ("t_s,E_lx\n0,1\n", {"unit": "fc"}, "contradicts the title 'E_lx'"),
         ("t_s,E_lx,\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles over 2 columns"),
-        ("t_s,E_\xb5\n0,1\n1,2\n".encode("latin-1"), {}, "no text in UTF-8"),
+        ("t_s,E (100 lx)\n0,1\n1,2\n", {}, "scales its numbers"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_refused_with_its_line(text, told, said):
@@ -126,8 +129,8 @@ def test_what_is_wrong_is_refused_with_its_line(text, told, said):
 
 
 def test_a_line_too_long_fills_no_memory():
-    with pytest.raises(LineError, match="letters"):
-        read("t_s,E_lx\n0,1\n" + "1" * (samples.LONGEST + 2))
+    with pytest.raises(RadcalcError, match="a line of more than"):
+        read("t_s,E_lx\n0,1\n" + "1" * (lines.LONGEST + 2))
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import RadcalcError
+from radcalc.units.table import resolve
 from radcalc.units.timestamps import PER_DAY, PER_HOUR, SECOND, Settings, clock_for
 
 PRAGUE = "Europe/Prague"
@@ -53,7 +54,7 @@ READ = [
     ("1 Jun 2024", {"format": "%d %b %Y"}, "2024-06-01T00:00"),
     ("1717245300", {}, "2024-06-01T12:35"),
     ("1717245300000", {}, "2024-06-01T12:35"),
-    ("1717245300", {"title": "time [s]"}, "2024-06-01T12:35"),
+    ("1717245300", {"declared": resolve("s")}, "2024-06-01T12:35"),
     ("1717245300.0", {"zone": PRAGUE}, "2024-06-01T12:35"),
 ]
 
@@ -79,12 +80,12 @@ def test_fractions_of_a_second_are_whole_nanoseconds():
 @pytest.mark.parametrize(
     ("text", "told", "seconds"),
     [
-        ("90", {"title": "t [s]"}, 90),
-        ("1.5", {"title": "time_min"}, 90),
-        ("1,5", {"title": "Zeit (min)"}, 90),
+        ("90", {"declared": resolve("s")}, 90),
+        ("1.5", {"declared": resolve("min")}, 90),
+        ("1,5", {"declared": resolve("min")}, 90),
         ("0.025", {"unit": "h"}, 90),
-        ("90000", {"title": "elapsed ms"}, 90),
-        ("0.5", {"title": "days"}, 43200),
+        ("90000", {"declared": resolve("ms")}, 90),
+        ("0.5", {"declared": resolve("d")}, 43200),
     ],
 )
 def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
@@ -107,7 +108,7 @@ def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
         ("yesterday", {}, "no date and time"),
         ("12", {}, "the unit of the times is missing"),
         ("12", {"unit": "lx"}, "no unit of time"),
-        ("12", {"unit": "h", "title": "t [s]"}, "contradicts the title"),
+        ("12", {"unit": "h", "declared": resolve("s")}, "contradicts the title"),
         ("2024-06-01", {"unit": "s"}, "is of numbers"),
         ("12", {"unit": "s", "zone": PRAGUE}, "no date"),
         ("2024-06-01", {"zone": "Europe/Praha"}, "no time zone"),
