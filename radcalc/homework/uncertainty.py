@@ -9,7 +9,6 @@ from typing import Any
 from radcalc.answer import Value
 from radcalc.calculators.results import in_unit
 from radcalc.derivation import format_number
-from radcalc.given import Inputs
 from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.question import Question
 from radcalc.units.table import Unit
@@ -31,14 +30,13 @@ def of_result(question: Question, target: Value, unit: Unit) -> Any:
 
 def tolerance(off: float, unit: str) -> Tolerance:
     """The standard uncertainty of the right value."""
-    told = "" if unit == "1" else f" {unit}"
-    return Tolerance(f"within {_shown(off)}{told}, the standard uncertainty", "absolute", off)
+    return Tolerance(f"within {_in(off, unit)}, the standard uncertainty", "absolute", off)
 
 
-def judge(number: Any, said: Claim, given: Inputs, allowed: float) -> tuple[Diagnosis, ...]:
+def judge(number: Any, said: Claim, unit: str, allowed: float) -> tuple[Diagnosis, ...]:
     """What is wrong with the uncertainty that an answer claims; nothing where that is right.
 
-    Of an exact result it may be as large as the answer was `allowed` to be off.
+    Of an exact result it may be as large as the answer was `allowed` to be off, in the `unit`.
     """
     off, claimed = getattr(number, "std_dev", 0.0), said.uncertainty
     if not off:
@@ -46,9 +44,10 @@ def judge(number: Any, said: Claim, given: Inputs, allowed: float) -> tuple[Diag
         return (Diagnosis(WRONG, "an uncertainty is claimed", EXACT),) if too_large else ()
     if not claimed or _is_near(claimed, off):
         return ()
-    right = f"it is {_shown(off)}"
-    parts = [abs(size) for size in number.error_components().values()]
-    sizes = [one.uncertainty / one.value for one in given.values() if one.uncertainty and one.value]
+    right = f"it is {_in(off, unit)}"
+    components = number.error_components()
+    parts = [abs(size) for size in components.values()]
+    sizes = [one.std_dev / one.nominal_value for one in components if one.nominal_value]
     without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
     found = [
         ("uncertainties-added", sum(parts), "the uncertainties were added up", SQUARES),
@@ -66,9 +65,9 @@ def judge(number: Any, said: Claim, given: Inputs, allowed: float) -> tuple[Diag
     return (Diagnosis(WRONG, "the uncertainty is another one", right),)
 
 
-def _shown(size: float) -> str:
-    """An uncertainty with two digits: 0.28, 100."""
-    return format_number(float(f"{size:.2g}"))
+def _in(size: float, unit: str) -> str:
+    """An uncertainty with two digits in its unit: 0.28 fc, 100 lx."""
+    return f"{format_number(float(f'{size:.2g}'))} {unit}".removesuffix(" 1")
 
 
 def _is_near(claimed: float, size: float) -> bool:

@@ -117,7 +117,7 @@ def _judged(
         said.uncertainty,
     )
     if verdict.is_right:
-        found = uncertainty.judge(number, said, question.given, allowed.width(right))
+        found = uncertainty.judge(number, said, unit_text, allowed.width(right))
         return verdict._replace(is_right=not found, diagnoses=found)
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))

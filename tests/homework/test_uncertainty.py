@@ -31,6 +31,12 @@ FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
         (LAMP, "15.92+-1.0lx", False, "k = 2"),  # 2 * 3.2 %
         (LAMP, "15.92+-0.43lx", False, "twice the part of d"),  # sqrt(2.5^2 + 1^2) %
         (LAMP, "15.92+-0.32lx", False, "only one"),  # 2 %
+        # 2 % and 2 * 1 %; without the 2 sqrt(2^2 + 1^2) % of 25 lx are 0.56 lx
+        ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "it is 0.71 lx"),
+        ((*EXACT[:1], "100+-2", *EXACT[2:-1], "2.00(2)m"), "25+-0.56lx", False, "twice the part"),
+        (("convert", "10.0+-2.3", "mW", "dBm"), "10+-2dBm", False, "it is 2.3 mW"),
+        (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-16lm", False, "added up"),
+        (("convert", "(100±3) lx * (2.0±0.1) m2", "lm"), "200+-12lm", True, "200 ± 12 lm"),
         (EXACT, "25.2+-0.1lx", True, "within 1%"),
         (EXACT, "25.6+-0.7lx", False, "within 1%"),
         (EXACT, "50+-100lx", False, "the distance was not squared"),
