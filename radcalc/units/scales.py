@@ -296,6 +296,8 @@ def resolve_any(text: str) -> Unit:
 
 def refuse_product(text: str, scale: str) -> None:
     """Refuse 2*10 dBm, which people read in two ways."""
+    if "*" not in text:
+        return  # nor has to begin with a number: (10±1) dBm
     number, end = read_number(text)
     if "*" in text[:end]:
         raise NumberError(
