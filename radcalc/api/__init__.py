@@ -200,7 +200,7 @@ def convert(value: Any, target: str, **conditions: Any) -> Any:
     (10.0, '1.0 microwatt')
     """
     made, magnitude, given = _plan(value, target, conditions)
-    if is_uncertain(magnitude) or any_uncertain(given):
+    if _has_uncertainty(magnitude) or any_uncertain(given):
         found = _converted(made, magnitude, given).number
     else:
         found = _broadcast(lambda: made.apply(magnitude))
@@ -236,9 +236,9 @@ def explain(value: Any, target: str, **conditions: Any) -> Result:
     if any(getattr(one, "shape", ()) for one in (value, *conditions.values())):
         raise ConditionError("explain takes single values, not arrays", "one of each")
     made, magnitude, given = _plan(value, target, conditions)
-    number = float(getattr(magnitude, "nominal_value", magnitude))
-    shown = answer(made, number, steps=True)
-    if is_uncertain(magnitude) or any_uncertain(given):
+    number = magnitude.typed[0] if isinstance(magnitude, Amount) else magnitude
+    shown = answer(made, float(getattr(number, "nominal_value", number)), steps=True)
+    if _has_uncertainty(magnitude) or any_uncertain(given):
         from radcalc.calculators.uncertainty import of_conversion
 
         shown = of_conversion(shown, _converted(made, magnitude, given))
@@ -842,6 +842,8 @@ def _converted(made: Plan, magnitude: Any, given: list[Given]) -> Any:
     """A magnitude through a plan, where it or a condition is uncertain."""
     from radcalc.calculators.uncertainty import converted
 
+    if isinstance(magnitude, Amount):
+        return converted(made, magnitude, given)
     amount = Amount("the value", magnitude, made.source)
     of = None
     if is_uncertain(magnitude):
@@ -852,32 +854,39 @@ def _converted(made: Plan, magnitude: Any, given: list[Given]) -> Any:
     return converted(made, amount, given, of)
 
 
+def _has_uncertainty(magnitude: Any) -> bool:
+    return isinstance(magnitude, Amount) or is_uncertain(magnitude)
+
+
 def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, Any, list[Given]]:
-    """The plan that both need, the magnitude to apply it to, and the conditions."""
+    """The plan that both need, the magnitude to apply it to, and the conditions.
+
+    The magnitude of a text with an uncertainty is an `Amount`.
+    """
     _refuse_lazy(value, "the value")
     if not isinstance(target, str):
         raise UnitError(
             f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
         )
-    scale: Unit | None = None
-    if isinstance(value, str) and (amount := read_amount(value)).scale and not amount.is_uncertain:
-        reading, scale = amount.typed
-        value = Quantity(reading, "1")
-    elif isinstance(value, str):
-        value = light_registry().parse_expression(value)
-    elif not _is_quantity(value):
-        if not is_uncertain(value):
-            value = real(value, "the value", "a text, a quantity or numbers")
-        value = Quantity(value, "1")
+    magnitude: Any
+    source: Unit | None
+    if isinstance(value, str):
+        amount = read_amount(value)
+        magnitude, source = amount.typed
+        magnitude = amount if amount.is_uncertain else magnitude
+    elif _is_quantity(value):
+        magnitude, source = value.magnitude, from_container(value._units)
+    else:
+        magnitude, source = value, None
     given = _conditions(conditions)
-    source = scale or from_container(value._units)
+    source = source or resolve("1")
     made = plan(source, target_of(target, source), given)
-    magnitude = value.magnitude
-    if is_uncertain(magnitude):
+    if _has_uncertainty(magnitude):
         return made, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
     if not isinstance(magnitude, (int, float)) and kind not in ("i", "u", "f"):
-        magnitude = real(magnitude, "the value", "real numbers")
+        hint = "real numbers" if _is_quantity(value) else "a text, a quantity or numbers"
+        magnitude = real(magnitude, "the value", hint)
     return made, magnitude, given
 
 
@@ -891,6 +900,8 @@ def _is_quantity(value: Any) -> bool:
     if isinstance(value, Quantity):
         return True
     if hasattr(value, "magnitude"):
+        if getattr(value, "_REGISTRY", None) is light_registry():
+            return True  # a Measurement, of Quantity.plus_minus
         raise UnitError(
             f"'{quote(str(value))}' is a quantity of another registry", "radcalc.Quantity"
         )

@@ -54,6 +54,8 @@ class Plan:
         """
         if isinstance(value, (int, float)):
             value = _as_float(value)
+            if value - value != 0:  # inf and nan
+                raise self._not_held()
         if self.links:
             self._refuse_negative(value)
         if not (isinstance(value, float) and isinstance(self.factor, float)):

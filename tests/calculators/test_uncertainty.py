@@ -233,6 +233,39 @@ def test_texts_are_variables_with_the_names_of_their_keywords():
 
 
 @pytest.mark.parametrize(
+    ("call", "value", "uncertainty"),
+    [
+        (lambda: radcalc.convert(Q(100, "lx").plus_minus(3), "fc"), 9.290304, 0.27870912),
+        (lambda: radcalc.convert("100 cd", "lx", distance=Q(2, "m").plus_minus(0.02)), 25, 0.5),
+        (
+            lambda: radcalc.point_source(flux=Q(800, "lm").plus_minus(20))["intensity"],
+            200 / math.pi,
+            5 / math.pi,
+        ),
+        # 2.5 lx * 2^10, and ln(2) of it a step: a scale with two readings, of which one fits
+        (lambda: radcalc.convert("10±1 EV", "lx"), 2560, 2560 * math.log(2)),
+    ],
+)
+def test_measurements_of_pint_and_readings_are_taken(call, value, uncertainty):
+    assert parts(call()) == pytest.approx((value, uncertainty), rel=1e-6)
+
+
+def test_texts_are_explained_with_their_shares_and_bends():
+    """Of 200 lm 6 lm are of 3 lx and 10 lm of 0.1 m2; 1/1.5 and 1/2.5 of 0.09290304 fc."""
+    told = radcalc.explain("(100±3) lx * (2.0±0.1) m2", "lm").steps[-1].numbers
+    assert told == "11.6619 lm: 10 by value 2.0±0.1 (73.5 %), 6 by value 100±3 (26.5 %)"
+    (note,) = radcalc.explain("1/(2.0±0.5) * 1 lx", "fc").notes
+    assert "0.0371612 fc to 0.0619354 fc" in note
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf])
+@pytest.mark.parametrize("make", [float, lambda number: ufloat(number, 1)])
+def test_what_is_no_number_is_refused(number, make):
+    with pytest.raises(RadcalcError, match="cannot be held by a number"):
+        radcalc.convert(Q(make(number), "lx"), "fc")
+
+
+@pytest.mark.parametrize(
     ("call", "said"),
     [
         (
