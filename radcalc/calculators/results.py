@@ -111,12 +111,14 @@ def _shown(value: Value, text: str) -> Any:
     return in_unit(value, resolve_any(text))
 
 
-def _refuse_absent(value: Value) -> None:
-    """Say what a result lacks that does not follow."""
-    if value.because is not None:
-        raise value.because
+def _refuse_absent(value: Value, case: str = "") -> None:
+    """Say what a result lacks that does not follow, and in which of several answers."""
+    of_case = f"{case}: " if case else ""
+    if (because := value.because) is not None:
+        because.message = f"{of_case}{because.message}"
+        raise because
     if value.lacking is not None:
-        raise MissingInput(f"no {value.label} follows from what is given", value.lacking())
+        raise MissingInput(f"{of_case}no {value.label} follows from what is given", value.lacking())
 
 
 def element(value: Value, k: int) -> Value:
@@ -165,7 +167,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         return row._replace(value=row.uncertainty, name=name, uncertainty=0.0, given=False)
     for value in values:
         if name and name in (value.name, value.also):
-            _refuse_absent(value)
+            _refuse_absent(value, case)
             label, letter, is_given = value.label, value.letter, value.given is not None
             if not text:
                 text = value.units[0]

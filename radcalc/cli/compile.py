@@ -5,19 +5,17 @@ the commands, nor for Click.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
 import radcalc
-from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.cli import COMMANDS, HELP, check, commands, protect_negatives
 from radcalc.cli.command import FILE, GET, MAPS, SectionedCommand, SymbolOption
 from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, UsageError
-from radcalc.given import read
 from radcalc.quantities.light import GEOMETRIES
 from radcalc.quantities.symbols import (
     CHOICE,
@@ -37,7 +35,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
-from radcalc.spectra.sources import names
+from radcalc.spectra.listing import described, listed
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.scales import on
 from radcalc.units.table import NUMBER, Dimension, Unit, resolve
@@ -48,24 +46,6 @@ HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do no
 # command: (its line in the help, what its operands are, its options)
 # operands: (form, values); an option: (names, form, values, help, is hidden, is repeatable)
 '''
-# What the named spectra are, by the beginnings of their names (CIE 15:2018); the names of the
-# others say it.
-SPECTRA = {
-    "A": "incandescent",
-    "B": "direct sunlight, obsolete",
-    "C": "average daylight, obsolete",
-    "D": "daylight",
-    "E": "equal energy",
-    "FL": "fluorescent",
-    "HP": "high-pressure discharge",
-    "ID": "indoor daylight",
-    "LED-B": "LED, blue and phosphor",
-    "LED-BH": "LED, blue and phosphor, and red",
-    "LED-RGB": "LED, of three colours",
-    "LED-V": "LED, violet and phosphor",
-    "AM": "sun",
-}
-NAMED = re.compile(r"([A-Z]+(?:-[A-Z]+)?)[\d.G]*D?")
 EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
 Row = tuple[Any, ...]
@@ -98,7 +78,7 @@ class Compiler:
             f"    {name!r}: {('', False) if name in GENERIC else (unit, _leaves(name))},\n"
             for name, unit in names_starting("")
         )
-        spectra = "".join(f"    {name!r}: {said!r},\n" for name, said in described_spectra())
+        spectra = "".join(f"    {name!r}: {said!r},\n" for name, said in described(listed()))
         return (
             f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own)})\n\n"
             f"# what a quantity is measured in: the units and what they are called\n"
@@ -214,17 +194,6 @@ def results_of(command: SectionedCommand) -> list[str]:
 
 def _leaves(name: str) -> bool:
     return target_of(name).is_exitance
-
-
-def described_spectra() -> Iterator[tuple[str, str]]:
-    """The named spectra, each with its colour temperature and what it is."""
-    for name in names():
-        found = describe({"spectrum": read("spectrum", name)})
-        cct = next((one for one in found.values if one.name == "cct" and not one.is_absent), None)
-        kind = NAMED.fullmatch(name)
-        said = [f"{cct.amount:.0f} K"] if cct else []
-        said += [SPECTRA[kind[1]]] if kind and kind[1] in SPECTRA else []
-        yield name, ", ".join(said)
 
 
 def _of_click(params: Iterable[click.Parameter]) -> list[click.Option]:

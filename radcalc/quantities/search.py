@@ -4,7 +4,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from itertools import product
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import LANGUAGES
@@ -31,6 +31,7 @@ GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω",
 BRACKETS = str.maketrans("[]()", "    ")
 IN_NO_NAME = "!?#@$&=<>|~;"  # what has them is no name
 LONGEST = 200  # characters of a search
+Item = TypeVar("Item")
 
 
 class Found(NamedTuple):
@@ -44,6 +45,21 @@ def fold(text: str) -> str:
     """A text as it is compared: no case, no diacritics, words parted by one blank."""
     parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare(text))
     return " ".join("".join(parts).split())
+
+
+def matching(
+    text: str,
+    items: Iterable[Item],
+    where: Callable[[Item], str],
+    alike: Callable[[str, str], bool] = str.startswith,
+) -> list[Item]:
+    """The items in whose text every word of another is found, as the beginning of a word."""
+    words = fold(text).split()
+    return [
+        item
+        for item in items
+        if words and all(any(alike(w, x) for w in fold(where(item)).split()) for x in words)
+    ]
 
 
 def search(text: str) -> list[Found]:

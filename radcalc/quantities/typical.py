@@ -5,14 +5,13 @@ round in lecture notes is wrong, the value here is the corrected one, and the no
 wrong.  Numbers are texts, with the digits that the source has.
 """
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 from radcalc.errors import RadcalcError, UsageError, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import name_of
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.search import called, fold
+from radcalc.quantities.search import called, fold, matching
 from radcalc.units.table import resolve
 
 LECTURES = "lecture tables"
@@ -131,8 +130,8 @@ def search(text: str) -> list[Typical]:
     if not text:
         return list(VALUES)
     found = _of_quantity(text) or _in_unit(text)
-    found = found or _with_words(text, lambda v: f"{v.what} {v.quantity}", str.startswith)
-    found = found or _with_words(text, lambda v: f"{v.note} {v.source}", str.__eq__)
+    found = found or matching(text, VALUES, lambda v: f"{v.what} {v.quantity}")
+    found = found or matching(text, VALUES, lambda v: f"{v.note} {v.source}", str.__eq__)
     if found:
         return found
     words = {word for v in VALUES for word in fold(f"{v.what} {v.quantity}").split()}
@@ -146,18 +145,6 @@ def search(text: str) -> list[Typical]:
 def _of_quantity(text: str) -> list[Typical]:
     meant = {f.quantity.name("en") for f in called(text)}
     return [value for value in VALUES if value.quantity in meant]
-
-
-def _with_words(
-    text: str, where: Callable[[Typical], str], alike: Callable[[str, str], bool]
-) -> list[Typical]:
-    """The values in one of whose texts every word is found."""
-    words = fold(text).split()
-    return [
-        value
-        for value in VALUES
-        if words and all(any(alike(w, x) for w in fold(where(value)).split()) for x in words)
-    ]
 
 
 def _in_unit(text: str) -> list[Typical]:

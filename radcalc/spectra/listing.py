@@ -1,0 +1,140 @@
+"""The named spectra as a list: of what kind they are, their colour temperature, lux per PPFD."""
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from radcalc.errors import UsageError, command, nearest, quote
+from radcalc.quantities.language import ENGLISH, LANGUAGES
+from radcalc.quantities.light import LUMINOUS, PHOTON
+from radcalc.quantities.search import fold, matching
+from radcalc.spectra import colorimetry
+from radcalc.spectra.counts import Counts
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.sources import ALIASES, find_named, names
+
+# The kinds by the names (CIE 15:2018, and the codes of lamps), in English, Czech and Russian; the
+# first that fits.  A name that says nothing has none.
+KINDS = (
+    (r"AM\d.*", "sun", "slunce", "солнце"),
+    (r"B", "direct sunlight, obsolete", "přímé sluneční světlo, zastaralé",
+     "прямой солнечный свет, устаревший"),
+    (r"S?C", "average daylight, obsolete", "průměrné denní světlo, zastaralé",
+     "средний дневной свет, устаревший"),
+    (r"D\d+|.*(?:Photographic|Sensitometric) Daylight", "daylight", "denní světlo",
+     "дневной свет"),
+    (r"ID\d+", "indoor daylight", "denní světlo v místnosti", "дневной свет в помещении"),
+    (r"E", "equal energy", "rovnoenergetické", "равноэнергетический"),
+    (r"S?A|.*Incandescent|60 A/W.*|ISO.*(?:Tungsten|Photoflood)", "incandescent", "žárovka",
+     "лампа накаливания"),
+    (r"LED-BH\d", "LED, blue and phosphor, and red", "LED, modrá s luminoforem a červená",
+     "светодиод, синий с люминофором, и красный"),
+    (r"LED-B\d", "LED, blue and phosphor", "LED, modrá s luminoforem",
+     "светодиод, синий с люминофором"),
+    (r"LED-V\d", "LED, violet and phosphor", "LED, fialová s luminoforem",
+     "светодиод, фиолетовый с люминофором"),
+    (r"LED-RGB\d|3-LED.*", "LED, of three colours", "LED, tříbarevná", "светодиод, трёхцветный"),
+    (r"4-LED.*", "LED, of four colours", "LED, čtyřbarevná", "светодиод, четырёхцветный"),
+    (r"Luxeon.*|PHOS-.*|Phosphor LED.*", "LED, with phosphor", "LED s luminoforem",
+     "светодиод с люминофором"),
+    (r"HP\d", "high-pressure discharge", "vysokotlaká výbojka",
+     "разрядная лампа высокого давления"),
+    (r".*HPS\)?", "high-pressure sodium", "vysokotlaká sodíková výbojka",
+     "натриевая лампа высокого давления"),
+    (r"LPS", "low-pressure sodium", "nízkotlaká sodíková výbojka",
+     "натриевая лампа низкого давления"),
+    (r"(?:.*\()?Mercury.*", "mercury", "rtuťová výbojka", "ртутная лампа"),
+    (r"Metal Halide|MHC.*", "metal halide", "halogenidová výbojka", "металлогалогенная лампа"),
+    (r"FL\d.*|.* FL\)?|F\d+.*|T8 .*|Philips TL.*|Thorn Kolor.*", "fluorescent", "zářivka",
+     "люминесцентная лампа"),
+)  # fmt: skip
+PATTERNS = [re.compile(row[0]) for row in KINDS]
+
+
+class Named(NamedTuple):
+    """A named spectrum.
+
+    Attributes
+    ----------
+    name : str
+        As it is given.
+    kind : int or None
+        The row of `KINDS`.
+    """
+
+    name: str
+    kind: int | None
+
+    def kind_in(self, language: str) -> str:
+        """What kind it is of; '' where the name does not say."""
+        place = 1 + LANGUAGES.index(language)
+        return "" if self.kind is None else KINDS[self.kind][place]
+
+    @property
+    def words(self) -> str:
+        """What it is searched by: its name, another one, and its kind in every language."""
+        others = [alias for alias, name in ALIASES.items() if name == self.name]
+        return " ".join([self.name, *others, *map(self.kind_in, LANGUAGES)])
+
+
+def listed(text: str = "") -> list[Named]:
+    """The named spectra in whose name or kind, in any language, every word begins a word.
+
+    Raises
+    ------
+    UsageError
+        If there is none.
+
+    Examples
+    --------
+    >>> [one.name for one in listed("vysokotlaká sodíková")]
+    ['HPS', 'Super HPS', 'C100S54 (HPS)', 'C100S54C (HPS)', 'SDW-T 100W/LV (Super HPS)']
+    """
+    every = [Named(name, kind_of(name)) for name in names()]
+    if not text.strip():
+        return every
+    found = matching(text, every, lambda one: one.words)
+    if found:
+        return found
+    words = {word for one in every for word in fold(one.words).split()}
+    near = nearest(fold(text), words, cutoff=0.75)
+    raise UsageError(
+        f"no named spectrum is '{quote(text)}'",
+        ", ".join(near) or command("spectrum", list=""),
+    )
+
+
+def kind_of(name: str) -> int | None:
+    """The row of `KINDS` that a name says."""
+    return next((k for k, pattern in enumerate(PATTERNS) if pattern.fullmatch(name)), None)
+
+
+def figures(name: str) -> tuple[float | None, float]:
+    """The correlated colour temperature [K] of a named spectrum, and its lux per umol/m2/s.
+
+    Examples
+    --------
+    >>> cct, lux_per_ppfd = figures("D65")
+    >>> round(cct), round(lux_per_ppfd, 2)
+    (6503, 55.5)
+    """
+    source = find_named(name)
+    if source is None:
+        raise UsageError(f"no named spectrum is '{quote(name)}'", command("spectrum", list=""))
+    try:
+        cct, _ = colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))
+    except colorimetry.Undefined:
+        cct = None
+    counts = Counts(source, OBSERVERS["photopic"], None, None)
+    return cct, counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
+
+
+def described(found: Iterable[Named]) -> list[tuple[str, str]]:
+    """Names with a line on each: its colour temperature and its kind."""
+    told = []
+    for one in found:
+        cct, _ = figures(one.name)
+        said = [f"{cct:.0f} K"] if cct else []
+        told.append((one.name, ", ".join([*said, *filter(None, [one.kind_in(ENGLISH)])])))
+    return told

@@ -1,0 +1,66 @@
+"""The list of the named spectra."""
+
+import pytest
+
+from radcalc.errors import UsageError
+from radcalc.quantities.language import LANGUAGES
+from radcalc.spectra.listing import KINDS, PATTERNS, described, figures, listed
+from radcalc.spectra.sources import names
+
+# Correlated colour temperatures [K] of CIE 15:2018, tables T.3 to T.12, and of the black body that
+# illuminant A is; lux per umol/m2/s of E: Km times the 106.857 nm of V(lambda) over the photons of
+# 300 nm about 550 nm, 683.002 x 106.857 / (300 x 550 / 119.62656582).
+CIE = {"A": 2856, "C": 6774, "D50": 5003, "D65": 6504, "E": 5455, "FL1": 6430, "FL2": 4230,
+       "FL4": 2940, "FL7": 6500, "FL11": 4000, "FL12": 3000, "HP1": 1959, "HP2": 2506,
+       "LED-B1": 2733, "LED-B3": 4103, "LED-B5": 6598, "LED-V1": 2724, "ID65": 6598}  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "temperature"), CIE.items())
+def test_the_colour_temperature_is_the_cies(name, temperature):
+    assert figures(name)[0] == pytest.approx(temperature, rel=2e-3)
+
+
+def test_lux_per_ppfd_is_of_photons_from_400_to_700_nm():
+    assert figures("E")[1] == pytest.approx(
+        683.002 * 106.857 / (300 * 550 / 119.62656582), rel=1e-4
+    )
+
+
+def test_what_has_no_colour_temperature_has_none():
+    assert figures("ISO 7589 Sensitometric Printer")[0] is None
+
+
+def test_every_kind_is_that_of_a_spectrum_and_told_in_every_language():
+    used = {one.kind for one in listed()}
+    assert used - {None} == set(range(len(KINDS)))
+    assert all(len(row) == 1 + len(LANGUAGES) and all(row) for row in KINDS)
+    assert len(PATTERNS) == len(KINDS)
+    without = [one.name for one in listed() if one.kind is None]
+    assert without == ["ISO 7589 Sensitometric Printer", "Natural", "Kinoton 75P"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("sun", ["B", "AM0", "AM1.5G", "AM1.5D"]),
+        ("Slunce", ["AM0", "AM1.5G", "AM1.5D"]),
+        ("натриевая низкого", ["LPS"]),
+        ("nizkotlaka", ["LPS"]),
+        ("led red", ["LED-BH1"]),
+        ("mercury dx", ["H38JA-100/DX (Mercury DX)"]),
+    ],
+)
+def test_a_spectrum_is_found_by_its_name_and_its_kind_in_three_languages(text, expected):
+    assert [one.name for one in listed(text)] == expected
+
+
+def test_all_are_listed_and_described_in_their_order():
+    assert [one.name for one in listed(" ")] == names()
+    assert dict(described(listed("LPS"))) == {"LPS": "1720 K, low-pressure sodium"}
+
+
+@pytest.mark.parametrize("text", ["zork", "LED zork", "-", "\ud800"])
+def test_what_is_not_found_is_refused_with_a_hint(text):
+    with pytest.raises(UsageError) as caught:
+        listed(text)
+    assert caught.value.hint
