@@ -104,7 +104,8 @@ def command(
       radcalc convert 250 cd/m2                    (every unit of luminance)
       radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
       cut -f3 log.tsv | radcalc convert - lx fc
-      radcalc convert - lx fc -d , --column illuminance < log.csv
+      radcalc convert - lx fc -d , --column E < log.csv
+      radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
       printf '100 lx\\n3 fc\\n' | radcalc convert - klx
 
     Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
@@ -115,7 +116,8 @@ def command(
     may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
-    for VALUE and UNIT they carry their own units.  Every other byte stays as it is.
+    for VALUE and UNIT they carry their own units, or their title does (E [lx]), which is checked
+    and gets the target's.  Every other byte stays as it is.
     """
     checking.refuse_idle(check, tolerance)
     asked = streams.Asked(**stream_options)

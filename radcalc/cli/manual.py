@@ -87,7 +87,9 @@ def _argument(option: click.Option) -> str:
     if option.is_flag or option.count:
         return ""
     if isinstance(option.type, click.Choice):
-        return f" Cm {' | '.join(option.type.choices)}"
+        # a punctuation mark of its own is none of mdoc's
+        choices = [rf"\&{word}" if word in (".", ",") else word for word in option.type.choices]
+        return f" Cm {' | '.join(choices)}"
     metavar = option.metavar or "VALUE"
     if "[" not in metavar:
         return f" Ar {_plain(metavar)}"

@@ -29,7 +29,9 @@ FIELDS = ("source", "kind", "cct:K", "lux-per-ppfd:lm.s/umol")  # of one in CSV
 KEYS = ("source", "kind", "cct", "lux_per_ppfd")  # of one in JSON, in the same units
 DIGITS = 4
 COLUMN = click.Option(
-    ["--column"], metavar="NAME", help="The column of a file's values, by name or number."
+    ["--column"],
+    metavar="NAME",
+    help="The column of a file's values, by its title, with its unit or without, or its number.",
 )
 LIST = click.Option(
     ["--list", "list_"], is_flag=True, help="List the named sources, or those of a kind."

@@ -65,7 +65,7 @@ OPTIONS = (
     click.Option(
         ["--decimal"],
         type=click.Choice([".", ","]),
-        help="What stands before decimals, in and out (default: a point).",
+        help="The decimal mark of the numbers, in and out: a comma, or a point (the default).",
     ),
     click.Option(
         ["--invalid"],

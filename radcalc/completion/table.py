@@ -37,7 +37,7 @@ COMMANDS = {
         (('--header',), 'word', (), 'The first line has titles, or the first N (--header=2); --column implies 1.  Every line has as many fields; a unit in the title is checked, and becomes TARGET.', False, False),
         (('--add',), 'word', (), 'Keep the field, and add a last one with the result.', False, False),
         (('--rename',), 'word', (), 'The new title of the field, which one of another quantity needs.', False, False),
-        (('--decimal',), 'choice', ('.', ','), 'What stands before decimals, in and out (default: a point).', False, False),
+        (('--decimal',), 'choice', ('.', ','), 'The decimal mark of the numbers, in and out: a comma, or a point (the default).', False, False),
         (('--invalid',), 'choice', ('abort', 'fail', 'warn', 'ignore'), 'At a line that cannot be converted: stop (abort, the default), or pass it through and fail at the end (status 2), warn (status 0) or ignore it (status 0).', False, False),
         (('-n', '--number'), 'flag', (), 'Bare numbers only.', False, False),
         (('--format',), 'choice', ('table', 'plain', 'json', 'csv'), 'Default: a table on a terminal, plain text elsewhere.', False, False),
@@ -574,7 +574,7 @@ COMMANDS = {
         (('-h', '--help'), 'flag', (), 'Show this message and exit.', False, False),
     )),
     'spectrum': ('Peak, efficacies and colour of a spectrum.', ('spectrum', ()), (
-        (('--column',), 'word', (), "The column of a file's values, by name or number.", False, False),
+        (('--column',), 'word', (), "The column of a file's values, by its title, with its unit or without, or its number.", False, False),
         (('--list',), 'flag', (), 'List the named sources, or those of a kind.', False, False),
         (('--observer',), 'choice', ('photopic', 'scotopic', 'cie1964', 'judd-vos', 'cie2008-2', 'cie2008-10'), 'Whose eyes the luminous efficacy is for.', False, False),
         (('--range',), 'quantity', ('', ('length',)), 'Where watts are counted.', False, False),

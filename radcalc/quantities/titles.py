@@ -67,11 +67,19 @@ def read_title(text: str, like: Unit | None = None) -> Title:
 
     Raises UnitError where the title scales its numbers, as in `E (1000 lx)`.
     """
+    title = _read(text, like)
+    before, behind = text[: title.start], text[title.end :]
+    if title.unit and (SCALED_BEFORE.search(before) or SCALED_BEHIND.match(behind)):
+        unit = quote(title.unit.text)
+        raise UnitError(f"the title '{quote(text)}' scales its numbers", f"numbers in {unit}")
+    return title
+
+
+def _read(text: str, like: Unit | None) -> Title:
     candidates = list(_candidates(text)) if len(text) <= LONGEST else []
     for is_fitting in (_fits, _contradicts):
         for title, in_brackets in candidates:
             if is_fitting(title, in_brackets, like):
-                _refuse_scaled(title)
                 return title
     return Title(text, text)
 
@@ -94,7 +102,7 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
     found = [place for place, title in enumerate(titles) if title == name]
     if not found:
         near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
-        bare = [(k, title, _name(title, like)) for k, title in near[:COMPARED]]
+        bare = [(k, title, _read(title, like).name) for k, title in near[:COMPARED]]
         found = (
             [k for k, _, own in bare if own == name]
             or [k for k, title, _ in bare if title.casefold() == folded]
@@ -112,13 +120,6 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
         f"{where} has no column '{quote(name)}'",
         listed(nearest(name, known) or known) or "a title for each column",
     )
-
-
-def _name(title: str, like: Unit | None) -> str:
-    try:
-        return read_title(title, like).name
-    except UnitError:
-        return title
 
 
 def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
@@ -184,12 +185,3 @@ def _is_light(unit: Unit) -> bool:
 
 def _measure(unit: Unit) -> tuple[object, bool]:
     return unit.dimension, unit.is_exitance
-
-
-def _refuse_scaled(title: Title) -> None:
-    before, behind = title.text[: title.start], title.text[title.end :]
-    if SCALED_BEFORE.search(before) or SCALED_BEHIND.match(behind):
-        unit = title.unit.text if title.unit else ""
-        raise UnitError(
-            f"the title '{quote(title.text)}' scales its numbers", f"numbers in {quote(unit)}"
-        )

@@ -12,7 +12,8 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import columns, stdio
-from radcalc.errors import ConditionError, listed, nearest, option, quote, quote_path
+from radcalc.errors import ConditionError, listed, option, quote, quote_path
+from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
 from radcalc.spectra.lines import Lines, Text, refusal
 from radcalc.spectra.planck import LIGHT, PLANCK
@@ -29,7 +30,6 @@ MOST_BEFORE = 1000  # lines before a table, and comments
 MOST_OF_FORMAT = 1 << 24  # characters of a file that is no plain table
 TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
 WORDS = 2  # behind a number and blanks that make a line a sentence: 100 scans averaged
-SHOWN = 5  # columns that are named in a hint
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 
@@ -325,14 +325,14 @@ class _Reader:
                     f"{chosen} with one of: {_named(names)}",
                 )
             return 1, names[1]
-        if self.column in names[1:]:
-            place = names.index(self.column)
-        elif self.column.isdecimal() and 2 <= int(self.column) <= width:
+        is_number = self.column.isdecimal() and self.column not in names
+        if is_number and 2 <= int(self.column) <= width:
             place = int(self.column) - 1
+        elif header:
+            place = find(["", *names[1:]], self.column, self.name)
         else:
-            near = nearest(self.column, [quote(name) for name in names[1:]], SHOWN)
-            problem = f"there is no column of values '{quote(self.column)}'"
-            raise self.error(0, problem, ", ".join(near) or _named(names))
+            problem = f"there are no titles, and no column '{quote(self.column)}' of values"
+            raise self.error(0, problem, _named(names))
         self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
         return place, names[place]
 

@@ -158,15 +158,18 @@ class Cut:
         each has to be looked at by itself.
         """
         shown = None
-        if self.delimiter and b'"' not in block and b"#" not in block:
-            shown = self._table(block, fields, convert, width, adds)
+        mark = self.delimiter or _only_blank(block)
+        if self.delimiter and b'"' in block:
+            mark = b""
+        if mark and b"#" not in block:
+            shown = self._table(block, mark, fields, convert, width, adds)
         return shown or self._matched(block, fields, convert, width, adds)
 
+    @staticmethod
     def _table(
-        self, block: bytes, fields: Fields, convert: Convert, expected: int, adds: bool
+        block: bytes, mark: bytes, fields: Fields, convert: Convert, expected: int, adds: bool
     ) -> bytes | None:
         """Convert column by column, where all lines have as many fields."""
-        mark = self.delimiter
         rows = block.count(b"\n")
         width = block.count(mark, 0, block.index(b"\n")) + 1
         # the ends of the lines as cells of their own: in a table they are a column
@@ -216,8 +219,8 @@ class Cut:
         """
         behind = f"{{{width - before - 1}}}" if width else "*"
         if not self.delimiter:
-            text = rf"^([ \t]*(?!#)(?:[^ \t\n]+[ \t]+){{{before}}})([^ \t\n]+)"
-            text += rf"(?=(?:[ \t]+[^ \t\n]+){behind}[ \t]*$)" if width else ""
+            text = rf"^([ \t]*+(?!#)(?:[^ \t\n]++[ \t]++){{{before}}})([^ \t\n]++)"
+            text += rf"(?=(?:[ \t]++[^ \t\n]++){behind}[ \t]*+$)" if width else ""
             return re.compile(text.encode(), re.MULTILINE)
         mark = re.escape(self.delimiter).decode("latin-1")
         blanks = f"[{self.blanks.decode()}]*"
@@ -227,6 +230,15 @@ class Cut:
         opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
         text = rf"^(?![ \t]*#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
         return re.compile(text.encode("latin-1"), re.MULTILINE)
+
+
+def _only_blank(block: bytes) -> bytes:
+    """The blank or the tab that alone stands between all fields of a block; empty for others."""
+    mark = b"\t" if b"\t" in block else b" "
+    if mark == b"\t" and b" " in block:
+        return b""
+    others = mark + mark, mark + b"\n", b"\n" + mark
+    return b"" if block.startswith(mark) or any(other in block for other in others) else mark
 
 
 def _strip(line: bytes, span: Span, blanks: bytes) -> Span:

@@ -140,13 +140,14 @@ class Stream:
     def _check_width(self, count: int) -> None:
         """Refuse a line that has not as many fields as the header, or as the first good line."""
         if self.width and count != self.width:
-            place = "and lines before have" if self.is_counted else "under a header of"
+            place = ", and lines before have" if self.is_counted else " under a header of"
             hint = "as many in every line"
             if self.cut and self.cut.delimiter == b",":
                 hint += "; quotes around one with a comma in it"
             elif self.cut and not self.cut.delimiter:
                 hint += f"; {option('delimiter', 'X')} where a field may have blanks"
-            raise NumberError(f"{count} fields {place} {self.width}", hint)
+            fields = "1 field" if count == 1 else f"{count} fields"
+            raise NumberError(f"{fields}{place} {self.width}", hint)
 
     def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
         """The texts to be converted: the number of the field, and where it is.
