@@ -3,7 +3,7 @@
 import click
 
 from radcalc.cli import COMMANDS, commands
-from radcalc.errors import MissingUnit, RadcalcError, nearest, option, quote
+from radcalc.errors import MINUS, MissingUnit, RadcalcError, nearest, option, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
 from radcalc.render.formats import FORMATS
@@ -27,6 +27,28 @@ MEANT = {
     "uberlight": "cinematography renderman barzel superellipse barndoor falloff",
 }
 
+# What people call an option; those of the command are mentioned.
+MEANT_OPTIONS = {
+    "f-number": "aperture f-stop fstop stop",
+    "time": "shutter shutter-speed exposure-time duration",
+    "iso": "asa sensitivity film-speed",
+    "luminous-flux": "lumen lumens",
+    "radiant-flux": "watt watts power",
+    "illuminance": "lux illumination footcandles",
+    "luminous-intensity": "candela candelas candlepower",
+    "luminance": "nit nits brightness",
+    "half-angle": "angle beam cone",
+    "apex-angle": "angle cone",
+    "beam-angle": "angle beam spread",
+    "reflectance": "albedo reflectivity",
+    "wavelength": "lambda color colour",
+    "spectrum": "illuminant lamp",
+    "precision": "digits decimals",
+    "format": "output",
+    "steps": "derivation explain verbose",
+    "quiet": "silent",
+}
+
 
 def meant(args: list[str]) -> str:
     """What to type in place of a word that is no command."""
@@ -38,7 +60,23 @@ def meant(args: list[str]) -> str:
     if word in NAMES:
         return f"{call_of('solid-angle', word)} (see {help_of('solid-angle')})"
     names = [name for name, others in MEANT.items() if word in others.split()]
-    return f"{names[0]} (see {help_of(names[0])})" if names else "radcalc --help"
+    if names:
+        return f"{names[0]} (see {help_of(names[0])})"
+    return _looked_up(args[0]) or _looked_up(" ".join(args)) or "radcalc --help"
+
+
+def _looked_up(word: str) -> str:
+    """The call that tells of a word that is a unit, a quantity or a spectrum; '' of any other."""
+    from radcalc.quantities.targets import is_name
+    from radcalc.spectra.sources import find_named
+    from radcalc.units.scales import find
+    from radcalc.units.table import unit_of
+
+    if unit_of(word) or find(word):
+        return call_of("units", quote(word))
+    if is_name(word):
+        return call_of("quantities", quote(word))
+    return call_of("spectrum", quote(word)) if find_named(word) else ""
 
 
 def join_unit(error: MissingUnit, words: list[str]) -> None:
@@ -93,10 +131,14 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
         if others:
             said = f"there is no option '{quote(error.option_name)}' in {called}"
             return RadcalcError(said, f"{help_of(others[0])}; it is of {', '.join(others)}")
-        near = near or nearest(error.option_name, known, cutoff=0.7)
+        name = error.option_name.removeprefix("--").lower()
+        also = [f"--{one}" for one, others in MEANT_OPTIONS.items() if name in others.split()]
+        near = near or [one for one in also if one in known]
+        near = near or nearest(f"--{name}", known, cutoff=0.7)
         hint = f"{', '.join(near)} (see {help_})" if near else help_
         return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)
-    message = one_line(error.format_message())
+    message = one_line(error.format_message().replace(MINUS, "-"))  # as it was typed
+    message = message.replace("a valid integer range", "a whole number in its range")
     if "unexpected extra argument" in message:
         word = message.partition("(")[2].rstrip(")")
         hint = "a value and its unit are one word, as in --distance 2m"

@@ -426,7 +426,13 @@ def _is_plain(amount: Amount) -> bool:
 
 
 def _text(amount: Amount) -> str:
-    """The text of an amount: as it was typed, or what arithmetic came to."""
+    """The text of an amount: as it was typed, or what arithmetic came to.
+
+    A fraction with its unit stands in brackets, as arithmetic with it takes it.
+    """
     if _is_plain(amount):
-        return amount.text
+        if not amount.unit or amount.scale or amount.uncertainty:
+            return amount.text
+        number = amount.text[: read_number(amount.text)[1]]
+        return f"({number}) {amount.unit.text}" if "/" in number else amount.text
     return _exact(amount.number, amount.unit.text if amount.unit else "1", amount.uncertainty)

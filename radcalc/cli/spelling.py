@@ -2,6 +2,8 @@
 
 from radcalc.errors import spell
 
+NEED_QUOTES = set(" ()<>;&|")  # at a shell
+
 
 class Shell:
     """Options begin with two dashes, and a command is what one types."""
@@ -18,7 +20,7 @@ class Shell:
         for word in words:
             name, equals, value = word.partition("=")
             text = value if equals else word
-            text = f"'{text}'" if " " in text else text
+            text = f"'{text}'" if NEED_QUOTES.intersection(text) else text
             typed.append(Shell.option(name, text) if equals else text)
         return " ".join(["radcalc", *typed])
 

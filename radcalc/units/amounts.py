@@ -15,7 +15,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.units.numbers import DIGITS, split_quantity
-from radcalc.units.table import Dimension, Unit, resolve, unit_of
+from radcalc.units.table import NUMBER, Dimension, Unit, resolve, unit_of
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -198,6 +198,18 @@ def _read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimen
 def with_unit(amount: Amount, unit: str) -> Amount:
     """A bare number with the unit that stands in another word; arithmetic as it is in one."""
     text = f"{amount.text} {unit}"
+    if unit == "1":  # which multiplies nothing, so that 2 + 3 stays 5
+        return Amount(
+            text,
+            amount.number,
+            resolve(unit),
+            amount.uncertainty,
+            (),
+            None,
+            0.0,
+            amount.rounding,
+            amount.parts,
+        )
     if amount.rounding is not None or amount.parts:
         return read_amount(text)
     return _amount(text, amount.number, _unit(text, unit), amount.uncertainty, (), amount.parts)
@@ -251,8 +263,12 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
         raise _too_many(quote(words[0]), rest)
     if not separator and amount.unit is None and rest and rest[0].strip():
         amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
+    if separator and amount.unit is None and _is_of_numbers(rest[0]):
+        amount = with_unit(amount, "1")
     if amount.unit is None:
-        raise UsageError(f"{quote(words[0])} has no unit", EXAMPLE)
+        is_plain = words[0].replace(".", "").isalnum()
+        hint = EXAMPLE if is_plain else command("convert", quote(words[0]), "to", "1")
+        raise UsageError(f"{quote(words[0])} has no unit", hint)
     if rest and not rest[0].strip():
         raise UsageError("the unit to convert to is empty", EXAMPLE)
     if len(rest) > 1:
@@ -313,6 +329,16 @@ def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
             STREAM_EXAMPLE if is_stream else EXAMPLE,
         )
     return " ".join(parts[:at]), parts[at], " ".join(parts[at + 1 :])
+
+
+def _is_of_numbers(text: str) -> bool:
+    """Whether a unit or a scale is of bare numbers: 1, % or dB."""
+    unit = unit_of(text)
+    if unit is None:
+        from radcalc.units.scales import find
+
+        unit = find(text)
+    return unit is not None and unit.dimension == NUMBER
 
 
 def _has_unit(text: str) -> bool:

@@ -24,11 +24,13 @@ from radcalc.units.grammar import (
     parse_unit,
 )
 from radcalc.units.numbers import (
+    CALLS,
     DIGITS,
     EXACT,
     FUNCTIONS,
     MAX_LENGTH,
     MINUSES,
+    OTHER_FUNCTIONS,
     SIGNS,
     read_term,
     refuse_lookalikes,
@@ -271,7 +273,10 @@ class Calculator(Scanner):
             (unit.dimension, unit.is_exitance, unit.has_wavelength) if unit else None
             for unit in units
         ]
-        if a == b or (value.dimension == other.dimension == NUMBER):
+        if value.dimension == other.dimension == NUMBER:
+            self.refuse_share(value, other, sign, left, part)
+            return
+        if a == b:
             return
         hint = "terms of one quantity"
         plus = "+" if sign > 0 else "-"
@@ -290,6 +295,13 @@ class Calculator(Scanner):
             f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}",
             hint,
         )
+
+    def refuse_share(self, value: Value, other: Value, sign: int, left: str, part: str) -> None:
+        """Refuse 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
+        if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
+            plus = "+" if sign > 0 else "-"
+            number = f"{_divide(other.top, other.bottom):.12g}"
+            raise self.two_ways(f"{left} * (1 {plus} {part})", f"{left} {plus} {number}")
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
         """Read terms that are multiplied and divided; whether a number is among them."""
@@ -419,6 +431,14 @@ class Calculator(Scanner):
         """The name of the function that stands here, or ''."""
         return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
 
+    def refuse_other_functions(self) -> None:
+        """Refuse one that expressions do not have."""
+        for name in OTHER_FUNCTIONS:
+            if self.text.startswith(f"{name}(", self.at):
+                self.is_arithmetic = True
+                hint = "log10 or ln" if name in ("log", "lg") else ", ".join(FUNCTIONS)
+                raise self.wrong(f"has {name}, which is no function of expressions", hint)
+
     def exponent(self) -> int:
         """Read the exponent of a unit; the sign of 1m+2m, and of 5m-2m, begins another term."""
         if self.peek() and self.peek() in SIGNS:
@@ -469,6 +489,7 @@ class Calculator(Scanner):
         """Read a number, a bracket or a function with its exponent; None where a unit begins."""
         start = self.at
         c = self.peek()
+        self.refuse_other_functions()
         name = self.is_function()
         if c == "(" or name:
             self.at += len(name)
@@ -664,7 +685,7 @@ def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
     text = plain(text)
     calculator = Calculator(text, leaves)
     begun = text[:1]
-    if not (begun in ("(", ".", *SIGNS, *DIGITS) or calculator.is_function() or begun in "pπ"):
+    if not (begun in ("(", ".", *SIGNS, *DIGITS) or text.startswith(CALLS) or begun in "pπ"):
         return None
     try:
         value = calculator.answer()

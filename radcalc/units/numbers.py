@@ -24,6 +24,11 @@ EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
 FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
 
 FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
+OTHER_FUNCTIONS = (  # which people type, and expressions do not have
+    *("asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh"),
+    *("log", "lg", "log2", "lb", "pow", "abs", "min", "max", "sum", "mean", "round", "floor"),
+)
+CALLS = tuple([f"{name}(" for name in FUNCTIONS + OTHER_FUNCTIONS])
 DIGITS = "0123456789"
 MINUSES = "-" + MINUS
 SIGNS = "+" + MINUSES
@@ -76,7 +81,7 @@ def is_sentence(words: list[str]) -> bool:
     begun = first[start : start + 1]
     if begun == ".":
         begun = first[start + 1 : start + 2]
-    is_function = first[start:].startswith(tuple([f"{name}(" for name in FUNCTIONS]))
+    is_function = first[start:].startswith(CALLS)
     is_number = begun.isnumeric() or _pi_ends(first, start) > start
     return first == "-" or is_number or begun in ("(", "±") or is_function
 

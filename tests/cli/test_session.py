@@ -171,6 +171,12 @@ def test_arithmetic_needs_no_quotes(typed, line):
     assert typed("half = 1/2", "here = 100 lx", line) == ARITHMETIC[line] + "\n"
 
 
+@pytest.mark.parametrize("line", ["y*3", "3*y", "y + y + y", "1 m2/y/3", "convert y*3 m"])
+def test_a_fraction_that_a_name_keeps_is_exact_in_arithmetic(typed, line):
+    assert typed("y = 1/3 m", line) == "1\tm\n"
+    assert typed("vars").startswith("y = (1/3) m\n")
+
+
 def test_arithmetic_stands_in_options_and_names(typed):
     typed("side = 1 m + 1 m", "two = 2 * 400 lm")
     # 800 lm / 4 pi sr / (2 m)2 = 50/pi lx

@@ -169,6 +169,10 @@ REFUSED = {
     "500+200 lx": ("a bare number and illuminance (lx)", "(500 + 200) lx"),
     "5*3 - 2 lx": ("illuminance (lx) from a bare number", "(5*3 - 2) lx"),
     "100 lx + 10%": ("cannot add", "100 lx * (1 + 10%)"),
+    "100 + 10%": ("two ways", "100 * (1 + 10%) or 100 + 0.1"),  # pocket calculators, algebra
+    "0.8 - 5%": ("two ways", "0.8 * (1 - 5%) or 0.8 - 0.05"),
+    "2*abs(3) lx": ("has abs, which is no function", "sqrt"),
+    "3 lx * log(10)": ("has log, which is no function", "log10 or ln"),
     "100 radlux + 5 lx": ("luminous exitance (radlux) and illuminance (lx)", "one quantity"),
     "1 W/m2/nm + 1 W/m3 * 1": ("cannot add", "one quantity"),
     "1/2 m + 1/2 m": ("two ways", "(1/2) m or 1/(2 m)"),
