@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer, Result, Step, Value
 from radcalc.calculators.results import in_unit
 from radcalc.conversion.plan import Plan, plan
-from radcalc.derivation import format_number
+from radcalc.derivation import DIGITS, digits_apart, format_number
 from radcalc.errors import (
     ConditionError,
     Contradiction,
@@ -51,9 +51,11 @@ class Bend(NamedTuple):
     ends: dict[Key, tuple[float, float]]
     problem: str = ""
 
-    def note(self, label: str, low: str, high: str) -> str:
-        """What to say of a result."""
-        return f"{label} is far from linear within {self.named}: {low} to {high}"
+    def note(self, label: str, low: float, high: float, unit: str) -> str:
+        """What to say of a result, in digits that tell its ends from each other."""
+        digits = digits_apart(low, high)
+        ends = f"{_amount(low, unit, digits)} to {_amount(high, unit, digits)}"
+        return f"{label} is far from linear within {self.named}: {ends}"
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:
@@ -110,7 +112,7 @@ class Converted(NamedTuple):
         notes = [bend.problem for bend in self.bends if bend.problem]
         for bend in self.bends:
             for ends in bend.ends.values():
-                notes.append(bend.note(name, *(_amount(end, unit) for end in ends)))
+                notes.append(bend.note(name, *ends, unit))
         return notes
 
 
@@ -328,15 +330,15 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
         value = values[bent[0][:-1]]
         unit = value.units[0]
         ends = (value._replace(si=end, given=None, exact=None) for end in bend.ends[bent[0]])
-        low, high = (_amount(in_unit(end, resolve(unit)), unit) for end in ends)
+        low, high = (in_unit(end, resolve(unit)) for end in ends)
         others = len(bent) - 1
         more = f" (and {others} more result{'s' if others > 1 else ''})" if others else ""
-        notes.append(bend.note(value.label, low, high) + more)
+        notes.append(bend.note(value.label, low, high, unit) + more)
     return notes
 
 
-def _amount(number: float, unit: str) -> str:
-    return format_number(number) if unit == "1" else f"{format_number(number)} {unit}"
+def _amount(number: float, unit: str, digits: int = DIGITS) -> str:
+    return f"{format_number(number, digits)} {unit}".removesuffix(" 1")
 
 
 class _WithShares(Sequence[Step]):

@@ -33,6 +33,8 @@ def slopes(
         return {key: _slope(value, points, key, step) for key, value in nominal.items()}
     narrow = max(step * NARROWER, least)
     nearer = _points(at, narrow)
+    if (wider := narrow / NARROWER) > step:
+        step, points = wider, _points(at, wider)
     found = {}
     for key, value in nominal.items():
         wide, slope = _slope(value, points, key, step), _slope(value, nearer, key, narrow)

@@ -378,6 +378,13 @@ def test_a_result_may_be_asked_for_on_a_scale():
             90 - math.degrees(math.asin(0.99)),
             "81.8904 deg to 90 deg",
         ),
+        # 4 pi less 1e-10 sr are a sphere but for a cone of sqrt(1e-10 / pi) rad
+        (
+            "solid-angle cone --solid-angle 12.566370614359172(100000)sr -g half-angle",
+            180.0,
+            math.degrees(math.sqrt(1e-10 / math.pi)),
+            "179.9997 deg to 180 deg",
+        ),
         # beside the limit it has: 1 / sqrt(1 - 0.9999^2)
         (
             "etendue --area 1cm2 --na 0.9999+-0.01 -g half-angle",
