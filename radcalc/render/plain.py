@@ -30,13 +30,13 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
         return f"{number(value, precision)} ± {number(off, precision)}"
     tens = int(f"{off:.1e}".partition("e")[2]) - 1  # of the last digit
     first = tens + 1  # of the first digit of both
-    if value:
-        first = max(first, int(f"{abs(value):e}".partition("e")[2]))
+    if rounded := round(value, -tens):  # 9.9999 ± 0.01 is 10.00
+        first = max(first, int(f"{abs(rounded):e}".partition("e")[2]))
     if first - tens >= MOST_TOGETHER:
         return f"{number(value, digits)} ± {off:.2g}"
     if LEAST_FIXED <= first < MOST_FIXED:
         places = max(-tens, 0)
-        return f"{round(value, -tens) + 0.0:.{places}f} ± {round(off, -tens):.{places}f}"
+        return f"{rounded + 0.0:.{places}f} ± {round(off, -tens):.{places}f}"
     scale, places = 10.0**first, first - tens
     return (
         f"({round(value / scale, places) + 0.0:.{places}f} ± {off / scale:.{places}f})e{first:+03d}"

@@ -304,7 +304,7 @@ def _ways(text: str) -> list[str]:
     from radcalc.units.amounts import split_value
 
     masked = re.sub(LEAF, lambda leaf: "_" * len(leaf[0]), text)
-    if masked.count(SIGN) > 1:
+    if masked.count(SIGN) != 1:
         return []
     at = masked.index(SIGN)
     left, right = text[:at], text[at + 1 :]

@@ -203,6 +203,7 @@ def test_numbers_of_expressions_may_be_uncertain(text, number, uncertainty):
         ("1.5*10^3±0.1*10^2 lx", {"1500±10 lx": (1500, 10)}),
         ("100 lx ± 3% * 2", {"(100 lx ± 3%) * 2": (200, 6)}),
         ("(100±3) lx * 2 ± 1", {"(100±3) lx * (2 ± 1)": (200, math.hypot(6, 100))}),
+        ("1/3m2%,(1±1)", {"each number with its ± in brackets: 2 * (100±3) lx": None}),
         ("100±3*2±1 lx", {"each number with its ± in brackets: 2 * (100±3) lx": None}),
     ],
 )
