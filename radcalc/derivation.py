@@ -9,7 +9,7 @@ from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
 
 # What derivations write in other than coherent units, and how many of these are in one.
-CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01}
+CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01, "mrad": 1e3}
 GREEK = {
     "2α": "2 alpha",
     "Φ": "Phi",

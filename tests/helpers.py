@@ -39,7 +39,8 @@ LIGHT = {
     "mean-radiance": "{0}/m2/sr", "minimum-radiance": "{0}/m2/sr", "peak-radiance": "{0}/m2/sr",
     "radiance-toward": "{0}/m2/sr", "zenith-radiance": "{0}/m2/sr",
     "horizontal-irradiance": "{0}/m2", "sun-irradiance": "{0}/m2", "diffuse-irradiance": "{0}/m2",
-    "direct-irradiance": "{0}/m2",
+    "direct-irradiance": "{0}/m2", "peak-irradiance": "{0}/m2", "limit": "{0}/m2",
+    "installed-irradiance": "{0}/m2",
 }  # fmt: skip
 OTHER = {
     "distance": "m", "height": "m", "lateral": "m", "radius": "m", "diameter": "m", "width": "m",
@@ -60,6 +61,7 @@ OTHER = {
     "sp-ratio": "1", "adaptation": "1", "upward-part": "1",
     "relative-axial-intensity": "1", "relative-peak-intensity": "1",
     "weighted-solid-angle": "sr", "azimuth": "rad", "beam-diameter": "m",
+    "divergence": "rad",
 }  # fmt: skip
 
 

@@ -277,6 +277,8 @@ def test_a_unit_or_a_scale_is_looked_for_in_no_names_of_quantities(words):
             "--time",
             "30s",
         ),
+        ("laser", "--flux", "5mW", "--diameter", "1mm", "--receiver-diameter", "7mm"),
+        ("room", "--width", "6m", "--length", "9m", "--height", "2m"),
         ("convert", "-", "lx", "fc"),
         ("convert", "-", "lx", "W/m2", "--spectrum", "D65", "--field", "2", "-d", ","),
         ("convert", "-", "fc", "--json"),

@@ -57,6 +57,8 @@ FUNCTIONS = (
     "sky",
     "ev",
     "calorimeter",
+    "laser",
+    "room",
 )
 
 
@@ -767,6 +769,68 @@ def calorimeter(**given: Any) -> dict[str, Any]:
 
     inputs = _inputs(given)
     return _results(work_out, inputs)
+
+
+@in_python
+def laser(**given: Any) -> dict[str, Any]:
+    """The spot of a laser beam, its irradiance, and the distance where that is a limit.
+
+    Parameters
+    ----------
+    **given : str, Quantity or float
+        As the options of ``radcalc laser``, with underscores: ``divergence="1 mrad"``,
+        ``profile="uniform"``.  Arrays are broadcast together.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> found = laser(flux="1 mW", diameter="1 mm", divergence="1 mrad", distance="100 m")
+    >>> print(found["spot_diameter"].round(3), found["peak_irradiance"].round(5))
+    100.005 millimetre 0.25462 watt / metre ** 2
+    """
+    from radcalc.calculators.laser import laser as work_out
+
+    return _results(work_out, _inputs(given))
+
+
+@in_python
+def room(**given: Any) -> dict[str, Any]:
+    """The luminaires that light a room, or the illuminance that they give it.
+
+    Parameters
+    ----------
+    **given : str, Quantity or float
+        As the options of ``radcalc room``, with underscores: ``width="6 m"``, ``utilance=0.6``.
+        Arrays are broadcast together.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> found = room(area="54 m2", illuminance="500 lx", flux="3600 lm", utilance=0.6)
+    >>> print(found["luminaires"], found["luminaires_to_install"])
+    12.5 dimensionless 13.0 dimensionless
+    """
+    from radcalc.calculators.room import room as work_out
+
+    return _results(work_out, _inputs(given))
 
 
 def _inputs(given: dict[str, Any]) -> Inputs:

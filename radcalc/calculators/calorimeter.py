@@ -40,9 +40,7 @@ def calorimeter(given: Inputs) -> Answer:
     if not given:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
         raise MissingInput("nothing is given", hint)
-    if "absorptance" not in given and not _is_solved_for(sheet):
-        sheet.know("absorptance", 1.0)
-        sheet.assume("a black body: all of the light is absorbed")
+    sheet.default(LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
     sheet.assume("no heat is lost")
     sheet.solve(LAWS)
     if sheet.has("absorptance") and any_true(sheet.at("absorptance") > 1 + 1e-9):
@@ -51,12 +49,3 @@ def calorimeter(given: Inputs) -> Answer:
             "more light, or less heat",
         )
     return sheet.answer(LAWS)
-
-
-def _is_solved_for(sheet: Worksheet) -> bool:
-    """Whether heat and light are both known, so that the absorptance follows."""
-    known = set(sheet.known)
-    light = "energy" in known or (
-        "time" in known and ("flux" in known or {"irradiance", "receiver-area"} <= known)
-    )
-    return light and known.issuperset(BODY)

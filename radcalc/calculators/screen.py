@@ -73,22 +73,13 @@ PAGE = Page(
 )
 
 
-def _gives_gain(sheet: Worksheet) -> bool:
-    """Whether the luminance and the illuminance tell the gain."""
-    has_area = "area" in sheet.given or len(set(SIZES) & set(sheet.given)) > 1
-    lit = "irradiance" in sheet.known or ("flux" in sheet.known and has_area)
-    return "radiance" in sheet.known and lit
-
-
 def screen(given: Inputs) -> Answer:
     """The light of a picture, from the projector's flux, the picture's size and the gain."""
     sheet = Worksheet(PAGE, given)
     if not sheet.lit.values:
         hint = mention("{flux=3000lm}, {illuminance} or {luminance}")
         raise MissingInput("a light quantity is missing", hint)
-    if "gain" not in given and not _gives_gain(sheet):
-        sheet.know("gain", 1.0)
-        sheet.assume(mention("a matt white screen, with a gain of 1 ({gain})"))
+    sheet.default(LAWS, "gain", 1.0, mention("a matt white screen, with a gain of 1 ({gain})"))
     sheet.assume("the whole flux falls evenly on the picture, in a dark room")
     laws = LAWS
     if set(SIZES) & set(given) == {"diagonal", "area"}:

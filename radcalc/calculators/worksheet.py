@@ -31,7 +31,7 @@ from radcalc.laws.solver import (
     reached,
     solve_all,
 )
-from radcalc.maths import is_array, larger
+from radcalc.maths import any_true, is_array, larger
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
 from radcalc.units.dimensions import AREA, LENGTH
@@ -149,6 +149,23 @@ class Worksheet:
                 moved.append(abs(twin.known[name].value - value))
             total = total + reduce(larger, moved)
         return total
+
+    def default(self, laws: Sequence[AnyLaw], name: str, value: Any, *texts: str) -> None:
+        """Take a value that goes without saying, unless it is given or follows; say so."""
+        if name not in reached(laws, set(self.known)):
+            self.know(name, value)
+            self.assume(*texts)
+
+    def refuse_impossible(self, *names: str) -> None:
+        """Refuse what follows and is beyond the most that its symbol can be."""
+        for name in names:
+            limits = SYMBOLS[name].limits
+            if self.has(name) and any_true(self.at(name) > limits.high * (1 + 1e-9)):
+                told = self.told(name)
+                raise ConditionError(
+                    f"{told} follows from the rest, and is not possible: it is {limits.said}",
+                    "other values",
+                )
 
     def assume(self, *texts: str) -> None:
         """Say what is assumed."""

@@ -43,6 +43,8 @@ COMMANDS = {
     "calorimeter": "Radiant flux from the heat it leaves.",
     "screen": "The picture on a projection screen.",
     "dose": "What samples of light in time add up to.",
+    "laser": "Laser beams: the spot and the hazard distance.",
+    "room": "The luminaires that light a room.",
     "integrate": "Integrals over directions.",
     "photon": "Wavelength, frequency and energy of a photon.",
     "spectrum": "Peak, efficacies and colour of a spectrum.",

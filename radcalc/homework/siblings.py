@@ -142,6 +142,36 @@ def _mesopic(at: At) -> Wrong:
     yield "scotopic-for-mesopic", at("luminance")
 
 
+def _spot(symbol: str) -> Callable[[At], Wrong]:
+    """What is taken for the mean in a spot, or for its peak."""
+
+    def wrong(at: At) -> Wrong:
+        yield "diameter-for-radius", at(symbol) / 4
+
+    return wrong
+
+
+def _peak(at: At) -> Wrong:
+    yield "mean-for-peak", at("peak-irradiance") / 2
+    yield from _spot("peak-irradiance")(at)
+
+
+def _peak_of_limit(at: At) -> Wrong:
+    yield "mean-for-peak", at("limit-diameter") / math.sqrt(2)
+
+
+def _of_gaussian(at: At) -> Wrong:
+    yield "sum-for-root", at("diameter") + at("divergence") * at("distance")
+
+
+def _of_uniform(at: At) -> Wrong:
+    yield "sum-for-root", math.hypot(at("diameter"), at("divergence") * at("distance"))
+
+
+def _room(at: At) -> Wrong:
+    yield "perimeter-for-sum", at("room-index") / 2
+
+
 LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("solid angle of a cone", "solid-angle", _cone),
     ("solid angle of a cone", "half-angle", _half_angle),
@@ -160,6 +190,14 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("rectangular pyramid", "solid-angle", _pyramid),
     ("two coaxial discs", "etendue", _discs),
     ("mesopic luminance", "mesopic-luminance", _mesopic),
+    ("mean irradiance of a spot", "irradiance", _spot("irradiance")),
+    ("mean exposure of a spot", "exposure", _spot("exposure")),
+    ("peak of a gaussian beam", "peak-irradiance", _peak),
+    ("peak of a uniform beam", "peak-irradiance", _spot("peak-irradiance")),
+    ("limit of a gaussian beam's peak", "limit-diameter", _peak_of_limit),
+    ("spread of a gaussian beam", "spot-diameter", _of_gaussian),
+    ("spread of a uniform beam", "spot-diameter", _of_uniform),
+    ("room index", "room-index", _room),
 )
 
 

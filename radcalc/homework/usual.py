@@ -54,6 +54,13 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "distance-to-surface": (3, "the distance was taken to the sphere's surface",
         "sin(alpha) = R/d, with d to the centre"),
     "diagonal-for-width": (2, "the diagonal was used for the width", "c^2 = w^2 + h^2"),
+    "perimeter-for-sum": (2, "the whole perimeter was taken for the sum of two sides",
+        "k = w l / (h (w + l)), with the sum of one width and one length"),
+    # --- laser beams
+    "mean-for-peak": (1, "the mean over the spot was taken for the peak on the axis",
+        "of the 1/e^2 diameter a Gaussian beam's peak is twice the mean: 8 Phi / (pi D^2)"),
+    "sum-for-root": (2, "the diameters were added, as of a uniform beam, or their squares were",
+        "a Gaussian beam has D_s^2 = D^2 + (phi d)^2, a uniform one D_s = D + phi d"),
     # --- functions and their siblings
     "arctangent-for-arcsine": (2, "the tangent was used for the sine (or the sine for the tangent)",
         "a sphere's edge: sin(alpha) = R/d; a disc's rim: tan(alpha) = R/h"),

@@ -61,6 +61,8 @@ POSITIVE = Limits(0.0, said="more than 0", without_low=True)
 FROM_ZERO = Limits(0.0, said="0 or more")
 PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
 BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
+FRACTION = PART._replace(without_low=True)
+REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # and used again
 TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
 EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
 
@@ -197,6 +199,7 @@ def _pair(name: str, example: str, help_: str, limits: Limits) -> Symbol:
 PROJECTIONS = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
 MOST_PIXELS = 1_000_000  # each way
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
+PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
 _ROWS = (
@@ -230,19 +233,24 @@ _ROWS = (
         solid_angle="Radius of a sphere, a disc or a round patch."),
     _length("diameter", "D", "20cm", "Diameter of the source.",
         convert="Diameter of a circular area.",
-        solid_angle="Diameter of a sphere, a disc or a round patch."),
+        solid_angle="Diameter of a sphere, a disc or a round patch.",
+        laser=("1mm", "Diameter of the beam at the laser's exit.")),
     _length("width", "w", "2m", "Width of the source, along x.",
-        solid_angle="Width of a rectangle, along x.", screen="Width of the picture."),
+        solid_angle="Width of a rectangle, along x.", screen="Width of the picture.",
+        room=("6m", "Width of the room.")),
     _length("length", "l", "1m", "Length of the source, along y.",
-        solid_angle="Length of a rectangle, along y."),
+        solid_angle="Length of a rectangle, along y.", room=("9m", "Length of the room.")),
     _area("area", "A", "1m2", "Area of the source.", convert="Uniform over that area.",
-        solid_angle="Area of a small patch.", screen=("2m2", "Area of the picture.")),
+        solid_angle="Area of a small patch.", screen=("2m2", "Area of the picture."),
+        room=("54m2", "Area of the room.")),
     _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
         convert="Straight line from a small source to the receiver.",
-        point_source="Straight line from the source to the receiver."),
+        point_source="Straight line from the source to the receiver.",
+        laser=("10m", "Distance from the laser's exit (0).")),
     _length("height", "h", "50cm", "Height above the source's plane, along its axis.",
         point_source="Height of the source above the receiver's plane, along its axis.",
-        screen=("1.2m", "Height of the picture.")),
+        screen=("1.2m", "Height of the picture."),
+        room=("2m", "Height of the luminaires above the working plane.")),
     _symbol(LENGTH, "offset", "x", "20cm",
         "How far aside of the source's axis, along x (with {height}).", ANY),
     _symbol(LENGTH, "offset-y", "y", "20cm", "How far aside of it along y (with {height}).", ANY,
@@ -258,7 +266,8 @@ _ROWS = (
     _area("receiver-area", "A_r", "4cm2", "Area of the receiver.",
         calorimeter="The area that the light falls on."),
     _length("receiver-radius", "R_r", "1m", "Radius of the receiver."),
-    _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver."),
+    _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver.",
+        laser=("7mm", "Diameter of a round receiver about the beam's axis: a pupil, a sensor.")),
     # Cones and lobes.
     _symbol(ANGLE, "half-angle", "α", "30deg", "Half angle of a cone, from its axis to its edge.",
         Limits(0.0, math.pi, "at most 180 deg", without_low=True),
@@ -356,7 +365,8 @@ _ROWS = (
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
     _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
         convert="Constant over that time.", ev=("1/100s", "Exposure time, with any filter."),
-        calorimeter="How long it is in the light."),
+        calorimeter="How long it is in the light.",
+        laser=("10ns", "How long the flux is constant: a pulse, or an exposure.")),
     _symbol(TIME, "max-gap", "", "10min", "Bridge no longer step between samples than that.",
         label="longest step"),
     _symbol(TIME, "duration", "T", unit="h"),
@@ -394,7 +404,29 @@ _ROWS = (
         takes="a temperature difference"),
     _symbol(ENERGY, "heat", "Q_h", "10J", "Heat that the body takes up.", takes="a heat"),
     _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
-        Limits(0.0, 1.0, PART.said, without_low=True), takes="a number from 0 to 1"),
+        FRACTION, takes="a number from 0 to 1"),
+    # Rooms.
+    _symbol(NUMBER, "luminaires", "n", "12", "How many luminaires there are.",
+        label="number of luminaires"),
+    _symbol(NUMBER, "luminaires-to-install", "n_i", label="luminaires to install"),
+    _symbol(NUMBER, "room-index", "k", "2.5",
+        "The room's area over half its walls' from the working plane up to the luminaires."),
+    _symbol(NUMBER, "utilance", "U", "0.6",
+        "The part of the luminaires' flux that gets to the working plane, once or again; with the "
+        "flux of bare lamps, the utilization factor.", REFLECTED,
+        takes="a number from 0 to 1"),
+    _symbol(NUMBER, "maintenance", "MF", "0.8",
+        "Maintenance factor: the part of the light that is left by ageing and dirt (1).", FRACTION,
+        label="maintenance factor", takes="a number from 0 to 1"),
+    # Lasers.
+    _text(CHOICE, "profile", "a profile", "gaussian",
+        "Gaussian, with diameters where 1/e^2 of the peak is left (by default), or uniform.",
+        PROFILES),
+    _symbol(ANGLE, "divergence", "φ", "1mrad", "Full angle by which the beam spreads.",
+        Limits(0.0, 0.25, "less than 0.25 rad, as narrow beams are", True, True), unit="mrad"),
+    _length("spot-diameter", "D_s", "5mm", "Diameter of the spot at the distance.", unit="mm"),
+    _length("hazard-distance", "d_h", "50m",
+        "Distance beyond which the peak irradiance is below the limit."),
     # Detectors.
     _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
         "Current that the detector gives per watt of light on it."),
@@ -512,6 +544,7 @@ _INNER = (
     _symbol(AREA, "apparent-area", "A_p"),
     _symbol(FREQUENCY, "light", "b", unit="Hz"),
     _symbol(LENGTH, "extent", "s"),
+    _symbol(LENGTH, "limit-diameter", "D_lim"),
     _symbol(SOLID_ANGLE, "horizontal-sky", "Ω_h"),
     _symbol(SOLID_ANGLE, "plane-sky", "Ω_n"),
     _symbol(NUMBER, "sun-height", "sin(γ_s)"),
@@ -544,6 +577,11 @@ _LIGHT = (
     ("mean-irradiance", (0, 1, 0), "E_mean", "", "mean-{}"),
     ("minimum-irradiance", (0, 1, 0), "E_min", "", "minimum-{}"),
     ("maximum-irradiance", (0, 1, 0), "E_max", "", "maximum-{}"),
+    ("peak-irradiance", (0, 1, 0), "E_0", "The irradiance on the axis, where it is greatest",
+     "peak-{}"),
+    ("limit", (0, 1, 0), "E_lim",
+     "A limit of the irradiance, from the standard (with {hazard-distance})", "{}-limit"),
+    ("installed-irradiance", (0, 1, 0), "E_i", "", "installed-{}"),
     ("zenith-radiance", (0, 1, 1), "L_z", "The radiance of the sky's zenith", "zenith-{}"),
     ("horizontal-irradiance", (0, 1, 0), "E_h",
      "The irradiance of the ground by the sky, without the sun", "horizontal-{}"),
@@ -614,10 +652,17 @@ _NARROWER: dict[str, dict[str, tuple[str, str]]] = {
     "flux": {
         "etendue": ("100lm", "The flux of the beam."),
         "calorimeter": ("100W", "The flux on the body."),
+        "room": ("3600lm", "The flux of one luminaire."),
+        "laser": ("5mW", "The flux of the beam, or within a pulse."),
     },
-    "energy": {"calorimeter": ("100J", "The energy that reaches the body (with {time}).")},
+    "energy": {
+        "calorimeter": ("100J", "The energy that reaches the body (with {time})."),
+        "laser": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
+    },
     "irradiance": {
         "calorimeter": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
+        "room": ("500lx", "The mean irradiance of the working plane."),
+        "laser": ("1W/m2", "The flux over the area of the spot."),
     },
 }
 

@@ -17,6 +17,12 @@ LONG = [
     ("ev --f-number 2:8:0.005 --time 1s", "ev100"),
     ("calorimeter --mass 45g:90g:0.03g --specific-heat 450J/kg/K --temperature-rise 3K", "energy"),
     ("screen --flux 2000lm --width 1m:3m:0.001m --aspect 4/3", "illuminance:lx"),
+    ("laser --flux 5mW --diameter 1mm --divergence 1mrad --distance 1m:3m:0.001m", "irradiance"),
+    (
+        "laser --flux 5mW --diameter 1mm:3mm:1um --limit 1kW/m2 --divergence 1mrad",
+        "hazard-distance",
+    ),
+    ("room --area 20m2:60m2:0.02m2 --luminaires 12 --flux 3klm --utilance 0.6", "illuminance"),
     ("photon 400nm:700nm:0.2nm", "photon-energy:eV"),
     ("mesopic --luminance 0.1cd/m2:3cd/m2:0.002cd/m2 --sp-ratio 2", "mesopic-luminance"),
     ("solid-angle cone --half-angle 1deg:80deg:0.05deg", "solid-angle:sr"),

@@ -46,6 +46,10 @@ ev --ev 7.3 --iso 125
 ev --luminance 333nt --k 14.1cd.s/m2 --f-number 5.6
 ev --illuminance 333fc --c 330lx.s --time 1/60s
 calorimeter --mass 45.5g --specific-heat 0.45J/g/K --temperature-rise 3.3K --absorptance 93.3%
+laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --distance 33ft --limit 25.3W/m2
+laser --energy 3.3mJ --time 7ns --diameter 0.3in --receiver-diameter 7.3mm --profile uniform
+room --width 23.3ft --length 31.7ft --height 6.7ft --illuminance 33fc --flux 3.3klm --utilance 61%
+room --area 54.7m2 --luminaires 13 --flux 3.3klm --utilance 0.61 --maintenance 0.83
 screen --flux 2.1klm --diagonal 99.9in --aspect 16/9 --gain 1.3
 screen --luminance 16.3fL --width 7.7ft --height 3.3ft
 solid-angle cone --projected-solid-angle 0.333sr

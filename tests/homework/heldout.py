@@ -29,6 +29,12 @@ V532 = 0.88496  # CIE 1924
 EV = 1.602176634e-19  # J
 SIGMA = 5.670374419e-8  # W/(m2 K4)
 SCREEN = "screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2"
+BEAM = "laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --distance 23m"
+SPOT = hypot(1.3e-3, 1.7e-3 * 23)  # m
+ROOM = (
+    "room --width 7m --length 11m --height 2.3m --illuminance 470lx --flux 3400lm --utilance 0.57 "
+    "--maintenance 0.83"
+)
 OVERCAST = "sky overcast --zenith-luminance 8700cd/m2"
 PICTURE = 2.3**2 * 3 / 4  # m2
 ETENDUE = "etendue --area 2.7mm2 --half-angle 29deg"
@@ -48,6 +54,22 @@ HELD_OUT = [
           3100 / (0.93**2 * 16 * 9 / (16**2 + 9**2)), "length-unit"),
     Wrong("screen --luminance 47cd/m2 --width 11m --aspect 2.39 --gain 1.3", "flux", "lm",
           47 * pi * 11**2 / 2.39 * 1.3, "gain-upside-down"),
+    # --- laser beams: radius for diameter, pi, the peak of a Gaussian beam
+    Wrong(BEAM, "irradiance", "W/m2", 4.7e-3 / (pi * SPOT**2), "diameter-for-radius"),
+    Wrong(BEAM, "irradiance", "W/m2", 4 * 4.7e-3 / SPOT**2, "pi-forgotten|wrong-sphere"),
+    Wrong(BEAM, "irradiance", "W/m2", 4 * 4.7e-3 / (pi * SPOT), "spot-diameter-not-squared"),
+    Wrong(BEAM, "peak-irradiance", "W/m2", 4 * 4.7e-3 / (pi * SPOT**2), "mean-for-peak"),
+    Wrong(BEAM, "spot-diameter", "mm", 1.3 + 1.7 * 23, "sum-for-root"),
+    Wrong(BEAM, "spot-diameter", "mm", hypot(1.3, 2 * 1.7 * 23), "full-for-half"),
+    Wrong("laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --limit 25W/m2",
+          "hazard-distance", "m", sqrt(4 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3,
+          "mean-for-peak"),
+    # --- rooms: what is left out of the lumen method, and turned round
+    Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.83, "utilance-forgotten"),
+    Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.57, "maintenance-forgotten"),
+    Wrong(ROOM, "luminaires", "", 470 * 77 * 0.57 / 3400 / 0.83, "utilance-upside-down"),
+    Wrong(ROOM, "luminaires", "", 470 / 77 / 3400 / 0.57 / 0.83, "area-upside-down"),
+    Wrong(ROOM, "room-index", "", 77 / (2.3 * 36), "perimeter-for-sum"),
     # --- the cinematographer's light: the cosine, the fall-off
     Wrong("uberlight 0,0,2.3 --intensity 730cd --incidence 50deg", "illuminance", "lx",
           730 / 2.3**2, "cosine-forgotten"),

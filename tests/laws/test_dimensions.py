@@ -66,6 +66,7 @@ def test_the_units_of_derivations_are_coherent(name):
         "frequency": ("THz", "cycle/s"),
         "wavenumber": ("cm-1", "cycle/m"),
         "photon-energy": ("J", "J/photon"),  # those of one photon
+        "divergence": ("mrad", "rad"),
     }
     if name in shown:
         assert (coherent_unit_of(name), OTHER[name]) == shown[name]

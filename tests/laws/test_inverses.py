@@ -79,6 +79,9 @@ def _lit(half_angle: float, area: float, distance: float) -> float:
 RECEIVER = {"receiver-area": st.floats(0.01, 1), "distance": st.floats(1, 10)}
 SMALL = {"receiver-area": st.floats(0.001, 0.01), "distance": st.floats(5, 10)}
 
+NEAR_1 = st.floats(0.3, 3)
+SPOTS = (("spot-diameter", "distance"), ("limit-diameter", "hazard-distance"))
+
 # name of a relation and the symbol on its left -> the symbols drawn, the symbol they give, and
 # the textbook's formula
 FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
@@ -242,6 +245,24 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
     ("flux of a disc, from its axis", "flux"): (
         {"radius": st.floats(0.1, 10), "height": st.floats(0.1, 10), "irradiance": SIZE}, "flux",
         lambda radius, height, irradiance: PI * (radius**2 + height**2) * irradiance),
+    **{
+        ("spread of a gaussian beam", spot): (
+            {"diameter": NEAR_1, "divergence": NEAR_1, distance: NEAR_1}, spot,
+            lambda size, angle, away: math.sqrt(size**2 + (angle * away) ** 2))
+        for spot, distance in SPOTS
+    },
+    **{
+        ("spread of a uniform beam", spot): (
+            {"diameter": SIZE, "divergence": SIZE, distance: SIZE}, spot,
+            lambda size, angle, away: size + angle * away)
+        for spot, distance in SPOTS
+    },
+    ("flux of a gaussian beam through an aperture", "received-flux"): (
+        {"flux": SIZE, "spot-diameter": st.floats(0.5, 2), "receiver-diameter": st.floats(0.1, 1)},
+        "received-flux", lambda flux, spot, size: flux * (1 - math.exp(-2 * (size / spot) ** 2))),
+    ("flux of a uniform beam through an aperture", "received-flux"): (
+        {"flux": SIZE, "spot-diameter": st.floats(1.1, 2), "receiver-diameter": st.floats(0.1, 1)},
+        "received-flux", lambda flux, spot, size: flux * size**2 / spot**2),
     ("mesopic luminance", "mesopic-luminance"): (
         {"mesopic-luminance": st.floats(0.006, 4.9), "sp-ratio": st.floats(0.3, 5)}, "luminance",
         _photopic),

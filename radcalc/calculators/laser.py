@@ -1,0 +1,96 @@
+"""A laser beam: its spot at a distance, how bright that is, and from where it is below a limit."""
+
+import math
+
+from radcalc.answer import Answer
+from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.conversion import spectral
+from radcalc.derivation import format_number
+from radcalc.errors import MissingInput, mention, option, quote
+from radcalc.given import Inputs
+from radcalc.laws.laser import DISTANCE, HAZARD, laws_of
+from radcalc.laws.solver import reached
+from radcalc.maths import any_true
+from radcalc.quantities.symbols import GAUSSIAN, LINKS, REFINEMENTS, UNIFORM
+
+BEAM = ("diameter", "divergence", "profile")
+SPOT = ("distance", "spot-diameter", "time", "receiver-diameter")
+LIGHT = ("flux", "energy", "irradiance", "peak-irradiance", "exposure")
+PROFILES = {
+    GAUSSIAN: "a Gaussian beam with its waist at the laser's exit, by the diameters where 1/e^2 of "
+    "the peak is left: 86.5 % of the flux is inside, and the peak is twice the mean",
+    UNIFORM: "a uniform beam, which widens by phi d",
+}
+PAGE = Page(
+    "a laser beam",
+    (*BEAM, *SPOT, HAZARD),
+    ("irradiance", "peak-irradiance", "exposure", "flux", "energy", "received-flux", "limit"),
+    ("spot-diameter", HAZARD, "distance", "diameter", "divergence", "time", "receiver-diameter"),
+    goal="spot-diameter",
+    about="Give the spot of a laser beam, its irradiance, and the distance where that is a limit.",
+    sections={
+        "Beam": (*BEAM, *LIGHT),
+        "Spot": SPOT,
+        "Hazard distance": ("limit", HAZARD),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    examples=(
+        "flux=5mW diameter=1mm divergence=1mrad distance=10m",
+        "flux=5mW diameter=1mm divergence=1mrad limit=25W/m2 get=hazard-distance",
+        "flux=1W diameter=3mm divergence=1.5mrad limit=25W/m2 profile=uniform",
+        "flux=5mW wavelength=532nm diameter=1mm divergence=1mrad distance=50m get=illuminance:lx",
+        "energy=10mJ time=8ns diameter=6mm get=peak-irradiance:MW/cm2",
+        "flux=1mW diameter=8mm receiver-diameter=7mm get=received-flux:mW",
+    ),
+    remarks="{divergence} is the full angle far away, and a diameter's definition that of "
+    "{profile}.  Formulas of laser safety, 1.27 P / (a + phi d)^2, are those of a uniform beam, or "
+    "of diameters at 1/e of the peak.  The limit is yours, from the standard: radcalc looks none "
+    "up, and gives no advice on safety.  Any sufficient set gives the others.",
+)
+
+
+def laser(given: Inputs) -> Answer:
+    """The spot of a laser beam, and its hazard distance, from any quantities that suffice."""
+    sheet = Worksheet(PAGE, given)
+    if not {*sheet.given, *sheet.lit.values} - {"profile"}:
+        hint = mention("{flux}, {diameter}, {divergence} and {distance}")
+        raise MissingInput("the beam is missing", hint)
+    profile = given["profile"].value if "profile" in given else GAUSSIAN
+    sheet.use("profile")
+    far = laws_of(profile, with_distance=True)
+    is_far = DISTANCE in reached(far, set(sheet.known))
+    laws = far if is_far else laws_of(profile, with_distance=False)
+    sheet.assume(PROFILES[profile])
+    sheet.solve(laws)
+    sheet.refuse_impossible("divergence")
+    if "limit" in sheet.lit.values and not sheet.has(HAZARD):
+        told = option("limit", quote(sheet.lit.values["limit"].text))
+        hint = mention("{flux}, {diameter} and {divergence}, or {hazard-distance}")
+        raise MissingInput(f"there is no hazard distance to {told}: more is to be known", hint)
+    if sheet.has("spot-diameter"):
+        if not is_far:
+            sheet.assume(mention("the spot is that at the laser's exit (no {distance})"))
+        sheet.assume("irradiance: the mean, of the flux over the area of the spot")
+    if sheet.has("divergence"):
+        sheet.assume("divergence: the full angle, far from the laser")
+        _note_diffraction(sheet, profile)
+    if sheet.has("received-flux"):
+        sheet.assume("the receiver is round, about the beam's axis")
+    if sheet.has("limit"):
+        sheet.assume("the limit is as given, and held against the peak; nothing absorbs on the way")
+        if sheet.has(HAZARD) and any_true(sheet.at(HAZARD) == 0):
+            sheet.notes.append("the peak irradiance is below the limit at the laser's exit already")
+    return sheet.answer(laws)
+
+
+def _note_diffraction(sheet: Worksheet, profile: str) -> None:
+    """Say where the waves of that light spread by more than the divergence."""
+    wave = sheet.lit.links.get("wavelength")
+    if wave is None or profile != GAUSSIAN or not sheet.has("diameter"):
+        return
+    least = 4 * spectral.light(wave, None).vacuum / (math.pi * sheet.at("diameter"))
+    if any_true(sheet.at("divergence") < least):
+        sheet.notes.append(
+            f"a waist of that diameter spreads by {format_number(1e3 * least, 3)} mrad or more, "
+            f"by diffraction at {wave.text}: the waist is elsewhere, or the divergence is none"
+        )

@@ -1,0 +1,182 @@
+"""A laser beam, by the full angle phi [rad] by which it spreads and its diameter [m] at the exit.
+
+- spread of a Gaussian beam: D_s = sqrt(D^2 + (phi d)^2), with its waist at the exit, as w(z)^2 =
+  w_0^2 + (phi z / 2)^2; of a uniform one: D_s = D + phi d
+- mean irradiance of a spot: E = 4 Phi / (pi D_s^2); exposure H = 4 Q / (pi D_s^2)
+- peak irradiance: E_0 = 8 Phi / (pi D_s^2) of a Gaussian beam, whose diameters are those at which
+  1/e^2 of the peak is left; of a uniform beam that of the spot, which is also the peak of a
+  Gaussian one by the diameters at which 1/e is left: 1.27 Phi / D_s^2
+- limit: what the peak is at the hazard distance, beyond which there is less: of a uniform beam
+  d_h = (sqrt(4 Phi / (pi E_lim)) - D) / phi, the range equation of laser safety
+- flux through a round aperture on the axis: Phi_r = Phi (1 - exp(-2 D_r^2 / D_s^2)) of a Gaussian
+  beam, Phi_r = Phi D_r^2 / D_s^2 of a uniform one, up to all of it
+
+A divergence is small: phi d is within 0.6 % of 2 d tan(phi/2) up to 0.25 rad.
+"""
+
+from typing import Any
+
+from radcalc.geometry import cones
+from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.law import AnyLaw, At, Relation, law, relation
+from radcalc.maths import expm1, hypot, larger, log1p, smaller, sqrt
+from radcalc.quantities.symbols import GAUSSIAN, UNIFORM
+
+WAIST = "Gaussian beam with its waist at the exit"
+PROFILE = "Gaussian beam: E(r) = E_0 exp(-8 r^2 / D_s^2)"
+RANGE = "range equation of laser safety"
+HAZARD, DISTANCE = "hazard-distance", "distance"
+EXIT = law("spot at the laser's exit", "{spot-diameter} = {diameter}")
+
+
+def _without(whole: Any, part: Any) -> Any:
+    """What the square of a diameter has beside that of another one, as a length."""
+    return sqrt((whole - part) * (whole + part))
+
+
+def _minus(whole: Any, part: Any) -> Any:
+    return whole - part
+
+
+def _plus(one: Any, other: Any) -> Any:
+    return one + other
+
+
+def _rest(whole: Any, part: Any) -> Any:
+    cones.refuse(whole < part, "no beam becomes narrower on its way", "a larger spot, or less else")
+    return whole
+
+
+SPREADS = {  # how diameters add up and are taken apart, how that is written, and who says so
+    GAUSSIAN: (hypot, _without, "sqrt({diameter}^2 + ({divergence} {%s})^2)", WAIST),
+    UNIFORM: (_plus, _minus, "{diameter} + {divergence} {%s}", RANGE),
+}
+
+
+def _spread(profile: str, spot: str, distance: str) -> Relation:
+    """How a beam widens up to a distance; one that is as wide already has its limit at the exit."""
+    add, take, template, reference = SPREADS[profile]
+
+    def widening(at: At) -> Any:
+        return at("divergence") * at(distance)
+
+    def left(at: At, part: Any) -> Any:
+        return take(_rest(at(spot), part), part)
+
+    def away(at: At) -> Any:
+        if distance == HAZARD:
+            return take(larger(at(spot), at("diameter")), at("diameter"))
+        return left(at, at("diameter"))
+
+    return relation(
+        f"spread of a {profile} beam",
+        f"{{{spot}}} = {template % distance}",
+        {
+            spot: lambda at: add(at("diameter"), widening(at)),
+            "diameter": lambda at: left(at, widening(at)),
+            "divergence": lambda at: left(at, at("diameter")) / at(distance),
+            distance: lambda at: away(at) / at("divergence"),
+        },
+        reference,
+    )
+
+
+def _not_all(at: At) -> Any:
+    """The part of the flux that is received, which is not all of it."""
+    part = at("received-flux") / at("flux")
+    cones.refuse(part >= 1, "no receiver gets all of that beam's flux", "less of it")
+    return part
+
+
+def _within(at: At) -> Any:
+    """The part of a Gaussian beam's flux that gets through an aperture."""
+    return -expm1(-2 * (at("receiver-diameter") / at("spot-diameter")) ** 2)
+
+
+def _covered(at: At) -> Any:
+    """The part of a uniform beam's flux that gets through an aperture."""
+    return smaller(1.0, at("receiver-diameter") / at("spot-diameter")) ** 2
+
+
+def _widths(at: At) -> Any:
+    """An aperture's diameter over the spot's, by the flux of a Gaussian beam through it."""
+    return sqrt(-log1p(-_not_all(at)) / 2)
+
+
+RECEIVED = {
+    GAUSSIAN: relation(
+        "flux of a gaussian beam through an aperture",
+        "{received-flux} = {flux} (1 - exp(-2 {receiver-diameter}^2 / {spot-diameter}^2))",
+        {
+            "received-flux": lambda at: at("flux") * _within(at),
+            "flux": lambda at: at("received-flux") / _within(at),
+            "receiver-diameter": lambda at: at("spot-diameter") * _widths(at),
+            "spot-diameter": lambda at: at("receiver-diameter") / _widths(at),
+        },
+        PROFILE,
+    ),
+    UNIFORM: relation(
+        "flux of a uniform beam through an aperture",
+        "{received-flux} = {flux} min(1, {receiver-diameter}^2 / {spot-diameter}^2)",
+        {
+            "received-flux": lambda at: at("flux") * _covered(at),
+            "flux": lambda at: at("received-flux") / _covered(at),
+            "receiver-diameter": lambda at: at("spot-diameter") * sqrt(_not_all(at)),
+            "spot-diameter": lambda at: at("receiver-diameter") / sqrt(_not_all(at)),
+        },
+    ),
+}
+SPOT = [
+    law("mean irradiance of a spot", "{irradiance} = 4 {flux} / (pi {spot-diameter}^2)"),
+    law("mean exposure of a spot", "{exposure} = 4 {energy} / (pi {spot-diameter}^2)"),
+    ENERGY,
+    EXPOSURE,
+]
+PEAKS = {
+    GAUSSIAN: [
+        law(
+            "peak of a gaussian beam",
+            "{peak-irradiance} = 8 {flux} / (pi {spot-diameter}^2)",
+            PROFILE,
+        ),
+        law(
+            "limit of a gaussian beam's peak",
+            "{limit} = 8 {flux} / (pi {limit-diameter}^2)",
+            PROFILE,
+        ),
+    ],
+    UNIFORM: [
+        law("peak of a uniform beam", "{peak-irradiance} = 4 {flux} / (pi {spot-diameter}^2)"),
+        law(
+            "limit of a uniform beam",
+            "{limit} = 4 {flux} / (pi {limit-diameter}^2)",
+            RANGE,
+        ),
+    ],
+}
+SPREAD = {profile: _spread(profile, "spot-diameter", DISTANCE) for profile in SPREADS}
+REACH = {profile: _spread(profile, "limit-diameter", HAZARD) for profile in SPREADS}
+
+
+def laws_of(profile: str, with_distance: bool) -> list[AnyLaw]:
+    """Choose the laws of a beam.
+
+    Parameters
+    ----------
+    profile : {"gaussian", "uniform"}
+        How its irradiance falls off from its axis.
+    with_distance : bool
+        Whether the spot is at a distance, and not at the laser's exit.
+
+    Returns
+    -------
+    list of Law or Relation
+        Those of the spot, its peak, its limit and a receiver.
+
+    Examples
+    --------
+    >>> laws_of("uniform", with_distance=False)[0].template
+    '{spot-diameter} = {diameter}'
+    """
+    spread = SPREAD[profile] if with_distance else EXIT
+    return [spread, *SPOT, *PEAKS[profile], REACH[profile], RECEIVED[profile]]
