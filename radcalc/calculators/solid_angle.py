@@ -17,10 +17,12 @@ from radcalc.calculators.worksheet import (
 )
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
+    ConditionError,
     Exclusive,
     MissingInput,
     NumberError,
     TooNear,
+    Unused,
     UsageError,
     command,
     mention,
@@ -40,7 +42,7 @@ from radcalc.given import (
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
-from radcalc.maths import FAINTEST, SLACK, cos, sin
+from radcalc.maths import FAINTEST, SLACK, any_true, cos, sin
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -116,6 +118,8 @@ def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answ
 def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
     """The sizes to show: those that are given, and one that they are solved for."""
     round_one = set(ROUND) & set(given)
+    if "area" in given:
+        round_one |= {"area"}
     hidden = {"area", *ROUND} - round_one if round_one else set()
     return tuple(name for name in takes if name not in RESULTS and name not in hidden)
 
@@ -326,6 +330,8 @@ def _patch(sheet: Worksheet) -> Seen:
     from radcalc.laws.solid_angles import PATCH
 
     given = sheet.given
+    if "area" in given and set(ROUND) & set(given):
+        return _on_sphere(sheet)
     laws: list[AnyLaw] = [PATCH]
     if set(ROUND) & set(given):
         laws = [*round_sizes(given), CIRCLE, PATCH]
@@ -344,6 +350,27 @@ def _patch(sheet: Worksheet) -> Seen:
         good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
         sheet.assume(f"a patch small beside its distance: A cos(theta) / d^2 is {good}")
     return Seen(laws, "a plane whose normal points to the patch")
+
+
+def _on_sphere(sheet: Worksheet) -> Seen:
+    """A patch of a sphere, seen from the sphere's centre."""
+    from radcalc.laws.solid_angles import ON_SPHERE
+
+    given = sheet.given
+    one_of(given, "the size of the sphere", *ROUND)
+    if others := [name for name in given if name not in ("area", *ROUND)]:
+        raise Unused(others, "with a patch of a sphere")
+    laws: list[AnyLaw] = [*round_sizes(given), ON_SPHERE]
+    sheet.solve(laws)
+    if any_true(sheet.at("solid-angle") > cones.FULL * (1 + SLACK)):
+        size = format_number(sheet.at("solid-angle") / cones.FULL)
+        problem = f"{sheet.told('area')} is {size} times the whole sphere"
+        raise ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
+    sheet.know(
+        "projected-solid-angle", cones.projected_cone(cones.cone_of(sheet.at("solid-angle")))
+    )
+    sheet.assume("a patch of the sphere, in any shape, seen from its centre")
+    return Seen(laws, "a plane whose normal points to the patch, as if it were a round one")
 
 
 def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:

@@ -63,7 +63,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       disc               --radius or --diameter, --height (--distance), --offset
       rectangle          --width, --length, --height (--distance), --offset, --offset-y, --corner
       pyramid            --horizontal and --vertical, full angles
-      patch              --area (or --radius, --diameter), --distance, --tilt: small and flat
+      patch              --area (or --radius, --diameter), --distance, --tilt: small and flat;
+                         or --area and --radius, a part of that sphere seen from its centre
       polygon (triangle) X,Y,Z of each vertex in order, --viewpoint, --normal
       pixel              --size, --pixel, --projection: of a map of all directions
 

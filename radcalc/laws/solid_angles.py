@@ -4,6 +4,7 @@
 - `disc`: Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0, from a place on its axis
 - `PYRAMID`: Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0, of the full angles a and b from face to
   face, through the axis
+- `ON_SPHERE`: Omega = A / R^2 Omega0, of a part of a sphere, from its centre
 - `PATCH`: Omega = A cos(theta_s) / d^2 Omega0, of a flat surface that is small beside its distance
   (five times its size and more)
 
@@ -84,3 +85,6 @@ PYRAMID = relation(
     },
 )
 PATCH = law("small patch", "{solid-angle} = {area} {cosine-of-source} / {distance}^2 Omega0")
+ON_SPHERE = law(
+    "part of a sphere", "{solid-angle} = {area} / {radius}^2 Omega0", "ISO 80000-3, solid angle"
+)

@@ -48,3 +48,18 @@ def test_commands_give_bare_numbers(words, values):
     done = run(*words.split())
     assert done.returncode == 0, done.stderr
     assert [float(x) for x in done.stdout.split()] == pytest.approx(values, rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [  # SI Brochure: 1 sr cuts off an area of R^2; the whole sphere has 4 pi R^2
+        ("--area 9m2 --radius 3m", 1),
+        ("--area 9m2 --diameter 6m", 1),
+        ("--area 1cm2 --radius 2m", 2.5e-5),
+        (f"--area {2 * math.pi}m2 --radius 1m", 2 * math.pi),
+        (f"--area {4 * math.pi}m2 --radius 1m", 4 * math.pi),
+    ],
+)
+def test_a_part_of_a_sphere_is_its_area_over_the_radius_squared(words, expected):
+    done = run("solid-angle", "patch", *words.split(), "-g", "solid-angle", "-q")
+    assert float(done.stdout) == pytest.approx(expected, rel=1e-11)
