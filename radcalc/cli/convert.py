@@ -66,6 +66,7 @@ class ConvertCommand(SectionedCommand):
             "reflectance",
             "pupil",
         ),
+        "Detectors and fields": ("responsivity", "electric-field"),
         "Light meters (EV)": ("k", "c"),
         "Time and bandwidth": ("time", "bandwidth"),
         "Homework": checking.OPTIONS,

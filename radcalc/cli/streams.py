@@ -11,8 +11,9 @@ from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
-from radcalc.errors import RadcalcError, UsageError, command, quote
+from radcalc.errors import RadcalcError, UsageError, command, option, quote
 from radcalc.given import Given, inputs_of, refuse_uncertain
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
 from radcalc.streams import ABORT, INVALID
 from radcalc.units.amounts import read_stream_operands
@@ -79,6 +80,10 @@ OPTIONS = (
 def refuse(asked: Asked) -> None:
     """Refuse an option for streams where there is none."""
     for name, value in zip(Asked._fields, asked, strict=True):
+        if value is not None and value in SYMBOLS["electric-field"].choices:
+            raise UsageError(
+                f"--{name} {value} is for the fields of lines", option("electric-field", value)
+            )
         if value is not None:
             raise UsageError(
                 f"--{name} is for lines of standard input",

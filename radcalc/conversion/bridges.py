@@ -18,6 +18,7 @@ from radcalc.conversion.conditions import (
     LINK,
     PUPIL,
     REFLECTANCE,
+    RESPONSIVITY,
     TIME,
     Conditions,
     Factor,
@@ -37,7 +38,9 @@ from radcalc.errors import (
 from radcalc.given import Given
 from radcalc.maths import any_true
 from radcalc.quantities.light import (
+    NONE,
     PHOTON,
+    RADIANT,
     Reading,
     coherent_text,
     describe,
@@ -46,6 +49,8 @@ from radcalc.quantities.light import (
 )
 from radcalc.units.dimensions import (
     ANGLE,
+    CHARGE,
+    CURRENT,
     ENERGY,
     FREQUENCY,
     LENGTH,
@@ -292,6 +297,7 @@ WANTED = {
     BAND: ("a bandwidth", option("bandwidth", "WIDTH")),
     TIME: ("a time", option("time", "T")),
     PUPIL: ("the pupil's diameter", option("pupil", "DIAMETER")),
+    RESPONSIVITY: ("the detector's responsivity", option("responsivity", "S")),
     AREA: ("an area", option("area", "A")),
     CONE: (
         "a solid angle",
@@ -409,7 +415,7 @@ def _over_time(unit: Unit, reading: Reading) -> str:
 def link(source: Unit, target: Unit, given: Sequence[Given], number: str = "1") -> Links:
     """Find the factors, with their powers, that turn the source's quantity into the target's."""
     bridge = Bridge(source, target, given, number)
-    start, end = read(source), read(target)
+    start, end = _behind_detector(source), _behind_detector(target)
     links: Links = []
     if source.dimension == target.dimension:
         links += _surface(bridge)
@@ -424,6 +430,7 @@ def link(source: Unit, target: Unit, given: Sequence[Given], number: str = "1") 
             links += spectral.between(bridge, start, end)
         links += _time(bridge, start, end)
         links += _pupil(bridge, start, end)
+        links += _detector(bridge)
         links += _space(bridge, start, end)
         links += _incidence(bridge, start, end)
     bridge.refuse()
@@ -509,6 +516,28 @@ def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
         bridge.want(TIME)
         return []
     return [(geometric.duration(given), end.time - start.time)]
+
+
+ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time beside that of a flux
+
+
+def _behind_detector(unit: Unit) -> Reading | None:
+    """The facts of a light quantity; of a current those of the flux that makes it."""
+    if unit.dimension in ELECTRIC:
+        return Reading(RADIANT, ELECTRIC[unit.dimension], 0, 0, NONE)
+    return read(unit)
+
+
+def _detector(bridge: Bridge) -> Links:
+    """Between the light on a detector and the current that it gives."""
+    from_current = bridge.source.dimension in ELECTRIC
+    if from_current == (bridge.target.dimension in ELECTRIC):
+        return []
+    given = bridge.conditions.use(RESPONSIVITY)
+    if given is None:
+        bridge.want(RESPONSIVITY)
+        return []
+    return [(geometric.responsivity(given), -1 if from_current else 1)]
 
 
 def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:

@@ -14,6 +14,7 @@ from radcalc.given import Given
 # What a condition is about; two conditions about one thing contradict each other.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
 BAND, REFLECTANCE, PUPIL = "bandwidth", "reflectance", "pupil"
+RESPONSIVITY = "responsivity"
 REFINES = "refines"  # what only refines another condition is about itself
 
 CONDITIONS = {
@@ -40,6 +41,8 @@ CONDITIONS = {
     "bandwidth": BAND,
     "reflectance": REFLECTANCE,
     "pupil": PUPIL,
+    "responsivity": RESPONSIVITY,
+    "electric-field": REFINES,
     "k": REFINES,
     "c": REFINES,
 }

@@ -287,6 +287,12 @@ def reflected(given: Given) -> Factor:
     return Factor("rho", given.value, "radlux/lx", said, (step,))
 
 
+def responsivity(given: Given) -> Factor:
+    """Amperes per watt of light on a detector."""
+    assumption = f"a detector of {given.text} for all of that light, and no dark current"
+    return Factor("s", given.value, "A/W", assumption)
+
+
 def pupil(given: Given) -> Factor:
     """Trolands per candela per square metre: the pupil's area in mm2."""
     millimetres = given.value / 1e-3

@@ -6,7 +6,14 @@ table; what stands between different quantities is in `bridges.py`, loaded only 
 
 from radcalc.errors import ConditionError, ConversionError, NumberError, quote
 from radcalc.units.numbers import SMALLEST
-from radcalc.units.table import INVERSE_TEMPERATURE, TEMPERATURE_ALONE, Unit, divide, unit_of
+from radcalc.units.table import (
+    FIELD_STRENGTH,
+    INVERSE_TEMPERATURE,
+    TEMPERATURE_ALONE,
+    Unit,
+    divide,
+    unit_of,
+)
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -18,6 +25,7 @@ if TYPE_CHECKING:
     from radcalc.given import Given
 
 
+RECIPROCALS = {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}
 LARGEST = 1.7976931348623157e308
 
 
@@ -120,7 +128,7 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str 
     Raises ConversionError where a condition is missing, ConditionError where one is
     impossible, contradictory or without use.
     """
-    if source.is_scale or target.is_scale or are_reciprocal(source, target):
+    if source.is_scale or target.is_scale or is_function(source, target):
         from radcalc.conversion import scaled
 
         return scaled.plan(source, target, given, number)
@@ -129,7 +137,13 @@ def plan(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str 
 
 def are_reciprocal(source: Unit, target: Unit) -> bool:
     """Whether one is of temperatures, and the other of their reciprocals, as 1/MK is."""
-    return {source.dimension, target.dimension} == {TEMPERATURE_ALONE, INVERSE_TEMPERATURE}
+    return {source.dimension, target.dimension} == RECIPROCALS
+
+
+def is_function(source: Unit, target: Unit) -> bool:
+    """Whether no factor leads from one to the other, but a function that needs no scale."""
+    dimensions = {source.dimension, target.dimension}
+    return dimensions == RECIPROCALS or (FIELD_STRENGTH in dimensions and len(dimensions) > 1)
 
 
 def between(source: Unit, target: Unit, given: "Sequence[Given]" = (), number: str = "1") -> Plan:

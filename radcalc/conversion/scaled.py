@@ -1,40 +1,53 @@
-"""Conversions from a scale or to one: plain ones between what the readings stand for."""
+"""Conversions from a scale or to one: plain ones between what the readings stand for.
+
+Field strengths and reciprocal temperatures are read as scales here.
+"""
 
 from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Step
 from radcalc.conversion.plan import Plan, are_reciprocal, between
-from radcalc.errors import ConversionError, RadcalcError, Unused, quote
+from radcalc.errors import ConversionError, MissingCondition, RadcalcError, Unused, option, quote
 from radcalc.given import Given
+from radcalc.quantities.light import describe
+from radcalc.units.fields import PEAK, RMS, FieldUnit, plane_wave
 from radcalc.units.scales import CONSTANTS, ScaleUnit, reciprocal
-from radcalc.units.table import INVERSE_TEMPERATURE, Unit
+from radcalc.units.table import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
 
 LOSS = "OD"  # which counts what is lost, where the other ratios count what is gained
 
 
 class ScaledPlan(Plan):
-    """A plan whose source or target is a scale; `linear` is the one between their units."""
+    """A plan whose source or target is a scale; `linear` is the one between their units.
 
-    __slots__ = ("linear",)
+    `ends` are the scales, or what is read as one: a field strength is a unit to everybody else.
+    """
+
+    __slots__ = ("ends", "linear")
     is_linear = False
 
     def __init__(self, source: Unit, target: Unit, linear: Plan) -> None:
         """Hold the plan; how the scales are read is assumed."""
         super().__init__(linear.source, linear.target, linear.factor, linear.links)
         self.notes = linear.notes
-        self.linear, self.source, self.target = linear, source, target
+        self.linear, self.ends = linear, (source, target)
+        self.source, self.target = _plain(source), _plain(target)
         read = [one.told(settable=True) for one in (source, target) if isinstance(one, ScaleUnit)]
         self.assumptions = (*dict.fromkeys(read), *linear.assumptions)
 
     def quantity(self, value: Any) -> Any:
         """The result as a quantity, in the unit of the target's scale."""
-        source = self.source
+        return self._meant(value) if self.target.is_scale else self.apply(value)
+
+    def _meant(self, value: Any) -> Any:
+        """What the value comes to in the unit of the target, or of its scale."""
+        source = self.ends[0]
         return self.linear.apply(source.quantity(value) if isinstance(source, ScaleUnit) else value)
 
     def apply(self, value: Any) -> Any:
         """Convert a number of the source's, a reading where it is a scale."""
-        found, target = self.quantity(value), self.target
+        found, target = self._meant(value), self.ends[1]
         if not isinstance(target, ScaleUnit):
             return found
         _refuse_gain_as_loss(self.source, target, value, found)
@@ -42,7 +55,7 @@ class ScaledPlan(Plan):
 
     def derive(self, value: Any) -> list[Step]:
         """The steps: the functions of the scales around those of the units."""
-        source, target = self.source, self.target
+        source, target = self.ends
         steps = []
         if isinstance(source, ScaleUnit):
             scale, read = source.scale, source.quantity(value)
@@ -75,7 +88,7 @@ def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, found: Any
 
 
 def plan(source: Unit, target: Unit, given: Sequence[Given], number: str) -> ScaledPlan:
-    """Plan a conversion from a scale or to one, or between temperatures and their reciprocals.
+    """Plan a conversion from a scale or to one, of a field, or between reciprocals.
 
     Of a scale with several readings the first is taken that the other side, and the conditions,
     leave possible; what measures the same comes first.
@@ -83,6 +96,8 @@ def plan(source: Unit, target: Unit, given: Sequence[Given], number: str) -> Sca
     meter = {one.name: one for one in given if one.name in CONSTANTS}
     constants = {name: one.value for name, one in meter.items()}
     others = [one for one in given if one.name not in CONSTANTS]
+    if FIELD_STRENGTH in (source.dimension, target.dimension):
+        source, target, others = _fields(source, target, others)
     sources, targets = _readings(source, target, constants), _readings(target, source, constants)
     error: RadcalcError | None = None
     pairs = [(one, other) for one in sources for other in targets]
@@ -109,6 +124,30 @@ def _readings(unit: Unit, other: Unit, constants: dict[str, float]) -> list[Unit
         return [unit, *unit.others]
     is_inverse = unit.dimension == INVERSE_TEMPERATURE and are_reciprocal(unit, other)
     return [reciprocal(unit) if is_inverse else unit]
+
+
+def _fields(source: Unit, target: Unit, given: list[Given]) -> tuple[Unit, Unit, list[Given]]:
+    """The units, a field strength as the irradiance of a plane wave, and the other conditions."""
+    kinds = [one for one in given if one.name == "electric-field"]
+    if not kinds:
+        raise MissingCondition(
+            f"cannot convert {describe(source)} to {describe(target)}: whether the field is told "
+            "by its peak or by its root mean square is missing",
+            f"{option('electric-field', RMS)} or {option('electric-field', PEAK)}",
+            source.text,
+            target.text,
+            ("electric-field",),
+        )
+    rest = [one for one in given if one.name != "electric-field"]
+    return _wave(source, kinds[0]), _wave(target, kinds[0]), rest
+
+
+def _wave(unit: Unit, kind: Given) -> Unit:
+    return plane_wave(unit, kind.text) if unit.dimension == FIELD_STRENGTH else unit
+
+
+def _plain(unit: Unit) -> Unit:
+    return unit.plain if isinstance(unit, FieldUnit) else unit
 
 
 def _unit(unit: Unit) -> Unit:

@@ -17,7 +17,7 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
-from radcalc.units.table import COUNT_AT, resolve
+from radcalc.units.table import COUNT_AT, FIELD_STRENGTH, resolve
 
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside another mistake
@@ -41,7 +41,7 @@ CELSIUS = 273.15
 
 def find(p: Problem) -> Iterator[Candidate]:
     """Every input misread, and every slip of the whole."""
-    for family in (_halves, _angles, _in_radians, _lengths, _photons, _units, _slips):
+    for family in (_halves, _angles, _in_radians, _lengths, _photons, _fields, _units, _slips):
         yield from filter(None, family(p))
 
 
@@ -152,6 +152,13 @@ def _photons(p: Problem) -> Found:
         yield from _both("nanometres-for-metres", p.right, 1e9, 1e7, 1e2)
     if any(one[COUNT_AT] for one in dimensions) or (wave is not None and p.light):
         yield from _both("avogadro", p.right, AVOGADRO, AVOGADRO * 1e-6)
+
+
+def _fields(p: Problem) -> Found:
+    """The peak of a field for its root mean square."""
+    if "electric-field" in p.given:
+        factor = math.sqrt(2) if FIELD_STRENGTH in p.target.dimensions else 2.0
+        yield from _both("peak-for-rms", p.right, factor)
 
 
 def _units(p: Problem) -> Found:

@@ -112,6 +112,8 @@ USUAL: dict[str, tuple[float, str, str]] = {
         "behind a filter that takes n stops the time is 2^n times as long"),
     "stops-are-doublings": (1, "the stops were multiplied, and each of them doubles the time",
         "t = t0 2^n"),
+    "peak-for-rms": (1, "the peak of the field was taken for its root mean square, or the reverse",
+        "S = E_rms^2 / Z0 = E_peak^2 / (2 Z0)"),
     "speed-without-root": (1, "the ISO speed was taken without its square root",
         "GN = N d sqrt(100 / S): four times the speed doubles the distance"),
     "log10-for-log2": (1, "the logarithm to the base 10 or e was used for that to the base 2",

@@ -11,6 +11,7 @@ from radcalc.errors import quote
 from radcalc.units.dimensions import (
     ANGLE,
     AREA,
+    CHARGE,
     COHERENT,
     CURRENT,
     CYCLES,
@@ -33,7 +34,7 @@ from radcalc.units.dimensions import (
     WAVENUMBER,
     times,
 )
-from radcalc.units.table import NUMBER, Dimension, Unit
+from radcalc.units.table import FIELD_STRENGTH, NUMBER, Dimension, Unit
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, PER_WAVELENGTH, PER_FREQUENCY, PER_WAVENUMBER = "", "lambda", "nu", "sigma"
@@ -112,6 +113,8 @@ OTHERS = {
     RATIOS[RADIANT, LUMINOUS]: ("radiant flux per luminous flux", ""),
     RATIOS[PHOTON, LUMINOUS]: ("photons per luminous energy", ""),
     CURRENT: ("electric current", "I"),
+    CHARGE: ("electric charge", "q"),
+    FIELD_STRENGTH: ("electric field strength", "E"),
     RESPONSIVITY: ("responsivity", "s"),
     SPEED: ("speed", "v"),
     SPECIFIC_HEAT: ("specific heat capacity", "c"),

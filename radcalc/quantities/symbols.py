@@ -430,6 +430,9 @@ _ROWS = (
     # Detectors.
     _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
         "Current that the detector gives per watt of light on it."),
+    _text(CHOICE, "electric-field", "a choice", "rms",
+        "How the electric field of the light is told: its peak, or its root mean square.",
+        ("peak", "rms")),
     _symbol(CURRENT, "current", "i", "1uA", "Current that the light makes in the detector.",
         takes="a current"),
     _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),

@@ -45,6 +45,7 @@ TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, *NUMBER[4:])
 # A degree of a scale that has its 0 elsewhere, where a difference is meant.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
 INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
+FIELD_STRENGTH: Dimension = (1, 1, -3, *NUMBER[3:9], -1)  # V/m
 # The units that make a length below a light quantity a wavelength.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")

@@ -1,0 +1,98 @@
+"""Strengths of an electric field, as what a plane wave in vacuum carries through a surface.
+
+    S = E_rms^2 / Z0 = E_peak^2 / (2 Z0)
+
+Z0 is the characteristic impedance of vacuum.
+"""
+
+from typing import Any
+
+from radcalc import maths
+from radcalc.errors import ConversionError, NumberError, quote
+from radcalc.units.scales import Scale, ScaleUnit
+from radcalc.units.table import Unit
+
+IMPEDANCE = 376.730313412  # ohm, CODATA 2022
+PEAK, RMS = "peak", "rms"
+
+
+class Field(Scale):
+    """The irradiance of a field: a reading of 1 stands for `size` W/m2."""
+
+    __slots__ = ()
+
+    def of(self, quantity: str) -> str:
+        """The field that goes with an irradiance."""
+        return f"sqrt({'2 ' if self.steps == PER_PEAK else ''}Z0 {quantity})"
+
+    def inverse(self, reading: str = "n") -> str:
+        """The irradiance that goes with a field."""
+        field = "E" if reading == "n" else f"({reading} {quote(self.name)})"
+        return f"{self.letter} = {field}^2 / {'(2 Z0)' if self.steps == PER_PEAK else 'Z0'}"
+
+    def quantity(self, reading: Any) -> Any:
+        """The irradiance [W/m2] of a reading."""
+        return self.size * reading * reading
+
+    def reading(self, quantity: Any) -> Any:
+        """The reading that goes with an irradiance [W/m2]."""
+        return maths.sqrt(quantity / self.size)
+
+    def slope(self, reading: Any) -> Any:
+        """By how much the irradiance grows with the reading."""
+        return 2 * self.size * reading
+
+
+PER_RMS, PER_PEAK = 1.0, 2.0  # the divisor of Z0
+
+
+class FieldUnit(ScaleUnit):
+    """A unit of field strength whose readings stand for irradiances; `plain` is the unit."""
+
+    __slots__ = ("plain",)
+
+    def __init__(self, plain: Unit, scale: Scale) -> None:
+        """Hold the unit, and what its readings stand for."""
+        super().__init__(plain.text, scale)
+        self.plain = plain
+
+    def told(self, settable: bool = False) -> str:
+        """What is assumed in reading a field."""
+        scale = self.scale
+        return f"{scale.inverse()}, {scale.meaning}, Z0 = {IMPEDANCE:.6g} ohm"
+
+    def quantity(self, reading: Any) -> Any:
+        """The irradiance of a field, in `unit`."""
+        found = self.scale.quantity(reading)
+        if maths.any_true((found - found != 0) | ((found == 0) & (reading != 0))):
+            told = f"{reading:.12g} {quote(self.text)}" if isinstance(reading, float) else "a field"
+            raise NumberError(f"{told} is beyond what a number holds", "less extreme values")
+        return found
+
+    def reading(self, quantity: Any) -> Any:
+        """The field of an irradiance in `unit`, which is 0 or more."""
+        if maths.any_true(quantity < 0):
+            raise ConversionError("a negative irradiance has no field strength", "0 or more")
+        return self.scale.reading(quantity) + 0.0
+
+    def with_constants(self, values: dict[str, float]) -> "FieldUnit":
+        """The same: a field has nothing to do with light meters."""
+        return self
+
+
+def plane_wave(unit: Unit, kind: str) -> FieldUnit:
+    """A unit of field strength as the irradiances that a plane wave of such fields has."""
+    divisor = PER_PEAK if kind == PEAK else PER_RMS
+    strength = unit.top / unit.bottom
+    row = Field(
+        (unit.text,),
+        "S",
+        "W/m2",
+        strength * strength / (divisor * IMPEDANCE),
+        10,
+        divisor,
+        0,
+        f"E the {'peak' if kind == PEAK else 'root mean square'} field of a plane wave in vacuum",
+        "ISO 80000-6, Poynting vector",
+    )
+    return FieldUnit(unit, row)
