@@ -123,6 +123,8 @@ EXACT = [
     ("lmh", "lm.s", Fraction(3600)),
     ("lumerg_talbot", "talbot", Fraction(1)),
     ("ktd", "td", Fraction(1000)),
+    ("W/A", "V", Fraction(1)),
+    ("mA", "uA", Fraction(1000)),
 ]
 
 
