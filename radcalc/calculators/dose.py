@@ -150,7 +150,7 @@ class Dose:
         self.time, self.value, self.is_broken = times[-1], values[-1], False
         steps = list(map(sub, times[1:], times))
         start = 0
-        if steps and max(steps) > self.longest:
+        if self.longest < inf and steps and max(steps) > self.longest:
             for k, step in enumerate(steps, 1):
                 if step > self.longest:
                     self._run(times[start:k], values[start:k], steps[start : k - 1], counted)
@@ -374,7 +374,7 @@ def _exact(number: float, *ratios: tuple[int, int]) -> float:
 
 def _duration(seconds: float) -> str:
     """A duration for people."""
-    for size, unit in ((86400, "d"), (3600, "h"), (60, "min")):
-        if seconds >= size:
+    for least, size, unit in ((172800, 86400, "d"), (3600, 3600, "h"), (60, 60, "min")):
+        if seconds >= least:
             return f"{format_number(seconds / size)} {unit}"
     return f"{format_number(seconds)} s"

@@ -154,7 +154,8 @@ def command(
             Answered(label, (*inputs, Input(by, text=label)), with_remarks(answer))
             for label, answer in summed.of_periods(given)
         ]
-        show(answers, asked, shown, [one.inputs for one in answers])
+        # with none beside them, so that a single one has its column, too
+        show(answers, asked, shown, [*[one.inputs[-1:] for one in answers], ()])
     else:
 
         def work_out(given: Inputs) -> Answer:

@@ -253,7 +253,7 @@ class Log:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
         else:
             numbers = [k for k in others if _is_number(cells[k])]
-            of_light = list(units) or (others if len(others) == 1 else numbers)
+            of_light = list(units) or (numbers if titles and len(others) > 1 else others)
             if len(of_light) != 1:
                 shown = [titles[0][k] if titles else str(k + 1) for k in of_light or others]
                 raise self.error(
@@ -340,7 +340,7 @@ class Log:
                     marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
             values = list(map(float, texts))
             total = sum(values)
-            if total - total or min(values) <= LEAST:
+            if total - total or ("-" in joined and min(values) <= LEAST):
                 return None
             stamps = cells[layout.times[0]]
             if layout.times[1:]:

@@ -286,13 +286,13 @@ class Unix(Calendar):
         self.is_utc = zone is None
 
     def many(self, texts: list[str]) -> list[int]:
-        """The ticks of many texts."""
+        """The ticks of many texts, which are in order."""
         _refuse_unusual(texts)
         try:
             ticks = [int(text) * self.ticks for text in texts]
         except ValueError:
             return [self.one(text) for text in texts]
-        if not 0 < min(ticks) <= max(ticks) < LATEST:
+        if not (0 < ticks[0] < LATEST and 0 < ticks[-1] < LATEST):
             raise ValueError
         return ticks
 

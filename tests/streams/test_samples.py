@@ -109,6 +109,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s,E_lx\n0,1\n2,1\n2,1\n", {}, "line 4: the time 2 s stands in line 3 already"),
         ("t_s,E_lx,F_lx\n0,1,2\n1,1,2\n", {}, "there are 2 columns of values"),
         ("t_s,a,b\n0,1,2\n1,1,2\n", {"unit": "lx"}, "there are 2 columns of values"),
+        ("1\t2015-12-06 15:41:07\t'x'\n", {"unit": "lx"}, "there are 2 columns of values"),
         ("a,b,E_lx\n2024-06-01,2024-06-02,1\n", {}, "there are 2 columns of times"),
         ("a,b,E_lx\n1,2,1\n", {}, "no column has times"),
         ("t_s,E_lx\n0,1\n", {"column": "F"}, "has no column 'F'"),
