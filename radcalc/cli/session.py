@@ -50,9 +50,11 @@ LIMITS = ("", ",", ":")  # of a value in a list or a range
 
 ASSIGNMENT = re.compile(r"\s*([^\W\d]\w*)\s*=(.*)", re.S)
 NAME = re.compile(r"(?<![\w.])[^\W\d]\w*(?:(?<=\bans)\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*)?(?![\w(])")
-SIGNS = "-+*/^·×⋅∙−±"
-ARITHMETIC = re.compile(rf"[{SIGNS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]")  # in a word of several
-NUMBER_AT_END = re.compile(rf"(?<![^{SIGNS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$", re.I)
+OPERATIONS = "-+*/^·×⋅∙−±"
+ARITHMETIC = re.compile(
+    rf"[{OPERATIONS}]$|^[+*/^·×⋅∙]|^[-−]$|[*/·×⋅∙]\(*[\d.]"
+)  # in a word of several
+NUMBER_AT_END = re.compile(rf"(?<![^{OPERATIONS}(\s])[\d.]+(e[-+]?\d+)?(pi|π)?$", re.I)
 
 EXAMPLES = {
     "100 lx fc": "A value with its unit, converted.",
@@ -226,12 +228,12 @@ class Session:
         if words[:1] == ["-"]:
             return words
         words = _closed(words)
-        if words and words[-1][-1:] in tuple(SIGNS):  # what is missing there, convert says
+        if words and words[-1][-1:] in tuple(OPERATIONS):  # what is missing there, convert says
             return [self._fill(word) for word in words]
         last = max((k for k, word in enumerate(words) if _is_part(word, k)), default=-1)
         if last < 0 or SEPARATING.intersection(words):
             return [self._fill(word, last >= 0) for word in words]
-        end = last + (1 if words[last][-1] in SIGNS else 0)
+        end = last + (1 if words[last][-1] in OPERATIONS else 0)
         value, rest = words[: end + 1], words[end + 1 :]
         is_bare = value[-1][-1] == ")" or bool(NUMBER_AT_END.search(value[-1]))
         if is_bare and rest[1:]:
@@ -368,7 +370,7 @@ def _closed(words: list[str]) -> list[str]:
 
 def _is_part(word: str, place: int) -> bool:
     """Whether a word is a part of arithmetic over several words."""
-    return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(SIGNS)
+    return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(OPERATIONS)
 
 
 def _parted(head: str, last: str) -> list[str]:

@@ -84,10 +84,10 @@ def search(text: str) -> list[Entry]:
 
 def _of_quantities(text: str) -> list[Entry]:
     """The units of the quantities of that name, or of which it is a misnomer, with the note."""
-    from radcalc.quantities.search import called, fold, index, with_words
+    from radcalc.quantities.search import called, comparable, index, with_words
 
     found = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
-    if not found and (other := index().others.get(fold(text))):
+    if not found and (other := index().others.get(comparable(text))):
         found = [(other.names[0], other.unit, "")]
     if not found:
         found = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]

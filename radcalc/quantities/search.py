@@ -41,7 +41,7 @@ class Found(NamedTuple):
     note: str = ""
 
 
-def fold(text: str) -> str:
+def comparable(text: str) -> str:
     """A text as it is compared: no case, no diacritics, words parted by one blank."""
     parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare(text))
     return " ".join("".join(parts).split())
@@ -54,11 +54,11 @@ def matching(
     alike: Callable[[str, str], bool] = str.startswith,
 ) -> list[Item]:
     """The items in whose text every word of another is found, as the beginning of a word."""
-    words = fold(text).split()
+    words = comparable(text).split()
     return [
         item
         for item in items
-        if words and all(any(alike(w, x) for w in fold(where(item)).split()) for x in words)
+        if words and all(any(alike(w, x) for w in comparable(where(item)).split()) for x in words)
     ]
 
 
@@ -81,7 +81,7 @@ def search(text: str) -> list[Found]:
         or _by_unit(unit)
         or _by_symbol(text, str.casefold)
         or _by_words(text, str.startswith)
-        or (_by_words(text, str.__contains__) if len(fold(text)) > 2 else [])
+        or (_by_words(text, str.__contains__) if len(comparable(text)) > 2 else [])
     )
     if found:
         return found
@@ -119,15 +119,15 @@ def index() -> Index:
     """Every name and misnomer in every language."""
     made = Index({}, {}, {}, {})
     for other in _others():
-        made.others.update({fold(name): other for name in other.names})
+        made.others.update({comparable(name): other for name in other.names})
     for q in QUANTITIES:
-        names = [[fold(name) for name in q.names(lang)] for lang in LANGUAGES]
+        names = [[comparable(name) for name in q.names(lang)] for lang in LANGUAGES]
         for name in dict.fromkeys(name for group in names for name in group):
             made.names.setdefault(name, []).append(q)
         made.words[q.symbol] = [[name.split() for name in group] for group in names]
     for terms, symbol, note in MISNOMERS:
         for term in terms:
-            made.misnomers.setdefault(fold(term), {})[symbol] = note
+            made.misnomers.setdefault(comparable(term), {})[symbol] = note
     return made
 
 
@@ -149,7 +149,7 @@ def called(text: str) -> list[Found]:
     A misnomer is part of some right names, too: "intensity" of kinds of light, which come first;
     "výkon" of a ratio and "плотность потока" of a density, which come last.
     """
-    wanted = fold(text)
+    wanted = comparable(text)
     named = [Found(q) for q in index().names.get(wanted, ())]
     notes = index().misnomers.get(wanted, {})
     meant = [Found(q, notes[q.symbol]) for q in QUANTITIES if q.symbol in notes]
@@ -167,14 +167,16 @@ def _is_plain(quantity: Quantity) -> bool:
 
 def with_words(text: str) -> list[Quantity]:
     """The quantities that have every word of the text in the name to use."""
-    return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(fold(text)) > 2 else []
+    return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(comparable(text)) > 2 else []
 
 
 def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
     """The names most like a text that is none, of quantities of light and of others given."""
     names = [name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)]
-    known = {fold(name): name for name in (*names, *(n for other in others for n in other.names))}
-    return [known[name] for name in nearest(fold(text), known, count)]
+    known = {
+        comparable(name): name for name in (*names, *(n for other in others for n in other.names))
+    }
+    return [known[name] for name in nearest(comparable(text), known, count)]
 
 
 def _key(symbol: str) -> str:
@@ -203,7 +205,7 @@ def _by_words(
     text: str, alike: Callable[[str, str], bool], first: int | None = None
 ) -> list[Found]:
     """The quantities in one of whose (first) names, or kinds, every word of the text is found."""
-    words = fold(text).split()
+    words = comparable(text).split()
     found = []
     for q in QUANTITIES:
         kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]

@@ -9,7 +9,7 @@ from radcalc.errors import UnitError, manual, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import EXITANCES, KINDS, read
 from radcalc.quantities.names import MISNOMERS, PPF, PPFD, QUANTITIES, Quantity
-from radcalc.quantities.search import Other, called, fold, index
+from radcalc.quantities.search import Other, called, comparable, index
 from radcalc.quantities.search import near as names_like
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
@@ -48,7 +48,7 @@ def named(text: str, source: Unit | None = None) -> Unit:
     if len(meanings) > 1:
         raise _ambiguous(text, meanings)
     unit = meanings[0].as_unit()
-    if fold(text) in (*PPFD, *PPF):
+    if comparable(text) in (*PPFD, *PPF):
         photosynthetic = unit.of_class(Photosynthetic)
         photosynthetic.name = text
         return photosynthetic
@@ -57,17 +57,17 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
 def is_name(text: str) -> bool:
     """Whether a quantity, or several, are called that."""
-    return bool(_meanings(text, None)) or fold(text) in index().names
+    return bool(_meanings(text, None)) or comparable(text) in index().names
 
 
 def names_starting(prefix: str) -> list[tuple[str, str]]:
     """The names of quantities that begin so, each as one word, with their usual units."""
-    return sorted((name, target.unit) for name, target in _targets(fold(prefix)).items())
+    return sorted((name, target.unit) for name, target in _targets(comparable(prefix)).items())
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
     """What a name may stand for."""
-    wanted = fold(text)
+    wanted = comparable(text)
     if len(wanted) < SHORTEST:
         return []
     if wanted in GENERIC:
@@ -135,12 +135,12 @@ def _names() -> dict[str, str]:
     names = [name for q in QUANTITIES for one in LANGUAGES for name in q.names(one)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
     names += [name for other in index().others.values() for name in other.names]
-    return {fold(name): name for name in (*names, *GENERIC)}
+    return {comparable(name): name for name in (*names, *GENERIC)}
 
 
 def _without_unit(text: str) -> UnitError | None:
     """Refuse a quantity that no unit tells from another; None for every other text."""
-    for quantity in index().names.get(fold(text), ()):
+    for quantity in index().names.get(comparable(text), ()):
         name, symbol = quantity.name(ENGLISH), quantity.symbol
         return UnitError(f"no unit is of {name} alone", manual(WITHOUT_OWN_UNIT[symbol]))
     return None
@@ -154,7 +154,7 @@ def _unknown(text: str) -> UnitError:
         unknown = error
     if all(c.isalpha() or c in " -_" for c in text):
         known = _names()
-        alike = [known[name] for name in nearest(fold(text), known, 4, 0.75)]
+        alike = [known[name] for name in nearest(comparable(text), known, 4, 0.75)]
         near = [name for name in alike if len(_meanings(name, None)) == 1][:2]
         if near:
             unknown.hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))

@@ -11,7 +11,7 @@ from radcalc.errors import RadcalcError, UsageError, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import name_of
 from radcalc.quantities.names import QUANTITIES
-from radcalc.quantities.search import called, fold, matching
+from radcalc.quantities.search import called, comparable, matching
 from radcalc.units.table import resolve
 
 LECTURES = "lecture tables"
@@ -134,8 +134,8 @@ def search(text: str) -> list[Typical]:
     found = found or matching(text, VALUES, lambda v: f"{v.note} {v.source}", str.__eq__)
     if found:
         return found
-    words = {word for v in VALUES for word in fold(f"{v.what} {v.quantity}").split()}
-    near = nearest(fold(text), words, cutoff=0.75)
+    words = {word for v in VALUES for word in comparable(f"{v.what} {v.quantity}").split()}
+    near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
         f"there is no typical value for '{quote(text)}'",
         ", ".join(near) or "radcalc typical, which lists them all",

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import LUMINOUS, PHOTON
-from radcalc.quantities.search import fold, matching
+from radcalc.quantities.search import comparable, matching
 from radcalc.spectra import colorimetry
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS
@@ -97,8 +97,8 @@ def listed(text: str = "") -> list[Named]:
     found = matching(text, every, lambda one: one.words)
     if found:
         return found
-    words = {word for one in every for word in fold(one.words).split()}
-    near = nearest(fold(text), words, cutoff=0.75)
+    words = {word for one in every for word in comparable(one.words).split()}
+    near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
         f"no named spectrum is '{quote(text)}'",
         ", ".join(near) or command("spectrum", list=""),

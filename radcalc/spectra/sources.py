@@ -108,8 +108,8 @@ def _unknown(text: str) -> RadcalcError:
         return ConditionError(problem, meant)
     if fitting := [form for kind in KINDS if _is_spectrum(form := f"{kind}:{text}")]:
         return ConditionError(problem, quote(", ".join(fitting)))
-    known = {fold(name): name for name in names()}
-    near = [known[f] for f in nearest(fold(text), known, 3)]
+    known = {comparable(name): name for name in names()}
+    near = [known[f] for f in nearest(comparable(text), known, 3)]
     return ConditionError(problem, ", ".join(near) if near else HINT)
 
 
@@ -121,7 +121,7 @@ def _is_spectrum(text: str) -> bool:
     return True
 
 
-def fold(name: str) -> str:
+def comparable(name: str) -> str:
     """A name without case, blanks and punctuation, as names are compared."""
     return "".join(c for c in name.upper() if c.isalnum() or c == ".")
 
@@ -135,7 +135,7 @@ def names() -> list[str]:
 
 def find_named(text: str) -> Table | None:
     """A named source, or None; F1 is FL1, and `sun` is AM1.5G and says so."""
-    folded = fold(text)
+    folded = comparable(text)
     sun = ALIASES.get(folded, folded)
     if sun in SUNS:
         from radcalc.spectra.data import suns
@@ -152,8 +152,8 @@ def find_named(text: str) -> Table | None:
         )
     from radcalc.spectra.data.sources import SOURCES
 
-    spellings = {fold(name): name for name in SOURCES}
-    spellings |= {fold("F" + name[2:]): name for name in SOURCES if name.startswith("FL")}
+    spellings = {comparable(name): name for name in SOURCES}
+    spellings |= {comparable("F" + name[2:]): name for name in SOURCES if name.startswith("FL")}
     name = spellings.get(folded)
     if name is None:
         return None

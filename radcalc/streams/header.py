@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
 from radcalc.quantities.light import describe
-from radcalc.quantities.search import fold, index
+from radcalc.quantities.search import comparable, index
 from radcalc.quantities.targets import GENERIC
 from radcalc.quantities.titles import Title, find, is_same, read_title
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
@@ -187,7 +187,7 @@ def refuse_change(source: Unit, target: Unit) -> None:
 
 def _refuse_other(name: str, target: Unit) -> None:
     """Refuse a title that names another quantity than the one of the unit."""
-    folded = fold(name)
+    folded = comparable(name)
     named = [] if folded in GENERIC else index().names.get(folded, [])
     units = [resolve(quantity.unit) for quantity in named]
     if units and all(unit.dimension != target.dimension for unit in units):

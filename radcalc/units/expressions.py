@@ -52,12 +52,12 @@ HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 class Value:
     """A number top / bottom in coherent SI units, and the units it was typed in, with powers.
 
-    `off` is how far it may be off as typed, relative to it, and `blur` how far by the digits that
-    functions were worked out to; `had_units` says that it was worked out of some, of which none
-    may be left: a ratio of two lengths is a number, and takes no unit.
+    `rounding` is how far it may be off as typed, relative to it, and `blur` how far by the digits
+    that functions were worked out to; `had_units` says that it was worked out of some, of which
+    none may be left: a ratio of two lengths is a number, and takes no unit.
     """
 
-    __slots__ = ("blur", "bottom", "dimension", "had_units", "off", "top", "units")
+    __slots__ = ("blur", "bottom", "dimension", "had_units", "rounding", "top", "units")
 
     def __init__(
         self,
@@ -65,7 +65,7 @@ class Value:
         bottom: int = 1,
         dimension: Dimension = NUMBER,
         units: "dict[str, int] | None" = None,
-        off: float = 0.0,
+        rounding: float = 0.0,
         had_units: bool = False,
         blur: float = 0.0,
     ) -> None:
@@ -76,7 +76,7 @@ class Value:
         self.dimension = dimension
         self.units = units or {}
         self.had_units = had_units or bool(units)
-        self.off = off
+        self.rounding = rounding
         self.blur = blur
         if max(abs(self.top), self.bottom).bit_length() > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
@@ -99,7 +99,7 @@ class Value:
             self.bottom * bottom**size,
             tuple([a + power * b for a, b in zip(self.dimension, other.dimension, strict=True)]),
             {name: exponent for name, exponent in units.items() if exponent},
-            self.off + size * other.off,
+            self.rounding + size * other.rounding,
             self.had_units or other.had_units,
             self.blur + size * other.blur,
         )
@@ -107,19 +107,19 @@ class Value:
     def plus(self, other: "Value", sign: int) -> "Value":
         """The sum, or the difference, in this value's unit."""
         a, b = self.top * other.bottom, sign * other.top * self.bottom
-        off = blur = 0.0
+        rounding = blur = 0.0
         if a + b:
             for part, value in ((a, self), (b, other)):
-                off += abs(_divide(part, a + b)) * value.off if value.off else 0.0
+                rounding += abs(_divide(part, a + b)) * value.rounding if value.rounding else 0.0
                 blur += abs(_divide(part, a + b)) * value.blur if value.blur else 0.0
         if blur >= 1:  # sqrt(2)^2 - 2, which is 0 in all the digits that there are
-            a, b, off, blur = 0, 0, 0.0, 0.0
+            a, b, rounding, blur = 0, 0, 0.0, 0.0
         if blur > KEPT:
             problem = "a difference in the expression has too few digits left of its terms"
             raise ExpressionError(problem, "terms that are less alike")
         had_units = self.had_units or other.had_units
         bottom = self.bottom * other.bottom
-        return Value(a + b, bottom, self.dimension, self.units, off, had_units, blur)
+        return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)
 
     def is_bare(self) -> bool:
         """Whether it has no unit."""
@@ -564,7 +564,7 @@ class Calculator(Scanner):
         if (leaf := self.leaf()) is not None:
             return leaf
         start = self.at
-        off = 0.0
+        rounding = 0.0
         value = Value(1)
         if self.pi_ends() == start:
             _, self.at, _ = read_term(self.text, start)
@@ -575,8 +575,8 @@ class Calculator(Scanner):
             top = int(digits)
             power = power if top else 0
             if "." in decimal or "e" in decimal.lower():
-                off = relative_rounding(decimal)
-            value = Value(top * 10 ** max(power, 0), 10 ** max(-power, 0), off=off)
+                rounding = relative_rounding(decimal)
+            value = Value(top * 10 ** max(power, 0), 10 ** max(-power, 0), rounding=rounding)
         here = self.at
         if here > start:
             self.skip_blanks()
@@ -667,7 +667,7 @@ class Calculator(Scanner):
         if any(power % 2 for power in value.units.values()):
             pairs = zip(COHERENT, dimension, strict=True)
             units = {name: power for name, power in pairs if power}
-        return Value(top, bottom, dimension, units, value.off / 2, value.had_units, blur)
+        return Value(top, bottom, dimension, units, value.rounding / 2, value.had_units, blur)
 
 
 def plain(text: str) -> str:
@@ -715,4 +715,4 @@ def read_expression(
         raise ExpressionError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
     if abs(number) < SMALLEST and top:
         raise ExpressionError(f"'{quote(text)}' is too small for a number", "more than 2.3e-308")
-    return number, unit, max(value.off, EXACT)
+    return number, unit, max(value.rounding, EXACT)

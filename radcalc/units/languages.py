@@ -101,7 +101,7 @@ def bare(text: str) -> str:
     return "".join([c for c in parts if not unicodedata.combining(c)])
 
 
-def fold(word: str) -> str:
+def comparable(word: str) -> str:
     """A word as it is compared: no case, no diacritics, no hyphens."""
     return bare(word).replace("-", "")
 
@@ -110,9 +110,9 @@ def forms(names: str, endings: dict[str, str]) -> list[str]:
     """Every form of the names of a unit."""
     found = []
     for name in names.split(", "):
-        stem, *rest = fold(name).split()
+        stem, *rest = comparable(name).split()
         if len(rest) == 1 and rest[0] in endings:
-            found += [stem + ending.strip("_") for ending in fold(endings[rest[0]]).split()]
+            found += [stem + ending.strip("_") for ending in comparable(endings[rest[0]]).split()]
         else:
             found += [stem, *rest]
     return found
@@ -120,7 +120,7 @@ def forms(names: str, endings: dict[str, str]) -> list[str]:
 
 def _words(place: int, endings: dict[str, str]) -> tuple[dict[str, str], dict[str, str]]:
     """The prefixes of a language, and the forms of its units, with the English ones."""
-    prefixes = zip(map(fold, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
+    prefixes = zip(map(comparable, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
     units = {form: row[0] for row in NAMES for form in forms(row[place], endings)}
     return dict(prefixes), units
 
@@ -130,7 +130,7 @@ LANGUAGES = (_words(1, CZECH_ENDINGS), _words(2, RUSSIAN_ENDINGS))
 
 def near(word: str) -> list[str]:
     """The names, without diacritics, that are most like a word that is none."""
-    return nearest(fold(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
+    return nearest(comparable(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
 
 
 def in_english(text: str) -> str:
@@ -147,7 +147,7 @@ def in_english(text: str) -> str:
                 words[-2:] = [power, " ", words[-2]]
             else:
                 words.append(power)
-        elif place and fold(piece) in PER:
+        elif place and comparable(piece) in PER:
             words.append("per")
         else:
             words.append(_unit(piece) or piece)
@@ -170,7 +170,7 @@ def _pieces(text: str) -> list[str]:
 
 def _unit(word: str) -> str:
     """The English name of a unit; '' where the word is none."""
-    word = fold(word)
+    word = comparable(word)
     for prefixes, units in LANGUAGES:
         if word in units:
             return units[word]
@@ -181,7 +181,7 @@ def _unit(word: str) -> str:
 
 
 def _power(word: str) -> str:
-    word = fold(word)
+    word = comparable(word)
     return "square" if word.startswith(SQUARE) else "cubic" if word.startswith(CUBIC) else ""
 
 
@@ -190,4 +190,4 @@ def _has_unit(pieces: list[str], place: int, side: int) -> bool:
     at = place + 2 * side
     if not 0 <= at < len(pieces) or pieces[place + side] != " ":
         return False
-    return pieces[at].isalpha() and fold(pieces[at]) not in PER and not _power(pieces[at])
+    return pieces[at].isalpha() and comparable(pieces[at]) not in PER and not _power(pieces[at])
