@@ -18,7 +18,6 @@ from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE, Records
 from radcalc.render.plain import number
 from radcalc.spectra.kinds import KINDS
-from radcalc.spectra.listing import figures, listed
 from radcalc.spectra.sources import spectrum
 from radcalc.units.ranges import read_spectra
 
@@ -67,6 +66,9 @@ def command(
     SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
     band:LOW:HIGH, a file, or - for standard input. Of several each has a row in a table, and a line
     of numbers elsewhere.
+
+    A file has columns of text, or is what OceanView, SpectraSuite, Jaz, UPRtek, Sekonic or LI-COR
+    write, CGATS (X-Rite), or IES TM-27 (.spdx).
     """
     if list_:
         if typed or column or asked != Asked((), False, None, None):
@@ -100,6 +102,8 @@ def _source(text: str, column: str | None) -> Given:
 
 def _show_list(text: str, shown: Output) -> None:
     """Show the named sources that are searched for; without a text all, and the other forms."""
+    from radcalc.spectra.listing import figures, listed
+
     refuse_number_options(shown, "spectrum --list")
     language = shown.style.language
     rows: list[dict[str, Any]] = []

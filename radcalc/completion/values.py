@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any
 
-TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls")
+TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls", ".spdx")
 PHOTOMETRIES = (".ies", ".ldt", ".csv", ".tsv", ".txt")
 MAPS = (".hdr", ".exr", ".pfm")
 

@@ -24,11 +24,14 @@ from radcalc.units.table import unit_of
 FORMATS = (spdx, cgats, meters)
 NOISE = 0.05  # of the peak, or of all: negative values within it are a spectrometer's noise
 SMALL = 1e-4  # the share of all that is not worth a note
+SAME = 1e-4  # relative: steps that differ by less are the same
+FEW = 0.1  # of the steps may be others, where most are the same
 MANY = 10_000  # rows from which NumPy is worth loading
 MOST = 20_000_000  # rows
 MOST_BEFORE = 1000  # lines before a table, and comments
 MOST_OF_FORMAT = 1 << 24  # characters of a file that is no plain table
 TITLE = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")  # with its unit in brackets
+BRACKETED = re.compile(r"\[[^\[\]]*\]|\([^()]*\)")
 WORDS = 2  # behind a number and blanks that make a line a sentence: 100 scans averaged
 ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
@@ -192,7 +195,7 @@ class _Reader:
         if len(above) == width and _is_of_units(found):
             before.pop()
             found = [
-                f"{title} [{unit.strip('[]()')}]" if unit else title
+                f"{title} {unit if BRACKETED.fullmatch(unit) else f'[{unit}]'}" if unit else title
                 for title, unit in zip(above, found, strict=True)
             ]
         return found
@@ -279,6 +282,8 @@ class _Reader:
             self.notes.append(self.noise(grid, values, nanometres))
         if not any(values):
             raise self.error(0, "every value is 0", "a spectrum with light in it")
+        if len(grid) <= MANY:
+            self.notes += _gaps(grid)
         tables = [_table(self.name, grid, values, nanometres, meant) for meant in meanings]
         table, notes = figures.chosen(tables, found)
         if self.text.note:
@@ -416,6 +421,20 @@ def _before(rows: Sequence[tuple[int, str]]) -> int:
     return len(rows)
 
 
+def _gaps(grid: Sequence[float]) -> list[str]:
+    """What to say where nearly all steps are the same and some are twice that, or more."""
+    steps = sorted(b - a for a, b in pairwise(grid))
+    usual = steps[len(steps) // 2]
+    others = [step for step in steps if abs(step - usual) > SAME * usual]
+    longest = steps[-1]
+    if not others or len(others) > FEW * len(steps) or longest < (2 - SAME) * usual:
+        return []
+    place = next(a for a, b in pairwise(grid) if b - a == longest)
+    return [
+        f"a step of {longest:g} at {place:g}, where most are of {usual:g}: a row may be missing"
+    ]
+
+
 def _trimmed(cells: list[str], width: int) -> list[str]:
     """The cells without the empty ones behind so many of them."""
     while len(cells) > width and not cells[-1]:
@@ -436,7 +455,7 @@ def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
 
 def _is_of_units(cells: Sequence[str]) -> bool:
     """Whether cells have units alone, as a row below the titles has."""
-    inner = [cell.strip("[]()").strip() for cell in cells]
+    inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
         not text or cell != text or columns.plain(text) in titles.UNITS or unit_of(text)
         for cell, text in zip(cells, inner, strict=True)

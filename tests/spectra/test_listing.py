@@ -9,7 +9,7 @@ from radcalc.spectra.sources import names
 
 # Correlated colour temperatures [K] of CIE 15:2018, tables T.3 to T.12, and of the black body that
 # illuminant A is; lux per umol/m2/s of E: Km times the 106.857 nm of V(lambda) over the photons of
-# 300 nm about 550 nm, 683.002 x 106.857 / (300 x 550 / 119.62656582).
+# 300 nm about 550 nm, 683.002 x 106.857 / (300 x 550 / 119.62656564).
 CIE = {"A": 2856, "C": 6774, "D50": 5003, "D65": 6504, "E": 5455, "FL1": 6430, "FL2": 4230,
        "FL4": 2940, "FL7": 6500, "FL11": 4000, "FL12": 3000, "HP1": 1959, "HP2": 2506,
        "LED-B1": 2733, "LED-B3": 4103, "LED-B5": 6598, "LED-V1": 2724, "ID65": 6598}  # fmt: skip
@@ -22,7 +22,7 @@ def test_the_colour_temperature_is_the_cies(name, temperature):
 
 def test_lux_per_ppfd_is_of_photons_from_400_to_700_nm():
     assert figures("E")[1] == pytest.approx(
-        683.002 * 106.857 / (300 * 550 / 119.62656582), rel=1e-4
+        683.002 * 106.857 / (300 * 550 / 119.62656564), rel=1e-4
     )
 
 

@@ -10,11 +10,11 @@ import pytest
 from radcalc.errors import RadcalcError
 from radcalc.spectra.files import read_file
 
-KM = 683.002  # lm/W; h c N_A = 0.11962656582 J m/mol and Km of the SI
+KM = 683.002  # lm/W; h c N_A = 0.11962656564 J m/mol and Km of the SI
 # 1 W/m2/nm from 380 nm to 780 nm are 400 W/m2; their illuminance is Km times the 106.857 nm that
 # the 1 nm table of V(lambda) adds up to; from 400 nm to 700 nm they are 300 x 550e-9 / (h c N_A).
 FLAT_LUX = KM * 106.857
-FLAT_PPFD = 300 * 550e-9 / 0.11962656582 * 1e6
+FLAT_PPFD = 300 * 550e-9 / 0.11962656564 * 1e6
 GRID = range(380, 781)
 
 
@@ -54,8 +54,8 @@ def test_the_unit_of_a_meter_is_the_one_that_gives_its_illuminance(value, unit, 
 
 
 def test_photons_of_a_meter_are_told_from_watts_by_its_illuminance(tmp_path):
-    # 1 W/m2/nm at x nm is x 1e-9 / 0.11962656582 mol/m2/s/nm
-    rows = "".join(f"{x}nm\t{x * 1e-3 / 0.11962656582:.9f}\n" for x in GRID)
+    # 1 W/m2/nm at x nm is x 1e-9 / 0.11962656564 mol/m2/s/nm
+    rows = "".join(f"{x}nm\t{x * 1e-3 / 0.11962656564:.9f}\n" for x in GRID)
     text = f"Model Name\tPG100N\nLUX\t{FLAT_LUX:.4f}\nPPFD\t{FLAT_PPFD:.4f}\n{rows}"
     table = read_file(save(tmp_path, text))
     assert "umol/m2/s/nm" in table.described

@@ -1,0 +1,192 @@
+"""Files of spectra: what is read has the rows that were written, and no damage brings others.
+
+Drawn are a format, rows, a unit, a delimiter, an encoding, ends of lines and what stands before
+the table; then lines are dropped, doubled, exchanged and added, and characters changed. A damaged
+file is refused, or it is read with rows that were written, in the unit that was; where its unit is
+gone it is relative. Formats that say how many rows they have do not lose one unnoticed.
+"""
+
+import io
+import math
+import random
+
+from radcalc.errors import RadcalcError
+from radcalc.spectra.files import _Reader
+
+SHORT, LONG = 250, 30_000
+UNITS = {
+    "W/m2/nm": 1.0,
+    "mW/m2/nm": 1e-3,
+    "uW/cm2/nm": 1e-2,
+    "W m-2 nm-1": 1.0,
+    "umol/m2/s/nm": 0.0,
+}
+BEFORE = ["Lamp 7 at 2.9 m", "Date: 2026-11-22 12:00:01", "Integration time [ms]: 48.06", "Gain\t4",
+          "Smoothing: 0", "Serial Number\t19J00789"]  # fmt: skip
+CHARACTERS = '0123456789 .,;\t-+eE\n#nmW/>"<é\x00'
+Rows = list[tuple[str, str]]
+
+
+def rows() -> Rows:
+    """Wavelengths and values, in text."""
+    step = random.choice([1, 5, 10])
+    scale = 10 ** random.uniform(-3, 4)
+    return [(str(x), f"{scale * random.uniform(0.1, 1):.6g}") for x in range(380, 781, step)]
+
+
+def joule(nm: float) -> float:
+    """The energy of a micromole of photons [J]: h c N_A / lambda of the SI."""
+    return 0.119626565643 / (nm * 1e-9) * 1e-6
+
+
+def plain(table: Rows) -> tuple[str, str]:
+    """Columns with their unit in the title, in a row below it, before the table or in a comment."""
+    unit, delimiter = random.choice(list(UNITS)), random.choice([",", ";", "\t"])
+    before = random.sample(BEFORE, random.choice([0, 0, 2, 4]))
+    heads = [
+        [f"wavelength (nm){delimiter}E ({unit})"],
+        [f"wavelength{delimiter}value", f"nm{delimiter}{unit}"],
+        [f"[nm]{delimiter}[{unit}]"],
+        [f"Irradiance in {unit}", f"wavelength{delimiter}value"],
+        [f"# spectral irradiance [{unit}]", f"wavelength{delimiter}value"],
+    ]
+    comma = delimiter != "," and random.random() < 0.3
+    lines = [delimiter.join(row) for row in table]
+    lines = [line.replace(".", ",") if comma else line for line in lines]
+    return "\n".join([*before, *random.choice(heads), *lines, ""]), unit
+
+
+def oceanview(table: Rows) -> tuple[str, str]:
+    """A table between marks, with its count of rows."""
+    count = f"Number of Pixels in Spectrum: {len(table)}"
+    head = ["Data from lamp_1.txt Node", "", *random.sample(BEFORE, 2), "XAxis mode: Wavelengths",
+            count, ">>>>>Begin Spectral Data<<<<<"]  # fmt: skip
+    return "\n".join([*head, *map("\t".join, table), ""]), ""
+
+
+def tm27(table: Rows) -> tuple[str, str]:
+    """XML."""
+    body = [f'<SpectralData wavelength="{x}">{y}</SpectralData>' for x, y in table]
+    return "\n".join([
+        '<?xml version="1.0"?>', '<IESTM2714 xmlns="iestm2714" version="1.0">',
+        "<SpectralDistribution>", "<SpectralQuantity>irradiance</SpectralQuantity>", *body,
+        "</SpectralDistribution>", "</IESTM2714>",
+    ]), "W/m2/nm"  # fmt: skip
+
+
+def cgats(table: Rows) -> tuple[str, str]:
+    """A sample in a row."""
+    names, values = zip(*table, strict=True)
+    return "\n".join([
+        'CREATED\t"1/1/2014"', 'MEAS_TYPE\t"EMISSION"', f"NUMBER_OF_FIELDS\t{1 + len(names)}",
+        "BEGIN_DATA_FORMAT", "\t".join(["SAMPLE_NAME", *(f"nm{x}" for x in names)]),
+        "END_DATA_FORMAT", "NUMBER_OF_SETS\t1", "BEGIN_DATA", "\t".join(["white", *values]),
+        "END_DATA", "",
+    ]), ""  # fmt: skip
+
+
+FORMATS = (plain, plain, plain, oceanview, tm27, cgats)
+
+
+def read(data: bytes):
+    """The table of a file, or the refusal."""
+    try:
+        return _Reader("lamp", io.BytesIO(data).read, "").table()
+    except RadcalcError as error:
+        return error
+
+
+def encoded(text: str) -> bytes:
+    """Bytes of a text in one of the encodings, with one of the ends of lines."""
+    encoding = random.choice(["utf-8", "utf-8", "utf-8-sig", "utf-16"])
+    return text.replace("\n", random.choice(["\n", "\r\n"])).encode(encoding)
+
+
+def damaged(text: str) -> str:
+    """Lines dropped, doubled, exchanged or added; what is left has only whole lines."""
+    lines = text.split("\n")
+    for _ in range(random.choice([1, 1, 2, 3])):
+        k, other = random.randrange(len(lines)), random.randrange(len(lines))
+        act = random.randrange(6)
+        if act == 0:
+            del lines[k : k + random.choice([1, 1, 2, 50])]
+        elif act == 1:
+            lines.insert(k, lines[other])
+        elif act == 2:
+            lines[k], lines[other] = lines[other], lines[k]
+        elif act == 3:
+            lines.insert(
+                k, random.choice(["", "a word", "end of data", "# note", ";;;", "\x00\x00"])
+            )
+        elif act == 4:
+            lines = lines[: k + 1]
+        else:
+            lines = lines[k:]
+        lines = lines or [""]
+    return "\n".join(lines)
+
+
+def mutated(text: str) -> str:
+    """Characters dropped, doubled or replaced."""
+    letters = list(text)
+    for _ in range(random.choice([1, 2, 5, 40])):
+        k = random.randrange(len(letters) + 1)
+        letters[k : k + random.choice([0, 1, 1, 9])] = random.choice(CHARACTERS)
+    return "".join(letters)
+
+
+def expected(table: Rows, unit: str) -> dict[float, float]:
+    """The watts that the rows stand for."""
+    found = {}
+    for x, y in table:
+        nm = float(x)
+        factor = UNITS.get(unit, 1.0) or joule(nm)
+        found[nm] = float(y) * factor
+    return found
+
+
+def is_of(found, table: Rows, unit: str) -> bool:
+    """Whether every row of what was read is one that was written, in a unit."""
+    written = expected(table, unit)
+    return all(
+        x in written and math.isclose(y, written[x], rel_tol=1e-9)
+        for x, y in zip(found.grid, found.values, strict=True)
+    )
+
+
+def sweep(count: int, seed: int) -> str:
+    """Read a file in order, one with damaged lines and one with other characters in each case."""
+    random.seed(seed)
+    refused = 0
+    for _ in range(count):
+        write = random.choice(FORMATS)
+        table = rows()
+        text, unit = write(table)
+        found = read(encoded(text))
+        assert not isinstance(found, Exception), (found, text[:400])
+        assert len(found.grid) == len(table), text[:400]
+        assert is_of(found, table, unit), text[:400]
+        assert bool(found.absolute) == bool(unit), text[:400]
+        text = damaged(text)
+        found = read(encoded(text))
+        if isinstance(found, Exception):
+            refused += 1
+            assert found.message, text[:400]
+            assert found.hint, text[:400]
+            read(encoded(mutated(text)))
+            continue
+        if found.absolute:
+            assert is_of(found, table, unit), text[:400]
+        else:  # its unit is gone, and it is said to be relative
+            assert "relative" in found.described, text[:400]
+            assert is_of(found, table, "") or is_of(found, table, unit), text[:400]
+        if f"Number of Pixels in Spectrum: {len(table)}\n" in text.partition(">>>>>")[0]:
+            assert len(found.grid) == len(table), text[:400]
+        read(encoded(mutated(text)))
+    return f"{count} files, and as many damaged ones, of which {refused} were refused"
+
+
+if __name__ == "__main__":
+    from fuzz.command import main
+
+    main(sweep, LONG)
