@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from radcalc.answer import Step
+from radcalc.maths import is_array
 from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
 
@@ -32,7 +33,7 @@ DIGITS, MOST_DIGITS = 6, 17
 
 def format_number(value: Any, digits: int = DIGITS) -> str:
     """A number for a derivation or a message; an array by its least and its greatest element."""
-    if not isinstance(value, (int, float)):
+    if not isinstance(value, (int, float)) and is_array(value):
         if not value.size:
             return "no numbers"
         low, high = (format_number(float(end), digits) for end in (value.min(), value.max()))

@@ -231,6 +231,17 @@ def moved(given: Given, shift: float) -> Given:
     return one
 
 
+def with_number(given: Given, number: Any, text: str, off: Any) -> Given:
+    """The same with another number in its unit, as typed, which may be `off` by so much of it."""
+    size, unit = number, given.unit
+    if isinstance(unit, ScaleUnit):
+        size, unit = unit.quantity(number), unit.unit
+    value = _in_si(given.name, text, size, unit)
+    other = given._replace(text=text, value=value, number=number, off=off)
+    hold(other, given.symbol.limits)
+    return other
+
+
 def _read_quantity(symbol: Symbol, value: Any) -> Given:
     name = symbol.name
     uncertainty, variable = 0.0, None

@@ -5,8 +5,9 @@ A scalar answer needs no NumPy: it is imported only when an argument is an array
 
 import math
 from collections.abc import Callable
+from functools import wraps
 from sys import float_info
-from typing import Any
+from typing import Any, TypeVar
 
 SMALLEST = float_info.min  # below it a float loses digits
 # [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
@@ -16,6 +17,7 @@ SLACK = 1e-12
 # stay within a float.
 LARGEST = 1e100
 FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
+T = TypeVar("T")
 Number = Any  # a float, or anything that NumPy can work on element by element
 
 
@@ -34,12 +36,34 @@ def is_column(x: Any) -> bool:
     return is_array(x) and x.ndim > 0
 
 
+def is_recorded(x: Any) -> bool:
+    """Whether what is done with x is noted down (`streams/traces.py`): it then calls functions."""
+    return hasattr(x, "call")
+
+
+def in_one_step(function: Callable[..., T]) -> Callable[..., T]:
+    """A function of floats that is recorded whole, where an argument is: not what it does."""
+
+    @wraps(function)
+    def called(*xs: Any) -> T:
+        for x in xs:
+            if type(x) is not float and is_recorded(x):
+                return x.call(function, *xs)  # type: ignore[no-any-return]
+        return function(*xs)
+
+    return called
+
+
 def _call(name: str, *xs: Number) -> Number:
     for x in xs:
-        if type(x) is not float and is_array(x):  # the type first, since nearly all are floats
+        if type(x) is float:  # the type first, since nearly all are floats
+            continue
+        if is_array(x):
             import numpy
 
             return getattr(numpy, name)(*xs)
+        if is_recorded(x):
+            return x.call(getattr(math, name), *xs)
     return getattr(math, name)(*xs)
 
 
@@ -141,6 +165,8 @@ def hypot(x: Number, y: Number) -> Number:
 
 def power_of_two(x: Number) -> Number:
     """The power of two just above x: to divide by it rounds nothing."""
+    if type(x) is not float and is_recorded(x):
+        return x.call(power_of_two, x)
     return _call("ldexp", 1.0, _call("frexp", x)[1])
 
 
@@ -226,4 +252,6 @@ def each(function: Callable[..., float], *xs: Number) -> Number:
             import numpy
 
             return numpy.vectorize(function, otypes=[float])(*xs)
+        if type(x) is not float and is_recorded(x):
+            return x.call(function, *xs)
     return function(*xs)

@@ -282,6 +282,7 @@ def test_a_unit_or_a_scale_is_looked_for_in_no_names_of_quantities(words):
         ("convert", "-", "lx", "fc"),
         ("convert", "-", "lx", "W/m2", "--spectrum", "D65", "--field", "2", "-d", ","),
         ("convert", "-", "fc", "--json"),
+        ("point-source", "--intensity", "100cd", "--distance", "- m", "-g", "irradiance"),
     ],
     ids=" ".join,
 )

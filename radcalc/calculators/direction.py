@@ -12,7 +12,7 @@ from radcalc.geometry.directions import cartesian, mirror_normal, reflected, sph
 from radcalc.geometry.numerics.vectors import cross, dot, length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
 from radcalc.given import Given, Inputs, Point, one_of
-from radcalc.maths import SLACK
+from radcalc.maths import SLACK, atan2, cos, hypot, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import NUMBER
@@ -97,8 +97,8 @@ def _from_angles(given: Inputs) -> tuple[float, float, Point, Step]:
     polar = one.value if one.name == "polar" else math.pi / 2 - one.value
     x, y, z = cartesian(polar, azimuth)
     if one.name == "elevation":
-        z = math.sin(one.value)  # without the rounding of a right angle
-        x, y = math.cos(one.value) * math.cos(azimuth), math.cos(one.value) * math.sin(azimuth)
+        z = sin(one.value)  # without the rounding of a right angle
+        x, y = cos(one.value) * cos(azimuth), cos(one.value) * sin(azimuth)
     x, y, z = _without_rounding((x, y, z), LEAST)
     numbers = f"theta = {format_angle(polar)}, phi = {format_angle(azimuth)}; "
     numbers += f"x = {format_number(x)}, y = {format_number(y)}, z = {format_number(z)}"
@@ -165,7 +165,7 @@ def _of_ball(place: Given) -> Answer:
     """The direction that a mirror ball shows at a place."""
     u, v = place.value
     if is_outside(MIRROR_BALL, u, v):
-        aside = format_number(math.hypot(u, v))
+        aside = format_number(hypot(u, v))
         raise ConditionError(
             f"{option('mirror-ball', quote(place.text))} is beside the ball, {aside} times its "
             "radius from the middle",
@@ -190,7 +190,7 @@ def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer
     x, y, z = (found[name] for name in "xyz")
     u, v = given or place_of(MIRROR_BALL, z, x, y)
     # 1 + z, next to -z without losing digits
-    w = math.sqrt((1 + z) / 2) if z > 0 else math.hypot(x, y) / math.sqrt(2 * (1 - z))
+    w = sqrt((1 + z) / 2) if z > 0 else hypot(x, y) / sqrt(2 * (1 - z))
     rows = [value(name, size) for name, size in zip(ON_BALL, (u, v, w), strict=True)]
     if given:
         rows[:2] = [row._replace(given=row.si) for row in rows[:2]]
@@ -209,7 +209,7 @@ def _length(length: Any, unit: str = "") -> Value:
 def _rows(polar: Any, azimuth: Any, vector: Point, given: Inputs) -> list[Value]:
     """The results that both have; an angle that was given as it was given."""
     x, y, z = vector
-    found = {"polar": polar, "azimuth": azimuth, "elevation": math.atan2(z, math.hypot(x, y))}
+    found = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}
     rows = [
         known(given[name]) if name in given else value(name, angle) for name, angle in found.items()
     ]

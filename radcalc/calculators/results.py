@@ -8,7 +8,7 @@ from radcalc.answer import Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
 from radcalc.given import DIFFERENCES, Given, is_on_scale
-from radcalc.maths import is_array, is_column, is_lost, is_uncertain
+from radcalc.maths import is_array, is_column, is_lost, is_recorded, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
 from radcalc.units.dimensions import COHERENT
@@ -143,7 +143,7 @@ def held(name: str, number: Any, of: Any = None) -> Any:
         return number
     if is_lost(number, number if of is None else of):
         raise NumberError(f"{name} is too small for a number", "less extreme values")
-    if type(number) is float and number - number == 0:
+    if (type(number) is float or is_recorded(number)) and number - number == 0:
         return number + 0.0
     if is_column(number):
         good = bool((abs(number) < math.inf).all())
@@ -178,13 +178,18 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)
             return _apart(Row(label, letter, number, text, case, name, is_given))
-    names = list(dict.fromkeys(value.name for value in values if not value.is_absent))
+    names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
         raise MissingInput(
             f"{name} takes what links the kinds of light", f"{LINKS_HINT}, or {generic}"
         )
     raise UsageError(f"there is no result '{quote(name)}'", _right_names(name, values, names))
+
+
+def names_of(values: Sequence[Value]) -> list[str]:
+    """The results that follow, by their names."""
+    return list(dict.fromkeys(value.name for value in values if not value.is_absent))
 
 
 def _right_names(name: str, values: Sequence[Value], names: Sequence[str]) -> str:

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
 from radcalc.calculators.results import element, pick, rows, scales_of
-from radcalc.cli import check
+from radcalc.cli import check, streams
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
-from radcalc.errors import UsageError, nearest, quote
+from radcalc.errors import UsageError, nearest, option, quote
 from radcalc.given import Inputs, any_uncertain, inputs_of
 from radcalc.maths import is_array
 from radcalc.render import arrays
@@ -21,17 +21,24 @@ BLOCK = 100_000  # values of a long range that are worked out at a time
 
 
 class Asked(NamedTuple):
-    """What is asked of the answer: some results, the derivation, whether a number is right."""
+    """What is asked of the answer: some results, the derivation, whether a number is right.
+
+    `lines` are the options for lines of standard input, of a command that takes these.
+    """
 
     wanted: tuple[str, ...]
     steps: bool
     check: str | None
     tolerance: str | None
+    lines: streams.Asked | None = None
 
     @classmethod
-    def of(cls, values: dict[str, Any]) -> "Asked":
+    def of(cls, values: dict[str, Any], takes_lines: bool) -> "Asked":
         """Take it out of a command's values; refuse what has no use with --check, or without."""
-        asked = cls(*(values.pop(name) for name in cls._fields))
+        asked = cls(*[values.pop(name) for name in cls._fields[:-1]])
+        if takes_lines:
+            own = [values.pop(name) for name in streams.Asked._fields]
+            asked = asked._replace(lines=streams.Asked(*own))
         check.refuse_idle(asked.check, asked.tolerance)
         if asked.check is not None and asked.wanted:
             raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
@@ -79,6 +86,10 @@ def run(
     `operands` are what was given beside the options.
     """
     work_out = _saying_how_read(work_out)
+    if each[0].stream:
+        return _of_lines(each, work_out, asked, output, command, operands)
+    if asked.lines is not None:
+        streams.refuse(asked.lines, "- for the value of an option")
     if asked.check is not None:
         from radcalc.homework.question import of_calculator
 
@@ -103,6 +114,29 @@ def run(
     )
     show(answers, asked, output, told)
     return stdio.ANSWERED
+
+
+def _of_lines(
+    each: Sequence[Case],
+    work_out: Callable[[Inputs], Answer],
+    asked: Asked,
+    output: Output,
+    command: str,
+    operands: Sequence[Input],
+) -> int:
+    """Answer to lines of standard input, under one case of everything else."""
+    case = each[0]
+    assert case.stream is not None
+    told = option(case.stream.name, "-")
+    if asked.lines is None:
+        raise UsageError(f"{told}: {command} takes no lines of standard input", "one value a call")
+    if asked.check is not None:
+        raise UsageError("--check takes one answer, and a stream has several", "one value")
+    if asked.steps:
+        raise UsageError("--steps is not for a stream", "one value, for the derivation")
+    if len(each) > 1 or case.long:
+        raise UsageError(f"{told} stands beside a list", "one value of everything else")
+    return streams.calculate(case, work_out, asked.wanted, asked.lines, output, operands)
 
 
 def _saying_how_read(work_out: Callable[[Inputs], Answer]) -> Callable[[Inputs], Answer]:

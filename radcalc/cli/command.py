@@ -1,6 +1,7 @@
 """A command whose sections are its options: the help shows them so, with the examples first."""
 
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from importlib import import_module
 from typing import Any
 
@@ -33,6 +34,7 @@ ALSO = " (also --"  # before the names of one kind, in the help of a light quant
 # The forms of operands that no symbol has.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
 MAPS = (".hdr", ".exr", ".pfm")
+LINES = "Streams"
 Member = str | click.Option  # the name of a symbol, or an option that is none
 
 
@@ -42,6 +44,7 @@ def define(
     words: str = "",
     kinds: Sequence[str] = KINDS,
     calculates: bool = True,
+    takes_lines: bool = True,
     output: Sequence[click.Option] = (),
     operands: tuple[str, Sequence[str]] = (WORD, ()),
     cls: "type[SectionedCommand] | None" = None,
@@ -50,8 +53,9 @@ def define(
 
     `sections` are the titles of the help, with the symbols and other options below them; `words`
     says what its operands are, and `operands` in which form, for completion; light quantities are
-    taken in `kinds`.  A command that calculates has the options that ask for results; `output` are
-    more options of the output, and `cls` is the class of the command.
+    taken in `kinds`.  A command that calculates has the options that ask for results, and those
+    for lines of standard input if it takes any; `output` are more options of the output, and `cls`
+    is the class of the command.
 
     The function is called with `typed`, the texts of the symbols that were given, where it has
     any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
@@ -61,6 +65,10 @@ def define(
     if calculates:
         own = sections.pop("Results", ())
         sections["Results"] = (*own, GET, *check.OPTIONS)
+        if takes_lines:
+            from radcalc.cli import streams  # which no list of units or names needs
+
+            sections[LINES] = [_hidden(option) for option in streams.OPTIONS]
     groups = {
         title: [option for member in members for option in _options(member, name, kinds)]
         for title, members in sections.items()
@@ -85,7 +93,7 @@ def define(
             if calculates:
                 from radcalc.cli.calculator import Asked
 
-                values["asked"] = Asked.of(values)
+                values["asked"] = Asked.of(values, takes_lines)
             if symbols:
                 values["typed"] = given
             return function(shown=shown, **values)
@@ -173,7 +181,12 @@ class SectionedCommand(Helped):
         self.operands = operands
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Refuse an option that is given twice: the first would be ignored silently."""
+        """Refuse an option that is given twice: the first would be ignored silently.
+
+        A --header without a number is one line, and never takes the next word for the number.
+        """
+        end = args.index("--") if "--" in args else len(args)
+        args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
         several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
         seen: set[str] = set()
         for word in args[: args.index("--")] if "--" in args else args:
@@ -196,6 +209,25 @@ class SectionedCommand(Helped):
             of_output = title == "Output"
             shown = [*listed, self.get_help_option(ctx)] if of_output else listed
             records = [option.get_help_record(ctx) for option in shown if option]
+            if title == LINES:
+                records = [_of_lines(listed)]
             if any(records):
                 with formatter.section(title):
                     formatter.write_dl([record for record in records if record])
+
+
+def _hidden(option: click.Option) -> click.Option:
+    """The same option, of which the help of another command tells."""
+    hidden = copy(option)
+    hidden.hidden = True
+    return hidden
+
+
+def _of_lines(listed: Sequence[click.Option]) -> tuple[str, str]:
+    """What the help of a calculator says of its options for streams, which are those of convert."""
+    *names, last = (option.opts[-1] for option in listed)
+    return (
+        "- or '- UNIT'",
+        "In place of one value: an answer (-g) to each line of standard input, which carries its "
+        f"unit or is a bare number of UNIT; {', '.join(names)} and {last} as in radcalc convert.",
+    )

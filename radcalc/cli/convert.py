@@ -3,14 +3,12 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import click
-
 from radcalc import stdio
 from radcalc.answer import Input, Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
 from radcalc.cli.cases import Case, cases
-from radcalc.cli.command import CONVERSION, LIGHT, SectionedCommand, define
+from radcalc.cli.command import CONVERSION, LIGHT, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
 from radcalc.errors import (
@@ -31,16 +29,6 @@ from radcalc.units.numbers import read_number, split_quantity
 from radcalc.units.ranges import note_of, read_lists, refuse_many
 from radcalc.units.scales import METER_UNITS, ScaleUnit, names_of, resolve_any
 from radcalc.units.table import Unit, unit_of
-
-
-class ConvertCommand(SectionedCommand):
-    """A --header without a number is one line, and never takes the next word for the number."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Give it the number."""
-        end = args.index("--") if "--" in args else len(args)
-        options = ["--header=1" if word == "--header" else word for word in args[:end]]
-        return super().parse_args(ctx, options + args[end:])
 
 
 @define(
@@ -76,7 +64,6 @@ class ConvertCommand(SectionedCommand):
     calculates=False,
     output=(STEPS,),
     operands=(CONVERSION, ()),
-    cls=ConvertCommand,
 )
 def command(
     words: tuple[str, ...],

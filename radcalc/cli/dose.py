@@ -77,6 +77,7 @@ BY = click.Option(
     },
     words="FILE|-",
     operands=(FILE, (".csv", ".tsv", ".txt", ".dat")),
+    takes_lines=False,
 )
 def command(
     words: tuple[str, ...],

@@ -49,6 +49,7 @@ TO = click.Option(
     },
     words="SOURCE",
     operands=(ENVIRONMENT, NAMES),
+    takes_lines=False,
 )
 def command(
     words: tuple[str, ...],

@@ -22,6 +22,7 @@ UNIT = click.Option(
         "Results": (UNIT, "accuracy"),
     },
     words="EXPRESSION",
+    takes_lines=False,
 )
 def command(
     words: tuple[str, ...], unit: str | None, typed: dict[str, str], asked: Asked, shown: Output

@@ -5,8 +5,8 @@
     .\\" options of NAME
     .\\" end of options
 
-where NAME is a command, `radcalc`, `every command` or `every calculator`.  The rest of the page is
-written by hand.
+where NAME is a command, `radcalc`, `every command`, `every calculator` or `every stream`.  The
+rest of the page is written by hand.
 """
 
 import re
@@ -17,8 +17,8 @@ from pathlib import Path
 
 import click
 
-from radcalc.cli import check, commands, options
-from radcalc.cli.command import ALSO, GET, SectionedCommand
+from radcalc.cli import check, commands, options, streams
+from radcalc.cli.command import ALSO, GET, LINES, SectionedCommand
 
 BLOCK = re.compile(r'^(\.\\" options of (.+)\n)(?:.*\n)*?(\.\\" end of options\n)', re.MULTILINE)
 OF_EVERY_CALCULATOR = (GET, *check.OPTIONS, options.STEPS)
@@ -41,6 +41,8 @@ def sections_of(name: str) -> Sections:
         return {"": [*options.OPTIONS, *([help_option] if help_option else [])]}
     if name == "every calculator":
         return {"": OF_EVERY_CALCULATOR}
+    if name == "every stream":
+        return {"": streams.OPTIONS}
     if name == "radcalc":
         return {"": [one for one in commands.get_params(top) if isinstance(one, click.Option)]}
     command = commands.get_command(top, name)
@@ -52,6 +54,7 @@ def sections_of(name: str) -> Sections:
     own = {
         title: [option for option in listed if option not in shared]
         for title, listed in command.sections.items()
+        if title != LINES
     }
     return {title: listed for title, listed in own.items() if listed}
 

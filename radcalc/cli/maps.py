@@ -22,8 +22,8 @@ def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
     if asked.check is not None:
         raise UsageError("--check has no use where a map is written", "the same without --check")
     each = cases(typed)
-    if len(each) > 1:
-        raise UsageError("one map is written at a time", "one value in place of a list")
+    if len(each) > 1 or each[0].stream:
+        raise UsageError("one map is written at a time", "one value of everything")
     refuse_uncertain(each[0].given.values(), "a map")
     return each[0].given
 

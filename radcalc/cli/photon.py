@@ -1,5 +1,8 @@
 """`radcalc photon WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY`."""
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from radcalc.calculators.photon import SYMBOL_OF, photon
 from radcalc.cli.calculator import Asked, run
 from radcalc.cli.cases import Case, cases
@@ -7,7 +10,10 @@ from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, spell
+from radcalc.given import Given
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+
+T = TypeVar("T")
 
 
 @define(
@@ -32,23 +38,39 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     """
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
+    each = _as_operand(lambda: cases({"wavelength": " ".join(words), **typed}))
+    each = [_named(case) for case in each]
+    if each[0].stream:
+        return _as_operand(lambda: run(each, photon, asked, shown, "photon"))
+    return run(each, photon, asked, shown, "photon")
+
+
+def _as_operand(read: Callable[[], T]) -> T:
+    """What is read; a refusal says the wavelength as it was typed, which is no option here."""
     try:
-        each = cases({"wavelength": " ".join(words), **typed})
-    except RadcalcError as error:  # the wavelength is no option here
+        return read()
+    except RadcalcError as error:
         error.message = spell(error.message, Operand)
         error.hint = spell(error.hint, Command)
         raise
-    return run([_named(case) for case in each], photon, asked, shown, "photon")
 
 
 def _named(case: Case) -> Case:
     """A case in which what is given for the wavelength is called what it is."""
-    wave = case.given["wavelength"]
-    wave = wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
+    if case.stream:
+        read = case.stream.read
+        stream = case.stream._replace(read=lambda text: _as(_as_operand(lambda: read(text))))
+        return case._replace(stream=stream)
+    wave = _as(case.given["wavelength"])
     given = {**case.given, "wavelength": wave}
     names = {"wavelength": wave.name}
     varied = tuple(one._replace(name=names.get(one.name, one.name)) for one in case.varied)
     return case._replace(given=given, varied=varied)
+
+
+def _as(wave: Given) -> Given:
+    """What is given for the wavelength, by the name of what it is."""
+    return wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
 
 
 class Operand(Shell):

@@ -42,6 +42,7 @@ AT = click.Option(
     {"The points": (AT, "grid", "normal"), "Kinds of light": LIGHT},
     words="FILE.csv",
     operands=(FILE, (".csv", ".tsv", ".txt")),
+    takes_lines=False,
 )
 def command(
     words: tuple[str, ...],

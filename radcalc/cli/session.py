@@ -16,6 +16,7 @@ import click
 from radcalc import cli, stdio
 from radcalc.answer import Result, Row
 from radcalc.cli import COMMANDS
+from radcalc.cli.cases import is_stream
 from radcalc.cli.options import decide, defaults
 from radcalc.errors import RadcalcError, UsageError, listed, option, quote
 from radcalc.quantities.light import name_of
@@ -252,7 +253,7 @@ class Session:
             return stdio.ANSWERED
         if called == "prompt" and not words[1:]:
             raise UsageError("this is the prompt", "help, or exit")
-        if "-" in words and not self.has_stdin:
+        if not self.has_stdin and any(map(is_stream, words)):
             problem = "- reads standard input, where the lines of the prompt are"
             raise UsageError(problem, "the same at a shell")
         return cli.answered(words, self) if words else stdio.ANSWERED

@@ -42,6 +42,7 @@ LIST = click.Option(
     {"Source": (COLUMN, LIST), "Light": ("observer", "range", "photon-range")},
     words="SOURCE ...",
     operands=(SPECTRUM, ()),
+    takes_lines=False,
 )
 def command(
     words: tuple[str, ...],

@@ -1,24 +1,29 @@
-"""`radcalc convert -`: standard input, line by line."""
+"""Standard input, line by line: `radcalc convert -`, and a calculator with - for an input."""
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from radcalc import stdio
-from radcalc.answer import Input
+from radcalc.answer import Answer, Input, Result
 from radcalc.cli.cases import Case
-from radcalc.cli.options import Output
+from radcalc.cli.options import WITHOUT_NUMBERS, Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
 from radcalc.errors import RadcalcError, UsageError, command, option, quote
-from radcalc.given import Given, inputs_of, refuse_uncertain
+from radcalc.given import Given, Inputs, inputs_of, refuse_uncertain
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
-from radcalc.streams import ABORT, INVALID
+from radcalc.streams import ABORT, INVALID, Source
 from radcalc.units.amounts import read_stream_operands
-from radcalc.units.scales import resolve_any
-from radcalc.units.table import Unit
+from radcalc.units.scales import resolve_any, resolve_given
+from radcalc.units.table import Unit, resolve
+
+if TYPE_CHECKING:
+    from radcalc.streams.fields import Cut, Fields
+    from radcalc.streams.header import Header
+    from radcalc.streams.readers import Texts
 
 
 class Asked(NamedTuple):
@@ -77,7 +82,7 @@ OPTIONS = (
 )
 
 
-def refuse(asked: Asked) -> None:
+def refuse(asked: Asked, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
     """Refuse an option for streams where there is none."""
     for name, value in zip(Asked._fields, asked, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
@@ -85,10 +90,7 @@ def refuse(asked: Asked) -> None:
                 f"--{name} {value} is for the fields of lines", option("electric-field", value)
             )
         if value is not None:
-            raise UsageError(
-                f"--{name} is for lines of standard input",
-                command("convert", "-", "UNIT", "TARGET"),
-            )
+            raise UsageError(f"--{name} is for lines of standard input", hint)
 
 
 def refuse_second_reader(typed: dict[str, Any]) -> None:
@@ -108,7 +110,6 @@ def convert(
     shown.refuse_auto(
         "a stream has one for all its lines", "a TARGET that fits, such as mlx or klx"
     )
-    from radcalc.streams.fields import Cut, Fields, read_delimiter
     from radcalc.streams.readers import Numbers, Quantities, Texts
     from radcalc.streams.stream import Stream, run
 
@@ -117,16 +118,9 @@ def convert(
         problem = f"'{quote(target_text)}' is a list, and a stream has one target"
         raise UsageError(problem, "one unit a call")
     given = _given(cases, steps)
-    if asked.field is not None and asked.column is not None:
-        raise UsageError("--field and --column contradict each other", "one of them")
-    if asked.add is not None and asked.rename is not None:
-        raise UsageError("--add and --rename contradict each other", "one of them")
-    lines = asked.header or (1 if asked.column is not None else 0)
-    if asked.rename is not None and not lines:
-        raise UsageError("--rename needs a header", "--header, or --column NAME")
-    format_ = click.get_current_context().params.get("format_")
-    if format_ in (TABLE, CSV):
-        raise UsageError(f"--format {format_} is not for a stream", "--format plain or json")
+    _refuse_format(shown)
+    layout = Layout.of(asked, bool(source_text))
+    cut, fields, lines, mark, name, adds = layout
     as_json = shown.format == JSON
     source = resolve_any(source_text) if source_text else None
     target = target_of(target_text, source)
@@ -146,30 +140,12 @@ def convert(
         remark(made.assumptions, made.notes)
         return made
 
-    if not source_text and asked.delimiter is None and asked.field is not None and not lines:
-        raise UsageError(
-            "--field needs --delimiter where the lines carry their own units",
-            "--delimiter X, which says what cuts the fields",
-        )
-    cut = None
-    if (asked.field, asked.column, asked.delimiter) != (None, None, None):
-        cut = Cut(read_delimiter(asked.delimiter) if asked.delimiter is not None else b"")
-    mark = (asked.decimal or ".").encode()
-    if cut and cut.delimiter == mark != b".":
-        raise UsageError(
-            "--decimal , and --delimiter , contradict each other", "--delimiter ';' or tab"
-        )
-    fields = Fields("1" if asked.field is None else asked.field)
     precision = shown.style.precision
 
     def titled(unit: Unit) -> Texts:
         told = f"the numbers are in {quote(unit.text)}, as their title says"
         return Numbers(planned(unit, told), precision, mark)
 
-    name = asked.rename if asked.add is None else asked.add
-    adds = asked.add is not None
-    if name is not None and not fields.is_one:
-        raise UsageError("--add and --rename are for one field", "a call for each field")
     header = None
     if lines or name is not None:
         from radcalc.streams.header import Header, refuse_change
@@ -186,7 +162,7 @@ def convert(
         texts = Numbers(planned(source), precision, mark)
     else:
         blank = " " if cut else "\t"
-        is_bare = shown.style.bare or (lines and asked.add is not None)
+        is_bare = shown.style.bare or (lines and adds)
         unit = "" if is_bare else blank + target.text
         texts = Quantities(planned, unit.encode(), precision, mark)
 
@@ -204,6 +180,231 @@ def convert(
     stream = Stream(texts, cut, fields, lines, header, record if as_json else None, adds)
     good = run(stream, stdio.read, stdio.pour, asked.invalid or ABORT, _complain)
     return stdio.ANSWERED if good else stdio.FAILED
+
+
+def calculate(
+    case: Case,
+    work_out: Callable[[Inputs], Answer],
+    wanted: Sequence[str],
+    asked: Asked,
+    shown: Output,
+    operands: Sequence[Input] = (),
+) -> int:
+    """Answer to every line of standard input; return the exit status.
+
+    `wanted` are the results that take the place of what is read.
+    """
+    from radcalc.calculators.results import rows
+    from radcalc.streams.calculated import Calculated, Found
+    from radcalc.streams.stream import Stream, run
+
+    source = case.stream
+    assert source is not None
+    shown.refuse_auto("a stream has one unit for all its lines", "the same without --auto")
+    _refuse_format(shown)
+    refuse_uncertain(case.given.values(), "a stream")
+    as_json = shown.format == JSON
+    layout = Layout.of(asked, source.is_bare)
+    if len(wanted) > 1 and not as_json and (layout.cut or layout.lines or layout.adds):
+        raise UsageError(f"{len(wanted)} results in the place of one field", "-g once")
+    remarks = Remarks(shown.style.remarks and not as_json)
+
+    def of_line(given: Given) -> Answer:
+        return work_out(case.of_line(given))
+
+    def texts_of(source: Source) -> Calculated:
+        heard, precision = remarks.hear, shown.style.precision
+        return Calculated(source, of_line, wanted, heard, precision, layout.mark)
+
+    def titled(unit: Unit) -> Calculated:
+        remarks.note("assumed", f"the numbers are in {quote(unit.text)}, as their title says")
+        source.check(unit)
+        return texts_of(source._replace(unit=unit.text))
+
+    def record(line: int, field: int | None, given: Given, found: Found) -> str:
+        from radcalc.render import json
+
+        place: dict[str, object] = {"line": line, "field": field} if field else {"line": line}
+        inputs = (*operands, *inputs_of(case.of_line(given)))
+        answer = found.answer
+        chosen = found.rows if wanted else rows(answer.values)
+        said = tuple(answer.assumptions), tuple(answer.notes)
+        result = Result(tuple(chosen), *said, inputs=inputs)
+        return json.line(result.spelled(spelled), shown.style, place)
+
+    def write(data: bytes) -> None:
+        remarks.say()
+        stdio.pour(data)
+
+    target = _check_wanted(source, of_line, wanted, as_json)
+    header = None
+    if layout.lines or layout.adds:
+        header = _header(source, asked, layout, target, as_json, titled, remarks)
+    made = record if as_json else None
+    fields = layout.fields
+    stream = Stream(texts_of(source), layout.cut, fields, layout.lines, header, made, layout.adds)
+    good = run(stream, stdio.read, write, asked.invalid or ABORT, _complain)
+    return stdio.ANSWERED if good else stdio.FAILED
+
+
+def _header(
+    source: Source,
+    asked: Asked,
+    layout: "Layout",
+    target: str,
+    as_json: bool,
+    titled: "Callable[[Unit], Texts]",
+    remarks: "Remarks",
+) -> "Header":
+    """What reads the titles over the input, and writes that of the result, in the target's unit."""
+    from radcalc.streams.header import Header, refuse_change
+
+    name = layout.name
+    if as_json:  # which has no titles
+        name = name or "result"
+    elif not target:
+        raise UsageError("a title has a unit", "-g NAME:UNIT")
+    unit = resolve_any(target or "1")
+    own = resolve_given(source.unit) if source.unit else None
+    if name is None:
+        refuse_change(own or source.read(SYMBOLS[source.name].example).unit or resolve("1"), unit)
+    return Header(
+        layout.cut,
+        own,
+        unit,
+        titled,
+        lambda text: remarks.note("note", text),
+        asked.column or "",
+        name,
+        layout.adds,
+        lambda unit: option(source.name, f"'- {unit}'"),
+        source.is_bare,
+    )
+
+
+def _check_wanted(
+    source: Source, of_line: Callable[[Given], Answer], wanted: Sequence[str], as_json: bool
+) -> str:
+    """Refuse what no line has for a result, by what follows of such a value.
+
+    Gives the unit of the first result, '' where only the first line will tell it.
+    """
+    from radcalc.calculators.results import names_of, pick
+
+    try:
+        values = of_line(source.read(SYMBOLS[source.name].example)).values
+    except RadcalcError:  # of everything else, which the first line says, or of that value
+        values = ()
+    if not wanted and not as_json:
+        names = names_of([one for one in values if one.given is None]) or ["NAME:UNIT"]
+        told = option(source.name, "-")
+        raise UsageError(f"{told} takes a result for every line", f"-g with {', '.join(names)}")
+    units = [one.partition(":")[2].strip() for one in wanted]
+    for k, one in enumerate(wanted if values else ()):
+        try:
+            units[k] = pick(values, one).unit
+        except UsageError:
+            if one.partition(":")[0] not in {v.name for v in values if v.is_absent}:
+                raise
+    return units[0] if units else ""
+
+
+class Remarks:
+    """What is to be said of the answers to lines: once, and of which line where not of all.
+
+    What differs in its numbers alone is the same.
+    """
+
+    def __init__(self, are_wanted: bool) -> None:
+        """Say nothing unless it is wanted."""
+        self.are_wanted = are_wanted
+        self.lines: dict[str, int] = {}  # of what is not said yet, the first
+        self.known: set[str] = set()
+        self.shared: set[str] | None = None  # by all lines before anything is said
+        self.has_begun = False
+
+    def hear(self, texts: Sequence[str | None], line: int) -> None:
+        """Take what there is to say of a line; None stands for what depends on its number."""
+        if not self.has_begun:
+            own = {text for text in texts if text}
+            self.shared = own if self.shared is None else self.shared & own
+        for text in texts:
+            if text and (key := text.translate(WITHOUT_NUMBERS)) not in self.known:
+                self.known.add(key)
+                self.lines[text] = line
+
+    def note(self, word: str, text: str) -> None:
+        """Say at once what holds for the whole stream."""
+        if self.are_wanted:
+            stdio.say([spelled(f"{word}: {text}")])
+
+    def say(self) -> None:
+        """Say what was heard, before the answers are written."""
+        if self.are_wanted and self.lines:
+            said = [
+                text if not self.has_begun and text in (self.shared or ()) else _of_line(text, line)
+                for text, line in self.lines.items()
+            ]
+            stdio.say([spelled(text) for text in said])
+        self.has_begun = self.has_begun or self.shared is not None
+        self.lines.clear()
+
+
+def _of_line(text: str, line: int) -> str:
+    """What is assumed or noted, with the line for which it is."""
+    word, mark, rest = text.partition(": ")
+    return f"{word}{mark}line {line}: {rest}"
+
+
+def _refuse_format(shown: Output) -> None:
+    """Refuse a format that has a header or borders, if it was asked for."""
+    if shown.is_chosen and shown.format in (TABLE, CSV):
+        raise UsageError(f"--format {shown.format} is not for a stream", "--format plain or json")
+
+
+class Layout(NamedTuple):
+    """How lines fall into fields and which of these are read, as the options say it.
+
+    `lines` are those of a header; `mark` is the decimal mark, `name` the title of the results.
+    """
+
+    cut: "Cut | None"
+    fields: "Fields"
+    lines: int
+    mark: bytes
+    name: str | None
+    adds: bool
+
+    @classmethod
+    def of(cls, asked: Asked, has_unit: bool) -> "Layout":
+        """Read the options; lines whose numbers have no unit may be cut at blanks."""
+        from radcalc.streams.fields import Cut, Fields, read_delimiter
+
+        if asked.field is not None and asked.column is not None:
+            raise UsageError("--field and --column contradict each other", "one of them")
+        if asked.add is not None and asked.rename is not None:
+            raise UsageError("--add and --rename contradict each other", "one of them")
+        lines = asked.header or (1 if asked.column is not None else 0)
+        if asked.rename is not None and not lines:
+            raise UsageError("--rename needs a header", "--header, or --column NAME")
+        if not has_unit and asked.delimiter is None and asked.field is not None and not lines:
+            raise UsageError(
+                "--field needs --delimiter where the lines carry their own units",
+                "--delimiter X, which says what cuts the fields",
+            )
+        cut = None
+        if (asked.field, asked.column, asked.delimiter) != (None, None, None):
+            cut = Cut(read_delimiter(asked.delimiter) if asked.delimiter is not None else b"")
+        mark = (asked.decimal or ".").encode()
+        if cut and cut.delimiter == mark != b".":
+            raise UsageError(
+                "--decimal , and --delimiter , contradict each other", "--delimiter ';' or tab"
+            )
+        fields = Fields("1" if asked.field is None else asked.field)
+        name = asked.rename if asked.add is None else asked.add
+        if name is not None and not fields.is_one:
+            raise UsageError("--add and --rename are for one field", "a call for each field")
+        return cls(cut, fields, lines, mark, name, asked.add is not None)
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Given]:

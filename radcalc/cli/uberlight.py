@@ -2,7 +2,7 @@
 
 from radcalc.calculators.uberlight import uberlight
 from radcalc.cli.calculator import Asked, run
-from radcalc.cli.cases import Case, cases, told
+from radcalc.cli.cases import cases, told
 from radcalc.cli.command import LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.errors import UsageError
@@ -19,6 +19,7 @@ from radcalc.given import read_place
         "Kinds of light": LIGHT,
     },
     words="X,Y,Z ...",
+    takes_lines=False,
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what a cinematographer's light ("uberlight") sends to points.
@@ -54,7 +55,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
     points = [read_place("point", word) for word in words]
     places = [(told(point),) if len(points) > 1 else () for point in points]
     every = [
-        Case(case.given | {"point": point}, (*place, *case.varied))
+        case._replace(given=case.given | {"point": point}, varied=(*place, *case.varied))
         for point, place in zip(points, places, strict=True)
         for case in each
     ]

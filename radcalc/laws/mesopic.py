@@ -15,7 +15,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.laws.law import AnyLaw, At, law, relation
-from radcalc.maths import limit
+from radcalc.maths import in_one_step, limit
 from radcalc.quantities.symbols import SYMBOLS
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
@@ -58,6 +58,7 @@ def mixture(luminance: float, scotopic: float, m: float) -> float:
     return (m * luminance + night * scotopic) / (m + night)
 
 
+@in_one_step
 def adaptation(mesopic: float) -> float:
     """Adaptation coefficient that a mesopic luminance goes with.
 
@@ -137,6 +138,12 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
     return mixture(luminance, scotopic, m), m
 
 
+@in_one_step
+def _mesopic(luminance: float, ratio: float) -> float:
+    """The mesopic luminance, from the photopic one and the ratio."""
+    return solve(luminance, ratio)[0]
+
+
 def _luminance(at: At) -> Any:
     """The photopic luminance, from the mesopic one and the ratio."""
     mesopic = at("mesopic-luminance")
@@ -171,7 +178,7 @@ MESOPIC = relation(
     "{mesopic-luminance} = (m {luminance} + (1 - m) {sp-ratio} {luminance} V0) / "
     "(m + (1 - m) V0), V0 = 683/1699",
     {
-        "mesopic-luminance": lambda at: solve(at("luminance"), at("sp-ratio"))[0],
+        "mesopic-luminance": lambda at: _mesopic(at("luminance"), at("sp-ratio")),
         "luminance": _luminance,
         "sp-ratio": _ratio,
     },

@@ -5,7 +5,7 @@ Tables at 1 nm, linear interpolation between, 0 outside.  The tables are in stan
 
 from typing import NamedTuple
 
-from radcalc.maths import Number
+from radcalc.maths import Number, in_one_step
 from radcalc.spectra.data.observers import (
     CIE_1964,
     CIE_2008_2,
@@ -40,6 +40,7 @@ class Observer(NamedTuple):
         )
 
 
+@in_one_step
 def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
     """Relative luminous efficiency of monochromatic radiation.
 

@@ -1,4 +1,25 @@
-"""Standard input, line by line, through a plan."""
+"""Standard input, line by line, through a plan or a calculator."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from radcalc.given import Given
+    from radcalc.units.table import Unit
 
 # What a value that cannot be converted does.
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
+
+
+class Source(NamedTuple):
+    """An input of which standard input has the values: bare numbers of a unit, or texts with one.
+
+    `read` reads a text as that of a call of its own, and `check` refuses a unit that it cannot
+    have; `is_bare` where the texts are numbers.
+    """
+
+    name: str
+    unit: str
+    is_bare: bool
+    read: "Callable[[str], Given]"
+    check: "Callable[[Unit], object]"

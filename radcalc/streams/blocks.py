@@ -57,8 +57,8 @@ class Bulk:
         What is not taken here (blanks, an empty line, `1/3`, a number out of range) is not
         wrong: it has to be read by the grammar.
         """
-        shape = block.translate(SHAPE, SIGNS)
-        if not self.able or shape.translate(None, b"0e\n") or b"0" * (LONGEST + 1) in shape:
+        shape = shape_of(block)
+        if shape is None or not self.able:
             return None
         texts = block.split(b"\n")
         texts.pop()
@@ -96,6 +96,28 @@ class Bulk:
                 answer = self.made.apply(value)
             answers.append(answer)
         return answers
+
+
+def shape_of(block: bytes) -> bytes | None:
+    """Lines of decimal numbers with every digit as 0; None where there may be anything else."""
+    shape = block.translate(SHAPE, SIGNS)
+    is_other = shape.translate(None, b"0e\n") or b"0" * (LONGEST + 1) in shape
+    return None if is_other else shape
+
+
+def numbers(texts: list[bytes]) -> list[float] | None:
+    """Decimal numbers as the grammar reads them; None where any text is anything else, or -0."""
+    block = b"\n".join(texts) + b"\n"
+    shape = shape_of(block)
+    if shape is None:
+        return None
+    try:
+        if b"e" in shape and not _in_range(texts):
+            return None
+        values = list(map(float, texts))
+    except ValueError:
+        return None
+    return None if b"-" in block and 0.0 in values else values
 
 
 def _in_range(texts: list[bytes]) -> bool:

@@ -35,12 +35,15 @@ class Header:
         column: str = "",
         name: str | None = None,
         adds: bool = False,
+        call: Callable[[str], str] | None = None,
+        is_bare: bool = False,
     ) -> None:
         """Take what is typed.
 
         `source` is the unit of the numbers, or None; `titled` makes what reads numbers in the unit
         of their title.  `column` is the title that is meant, `name` the title of the results, and
-        with `adds` that of a new column behind the others.
+        with `adds` that of a new column behind the others.  `call` is what is to be typed for
+        numbers in a unit, where that is no conversion, and `is_bare` where they need none.
         """
         self.cut = cut
         self.source = source
@@ -50,6 +53,8 @@ class Header:
         self.column = column
         self.own = None if name is None else self._own(name, "add" if adds else "rename")
         self.adds = adds
+        self.is_bare = is_bare
+        self.call = call or (lambda unit: command("convert", "-", unit, quote(target.text)))
         self.texts: Texts | None = None
         self.fields: Fields | None = None
         self.shown: dict[int | None, str] = {}
@@ -89,7 +94,8 @@ class Header:
         if self.cut and not self.cut.delimiter:
             unit = unit.replace(" ", ".")  # one word where lines are cut at blanks
         if self.own:
-            if self.own.unit or (title and not title.unit and not self.adds):
+            is_bare = unit == "1" or (title and not title.unit and not self.adds)
+            if self.own.unit or is_bare:
                 return self.own.text
             if title and not self.adds:
                 return title.renamed(self.own.text, unit)
@@ -120,10 +126,10 @@ class Header:
         """Hold the units in the titles against the one that is typed, or take theirs."""
         first = next((title for title in titles if title.unit), None)
         if first is None or first.unit is None:
-            if self.source is None and self.cut and not self.cut.delimiter:
+            if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
                 raise UsageError(
                     f"{WHERE} has no unit for '{quote(titles[0].text)}'",
-                    command("convert", "-", "UNIT", quote(self.target.text)),
+                    self.call("UNIT"),
                 )
             return
         for title in titles:
@@ -138,9 +144,7 @@ class Header:
                 is_there = is_same(title.unit, self.target)
                 raise UsageError(
                     f"the column '{quote(title.text)}' is in {said}, not in {typed}",
-                    f"a column in {typed}"
-                    if is_there
-                    else command("convert", "-", said, quote(self.target.text)),
+                    f"a column in {typed}" if is_there else self.call(said),
                 )
         if self.source is None:
             self.texts = self.titled(first.unit)

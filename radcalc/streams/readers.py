@@ -5,7 +5,7 @@ Each is converted by itself, as a single conversion is, or many at a time where 
 
 import re
 from collections.abc import Callable
-from typing import Protocol
+from typing import Any, Protocol
 
 from radcalc.conversion.plan import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
@@ -23,12 +23,14 @@ POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has ano
 
 
 class Texts(Protocol):
-    """What a stream does with the texts that it cuts out of lines."""
+    """What a stream does with the texts that it cuts out of lines; `line` is where it is."""
 
-    def read(self, text: bytes) -> tuple[Plan, float]:
-        """The plan and the number of one text; raise RadcalcError where it is none."""
+    line: int
 
-    def show(self, made: Plan, value: float) -> bytes:
+    def read(self, text: bytes) -> tuple[Any, Any]:
+        """What one text says; raise RadcalcError where that is nothing."""
+
+    def show(self, made: Any, value: Any) -> bytes:
         """What stands in the output for one that was read."""
 
     def lines(self, block: bytes) -> bytes | None:
@@ -46,6 +48,7 @@ class Numbers:
 
     def __init__(self, made: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
         """Take the plan for all of them, and the decimal mark that they have."""
+        self.line = 0
         self.made = made
         self.precision = precision
         self.mark = mark
@@ -54,7 +57,7 @@ class Numbers:
     def read(self, text: bytes) -> tuple[Plan, float]:
         """The plan and the number of one text."""
         try:
-            return self.made, parse_number(_pointed(_decoded(text), self.mark))
+            return self.made, parse_number(pointed(decoded(text), self.mark))
         except NumberError as error:
             hint = error.hint
             if len(text.split(None, 1)) > 1:
@@ -88,6 +91,7 @@ class Quantities:
         mark: bytes = POINT,
     ) -> None:
         """Take what makes a plan from a unit, what follows each answer, and the decimal mark."""
+        self.line = 0
         self.plans = plans
         self.unit = unit
         self.precision = precision
@@ -97,7 +101,7 @@ class Quantities:
 
     def read(self, text: bytes) -> tuple[Plan, float]:
         """The plan and the number of one text."""
-        amount = read_amount(_pointed(_decoded(text), self.mark))
+        amount = read_amount(pointed(decoded(text), self.mark))
         if amount.unit is None:
             raise UsageError(
                 f"'{quote(text.decode())}' has no unit",
@@ -194,7 +198,7 @@ def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
     return shown and shown.replace(POINT, mark)
 
 
-def _pointed(text: str, mark: bytes) -> str:
+def pointed(text: str, mark: bytes) -> str:
     """A text with decimal points in the place of its decimal marks."""
     if mark == POINT:
         return text
@@ -208,7 +212,7 @@ def _pointed(text: str, mark: bytes) -> str:
     return text.replace(mark.decode(), ".")
 
 
-def _decoded(text: bytes) -> str:
+def decoded(text: bytes) -> str:
     """The text of a number or a unit, which is UTF-8 and has no blank but those around it."""
     try:
         decoded = text.decode()

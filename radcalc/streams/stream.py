@@ -7,8 +7,8 @@ plain decimal is converted at once (`bulk.py`); any other goes line by line thro
 from collections.abc import Callable, Iterator
 from io import BytesIO
 from itertools import islice
+from typing import Any
 
-from radcalc.conversion.plan import Plan
 from radcalc.errors import LineError, NumberError, RadcalcError, UsageError, option
 from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
@@ -25,7 +25,7 @@ LONGEST = 1 << 24  # bytes of a line; an endless one would fill the memory
 BOM = b"\xef\xbb\xbf"
 
 Read = Callable[[int], bytes]
-Record = Callable[[int, int | None, Plan, float], str]  # line, field, plan, number given
+Record = Callable[[int, int | None, Any, Any], str]  # line, field, and what the text said
 
 
 class Stream:
@@ -67,8 +67,9 @@ class Stream:
         self.fields = self.header.fields or self.fields
         return shown + line[len(body) :]
 
-    def block(self, block: bytes) -> bytes | None:
-        """Convert a block of whole lines at once; None where any of them is unusual."""
+    def block(self, block: bytes, count: int = 1) -> bytes | None:
+        """Convert a block of whole lines from line `count` on; None where any is unusual."""
+        self.texts.line = count
         if block[-1:] != b"\n" or len(block) > 2 * BLOCK:  # which has a very long line
             return None
         crlf = b"\r" in block
@@ -95,6 +96,7 @@ class Stream:
         text = body.lstrip(BLANKS)
         if not text or text[:1] == b"#":
             return b"" if self.record else line
+        self.texts.line = count
         out, done, added = bytearray(), 0, b""
         field: int | None = None
         try:
@@ -198,7 +200,7 @@ def run(
         if not block:
             continue
         lines: list[bytes] = []
-        for part, shown in _parts(stream, block):
+        for part, shown in _parts(stream, block, count + 1):
             if shown is not None:
                 count += part.count(b"\n")
                 lines.append(shown)
@@ -223,15 +225,18 @@ def run(
     return good
 
 
-def _parts(stream: Stream, block: bytes) -> Iterator[tuple[bytes, bytes | None]]:
-    """Cut a block until its parts are converted at once, or are a few lines, with None."""
-    shown = None if stream.record else stream.block(block)
+def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, bytes | None]]:
+    """Cut a block, from line `count` on, until its parts are converted at once.
+
+    A few lines, or what leads to records, are left to be converted one by one, with None.
+    """
+    shown = None if stream.record else stream.block(block, count)
     middle = block.find(b"\n", len(block) // 2) + 1
     if shown is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
         yield block, shown
     else:
-        yield from _parts(stream, block[:middle])
-        yield from _parts(stream, block[middle:])
+        yield from _parts(stream, block[:middle], count)
+        yield from _parts(stream, block[middle:], count + block.count(b"\n", 0, middle))
 
 
 def _blocks(read: Read) -> Iterator[bytes | None]:

@@ -14,6 +14,7 @@ from radcalc.cli import commands, manual
 PAGE = ROOT / "man" / "radcalc.1"
 SHARED = "Options of every command"
 OF_CALCULATORS = "Options of every calculator"
+OF_STREAMS = "Options of every stream"
 
 
 def mandoc(*words: str) -> subprocess.CompletedProcess[str]:
@@ -88,6 +89,8 @@ def test_the_manual_describes_every_option_of_every_command_and_no_other(called,
         found = described(page, called) | described(page, SHARED)
         if "--get" in spellings(CONTEXTS[called]):
             found |= described(page, OF_CALCULATORS)
+        if "--rename" in spellings(CONTEXTS[called]):
+            found |= described(page, OF_STREAMS)
     assert found == spellings(CONTEXTS[called])
 
 
@@ -105,7 +108,7 @@ def test_every_command_with_options_of_its_own_has_a_block_of_them():
     marked = [found[2] for found in manual.BLOCK.finditer(PAGE.read_text(encoding="utf-8"))]
     names = [called.removeprefix("radcalc ") for called in CONTEXTS]
     own = [name for name in names if manual.sections_of(name)]
-    assert sorted(marked) == sorted([*own, "every command", "every calculator"])
+    assert sorted(marked) == sorted([*own, "every command", "every calculator", "every stream"])
 
 
 def test_the_lists_of_a_command_have_the_titles_of_its_help(page):

@@ -1,0 +1,312 @@
+"""A calculation on floats, recorded once and repeated for columns of them.
+
+A number that is traced does what a float does, and has it noted down: each operation as a step,
+each comparison as a bound within which the calculation takes the same way.  The steps are then
+repeated for many numbers at a time, by the same functions on the same floats in the same order:
+every result is, to its last bit, that of a calculation of its own.  What is outside the bounds,
+or refused, is left to that.
+"""
+
+import math
+import operator
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import repeat
+from sys import float_info
+from typing import Any, NoReturn
+
+from radcalc.errors import RadcalcError
+
+MOST_STEPS = 5000  # of a calculation that is recorded
+MOST_NUMBERS = 200_000  # of all steps at a time
+REFUSALS = (ValueError, ZeroDivisionError, OverflowError, RadcalcError)  # by a function of floats
+MARK = "\0"  # what a text has in which a traced number is written
+FINITE = (-float_info.max, float_info.max)
+
+Function = Callable[..., Any]
+Operand = int | tuple[Any]  # an earlier step by its number, or a constant
+
+
+class Untraceable(BaseException):
+    """Raised where a record cannot have what is asked of a number; nothing else may catch it."""
+
+
+class Trace:
+    """A record of what is done with a number, which is the first of its steps."""
+
+    def __init__(self, value: float) -> None:
+        """Begin with a number."""
+        self.steps: list[tuple[Function, tuple[Operand, ...]]] = [(float, ())]
+        self.bounds: dict[int, tuple[float, float]] = {}
+        self.orders: dict[tuple[Function, int, int], bool] = {}
+        self.start = Traced(self, 0, value)
+        self._known: dict[Any, Traced] = {}
+        self._is_broken = False
+
+    def refuse(self) -> NoReturn:
+        """Give the record up, even if somebody catches what this raises."""
+        self._is_broken = True
+        raise Untraceable
+
+    def do(self, function: Function, *operands: Any) -> Any:
+        """Take a step, or give the result of the same step as before."""
+        if any(isinstance(one, Unknown) for one in operands):
+            return Unknown(self)
+        try:
+            value = function(*[one.value if isinstance(one, Traced) else one for one in operands])
+        except REFUSALS:
+            self._is_broken = True  # other numbers may not be refused
+            raise
+        if type(value) is not float or len(self.steps) > MOST_STEPS:
+            self.refuse()
+        places = tuple([one.step if isinstance(one, Traced) else (one,) for one in operands])
+        key = (function, *[one if type(one) is int else _key(*one) for one in places])  # type: ignore[misc]
+        if key not in self._known:
+            self._known[key] = Traced(self, len(self.steps), value)
+            self.steps.append((function, places))
+        return self._known[key]
+
+    def compare(self, how: Function, one: "Traced", other: Any) -> bool:
+        """Give the outcome of a comparison, and bound the record to where it is the same."""
+        value: float = one.value
+        if isinstance(other, Traced):
+            outcome: bool = how(value, other.value)
+            if other is one:
+                self.bound(one, *FINITE)  # and so no NaN
+            else:
+                self.orders[how, one.step, other.step] = outcome
+            return outcome
+        if isinstance(other, Unknown) or not isinstance(other, (int, float)) or other != other:
+            self.refuse()
+        if value == other:
+            self.bound(one, value, value)
+        elif value > other:
+            self.bound(one, math.nextafter(other, math.inf), FINITE[1])
+        else:
+            self.bound(one, FINITE[0], math.nextafter(other, -math.inf))
+        return how(value, other)  # type: ignore[no-any-return]
+
+    def bound(self, one: "Traced", low: float, high: float) -> None:
+        """Bound a step, both ends included; that keeps it finite as well."""
+        if one.value - one.value != 0:
+            self.refuse()
+        lowest, highest = self.bounds.get(one.step, FINITE)
+        self.bounds[one.step] = max(low, lowest), min(high, highest)
+
+    def record(self, results: Sequence[Any]) -> "Record":
+        """What is to be repeated for these results; Untraceable where that cannot be."""
+        if self._is_broken or any(isinstance(one, Unknown) for one in results):
+            raise Untraceable
+        return Record(self, results)
+
+
+def _key(constant: Any) -> Any:
+    """What tells constants apart: 0.0 is neither 0 nor -0.0."""
+    return (type(constant), repr(constant)) if type(constant) in (int, float) else id(constant)
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, (int, float, Traced, Unknown))
+
+
+def _is(number: int, x: Any) -> bool:
+    return isinstance(x, (int, float)) and x == number
+
+
+def _operator(function: Function, nothing: int | None = None, reflected: bool = False) -> Function:
+    """A method that takes a step; the operand that changes `nothing` takes none."""
+
+    def do(self: "Traced", other: Any) -> Any:
+        if nothing is not None and _is(nothing, other):
+            return self
+        if not _is_number(other):
+            return NotImplemented
+        return self.trace.do(function, *((other, self) if reflected else (self, other)))
+
+    return do
+
+
+_reflected = partial(_operator, reflected=True)
+
+
+def _comparison(how: Function) -> Function:
+    return lambda self, other: self.trace.compare(how, self, other)
+
+
+def _plus(self: "Traced", other: Any) -> Any:
+    """The sum; 0 changes all but -0."""
+    if _is(0, other) and self.value != 0 and self != 0:
+        return self
+    return self.trace.do(operator.add, self, other) if _is_number(other) else NotImplemented
+
+
+def _minus(self: "Traced", other: Any) -> Any:
+    """The difference; of a number and itself it is 0 where it is finite."""
+    if other is self:
+        self.trace.bound(self, *FINITE)
+        return 0.0
+    return self.trace.do(operator.sub, self, other) if _is_number(other) else NotImplemented
+
+
+def _size(self: "Traced") -> Any:
+    """The number without its sign."""
+    return self if self > 0 else self.trace.do(operator.abs, self)
+
+
+def _negative(self: "Traced") -> Any:
+    return self.trace.do(operator.neg, self)
+
+
+def _is_not_0(self: "Traced") -> bool:
+    return bool(self != 0)
+
+
+def _refuse(self: "Traced | Unknown", *others: Any) -> NoReturn:
+    self.trace.refuse()
+
+
+def _text(self: "Traced", form: str = "") -> str:
+    return MARK
+
+
+class Traced:
+    """A number whose part in a calculation is recorded.
+
+    What changes no float is left out: the sum with 0, the product with 1, the size of what is
+    positive.
+    """
+
+    __slots__ = ("step", "trace", "value")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, trace: Trace, step: int, value: float) -> None:
+        """Hold what a step gives."""
+        self.trace, self.step, self.value = trace, step, value
+
+    def call(self, function: Function, *operands: Any) -> Any:
+        """What a function of floats gives, as one step."""
+        return self.trace.do(function, *operands)
+
+    __add__ = __radd__ = _plus
+    __sub__, __rsub__ = _minus, _reflected(operator.sub)
+    __mul__ = _operator(operator.mul, nothing=1)
+    __rmul__ = _reflected(operator.mul, nothing=1)
+    __truediv__ = _operator(operator.truediv, nothing=1)
+    __rtruediv__ = _reflected(operator.truediv)
+    __pow__, __rpow__ = _operator(operator.pow, nothing=1), _reflected(operator.pow)
+    __mod__, __rmod__ = _operator(operator.mod), _reflected(operator.mod)
+    __neg__, __abs__ = _negative, _size
+    __lt__, __le__ = _comparison(operator.lt), _comparison(operator.le)
+    __gt__, __ge__ = _comparison(operator.gt), _comparison(operator.ge)
+    __eq__, __ne__ = _comparison(operator.eq), _comparison(operator.ne)
+    __bool__ = _is_not_0
+    __float__ = __int__ = __index__ = _refuse
+    __format__ = __str__ = __repr__ = _text
+
+
+class Unknown:
+    """A number that another line may have otherwise, and that no result may depend on."""
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, trace: Trace) -> None:
+        """Belong to a record."""
+        self.trace = trace
+
+    def call(self, function: Function, *operands: Any) -> "Unknown":
+        """What a function gives is as unknown."""
+        return self
+
+    def _also(self, *others: Any) -> "Unknown":
+        return self
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _also
+    __truediv__ = __rtruediv__ = __pow__ = __rpow__ = __neg__ = __abs__ = _also
+    __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refuse
+    __bool__ = __float__ = _refuse
+
+
+class Record:
+    """The steps that lead to results, repeated for many numbers at a time."""
+
+    def __init__(self, trace: Trace, results: Sequence[Any]) -> None:
+        """Keep what the results and the bounds take."""
+        self.results = [one.step if isinstance(one, Traced) else (float(one),) for one in results]
+        self.bounds = trace.bounds
+        orders: dict[int, list[tuple[Function, int, int, bool]]] = {}
+        for (how, one, other), outcome in trace.orders.items():
+            orders.setdefault(max(one, other), []).append((how, one, other, outcome))
+        needed = {one for one in self.results if isinstance(one, int)} | {*self.bounds, 0}
+        needed.update(step for (_, *two) in trace.orders for step in two)
+        for step in range(len(trace.steps) - 1, -1, -1):
+            if step in needed:
+                needed.update(one for one in trace.steps[step][1] if isinstance(one, int))
+        self.steps = [(k, *trace.steps[k], orders.get(k, ())) for k in sorted(needed)]
+
+    def run(self, values: list[float]) -> tuple[list[int] | None, list[list[float]]]:
+        """The results in columns, and for which of the numbers they are: None for all of them.
+
+        The others are outside the bounds, or are refused.  Many are taken in parts, for which
+        there is room.
+        """
+        size = max(MOST_NUMBERS // len(self.steps), 1)
+        if len(values) <= size:
+            return self._run(values)
+        together: list[int] = []
+        columns: list[list[float]] = [[] for _ in self.results]
+        for start in range(0, len(values), size):
+            part = values[start : start + size]
+            places, found = self._run(part)
+            together += [start + k for k in (range(len(part)) if places is None else places)]
+            for column, more in zip(columns, found, strict=True):
+                column += more
+        return (None if len(together) == len(values) else together), columns
+
+    def _run(self, values: list[float]) -> tuple[list[int] | None, list[list[float]]]:
+        places: list[int] | None = None
+        while values:
+            try:
+                good, columns = self._repeat(values)
+            except REFUSALS:
+                good, columns = self._halved(values)
+            if good is None:
+                return places, columns
+            kept = [k for k, is_good in enumerate(good) if is_good]
+            values = [values[k] for k in kept]
+            places = kept if places is None else [places[k] for k in kept]
+        return [], [[] for _ in self.results]
+
+    def _repeat(self, values: list[float]) -> tuple[list[bool] | None, list[list[float]]]:
+        """The results; or which of the numbers keep within the first bounds that not all do."""
+        columns: dict[int, list[float]] = {0: values}
+        for step, function, operands, orders in self.steps:
+            if step:
+                of = [columns[one] if isinstance(one, int) else repeat(*one) for one in operands]
+                columns[step] = list(map(function, *of))
+            if step in self.bounds:
+                low, high = self.bounds[step]
+                good = [low <= value <= high for value in columns[step]]
+                if not all(good):
+                    return good, []
+            for how, one, other, outcome in orders:
+                good = [
+                    how(*two) is outcome for two in zip(columns[one], columns[other], strict=True)
+                ]
+                if not all(good):
+                    return good, []
+        count = len(values)
+        return None, [
+            columns[one] if isinstance(one, int) else list(one) * count for one in self.results
+        ]
+
+    def _halved(self, values: list[float]) -> tuple[list[bool], list[list[float]]]:
+        """Which of the numbers can be worked out, where a function refuses some of them."""
+        if len(values) == 1:
+            return [False], []
+        middle = len(values) // 2
+        good: list[bool] = []
+        for part in (values[:middle], values[middle:]):
+            places, _ = self.run(part)
+            fits = range(len(part)) if places is None else set(places)
+            good += [k in fits for k in range(len(part))]
+        return good, []

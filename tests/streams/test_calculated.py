@@ -1,0 +1,131 @@
+"""A calculator on a stream: every line is answered as a call of its own answers it.
+
+What a line has to be comes from the calculators themselves, called once for each value.
+"""
+
+import io
+import math
+import random
+
+import pytest
+
+from radcalc import cli, stdio
+
+# The call with {} for the input, the unit of its lines, from where to where they are, a result.
+CALLS = [
+    ("point-source --intensity 100cd --distance {}", "m", 0.01, 1e4, "irradiance:lx"),
+    ("point-source --intensity 100cd --distance {}", "ft", 0.01, 1e4, "irradiance:fc"),
+    ("point-source --intensity 100cd --distance {}", "m", 0.01, 1e4, "distance:ft"),
+    ("point-source --flux {} --distance 2m", "lm", 1e-3, 1e6, "irradiance"),
+    ("point-source --flux {} --distance 2m", "dBm", -60, 60, "irradiance"),
+    ("point-source --illuminance {} --distance 2m", "lx", 1e-3, 1e6, "flux"),
+    ("point-source --intensity 100cd --illuminance {}", "lx", 1e-3, 1e6, "distance"),
+    ("point-source --intensity 250cd --height 6m --offset {}", "m", -30, 30, "irradiance"),
+    ("point-source --intensity 250cd --height {} --offset 8m", "m", 0.01, 30, "incidence:deg"),
+    ("point-source --flux 800lm --half-angle {} --distance 2m", "deg", -5, 200, "irradiance"),
+    ("point-source --flux 5mW --distance {} --wavelength 555nm", "m", 0.01, 10, "irradiance:lx"),
+    ("point-source --flux 5mW --distance 1m --wavelength {}", "nm", 300, 900, "illuminance:lx"),
+    ("point-source --intensity 100cd --exponent {} --distance 2m", "", 0, 80, "flux"),
+    ("point-source --beam-angle {}", "deg", 1, 179, "exponent"),
+    ("point-source --intensity 100cd --distance 2m --incidence {}", "deg", -95, 95, "irradiance"),
+    ("point-source --flux 500lm --distance {} --receiver-area 1cm2", "m", 0.005, 5,
+     "received-flux"),
+    ("point-source --luminous-flux {} --radiant-flux 3W", "lm", 1, 3000, "luminous-efficacy"),
+    ("lambertian --luminance {} --area 1cm2 --distance 1m", "cd/m2", 1, 1e6, "illuminance"),
+    ("lambertian --luminance 1e4cd/m2 --area 1cm2 --distance {}", "cm", 0.01, 500, "illuminance"),
+    ("lambertian disc --luminance 1e4cd/m2 --radius {} --height 75cm", "cm", 0.01, 500,
+     "illuminance"),
+    ("lambertian disc --luminance 1e4cd/m2 --radius 1cm --height {}", "cm", 0.01, 500,
+     "illuminance"),
+    ("lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm --offset {}", "cm", 0, 500,
+     "illuminance"),
+    ("lambertian sphere --luminance 1e4cd/m2 --radius 1m --distance {}", "m", 0.5, 50,
+     "illuminance"),
+    ("lambertian rectangle --luminance 1e4cd/m2 --width 2m --length 1m --height {}", "m", 0.01,
+     50, "illuminance"),
+    ("lambertian plane --illuminance {} --reflectance 0.5", "lx", 0, 50, "luminance"),
+    ("lambertian --incident-illuminance 100lx --reflectance {}", "%", -1, 110, "luminance"),
+    ("ev --ev100 {}", "", -10, 20, "luminance"),
+    ("ev --luminance {}", "cd/m2", 0.01, 1e5, "ev100"),
+    ("ev --f-number {} --time 1/100s --iso 100", "", 0.5, 64, "ev100"),
+    ("ev --f-number 8 --time {} --iso 100", "s", 1e-4, 64, "luminance"),
+    ("ev --illuminance {} --f-number 4 --iso 400", "lx", 1, 1e5, "time:ms"),
+    ("solid-angle cone --half-angle {}", "deg", -5, 185, "solid-angle"),
+    ("solid-angle cone --half-angle {}", "rad", 1e-9, 3.2, "projected-solid-angle"),
+    ("solid-angle cone --solid-angle {}", "sr", 1e-9, 13, "half-angle:deg"),
+    ("solid-angle sphere --radius {} --distance 10m", "m", 0.1, 12, "solid-angle"),
+    ("solid-angle disc --radius 1m --height {}", "m", 0.01, 100, "solid-angle"),
+    ("solid-angle disc --radius 1m --height 1m --offset {}", "m", 0, 5, "solid-angle"),
+    ("solid-angle rectangle --width 2m --length 1m --height {}", "m", 0.01, 100, "solid-angle"),
+    ("solid-angle pyramid --horizontal {} --vertical 40deg", "deg", 1, 179, "solid-angle"),
+    ("solid-angle patch --area 1cm2 --distance {}", "m", 0.001, 10, "solid-angle"),
+    ("etendue --area 1mm2 --half-angle {}", "deg", 0.1, 95, "etendue"),
+    ("etendue --area 1mm2 --f-number {}", "", 0.4, 95, "etendue"),
+    ("etendue --area 1mm2 --na {} --radiance 1W/m2/sr", "", 0.01, 1.2, "flux"),
+    ("photon {}", "nm", 300, 900, "luminous-efficacy"),
+    ("photon {}", "eV", 1, 5, "wavelength:nm"),
+    ("photon {}", "THz", 100, 900, "photon-energy:eV"),
+    ("mesopic --luminance {} --sp-ratio 2", "cd/m2", 0.0005, 10, "mesopic-luminance"),
+    ("mesopic --mesopic-luminance {} --sp-ratio 2", "cd/m2", 0.0005, 10, "luminance"),
+    ("screen --flux {} --diagonal 100in --aspect 16/9", "lm", 1, 1e5, "illuminance"),
+    ("screen --flux 3000lm --diagonal {} --aspect 16/9 --gain 1.3", "in", 1, 300, "luminance"),
+    ("calorimeter --mass 10g --specific-heat 385J/kg/K --temperature-rise {} --time 30s", "K", -1,
+     60, "flux"),
+    ("sky overcast --zenith-luminance {} --tilt 90deg", "cd/m2", 1, 2e4, "illuminance"),
+    ("sky overcast --zenith-luminance 9000cd/m2 --tilt {}", "deg", -5, 185, "illuminance"),
+    ("sky clear --sun-elevation {} --horizontal-illuminance 12klx", "deg", -5, 90,
+     "zenith-luminance"),
+    ("direction --polar {} --azimuth 30deg", "deg", 0, 180, "z"),
+]  # fmt: skip
+
+
+class Process:
+    """What a command does to the process around it."""
+
+    def __init__(self, monkeypatch, data=b""):
+        self.out, self.said = io.BytesIO(), []
+        monkeypatch.setattr(stdio, "read", io.BytesIO(data).read)
+        monkeypatch.setattr(stdio, "pour", self.out.write)
+        monkeypatch.setattr(stdio, "write", lambda text: self.out.write(text.encode()))
+        monkeypatch.setattr(stdio, "say", self.said.extend)
+        monkeypatch.setattr(stdio, "is_terminal", lambda: False)
+
+    def run(self, *words):
+        self.status = cli.run(list(words))
+        return self.out.getvalue().decode()
+
+
+def words_of(call, value, result):
+    return [*[word.replace("{}", value) for word in call.split()], "-g", result]
+
+
+def single(monkeypatch, call, value, result):
+    """What a call of its own prints, or says is wrong."""
+    process = Process(monkeypatch)
+    out = process.run(*words_of(call, value, result))
+    said = [line.partition("radcalc: ")[2] for line in process.said if line.startswith("radcalc")]
+    return out if process.status == 0 else said[0]
+
+
+@pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
+def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, high, result):
+    chance = random.Random(call + unit + result)
+    values = [f"{chance.uniform(low, high):.4g}" for _ in range(20)]
+    if low > 0:
+        values += [
+            f"{math.exp(chance.uniform(math.log(low), math.log(high))):.17g}" for _ in values
+        ]
+    values += ["0", "1", "-1", f"{low:g}", f"{high:g}", "1e99", "1e-99", "1/3"]
+    words = words_of(call, f"- {unit}".strip(), result)
+    if call.startswith("photon"):
+        words = ["photon", "-", unit, "-g", result]
+    process = Process(monkeypatch, "".join([f"{value}\n" for value in values]).encode())
+    shown = process.run(*words, "--invalid", "warn").splitlines()
+    wrong = [line.partition("stdin, line ")[2] for line in process.said if "stdin, line" in line]
+    problems = {int(n): text for n, _, text in (line.partition(": ") for line in wrong)}
+    assert len(shown) == len(values)
+    for k, (value, line) in enumerate(zip(values, shown, strict=True), start=1):
+        own = single(monkeypatch, call, f"{value}{unit}", result)
+        assert problems.get(k, f"{line}\n") == own
+        if k in problems:
+            assert line == value
