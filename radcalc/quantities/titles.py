@@ -13,12 +13,12 @@ from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.quantities.light import read
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
-from radcalc.units.table import Unit, unit_of
+from radcalc.units.table import Unit, suggest, unit_of
 
 AROUND = " \t,;:_/-–"  # what stands between a name and a unit
 LONGEST = 200  # characters of a title in which a unit is looked for
 MOST_WORDS = 8  # of such a title
-WORD = re.compile(r"[^\s,;:_]+")
+WORD = re.compile(r'[^\s,;:_"]+')
 # Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
 PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
 SCALED_BEFORE = re.compile(
@@ -26,6 +26,12 @@ SCALED_BEFORE = re.compile(
 )
 SCALED_BEHIND = re.compile(r"\s*[*×x/·]\s*\d")
 IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
+# A word that is surely meant as a unit of light, were it known: klux, W/m2*s-1.
+UNIT_OF_LIGHT = re.compile(
+    r"(?<![^\W_])(?:[kmunµμ]|kilo|milli|micro)?"
+    r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
+    re.IGNORECASE,
+)
 # What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
 COMPARED = 1000  # titles that a name is held against where it is none of them
@@ -65,9 +71,13 @@ def read_title(text: str, like: Unit | None = None) -> Title:
     A unit of the quantity of `like` is looked for first, or of any of light without it.  Then
     what is in brackets is any unit, and a word of more than one letter is one of light.
 
-    Raises UnitError where the title scales its numbers, as in `E (1000 lx)`.
+    Raises UnitError where the title scales its numbers, as in `E (1000 lx)`, or has a unit of
+    light that is none here, as `E (klux)`.
     """
     title = _read(text, like)
+    if title.unit is None and (found := UNIT_OF_LIGHT.search(text)):
+        known = ", ".join(suggest(found[0])) or "a unit of radcalc units"
+        raise UnitError(f"the title '{quote(text)}' has a unit that is not known", known)
     before, behind = text[: title.start], text[title.end :]
     if title.unit and (SCALED_BEFORE.search(before) or SCALED_BEHIND.match(behind)):
         unit = quote(title.unit.text)
@@ -151,13 +161,23 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
     inner = text[start:end]
     start += len(inner) - len(inner.lstrip())
     inner = inner.strip()
-    unit = find_scale(inner) or unit_of(inner)
+    unit = find_scale(inner) or unit_of(inner) or _of_words(inner)
     if unit is None:
         return None
+    if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:
+        opening, closing = opening - 1, closing + 1
     before = text[:opening].rstrip(AROUND)
     before = IN.sub("", before).rstrip(AROUND)
     name = " ".join(filter(None, [before, text[closing:].strip(AROUND)]))
     return Title(text, name, unit, len(before), start, start + len(inner), closing)
+
+
+def _of_words(text: str) -> Unit | None:
+    """The unit of umol_m2_s or umol_m-2_s-1, which programs make of umol/m2/s."""
+    words = text.split("_")
+    if len(words) < 2 or not all(word[:1].isalpha() for word in words):
+        return None
+    return unit_of(" ".join(words) if "-" in text else "/".join(words))
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:

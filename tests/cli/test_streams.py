@@ -72,12 +72,47 @@ EXACT = {
     "a column of a header in quotes": (
         b'\xef\xbb\xbf"E, ""lx""",t\r\n1,2\r\n',
         ("-d", ",", "--column", 'E, "lx"'),
-        b'\xef\xbb\xbf"E, ""lx""",t\r\n0.09290304,2\r\n',
+        b'\xef\xbb\xbf"E, ""fc""",t\r\n0.09290304,2\r\n',
     ),
     "a column of two lines of header": (
         b"# log\nt E\n0 1\n",
         ("--column", "E", "--header=2"),
         b"# log\nt E\n0 0.09290304\n",
+    ),
+    "a unit in a header in quotes, behind a mark of the byte order": (
+        b'\xef\xbb\xbf"E, ""a"" [lx]",t\r\n1,2\r\n',
+        ("-d", ",", "--column", 'e, "a"'),
+        b'\xef\xbb\xbf"E, ""a"" [fc]",t\r\n0.09290304,2\r\n',
+    ),
+    "a header that is no UTF-8": (
+        b"t\xe9,E [lx],\xff\n0,1,2\n",
+        ("-d", ",", "--column", "E"),
+        b"t\xe9,E [fc],\xff\n0,0.09290304,2\n",
+    ),
+    "titles with the delimiter in them": (
+        b"E [lx]|t\n1|2\n",
+        ("-d", "|", "--column", "E", "--rename", "a|b"),
+        b'"a|b [fc]"|t\n0.09290304|2\n',
+    ),
+    "a column that is added": (
+        b"E,t\r\n1,2\r\n\r\n#\r\n3,4",
+        ("-d", ",", "--column", "E", "--add", "a,b"),
+        b'E,t,"a,b [fc]"\r\n1,2,0.09290304\r\n\r\n#\r\n3,4,0.27870912',
+    ),
+    "a column that is added between blanks": (
+        b"t  E\n a 1 \n b\t2\n",
+        ("--column", "E", "--add", "N"),
+        b"t  E N [fc]\n a 1  0.09290304\n b\t2\t0.18580608\n",
+    ),
+    "a decimal comma": (
+        b"1,5\n-,5e1\n2\n1/4\n",
+        ("--decimal", ","),
+        b"0,13935456\n-0,4645152\n0,18580608\n0,02322576\n",
+    ),
+    "a decimal comma in quotes": (
+        b'"1,5";2,5\n',
+        ("--decimal", ",", "-d", ";"),
+        b'"0,13935456";2,5\n',
     ),
     "a precision": (b"12345\n1\n", ("--precision", "3"), b"1.15e+03\n0.0929\n"),
     "-n": (b"1\n", ("-n",), b"0.09290304\n"),
@@ -210,6 +245,21 @@ def test_a_column_must_be_there_once():
         done = convert(header + b"1,2\n" * bool(header), "lx", "fc", "-d", ",", "--column", "a")
         assert (done.stdout, done.returncode) == (b"", 2)
         assert message in done.stderr.decode()
+
+
+def test_a_header_in_utf_16_is_told_from_one_without_the_column():
+    done = convert("t,E [lx]\n0,1\n".encode("utf-16"), "lx", "fc", "-d", ",", "--column", "E")
+    assert (done.stdout, done.returncode) == (b"", 2)
+    assert b"is no text in UTF-8\ntry: UTF-8 (iconv" in done.stderr
+
+
+def test_a_header_of_a_megabyte_is_read():
+    titles = b",".join(b"c%d [lx]" % k for k in range(100_000))
+    line = b",".join([b"1"] * 100_000)
+    done = convert(titles + b"\n" + line + b"\n", "lx", "fc", "-d", ",", "--column", "C99999")
+    assert done.stdout.endswith(b",c99999 [fc]\n" + line[:-1] + b"0.09290304\n")
+    done = convert(b"(" * 1_000_000 + b"\n1\n", "lx", "fc", "--header", "--field", "1")
+    assert done.returncode == 0
 
 
 def test_the_header_option_never_takes_the_next_word():

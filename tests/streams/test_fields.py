@@ -18,3 +18,23 @@ def test_fields_and_delimiters_are_read_as_written():
 def test_a_lone_quotation_mark_is_a_cell_and_no_quotes():
     assert Cut(b",").inner(b'a,"', (2, 3)) == (2, 3)
     assert Cut(b",").inner(b'a,""', (2, 4)) == (3, 3)
+
+
+@pytest.mark.parametrize(
+    ("mark", "line", "titles"),
+    [
+        (b",", b't, "E, lx" ,x', [b"t", b"E, lx", b"x"]),
+        (b",", b"# t,E", [b"t", b"E"]),
+        (b"", b" t  E\tx ", [b"t", b"E", b"x"]),
+        (b"", b"# t E", [b"t", b"E"]),
+        (b"", b"t [s] E (W/(m2 sr)) x", [b"t [s]", b"E (W/(m2 sr))", b"x"]),
+        (b"", b"t / s E / (W / m2) x/y", [b"t / s", b"E / (W / m2)", b"x/y"]),
+        (b"", b"E[W m-2] t", [b"E[W m-2]", b"t"]),
+        (b"", b"a [b c", [b"a", b"[b", b"c"]),
+        (b"", b"a]b (c", [b"a]b", b"(c"]),
+        (b" ", b"t [s]", [b"t", b"[s]"]),
+        (b"", b"", []),
+    ],
+)
+def test_a_header_is_cut_into_titles(mark, line, titles):
+    assert [line[start:end] for start, end in Cut(mark).titles(line)] == titles

@@ -12,6 +12,7 @@ from radcalc.conversion.plan import plan
 from radcalc.errors import LineError, RadcalcError
 from radcalc.render.plain import number
 from radcalc.streams.fields import Cut, Fields
+from radcalc.streams.header import Header
 from radcalc.streams.readers import Numbers, Quantities
 from radcalc.streams.stream import LONGEST, Stream, run
 from radcalc.units.amounts import read_operands
@@ -75,8 +76,8 @@ def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
     assert peak < 5 * (len(line) + len(out)) + (1 << 20)
 
 
-def _own(unit: bytes = b"\tfc", precision: int | None = None) -> Quantities:
-    return Quantities(lambda source: plan(source, resolve("fc")), unit, precision)
+def _own(unit: bytes = b"\tfc", precision: int | None = None, mark: bytes = b".") -> Quantities:
+    return Quantities(lambda source: plan(source, resolve("fc")), unit, precision, mark)
 
 
 # Random lines: the fields are numbers, or bytes that a field may be made of.
@@ -143,25 +144,45 @@ def test_a_stream_is_its_lines_converted_by_themselves(table, units, precision):
 
 CELLS = st.sampled_from(
     [b"1", b" 2.5 ", b'"3"', b'" 4 "', b'"a;b"', b'"a""b"', b"", b'""', b'x"', b'"', b'"5', b"# c",
-     b'"6"x', b"#", b"7 lx", b'"8 klx"', b"9lx", b"\t10", b"1/2", b"\xff", b"-1e3"]
+     b'"6"x', b"#", b"7 lx", b'"8 klx"', b"9lx", b"\t10", b"1/2", b"\xff", b"-1e3", b"1,5",
+     b'"0,25"', b"1.000,5", b"2,5 klx"]
 )  # fmt: skip
 
 
-@settings(max_examples=1000)
+@settings(max_examples=1500)
 @given(st.lists(st.lists(CELLS, min_size=1, max_size=4), min_size=1, max_size=5),
-       st.sampled_from([b";", b"", b"\t", b" ", "·".encode()]),
-       st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans())  # fmt: skip
-@example([[b"1"], [b"", b"# c", b"1"]], b"\t", "3", False)  # a comment, behind the delimiter
-def test_many_lines_at_once_are_the_same_as_one_by_one(rows, mark, fields, own):
-    texts = _own() if own else Numbers(LX_FC)
+       st.sampled_from([b";", b"", b"\t", b" ", "·".encode(), b","]),
+       st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans(),
+       st.sampled_from([b".", b","]), st.booleans(), st.integers(0, 4))  # fmt: skip
+@example([[b"1"], [b"", b"# c", b"1"]], b"\t", "3", False, b".", False, 0)  # a comment, cut off
+@example([[b"1", b"2"]], b"", "1", False, b".", True, 2)
+@example([[b"1", b"2"]], b"", "1", False, b".", True, 3)
+def test_many_lines_at_once_are_the_same_as_one_by_one(
+    rows, mark, fields, own, decimal, adds, width
+):
+    texts = _own(mark=decimal) if own else Numbers(LX_FC, mark=decimal)
+    adds = adds and Fields(fields).is_one
     lines = [(mark or b"  ").join(row) + b"\n" for row in rows]
-    made = Stream(texts, Cut(mark), Fields(fields))
+    made = _Held(texts, Cut(mark), Fields(fields), adds=adds)
+    made.held = width
     together = stream(b"".join(lines) * 2, made, "warn")
     singly = [stream(line, made, "warn") for line in lines * 2]
     assert together[0] == b"".join([out for out, _, _ in singly])
     assert len(together[2]) == sum([len(said) for _, _, said in singly])
     shown = made.block(b"".join(lines))  # where it answers at all, the lines are all good
     assert shown in (None, b"".join([made.line(line, 1) for line in lines] if shown else [b""]))
+
+
+class _Held(Stream):
+    """A stream whose lines have so many fields, as if a header had said so."""
+
+    held = 0
+    is_counted = False
+    width = property(lambda self: self.held, lambda self, value: None)
+
+    def __init__(self, *given, **named):
+        super().__init__(*given, **named)
+        self.is_counted = False
 
 
 @settings(max_examples=300)
@@ -186,3 +207,28 @@ def test_what_came_before_a_bad_line_is_out_before_the_complaint():
     run(Stream(Numbers(LX_FC)), io.BytesIO(b"1\nx\n2\n").read, events.append, "warn",
         lambda error: events.append(error.message))  # fmt: skip
     assert events == [b"0.09290304\n", "stdin, line 2: 'x' is not a number", b"x\n0.18580608\n"]
+
+
+def test_a_comma_in_a_number_does_not_make_two_of_it():
+    made = Stream(Numbers(LX_FC), Cut(b","), Fields("2"))
+    out, good, said = stream(b"x\n1,500\n2,1,000\n" + b"3,1\n" * 500, made, "fail")
+    assert out == b"x\n1,46.45152\n2,1,000\n" + b"3,0.09290304\n" * 500
+    assert (good, said) == (
+        False,
+        [
+            "stdin, line 1: there is no field 2",
+            "stdin, line 3: 3 fields, and lines before have 2",
+        ],
+    )
+    out, good, _ = stream(b"1;500\n2;5;ok\n", Stream(Numbers(LX_FC), Cut(b";"), Fields("2")))
+    assert (out, good) == (b"1;46.45152\n2;0.4645152;ok\n", True)
+
+
+def test_lines_beyond_the_first_block_are_held_against_the_header():
+    header = Header(Cut(b","), resolve("lx"), resolve("fc"), lambda unit: Numbers(LX_FC), print)
+    made = Stream(Numbers(LX_FC), header.cut, Fields("2"), 1, header)
+    good_lines = b'a,5\n"b,c",7\n' * 30_000
+    out, good, said = stream(b"t,E [lx]\n" + good_lines + b"1,18,000\n", made, "fail")
+    assert out.startswith(b"t,E [fc]\na,0.4645152\n")
+    assert out.endswith(b'"b,c",0.65032128\n1,18,000\n')
+    assert (good, said) == (False, ["stdin, line 60002: 3 fields under a header of 2"])
