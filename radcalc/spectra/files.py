@@ -12,7 +12,7 @@ from operator import lt
 from typing import Any, NamedTuple
 
 from radcalc import columns, stdio
-from radcalc.errors import ConditionError, listed, option, quote, quote_path
+from radcalc.errors import ConditionError, UsageError, listed, option, quote, quote_path
 from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
 from radcalc.spectra.lines import Lines, Text, refusal
@@ -334,12 +334,22 @@ class _Reader:
         if is_number and 2 <= int(self.column) <= width:
             place = int(self.column) - 1
         elif header:
-            place = find(["", *names[1:]], self.column, self.name)
+            place = self.named(["", *names[1:]])
         else:
             problem = f"there are no titles, and no column '{quote(self.column)}' of values"
             raise self.error(0, problem, _named(names))
         self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
         return place, names[place]
+
+    def named(self, names: list[str]) -> int:
+        """The column that is asked for; what meters have in brackets need be no known unit."""
+        try:
+            return find(names, self.column, self.name)
+        except UsageError:
+            bare = [columns.IN_BRACKETS.sub("", name).strip() for name in names]
+            if [name.casefold() for name in bare].count(self.column.strip().casefold()) != 1:
+                raise
+            return find(bare, self.column, self.name)
 
     def number(self, cell: str, comma: bool, line: int) -> float:
         if not cell:

@@ -52,6 +52,17 @@ def test_a_column_is_chosen_by_name_or_number(tmp_path):
         read_file(str(path))
 
 
+@pytest.mark.parametrize("column", ["Absolute Irradiance", "absolute irradiance", "3"])
+def test_a_column_is_chosen_by_its_title_without_what_is_in_brackets(column, tmp_path):
+    path = tmp_path / "lamp.txt"
+    head = "Wave;Sample;Absolute Irradiance\n[nm];[counts];[µWatt/cm²/nm]\n"
+    path.write_text(f"{head}400;7;1\n700;8;2\n", encoding="utf-8")
+    table = read_file(str(path), column)
+    assert list(table.values) == pytest.approx([0.01, 0.02])
+    with pytest.raises(RadcalcError, match="not light"):
+        read_file(str(path), "sample")
+
+
 def test_a_unit_in_the_header_makes_a_spectrum_absolute(tmp_path):
     path = tmp_path / "sun.csv"
     path.write_text("wavelength (nm),E (W/m2/um)\n400,1000\n700,1000\n", encoding="utf-8")
