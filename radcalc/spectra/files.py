@@ -139,8 +139,6 @@ class _Reader:
             layout = self.layout(first)
             self.take(iter(first), layout)
         count = len(self.grid)
-        if count < 2:
-            raise self.error(0, f"{count} row of data is no spectrum", "two rows or more")
         if self.count and count != self.count:
             problem = f"{count} rows, but its own count of pixels is {self.count}"
             raise self.error(self.lines[-1], problem, "the whole file")
@@ -157,8 +155,8 @@ class _Reader:
         before, rows[:] = rows[:count], rows[count:]
         if not rows:
             where = f" in its first {MOST_BEFORE} lines" if count > MOST_BEFORE else ""
-            problem = f"0 rows of data are no spectrum{where}"
-            raise self.error(0, problem, "rows of a wavelength and a value")
+            hint = "rows of a wavelength and a value, as text"
+            raise self.error(0, f"there is no row of numbers{where}", hint)
         delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
         width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
         header = self.header(before, delimiter, width) if before else []
@@ -273,6 +271,9 @@ class _Reader:
 
         Of several meanings the figures of the meter tell which one is right.
         """
+        if len(self.grid) < 2:
+            count = len(self.grid)
+            raise self.error(0, f"{count} row of data is no spectrum", "two rows or more")
         if doubt := self.decimals.doubt():
             raise self.error(*doubt, columns.MARKS)
         grid, values = self.sorted()

@@ -85,7 +85,16 @@ def cgats(table: Rows) -> tuple[str, str]:
     ]), ""  # fmt: skip
 
 
-FORMATS = (plain, plain, plain, oceanview, tm27, cgats)
+def meter(table: Rows) -> tuple[str, str]:
+    """A row a wavelength, which is in its name, in one table or in a coarse one and a fine one."""
+    before = "\n".join(["Model Name\tX", "CCT\t5198.0", *random.sample(BEFORE, 2)])
+    form = random.choice(["{}nm\t{}", "Spectral Data {}[nm],{}"])
+    coarse = [table[::10]] if len(table) > 100 and random.random() < 0.5 else []
+    lines = [form.format(*row) for each in [*coarse, table] for row in each]
+    return "\n".join([before, *lines, "bin1,-0.29,1", ""]), ""
+
+
+FORMATS = (plain, plain, plain, oceanview, tm27, cgats, meter)
 
 
 def read(data: bytes):
@@ -109,7 +118,7 @@ def damaged(text: str) -> str:
         k, other = random.randrange(len(lines)), random.randrange(len(lines))
         act = random.randrange(6)
         if act == 0:
-            del lines[k : k + random.choice([1, 1, 2, 50])]
+            del lines[k : k + random.choice([1, 1, 2, 50, 399])]
         elif act == 1:
             lines.insert(k, lines[other])
         elif act == 2:

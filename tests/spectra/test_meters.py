@@ -216,6 +216,11 @@ def test_tm27_with_a_prefix_is_read(tmp_path):
 
 
 BAD_SPDX = {
+    "one row": (
+        SPDX[SPDX.index('    <SpectralData wavelength="500') : SPDX.index("  </Sp")],
+        "",
+        "1 row of data is no spectrum",
+    ),
     "transmittance": ("irradiance", "transmittance", "the quantity is 'transmittance'"),
     "no quantity": ("<SpectralQuantity>irradiance</SpectralQuantity>", "", "a quantity is missing"),
     "no number": (">3<", ">x<", "line 8: 'x' is not a number"),
@@ -236,6 +241,22 @@ def test_xml_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(save(tmp_path, replaced(SPDX, old, new)))
     assert message in caught.value.message
+
+
+ARGYLL = (
+    'SPECT  \n\nDESCRIPTOR "lamp"\nMEAS_TYPE "EMISSION"\nSPECTRAL_BANDS "3"\n'
+    'SPECTRAL_START_NM "400.000000"\nSPECTRAL_NORM "1.000000"\n\nNUMBER_OF_FIELDS 3\n'
+    "BEGIN_DATA_FORMAT\nSPEC_400 SPEC_500 SPEC_600 \nEND_DATA_FORMAT\n\nNUMBER_OF_SETS 1\n"
+    "BEGIN_DATA\n1.0 3.0 2.0 \nEND_DATA\n"
+)
+
+
+def test_the_spectrum_of_an_argyll_file_is_read(tmp_path):
+    table = read_file(save(tmp_path, ARGYLL))
+    assert (list(table.grid), list(table.values)) == ([400, 500, 600], [1, 3, 2])
+    for measured in ("TRANSMISSIVE", "REFLECTIVE", "SENSITIVITY"):
+        with pytest.raises(RadcalcError, match="nothing says that this is light"):
+            read_file(save(tmp_path, ARGYLL.replace("EMISSION", measured)))
 
 
 CGATS = (
