@@ -51,7 +51,7 @@ COMMANDS = {
     "mesopic": "Mesopic luminance by CIE 191:2010.",
     "units": "Units, their definitions and sources.",
     "quantities": "Names of the quantities, in three languages.",
-    "typical": "Typical values: sun, sky, moon and lamps.",
+    "typical": "Typical values: sun, sky, rooms, lamps, screens.",
     "prompt": "One line after another, with ans and names.",
 }
 HELP_NAMES = ["-h", "--help"]

@@ -12,14 +12,15 @@ from radcalc.render.formats import CSV, JSON, Records
 
 @define("typical", {}, words="[SEARCH]", operands=(CHOICE, searches()), calculates=False)
 def command(words: tuple[str, ...], shown: Output) -> None:
-    """List typical values: sun, sky, moon and lamps, with sources.
+    """List typical values: sun, sky, rooms, lamps, screens, plants, with sources.
 
     \b
     Examples:
       radcalc typical                  all of them
-      radcalc typical sun              by a word
-      radcalc typical illuminance      by a quantity, in English, Czech or Russian
+      radcalc typical candle           by a word, in English, Czech or Russian
+      radcalc typical illuminance      by a quantity
       radcalc typical cd/m2            by a unit
+      radcalc typical 500lx            those nearest to a value
 
     Where a table of lecture notes is wrong, the corrected value is given, and a note says so.
     """
@@ -29,7 +30,9 @@ def command(words: tuple[str, ...], shown: Output) -> None:
     if shown.format in (JSON, CSV):
         fields = (*fields, "low", "high")
     rows = [{field: getattr(value, field) for field in fields} for value in found]
-    table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
+    language = shown.style.language
+    told = [{"what": v.name(language), "quantity": translate(v.quantity, language)} for v in found]
+    table = [{**row, **names} for row, names in zip(rows, told, strict=True)]
     notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in found if v.note]
     inputs = texts_of({"search": " ".join(words)})
     shown.records(Records(rows, notes, table, right=("value",), inputs=inputs))

@@ -2,20 +2,23 @@
 
 import json
 import math
+from itertools import pairwise
 
 import pytest
 from conftest import run
 
 from radcalc import cli
 from radcalc.errors import UsageError
-from radcalc.quantities.typical import VALUES, Typical, search
+from radcalc.quantities.language import LANGUAGES
+from radcalc.quantities.typical import VALUES, Typical, search, words
 from radcalc.units.numbers import split_quantity
-from radcalc.units.table import resolve
 
 BASES = {
     "illuminance": "lx", "irradiance": "W/m2", "radiance": "W/m2/sr", "luminance": "cd/m2",
-    "radiant flux": "W", "luminous flux": "lm", "solid angle": "sr",
+    "radiant flux": "W", "luminous flux": "lm", "solid angle": "sr", "luminous intensity": "cd",
+    "photon irradiance": "umol/m2/s", "luminous efficacy": "lm/W",
 }  # fmt: skip
+SIZES = {"klx": 1e3, "mW": 1e-3, "mW/m2": 1e-3, "mol/m2/day": 1e6 / 86400}
 
 
 def value(what: str, unit: str) -> Typical:
@@ -27,12 +30,22 @@ def value(what: str, unit: str) -> Typical:
 def test_radcalc_reads_and_converts_every_value(entry, capsys):
     for text, number in zip(entry.value.split(" to "), (entry.low, entry.high), strict=False):
         assert split_quantity(text + entry.unit) == (number, entry.unit)
-        target = BASES[entry.quantity]
-        assert cli.run(["convert", text, entry.unit, target, "-n"]) == 0
-        factor = resolve(entry.unit).factor
-        assert float(capsys.readouterr().out) == pytest.approx(number * factor, rel=1e-11)
-    assert 0 < entry.low <= entry.high
+        assert cli.run(["convert", text, entry.unit, BASES[entry.quantity], "-n", "-q"]) == 0
+        expected = number * SIZES.get(entry.unit, 1.0)
+        if entry.unit == "EV":  # L = K 2^EV/S with K = 12.5 cd s/m2 of ISO 2720, at ISO 100
+            expected = 0.125 * 2**number
+        assert float(capsys.readouterr().out) == pytest.approx(expected, rel=1e-11)
+    assert entry.low <= entry.high
+    assert entry.low > 0 or entry.unit == "EV"
     assert entry.source
+
+
+def test_every_value_has_a_name_of_its_own_in_each_language():
+    for language in LANGUAGES:
+        names = {value.what: value.name(language) for value in VALUES}
+        assert len(set(names.values())) == len(names)
+        assert all(name == " ".join(name.split()) for name in names.values())
+    assert len({(value.what, value.unit) for value in VALUES}) == len(VALUES)
 
 
 # value, unit, as they stand in the list of facts that the values are taken from
@@ -40,7 +53,7 @@ FACTS = [
     ("1361", "W/m2"), ("133", "klx"), ("2.0e7", "W/m2/sr"), ("2.0e9", "cd/m2"),
     ("852", "W/m2"), ("686", "W/m2"), ("1000", "W/m2"), ("100 to 110", "klx"),
     ("1.6e9", "cd/m2"), ("10000", "lx"), ("1000", "lx"), ("100", "lx"), ("0.1 to 0.3", "lx"),
-    ("0.0002 to 0.002", "lx"), ("30000", "cd/m2"), ("3000", "cd/m2"), ("300", "cd/m2"),
+    ("0.0002 to 0.002", "lx"), ("30000", "cd/m2"), ("3000 to 7000", "cd/m2"), ("300", "cd/m2"),
     ("2500 to 5000", "cd/m2"), ("82", "W"), ("23.2", "W"), ("5", "mW"), ("0.81", "lm"),
     ("6.794e-5", "sr"), ("6.418e-5", "sr"),
 ]  # fmt: skip
@@ -85,6 +98,77 @@ def test_the_overcast_sky_agrees_with_the_overcast_day():
     assert "733 lx" in day.note
 
 
+def test_lamps_agree_with_the_inverse_square_law():
+    candle = value("candle", "cd").low
+    assert value("candle", "lm").low == pytest.approx(4 * math.pi * candle, rel=1e-3)
+    assert value("candle, 1 m away", "lx").low == candle / 1**2
+    flame = candle / value("flame of a candle", "cd/m2").low
+    assert 0.5e-4 <= flame <= 2e-4  # a flame of about 1 cm2
+    bulb = value("incandescent bulb, 60 W", "lm").low
+    away = value("incandescent bulb, 60 W, 1 m away", "lx").low
+    assert away == pytest.approx(bulb / (4 * math.pi), rel=1e-3)
+    efficacy = value("incandescent bulb", "lm/W")
+    assert efficacy.low < bulb / 60 < efficacy.high
+    assert efficacy.low < value("incandescent bulb, 100 W", "lm").low / 100 < efficacy.high
+    beam = value("headlight, high beam", "cd")
+    lit = value("headlight, high beam, 25 m away", "lx")
+    assert (lit.low, lit.high) == (beam.low / 25**2, beam.high / 25**2)
+    moon, end = value("full moon", "lx"), value("torch, where its beam ends", "lx")
+    assert moon.low < end.low < moon.high  # by which the end of a beam is defined
+
+
+def test_what_is_seen_agrees_with_what_lights_it():
+    desk = value("office desk, reading and writing", "lx").low
+    paper = value("white paper on an office desk", "cd/m2").low
+    assert paper == pytest.approx(0.8 * desk / math.pi, rel=3e-3)
+    assert value("cinema screen, white", "cd/m2").low == pytest.approx(
+        14 / (math.pi * 0.3048**2), rel=1e-3
+    )  # 14 fL
+
+    def scene(what: str) -> tuple[float, float]:
+        """The illuminances of a scene that reflects 18 %, as light meters count."""
+        entry = value(f"{what}, ISO 100", "EV")
+        return tuple(0.125 * 2**ev * math.pi / 0.18 for ev in (entry.low, entry.high))
+
+    low, high = scene("office")
+    assert low < desk < high
+    low, high = scene("home at night")
+    assert low < value("bedroom", "lx").low < high
+    (sunny, _), sun = scene("sunlit scene"), value("sun at the ground, clear, at most", "klx")
+    assert 0.5 < sunny / (1e3 * sun.low) < 1
+    low, high = scene("scene under a full moon")
+    assert low < value("full moon", "lx").high < high
+
+
+def test_plants_and_skin_agree_with_the_sun():
+    full = value("sun at the ground, full, for plants", "umol/m2/s").low
+    lit = 1e3 * value("sun at the ground, clear, at most", "klx").high
+    assert lit / full == pytest.approx(55.4, rel=0.01)  # lx per umol/m2/s of AM1.5G
+    day = value("sun at the ground, a summer day, for plants", "mol/m2/day")
+    half_a_sine = full * 12 * 3600 * 2 / math.pi / 1e6  # from 6 to 18 o'clock
+    assert day.low < half_a_sine < day.high
+    for crop in ("lettuce and herbs", "tomatoes"):
+        total, lamps = (
+            value(f"{crop}, a day", "mol/m2/day"),
+            value(f"{crop}, 16 h a day", "umol/m2/s"),
+        )
+        for end, rate in ((total.low, lamps.low), (total.high, lamps.high)):
+            assert rate == pytest.approx(end * 1e6 / (16 * 3600), rel=2e-3)
+    for index in (1, 11):  # 40 m2/W times the weighted irradiance
+        burn = value(f"UV index {index}, weighted for sunburn", "mW/m2").low
+        assert burn * 1e-3 * 40 == pytest.approx(index)
+
+
+def test_from_night_to_noon_it_becomes_lighter():
+    names = (
+        "overcast night without moon", "starlight, clear night without moon",
+        "nautical twilight, its end", "quarter moon", "full moon", "civil twilight, its end",
+        "sunset or sunrise, overcast", "sunset or sunrise, clear", "overcast day",
+    )  # fmt: skip
+    lit = [value(name, "lx") for name in names]
+    assert all(one.high < other.low for one, other in pairwise(lit))
+
+
 def test_radcalc_itself_gives_what_can_be_calculated(capsys):
     def answer(*words: str) -> float:
         assert cli.run([*words, "-q"]) == 0
@@ -102,11 +186,14 @@ def test_radcalc_itself_gives_what_can_be_calculated(capsys):
     assert found == pytest.approx(6.418e-5, abs=5e-9)
 
 
+LUMENS = {"luminous flux", "luminous efficacy", "luminance", "illuminance", "radiant flux"}
+
+
 @pytest.mark.parametrize(
     ("text", "whats", "quantities"),
     [
-        ("sun", "sun", {"irradiance", "illuminance", "radiance", "luminance", "solid angle"}),
-        ("SUN", "sun", {"irradiance", "illuminance", "radiance", "luminance", "solid angle"}),
+        ("SUN'S DISC", "disc", {"solid angle", "radiance", "luminance"}),
+        ("solar constant", "", {"irradiance"}),
         ("illuminance", "", {"illuminance"}),
         ("osvetlenost", "", {"illuminance"}),
         ("освещённость", "", {"illuminance"}),
@@ -115,10 +202,25 @@ def test_radcalc_itself_gives_what_can_be_calculated(capsys):
         ("lx", "", {"illuminance"}),
         ("fc", "", {"illuminance"}),
         ("mW", "", {"radiant flux"}),
+        ("EV", "ISO 100", {"luminance"}),
         ("moon", "moon", {"illuminance", "luminance", "solid angle"}),
+        ("měsíc", "moon", {"illuminance", "luminance", "solid angle"}),
+        ("луна", "moon", {"illuminance", "luminance"}),
         ("laser", "laser", {"radiant flux", "luminous flux"}),
         ("moon illuminance", "moon", {"illuminance"}),
         ("wall", "moon", {"luminance"}),
+        ("candle", "candle", {"luminous intensity", "luminous flux", "illuminance", "luminance"}),
+        ("svíčka", "candle", {"luminous intensity", "luminous flux", "illuminance", "luminance"}),
+        ("svicku", "candle", {"luminous intensity", "luminous flux", "illuminance", "luminance"}),
+        ("свечой", "candle", {"luminous intensity", "luminous flux", "illuminance", "luminance"}),
+        ("oblačno", "", {"illuminance", "luminance"}),
+        ("overcast", "", {"illuminance", "luminance"}),
+        ("лампа накаливания", "", LUMENS),
+        ("60 W bulb", "60 W", {"luminous flux", "illuminance"}),
+        ("flashlight", "torch", {"luminous flux", "illuminance"}),
+        ("фара", "headlight", {"luminous flux", "luminous intensity", "illuminance"}),
+        ("PPFD", "", {"photon irradiance"}),
+        ("DLI", "day", {"photon irradiance"}),
     ],
 )
 def test_a_search_finds_these(text, whats, quantities):
@@ -127,11 +229,49 @@ def test_a_search_finds_these(text, whats, quantities):
     assert all(whats in v.what for v in found)
 
 
+@pytest.mark.parametrize("word", words())
+def test_what_completes_finds_something(word):
+    assert search(word)
+
+
+@pytest.mark.parametrize(
+    ("text", "first"),
+    [
+        ("1cd", "candle"),
+        ("30 klx", "overcast day, noon"),
+        ("500lx", "sunset or sunrise, clear"),
+        ("70 fc", "kitchen"),  # 753.5 lx
+        ("1600 lm", "street lamp"),
+        ("4 mW", "laser pointer, class 3R, at most"),
+        ("15.2 EV", "clear sky"),  # 4705 cd/m2
+        ("1.3 EV", "main road, classes M6 to M1"),  # 0.31 cd/m2
+        ("9 mol/m2/day", "lettuce and herbs, a day"),
+    ],
+)
+def test_the_values_nearest_to_an_amount_come_first(text, first):
+    assert search(text)[0].what == first
+
+
+def test_what_is_near_is_sorted_by_the_ratio():
+    """By hand: 1 lx is 1; 0.25, 1/4; 2 to 3.5, 2; 2 to 15, 2; 0.1 to 0.3, 3.3 times."""
+    found = [value.what for value in search("1 lx")]
+    assert found[:3] == [
+        "candle, 1 m away",
+        "headlight, low beam, above its cut-off, 25 m away, at most",
+        "civil twilight, its end",
+    ]
+    assert set(found[3:6]) == {
+        "residential street, classes P6 to P1", "full moon", "torch, where its beam ends"
+    }  # fmt: skip
+
+
 def test_without_a_search_all_are_listed():
     assert len(run("typical").stdout.splitlines()) == len(VALUES) == len(search(""))
 
 
-@pytest.mark.parametrize("text", ["zork", "moom", "%", "[/bold]", "kg", "x" * 100_000])
+@pytest.mark.parametrize(
+    "text", ["zork", "moom", "%", "[/bold]", "kg", "5 kg", "5 zork", "x" * 100_000]
+)
 def test_what_is_not_found_is_refused_with_a_hint(text):
     with pytest.raises(UsageError, match="no typical value") as refused:
         search(text)

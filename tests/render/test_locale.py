@@ -26,7 +26,7 @@ TABLES = {
     ),
     ("photon", "555nm"): ("wavelength", "vlnová délka", "длина волны"),
     ("units", "lambert"): ("luminance", "jas", "яркость"),
-    ("typical", "sky"): ("luminance", "jas", "яркость"),
+    ("typical", "candle", "away"): ("illuminance", "osvětlenost", "освещённость"),
 }  # fmt: skip
 LOCALES = {"C": 0, "en_GB.UTF-8": 0, "cs_CZ.UTF-8": 1, "ru_RU.UTF-8": 2}
 
