@@ -7,6 +7,7 @@ import pytest
 from conftest import ROOT
 
 import radcalc
+from radcalc import api
 from radcalc.api.lazy import Call, Place, Result, Rows
 from radcalc.errors import ConditionError, RadcalcError
 
@@ -70,6 +71,12 @@ CALLS = {
     "heat": (
         radcalc.calorimeter, None, (), {"specific_heat": "385 J/kg/K", "time": "30 s"},
         {"mass": (A, "kg"), "temperature_rise": (B, "K")}),
+    "a laser": (
+        radcalc.laser, None, (), {"diameter": "1 mm", "divergence": "1 mrad", "limit": "25 W/m2"},
+        {"flux": (A, "mW")}),
+    "a room": (
+        radcalc.room, None, (), {"flux": "3000 lm", "length": "6 m", "height": "2 m",
+        "utilance": 0.6}, {"illuminance": (100 * A, "lx"), "width": (B, "m")}),
     "a light of films": (
         radcalc.uberlight, None, ((0.0, 0.0, 1.0),), {"falloff": 1},
         {"intensity": (A, "cd"), "falloff_distance": (B, "m")}),
@@ -119,6 +126,12 @@ def test_the_answers_are_those_of_arrays_in_memory_and_wait(call):
         np.testing.assert_allclose(computed, known, rtol=1e-14)
     assert some
     assert any(one.reads for one in sources)
+
+
+def test_every_function_takes_lazy_arrays_or_refuses_them():
+    """Those that refuse them are below, but for maps, which `environment` reads strip by strip."""
+    taken = {call[0].__name__ for call in CALLS.values()}
+    assert taken | {"explain", "factor", "scene", "environment"} == set(api.FUNCTIONS)
 
 
 def test_the_points_of_a_light_may_be_lazy():

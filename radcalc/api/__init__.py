@@ -772,6 +772,7 @@ def calorimeter(**given: Any) -> dict[str, Any]:
 
 
 @in_python
+@in_blocks
 def laser(**given: Any) -> dict[str, Any]:
     """The spot of a laser beam, its irradiance, and the distance where that is a limit.
 
@@ -803,6 +804,7 @@ def laser(**given: Any) -> dict[str, Any]:
 
 
 @in_python
+@in_blocks
 def room(**given: Any) -> dict[str, Any]:
     """The luminaires that light a room, or the illuminance that they give it.
 
