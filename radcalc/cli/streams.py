@@ -87,7 +87,8 @@ def refuse(asked: Asked, hint: str = command("convert", "-", "UNIT", "TARGET")) 
     for name, value in zip(Asked._fields, asked, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
             raise UsageError(
-                f"--{name} {value} is for the fields of lines", option("electric-field", value)
+                f"--{name} {value} is for the fields of lines",
+                f"{option('electric-field', value)} in place of {option(name)}, for a wave",
             )
         if value is not None:
             raise UsageError(f"--{name} is for lines of standard input", hint)
