@@ -145,7 +145,9 @@ def convert(
 
     def titled(unit: Unit) -> Texts:
         told = f"the numbers are in {quote(unit.text)}, as their title says"
-        return Numbers(planned(unit, told), precision, mark)
+        texts = Numbers(planned(unit, told), precision, mark)
+        texts.example = "a number alone: the title has its unit"
+        return texts
 
     header = None
     if lines or name is not None:

@@ -59,15 +59,18 @@ class Header:
         self.fields: Fields | None = None
         self.shown: dict[int | None, str] = {}
 
-    def read(self, line: bytes, fields: Fields) -> tuple[bytes, int]:
-        """What the line is in the output, and how many fields every line has (0: any number)."""
+    def read(self, line: bytes, fields: Fields, above: bytes = b"") -> tuple[bytes, int]:
+        """What the line is in the output, and how many fields every line has (0: any number).
+
+        The line `above` may have the names of columns whose units stand in this one.
+        """
         if b"\0" in line:
             raise UsageError(f"{WHERE} is no text in UTF-8", "UTF-8 (iconv converts UTF-16)")
         try:
             spans = self._spans(line)
             titles = [self._text(line, span) for span in spans]
             if self.column:
-                fields = self.fields = Fields(str(self._find(titles) + 1))
+                fields = self.fields = Fields(str(self._find(titles, above) + 1))
             places = list(fields.of(len(titles)))
             read = [read_title(titles[place], self.source) for place in places]
         except (NumberError, UnitError) as error:
@@ -113,11 +116,14 @@ class Header:
         start = len(line) - len(line.lstrip(BLANKS + b"#"))
         return [(start, max(start, len(line.rstrip(BLANKS))))]
 
-    def _find(self, titles: list[str]) -> int:
+    def _find(self, titles: list[str], above: bytes) -> int:
         """The place of the column that is meant."""
         try:
             return find(titles, self.column, WHERE, self.source)
         except UsageError as error:
+            names = [self._text(above, span) for span in self._spans(above)]
+            if len(names) == len(titles) > 1:
+                return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
                 error.hint = f"{option('delimiter', 'X')}, with what cuts the fields"
             raise
@@ -194,5 +200,6 @@ def _refuse_other(name: str, target: Unit) -> None:
     folded = comparable(name)
     named = [] if folded in GENERIC else index().names.get(folded, [])
     units = [resolve(quantity.unit) for quantity in named]
-    if units and all(unit.dimension != target.dimension for unit in units):
+    measured = {one.dimension for one in (target, *getattr(target, "others", ()))}
+    if units and not measured & {unit.dimension for unit in units}:
         raise UsageError(f"the column '{quote(name)}' would have {describe(target)}", NEW_NAME)

@@ -57,12 +57,12 @@ class Stream:
         # A comma may stand in a number: without a header the first good line says how many.
         self.is_counted = bool(cut and cut.delimiter == b"," and not lines)
 
-    def head(self, line: bytes) -> bytes:
-        """Read the last line of the header: what it is in the output."""
+    def head(self, line: bytes, above: bytes) -> bytes:
+        """Read the last line of the header, below another: what it is in the output."""
         if self.header is None:
             return line
         body = _body(line)
-        shown, self.width = self.header.read(body, self.fields)
+        shown, self.width = self.header.read(body, self.fields, _body(above))
         self.texts = self.header.texts or self.texts
         self.fields = self.header.fields or self.fields
         return shown + line[len(body) :]
@@ -180,7 +180,7 @@ def run(
 
     What stands before a bad line is written before anything is said about it.
     """
-    count, good = 0, True
+    count, good, above = 0, True, b""
     stream.width = 0
     for block in _blocks(read):
         if block is None:
@@ -193,10 +193,10 @@ def run(
         while block and count < stream.lines:
             line, block = _first(block)
             count += 1
-            if count == stream.lines:
-                line = stream.head(line)
+            titles = stream.head(line, above) if count == stream.lines else line
             if not stream.record:
-                write(line)
+                write(titles)
+            above = line
         if not block:
             continue
         lines: list[bytes] = []

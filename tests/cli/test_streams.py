@@ -232,7 +232,16 @@ def test_a_number_with_more_behind_it_is_no_bare_number():
 
 @pytest.mark.parametrize(
     "words",
-    [("--field", "2"), ("--column", "E"), ("-d", ","), ("--header",), ("--invalid", "warn")],
+    [
+        ("--field", "2"),
+        ("--column", "E"),
+        ("-d", ","),
+        ("--header",),
+        ("--invalid", "warn"),
+        ("--add", "E"),
+        ("--rename", "E"),
+        ("--decimal", ","),
+    ],
 )
 def test_options_for_streams_have_no_use_without_one(words):
     done = subprocess.run([entry_point(), "convert", "1", "lx", "fc", *words], capture_output=True)

@@ -42,6 +42,9 @@ convert - lx fc
 convert - fc
 convert - lx fc --field 2 --delimiter ;
 convert - lx fc --column E --delimiter ,
+convert - fc --header --delimiter , --add E2
+convert - lx W/m2 --spectrum D65 --header --rename E2
+convert - lx fc --decimal , --field 2 --delimiter ;
 point-source --flux 800lm --distance 2m --beam-angle 30deg
 point-source --intensity 5cd --distance 1m:3m:1m -g irradiance:lx
 point-source --flux 800lm --distance 2m --check illuminance=15.9lx
@@ -88,6 +91,7 @@ TEXTS = [
     "100 lx\n3 fc\n5 zork\n",
     "1\n2\nx\n",
     "A,E\n1,2\n3,x\n",
+    "A [lx],E (lx)\n1,2\n3,4,5\n",
     "a;1\nb;2;3\nc;x\n",
     "1,5\n",
     "",
