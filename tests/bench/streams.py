@@ -35,6 +35,14 @@ CASES = [
         "table",
         2,
     ),
+    (
+        "a column by its title, and one added / mawk",
+        ("lx", "fc", "--column", "E", "-d", ",", "--add", "E2"),
+        'BEGIN{FS=OFS=","} NR==1{print $0, "E2 [fc]"; next}'
+        '{print $0, sprintf("%.12g", $3*0.09290304)}',
+        "titled",
+        2,
+    ),
 ]
 UNITS = {"lx": "lx", "fc": "footcandle", "klx": "klx", "ph": "phot", "mlx": "mlx"}
 
@@ -59,6 +67,7 @@ def write(folder: Path) -> None:
     (folder / "numbers").write_text("\n".join(numbers) + "\n")
     rows = [f"{i},room{i % 7},{number},ok,{3 * i}\n" for i, number in enumerate(numbers)]
     (folder / "table").write_text("".join(rows))
+    (folder / "titled").write_text("".join(["i,room,E [lx],ok,n\n", *rows]))
     own = [(number, random.choice(list(UNITS))) for number in numbers[:OWN]]
     (folder / "own").write_text("".join([f"{number} {unit}\n" for number, unit in own]))
     asked = [f"{number} {UNITS[unit]}\nlx\n" for number, unit in own]
