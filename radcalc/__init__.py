@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         reproject,
         room,
         scene,
+        sensor,
         sky,
         uberlight,
     )
@@ -48,6 +49,7 @@ __all__ = [
     "reproject",
     "room",
     "scene",
+    "sensor",
     "sky",
     "uberlight",
 ]

@@ -17,6 +17,7 @@ GREEK = {
     "Δ": "d",
     "Ω": "Omega",
     "α": "alpha",
+    "η": "eta",
     "β": "beta",
     "γ": "gamma",
     "θ": "theta",
@@ -24,6 +25,7 @@ GREEK = {
     "ν": "nu",
     "ρ": "rho",
     "σ": "sigma",
+    "τ": "tau",
     "φ": "phi",
 }
 

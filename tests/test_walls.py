@@ -277,6 +277,7 @@ def test_a_unit_or_a_scale_is_looked_for_in_no_names_of_quantities(words):
             "--time",
             "30s",
         ),
+        ("sensor", "--luminance", "100cd/m2", "--f-number", "2.8", "--wavelength", "550nm"),
         ("laser", "--flux", "5mW", "--diameter", "1mm", "--receiver-diameter", "7mm"),
         ("room", "--width", "6m", "--length", "9m", "--height", "2m"),
         ("convert", "-", "lx", "fc"),

@@ -59,6 +59,7 @@ FUNCTIONS = (
     "calorimeter",
     "laser",
     "room",
+    "sensor",
 )
 
 
@@ -831,6 +832,37 @@ def room(**given: Any) -> dict[str, Any]:
     12.5 dimensionless 13.0 dimensionless
     """
     from radcalc.calculators.room import room as work_out
+
+    return _results(work_out, _inputs(given))
+
+
+@in_python
+def sensor(**given: Any) -> dict[str, Any]:
+    """The light that a lens sends to a sensor, its photons, electrons and current.
+
+    Parameters
+    ----------
+    **given : str, Quantity or float
+        As the options of ``radcalc sensor``, with underscores: ``f_number=2.8``,
+        ``pixel_pitch="3.45 um"``, ``quantum_efficiency=0.6``.  Arrays are broadcast together.
+
+    Returns
+    -------
+    dict of str to Quantity
+        As of `point_source`.
+
+    Raises
+    ------
+    radcalc.errors.RadcalcError
+        As of `point_source`.
+
+    Examples
+    --------
+    >>> found = sensor(luminance="4000 cd/m2", f_number=16, time="10 ms")
+    >>> print(found["irradiance"].round(3), found["exposure"].round(4))
+    12.272 lux 0.1227 lux * second
+    """
+    from radcalc.calculators.sensor import sensor as work_out
 
     return _results(work_out, _inputs(given))
 

@@ -22,7 +22,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import cones
-from radcalc.given import Inputs, angle_of
+from radcalc.given import Inputs, angle_of, hold
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
@@ -52,6 +52,7 @@ from radcalc.laws.point import (
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, hypot, is_array
+from radcalc.quantities.symbols import BEAM
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 # What takes a distribution as a function of direction, and not the laws of its own shape.
@@ -99,6 +100,8 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     another place.
     """
     work_out = _answer
+    if "field-angle" in given:
+        hold(given["field-angle"], BEAM)
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
     if not shaped or {one.symbol.generic or name for name, one in given.items()} & set(DIRECTED):
         from radcalc.calculators.luminaire import luminaire as work_out

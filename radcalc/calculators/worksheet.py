@@ -33,7 +33,7 @@ from radcalc.laws.solver import (
 )
 from radcalc.maths import any_true, is_array, larger
 from radcalc.quantities.light import KINDS
-from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, specific_name
+from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, specific_name
 from radcalc.units.dimensions import AREA, LENGTH
 
 # What calculators are about: what leads nowhere near one of these has no use.
@@ -190,7 +190,7 @@ class Worksheet:
         if name in self.given:
             return option(name, quote(self.given[name].text))
         size = format_value(self.at(name), coherent_unit_of(name, self.lit.kind))
-        return f"a {SYMBOLS[name].label} of {size}"
+        return f"{article(SYMBOLS[name].label)} of {size}"
 
     def solve(self, laws: Sequence[AnyLaw], steps: dict[str, float] | None = None) -> None:
         """Work out what follows; a contradiction is said in the units given."""
@@ -228,7 +228,8 @@ class Worksheet:
         results += [value(name, ratio) for name, ratio in light.efficacies(self.lit)]
         results += self._absent(laws)
         before = [*self.lit.steps, *self.placed]
-        steps = Derivation(self.solution, self.lit.kind, before, shown.steps)
+        after = [step for step in shown.steps if step not in before]
+        steps = Derivation(self.solution, self.lit.kind, before, after)
         assumptions = _once([*self.assumptions, *shown.assumptions])
         return Answer(
             results, assumptions, tuple(dict.fromkeys([*self.notes, *shown.notes])), steps

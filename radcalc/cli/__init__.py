@@ -43,6 +43,7 @@ COMMANDS = {
     "calorimeter": "Radiant flux from the heat it leaves.",
     "screen": "The picture on a projection screen.",
     "dose": "What samples of light in time add up to.",
+    "sensor": "Sensors: light, photons, electrons and current.",
     "laser": "Laser beams: the spot and the hazard distance.",
     "room": "The luminaires that light a room.",
     "integrate": "Integrals over directions.",

@@ -23,6 +23,7 @@ NO_FACTORS = (
     "beam-part",
     "upward-part",
     "cosine",
+    "magnification",
 )
 LABELS = {
     "cosine": "cosine of the incidence",

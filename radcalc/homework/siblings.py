@@ -142,6 +142,11 @@ def _mesopic(at: At) -> Wrong:
     yield "scotopic-for-mesopic", at("luminance")
 
 
+def _working(at: At) -> Wrong:
+    yield "magnification-forgotten", at("f-number")
+    yield "magnification-forgotten", at("f-number") * math.sqrt(1 + at("magnification"))
+
+
 def _spot(symbol: str) -> Callable[[At], Wrong]:
     """What is taken for the mean in a spot, or for its peak."""
 
@@ -190,6 +195,7 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("rectangular pyramid", "solid-angle", _pyramid),
     ("two coaxial discs", "etendue", _discs),
     ("mesopic luminance", "mesopic-luminance", _mesopic),
+    ("working f-number", "working-f-number", _working),
     ("mean irradiance of a spot", "irradiance", _spot("irradiance")),
     ("mean exposure of a spot", "exposure", _spot("exposure")),
     ("peak of a gaussian beam", "peak-irradiance", _peak),

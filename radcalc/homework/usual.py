@@ -56,6 +56,9 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "diagonal-for-width": (2, "the diagonal was used for the width", "c^2 = w^2 + h^2"),
     "perimeter-for-sum": (2, "the whole perimeter was taken for the sum of two sides",
         "k = w l / (h (w + l)), with the sum of one width and one length"),
+    # --- cameras
+    "magnification-forgotten": (1, "the magnification was left out, or not squared",
+        "close up, N (1 + m) stands for the f-number: the light falls with (1 + m)^2"),
     # --- laser beams
     "mean-for-peak": (1, "the mean over the spot was taken for the peak on the axis",
         "of the 1/e^2 diameter a Gaussian beam's peak is twice the mean: 8 Phi / (pi D^2)"),

@@ -32,6 +32,7 @@ from radcalc.units.dimensions import (
     LUMINANCE,
     MASS,
     PHOTON_ENERGY,
+    PHOTONS,
     POWER,
     RESPONSIVITY,
     SOLID_ANGLE,
@@ -63,6 +64,7 @@ PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
 BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
 FRACTION = PART._replace(without_low=True)
 REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # and used again
+OFF_AXIS = Limits(0.0, math.pi / 2, "from 0, less than 90 deg", without_high=True)
 TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
 EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
 
@@ -109,8 +111,10 @@ class Symbol(NamedTuple):
         return self.narrower.get(command, (self.example, self.help))
 
 
-def _article(noun: str) -> str:
-    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+def article(noun: str) -> str:
+    """A noun with its article, as it is spoken: an f-number, a utilance."""
+    is_vowel = noun[0] in "aeio" or noun.startswith(("f-", "up"))
+    return f"{'an' if is_vowel else 'a'} {noun}"
 
 
 def _symbol(
@@ -132,7 +136,7 @@ def _symbol(
     What remains are other texts, or an example and a text, for single commands.
     """
     if not takes:
-        takes = "a number from 0 to 1" if limits is PART else _article(OTHERS[dimension][0])
+        takes = "a number from 0 to 1" if limits is PART else article(OTHERS[dimension][0])
     return Symbol(
         name,
         letter,
@@ -224,7 +228,8 @@ _ROWS = (
         spectrum=("LOW:HIGH", "Where watts are counted.")),
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
         "Where the photons of {spectrum} are counted (default 400nm:700nm).",
-        spectrum=("LOW:HIGH", "Where photons are counted.")),
+        spectrum=("LOW:HIGH", "Where photons are counted."),
+        sensor="Where the photons of {spectrum} are counted (as the watts)."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
         "Width of a band in which the spectral density is constant.", also=(FREQUENCY, WAVENUMBER),
         takes="a width in wavelength, frequency or wavenumber"),
@@ -296,7 +301,9 @@ _ROWS = (
         "Full angle of a lobe, where half the peak is left.", BEAM,
         convert="A cosine-power lobe of that full angle at half the peak intensity."),
     _symbol(ANGLE, "field-angle", "FWTM", "60deg",
-        "Full angle of a lobe, where a tenth of it is left.", BEAM),
+        "Full angle of a lobe, where a tenth of it is left.",
+        Limits(0.0, math.pi, BEAM.said, without_high=True),
+        sensor=("20deg", "Angle between the lens's axis and what is seen (0).")),
     _symbol(ANGLE, "within", "β", "45deg", "Half angle within which the flux is wanted.",
         Limits(0.0, math.pi, "from 0 to 180 deg", without_low=True),
         label="half angle of the part"),
@@ -326,7 +333,8 @@ _ROWS = (
         "Full angle between the pyramid's left and right face."),
     _symbol(ANGLE, "vertical", "b", "40deg", "Full angle between its upper and lower face."),
     # Etendues.
-    _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr"),
+    _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr",
+        sensor=("1um2.sr", "Etendue of the light on a pixel.")),
     _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
     _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
         Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
@@ -365,6 +373,7 @@ _ROWS = (
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
     _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
         convert="Constant over that time.", ev=("1/100s", "Exposure time, with any filter."),
+        sensor=("1/100s", "Exposure time."),
         calorimeter="How long it is in the light.",
         laser=("10ns", "How long the flux is constant: a pulse, or an exposure.")),
     _symbol(TIME, "max-gap", "", "10min", "Bridge no longer step between samples than that.",
@@ -428,6 +437,21 @@ _ROWS = (
     _length("hazard-distance", "d_h", "50m",
         "Distance beyond which the peak irradiance is below the limit."),
     # Detectors.
+    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "The f-number at the magnification.",
+        label="working f-number"),
+    _symbol(NUMBER, "magnification", "m", "0.5", "Size of the image over that of the scene (0).",
+        FROM_ZERO),
+    _symbol(NUMBER, "transmittance", "τ", "0.9", "The part of the light that the lens lets through "
+        "(1).", FRACTION, takes="a number from 0 to 1"),
+    _length("pixel-pitch", "p", "3.45um", "Width and height of a square pixel.", unit="um"),
+    _area("pixel-area", "A_p", "12um2", "Area of a pixel, or of another detector.", unit="um2"),
+    _symbol(PHOTONS, "photons", "N_p", "10000photon", "Photons on a pixel.",
+        takes="a number of photons"),
+    _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons that they set free."),
+    _symbol(NUMBER, "quantum-efficiency", "η", "0.6", "Electrons per photon.", FRACTION,
+        takes="a number from 0 to 1"),
+    _symbol(NUMBER, "snr", "SNR", "100", "Signal over its shot noise, the root of the electrons.",
+        label="signal to noise"),
     _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
         "Current that the detector gives per watt of light on it."),
     _text(CHOICE, "electric-field", "a choice", "rms",
@@ -535,6 +559,7 @@ _ROWS = (
 _INNER = (
     _symbol(NUMBER, "cosine", "cos(theta)"),
     _symbol(NUMBER, "cosine-of-source", "cos(theta_s)"),
+    _symbol(NUMBER, "cosine-off-axis", "cos(theta)"),
     _symbol(NUMBER, "relative-intensity", "f"),
     _symbol(NUMBER, "part", "k"),
     _symbol(NUMBER, "beam-part", "k_b"),
@@ -637,7 +662,7 @@ def _of_light(
         POSITIVE,
         label,
         unit,
-        _article(label),
+        article(label),
         narrower=_NARROWER.get(name, {}),
         geometry=geometry,
         kind=kind,
@@ -647,22 +672,27 @@ def _of_light(
 
 _EXAMPLES = {"luminance": "1000cd/m2", "illuminance": "10klx"}
 _NARROWER: dict[str, dict[str, tuple[str, str]]] = {
+    "radiance": {"sensor": ("1000cd/m2", "The radiance of the scene.")},
+    "exposure": {"sensor": ("0.1lx.s", "The exposure of the sensor (with {time}).")},
     "luminance": {
         "ev": (_EXAMPLES["luminance"], "Luminance of the scene."),
         "mesopic": ("0.1cd/m2", "The photopic luminance."),
     },
     "illuminance": {"ev": (_EXAMPLES["illuminance"], "Illuminance on the scene.")},
     "flux": {
+        "sensor": ("0.1uW", "The flux on a pixel, or on the detector."),
         "etendue": ("100lm", "The flux of the beam."),
         "calorimeter": ("100W", "The flux on the body."),
         "room": ("3600lm", "The flux of one luminaire."),
         "laser": ("5mW", "The flux of the beam, or within a pulse."),
     },
     "energy": {
+        "sensor": ("1fJ", "The energy on a pixel (with {time})."),
         "calorimeter": ("100J", "The energy that reaches the body (with {time})."),
         "laser": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
     },
     "irradiance": {
+        "sensor": ("10lx", "The irradiance of the sensor."),
         "calorimeter": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
         "room": ("500lx", "The mean irradiance of the working plane."),
         "laser": ("1W/m2", "The flux over the area of the spot."),

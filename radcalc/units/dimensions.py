@@ -35,6 +35,7 @@ POWER = powers(mass=1, length=2, time=-3)
 PHOTON_ENERGY = powers(mass=1, length=2, time=-2, count=-1)
 SPECIFIC_HEAT = powers(length=2, time=-2, temperature=-1)
 LUMINOUS_FLUX = powers(luminosity=1, angle=2)
+PHOTONS = powers(count=1)
 PHOTON_FLUX = powers(count=1, time=-1)
 CURRENT = powers(current=1)
 RESPONSIVITY = times(CURRENT, POWER, -1)
@@ -62,6 +63,8 @@ COHERENT = {
     SPECIFIC_HEAT: "J/kg/K",
     POWER: "W",
     CURRENT: "A",
+    PHOTONS: "photon",
+    times(PHOTON_FLUX, POWER, -1): "photon/J",
     RESPONSIVITY: "A/W",
     LUMINOUS_FLUX: "lm",
     LUMINOUS_INTENSITY: "cd",

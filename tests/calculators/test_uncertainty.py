@@ -309,6 +309,7 @@ EVERY = {
     "ev": "--f-number 8.0+-0.1 --time 1/100s",
     "calorimeter": "--energy 7.7+-0.1J --mass 10g --specific-heat 385J/kg/K",
     "screen": "--flux 2500+-50lm --width 2.00+-0.01m --height 1.1m",
+    "sensor": "--luminance 100+-5cd/m2 --f-number 2.8",
     "laser": "--flux 5.0+-0.1mW --diameter 1mm --divergence 1.00+-0.05mrad --distance 10m",
     "room": "--area 54m2 --illuminance 500+-25lx --flux 3600lm --utilance 0.60+-0.03",
     "photon": "555+-2nm",

@@ -46,6 +46,9 @@ ev --ev 7.3 --iso 125
 ev --luminance 333nt --k 14.1cd.s/m2 --f-number 5.6
 ev --illuminance 333fc --c 330lx.s --time 1/60s
 calorimeter --mass 45.5g --specific-heat 0.45J/g/K --temperature-rise 3.3K --absorptance 93.3%
+sensor --luminance 333nt --f-number f/5.6 --time 1/60 --pixel-pitch 3.45um --wavelength 555nm
+sensor --irradiance 33.3uW/cm2 --pixel-area 7.7mm2 --responsivity 371mA/W --time 17ms
+sensor --photon-irradiance 91.7umol/s/m2 --pixel-pitch 33um --quantum-efficiency 61% --time 7ms
 laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --distance 33ft --limit 25.3W/m2
 laser --energy 3.3mJ --time 7ns --diameter 0.3in --receiver-diameter 7.3mm --profile uniform
 room --width 23.3ft --length 31.7ft --height 6.7ft --illuminance 33fc --flux 3.3klm --utilance 61%

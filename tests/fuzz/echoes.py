@@ -71,6 +71,7 @@ mesopic --luminance 1cd/m2 --spectrum LED-B3
 ev --luminance 4000cd/m2 --iso 100 --f-number 8
 calorimeter --mass 1kg --specific-heat 4186J/kg/K --temperature-rise 2K --time 60s
 screen --flux 2000lm --width 2m
+sensor --luminance 100cd/m2 --f-number 2.8 --time 10ms --pixel-pitch 3um --wavelength 550nm
 laser --flux 5mW --diameter 1mm --divergence 1mrad --distance 10m --limit 25W/m2
 room --width 6m --length 9m --height 2m --illuminance 500lx --flux 3600lm --utilance 0.6
 uberlight 0,1m,2 --intensity 100cd

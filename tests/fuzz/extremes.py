@@ -43,6 +43,8 @@ CALLS = (
     "photon {}nm",
     "photon {}Hz",
     "screen --flux {}lm --width {}m --height {}m",
+    "sensor --radiance {}W/m2/sr --f-number {} --pixel-area {}m2 --time {}s",
+    "sensor --flux {}W --time {}s --responsivity 1A/W",
     "laser --flux {}W --diameter {}m --divergence 1mrad --distance {}m",
     "laser --flux {}W --diameter {}m --divergence 1mrad --limit {}W/m2",
     "room --width {}m --length {}m --height {}m --illuminance {}lx --flux {}lm --utilance 0.6",

@@ -29,6 +29,9 @@ V532 = 0.88496  # CIE 1924
 EV = 1.602176634e-19  # J
 SIGMA = 5.670374419e-8  # W/(m2 K4)
 SCREEN = "screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2"
+CAMERA = "sensor --luminance 370cd/m2 --f-number 3.4 --magnification 0.3 --transmittance 0.87"
+LIT = pi * 370 * 0.87 / (4 * (3.4 * 1.3) ** 2)  # lx
+PHOTODIODE = "sensor --flux 4.7uW --wavelength 830nm --quantum-efficiency 0.63"
 BEAM = "laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --distance 23m"
 SPOT = hypot(1.3e-3, 1.7e-3 * 23)  # m
 ROOM = (
@@ -54,6 +57,16 @@ HELD_OUT = [
           3100 / (0.93**2 * 16 * 9 / (16**2 + 9**2)), "length-unit"),
     Wrong("screen --luminance 47cd/m2 --width 11m --aspect 2.39 --gain 1.3", "flux", "lm",
           47 * pi * 11**2 / 2.39 * 1.3, "gain-upside-down"),
+    # --- cameras: pi, the 4, N for N^2, (1 + m)^2, the transmittance, the field angle
+    Wrong(CAMERA, "illuminance", "lx", LIT / pi, "pi-forgotten"),
+    Wrong(CAMERA, "illuminance", "lx", LIT * 4, "constant-forgotten|wrong-sphere"),
+    Wrong(CAMERA, "illuminance", "lx", LIT * 3.4 * 1.3, "working-f-number-not-squared"),
+    Wrong(CAMERA, "illuminance", "lx", LIT * 1.3**2, "magnification-forgotten"),
+    Wrong(CAMERA, "illuminance", "lx", LIT / 0.87, "transmittance-forgotten"),
+    Wrong(PHOTODIODE, "current", "A", 4.7e-6 * EV * 830e-9 / (H * C),
+          "quantum-efficiency-forgotten"),
+    Wrong(PHOTODIODE, "current", "A", 4.7e-6 * EV * 830e-9 / (H * C) / 0.63,
+          "quantum-efficiency-upside-down"),
     # --- laser beams: radius for diameter, pi, the peak of a Gaussian beam
     Wrong(BEAM, "irradiance", "W/m2", 4.7e-3 / (pi * SPOT**2), "diameter-for-radius"),
     Wrong(BEAM, "irradiance", "W/m2", 4 * 4.7e-3 / SPOT**2, "pi-forgotten|wrong-sphere"),

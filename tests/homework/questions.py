@@ -65,6 +65,8 @@ RIGHT = [  # the question, the result, its unit
     ("direction -3 4.6 5", "azimuth", "deg"), ("direction -3 4.6 5", "length", ""),
     ("direction --polar 35deg --azimuth 130deg", "x", ""), (TILTED, "illuminance", "lx"),
     ("screen --flux 2100lm --width 2.3m --aspect 4/3 --gain 1.2", "luminance", "cd/m2"),
+    ("sensor --luminance 370cd/m2 --f-number 3.4 --transmittance 0.87 --time 1/60s", "exposure",
+        "lx.s"),
     ("laser --flux 3.7mW --diameter 1.3mm --divergence 1.7mrad --distance 23m", "peak-irradiance",
         "W/m2"),
     ("room --width 7m --length 11m --illuminance 470lx --flux 3400lm --utilance 0.57", "luminaires",

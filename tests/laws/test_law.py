@@ -19,6 +19,7 @@ from radcalc.laws.law import law
 
 # What the letters of a formula stand for, by the SI Brochure.
 LETTERS = {"pi": math.pi, "Omega0": 1.0, "c": 299792458.0, "h": 6.62607015e-34,
+           "e": 1.602176634e-19,
            "lg2": math.log10(2)}  # fmt: skip
 
 

@@ -1,0 +1,251 @@
+"""A sensor behind a lens, or a detector: its light, its photons, its electrons, its current."""
+
+from typing import Any
+
+from radcalc.answer import Answer
+from radcalc.calculators import light
+from radcalc.calculators.results import LINKS_HINT
+from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.errors import ConditionError, MissingInput, mention, option
+from radcalc.geometry import cones
+from radcalc.given import Given, Inputs, angle_of, hold, require
+from radcalc.laws.energy import ENERGY, EXPOSURE
+from radcalc.laws.law import AnyLaw, At, law, relation
+from radcalc.maths import any_true, cos, sqrt
+from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
+from radcalc.quantities.symbols import LINKS, OFF_AXIS, REFINEMENTS, SYMBOLS
+from radcalc.spectra.spectrum import range_text
+from radcalc.units.table import resolve
+
+CHARGE = resolve("eV").factor  # of an electron, in ampere seconds
+SI = "SI Brochure: exact e"
+LENS = ("f-number", "working-f-number", "magnification", "field-angle", "transmittance")
+PIXEL = ("pixel-pitch", "pixel-area", "time")
+DETECTOR = ("quantum-efficiency", "responsivity", "electrons", "current", "snr")
+ON_SENSOR = ("irradiance", "exposure", "flux", "energy")
+
+
+def _magnification(at: At) -> Any:
+    cones.refuse(
+        at("working-f-number") < at("f-number"),
+        "a working f-number is not below the lens's",
+        "more of it",
+    )
+    return at("working-f-number") / at("f-number") - 1
+
+
+OPTICS: list[AnyLaw] = [
+    law(
+        "camera equation",
+        "{irradiance} = pi {radiance} {transmittance} {cosine-off-axis}^4 / "
+        "(4 {working-f-number}^2) Omega0",
+        "sine condition: pi sin^2(alpha) = pi / (4 N^2)",
+    ),
+    relation(
+        "working f-number",
+        "{working-f-number} = {f-number} (1 + {magnification})",
+        {
+            "working-f-number": lambda at: at("f-number") * (1 + at("magnification")),
+            "f-number": lambda at: at("working-f-number") / (1 + at("magnification")),
+            "magnification": _magnification,
+        },
+        "a lens whose pupils are of one size",
+    ),
+    law(
+        "etendue of a pixel",
+        "{etendue} = pi {pixel-area} {cosine-off-axis}^4 / (4 {working-f-number}^2) Omega0",
+    ),
+    law("flux of the scene's radiance", "{flux} = {radiance} {transmittance} {etendue}"),
+]
+COLLECTED: list[AnyLaw] = [
+    law("area of a square pixel", "{pixel-area} = {pixel-pitch}^2"),
+    law("flux on a pixel", "{flux} = {irradiance} {pixel-area}"),
+    law("energy on a pixel", "{energy} = {exposure} {pixel-area}"),
+    ENERGY,
+    EXPOSURE,
+]
+COUNTED: list[AnyLaw] = [
+    law("electrons", "{electrons} = {quantum-efficiency} {photons}", unit="1/photon"),
+    law("current of electrons", "{current} = e {electrons} / {time}", SI, CHARGE, "A s"),
+    relation(
+        "signal to shot noise",
+        "{snr} = sqrt({electrons})",
+        {"snr": lambda at: sqrt(at("electrons")), "electrons": lambda at: at("snr") ** 2},
+        "Poisson statistics",
+    ),
+]
+OF_KIND: dict[str, list[AnyLaw]] = {
+    RADIANT: [
+        law("photons on a pixel", "{photons} = {photon-efficacy} {energy}"),
+        law(
+            "responsivity",
+            "{responsivity} = e {quantum-efficiency} {photon-efficacy}",
+            SI,
+            CHARGE,
+            "A s/photon",
+        ),
+        law("photocurrent", "{current} = {responsivity} {flux}"),
+    ],
+    PHOTON: [
+        law("number of photons on a pixel", "{photons} = {energy}"),
+        law(
+            "photocurrent of photons",
+            "{current} = e {quantum-efficiency} {flux}",
+            SI,
+            CHARGE,
+            "A s/photon",
+        ),
+    ],
+    LUMINOUS: [],
+}
+LAWS: list[AnyLaw] = [*OPTICS, *COLLECTED, *COUNTED, *OF_KIND[RADIANT], *OF_KIND[PHOTON]]
+PAGE = Page(
+    "a sensor",
+    (*LENS, "etendue", *PIXEL, "photons", *DETECTOR),
+    ("irradiance", "exposure", "flux", "energy", "radiance"),
+    ("photons", *DETECTOR, "etendue", *LENS, *PIXEL),
+    goal="electrons",
+    about="Give the light that a lens sends to a sensor, its photons, electrons and current.",
+    sections={
+        "Light": ("radiance", *ON_SENSOR),
+        "Lens": (*LENS, "etendue"),
+        "Pixel": PIXEL,
+        "Detector": ("photons", *DETECTOR),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    examples=(
+        "luminance=4000cd/m2 f-number=16 time=1/100s",
+        "luminance=100cd/m2 f-number=2.8 transmittance=0.9 time=10ms pixel-pitch=3.45um "
+        "wavelength=550nm quantum-efficiency=0.6",
+        "irradiance=1W/m2 wavelength=525nm pixel-pitch=5um quantum-efficiency=50% snr=100 "
+        "get=time:ms",
+        "radiance=10W/m2/sr f-number=4 magnification=1 get=irradiance",
+        "luminance=1000cd/m2 f-number=2 field-angle=0deg:40deg:10deg get=illuminance:lx",
+        "illuminance=5lx spectrum=D65 range=400nm:700nm time=20ms pixel-pitch=3um "
+        "quantum-efficiency=0.55 get=electrons",
+        "flux=0.1uW wavelength=800nm quantum-efficiency=1/3 get=current:nA",
+    ),
+    bare={"time": "s"},
+    remarks="{radiance} is the scene's, the rest of the light is on the sensor: the camera "
+    "equation stands between.  {f-number} is the marked one, of a lens focused far away, and "
+    "{working-f-number} N (1 + m).  The area of a pixel is what collects light, and that of any "
+    "other detector.  Electrons need photons: those of {wavelength} or {spectrum}, or light that "
+    "is counted in photons.  Any sufficient set gives the others.",
+)
+GOALS = {  # without any light
+    "responsivity": ("quantum-efficiency", "responsivity"),
+    "etendue": ("f-number", "working-f-number"),
+}
+FASTEST = 0.5  # where sin(alpha) is 1
+SILICON = 1200.0  # [nm] beyond which it lets light through
+
+
+def sensor(given: Inputs) -> Answer:
+    """The light, the photons, the electrons and the current of a sensor, from any that suffice."""
+    if not given:
+        hint = mention("{luminance} and {f-number}, or {irradiance} and {pixel-pitch}")
+        raise MissingInput("the light is missing", hint)
+    goal = next((name for name, by in GOALS.items() if given.keys() & {*by}), PAGE.goal)
+    page = PAGE._replace(goal=goal)
+    sheet = Worksheet(page, _counted(given), preferred=_kind(given))
+    kind = sheet.lit.kind
+    factor = light.linking_factor(sheet.lit.links, PHOTON, RADIANT) if kind == RADIANT else None
+    if factor:
+        sheet.know("photon-efficacy", factor.value)
+        sheet.placed += factor.steps
+    _refuse_unlinked(sheet, is_linked=factor is not None)
+    laws = [*COLLECTED, *COUNTED, *OF_KIND[kind]]
+    if "radiance" in sheet.known or set(LENS) & set(given):
+        laws = [*OPTICS, *laws]
+        _say_lens(sheet, laws)
+    sheet.solve(laws)
+    sheet.refuse_impossible("transmittance", "quantum-efficiency")
+    if sheet.has("f-number") and any_true(sheet.at("f-number") < FASTEST * (1 - 1e-9)):
+        raise ConditionError(
+            f"{sheet.told('f-number')} is not possible: it is 0.5 or more, in air",
+            "less light on the sensor, or more of the scene's",
+        )
+    if sheet.has("working-f-number") and sheet.has("radiance", "etendue"):
+        sheet.use("field-angle")
+    if sheet.has("electrons", "current"):
+        sheet.assume("the whole area of a pixel collects light, as much everywhere")
+        if "spectrum" in sheet.lit.links:
+            sheet.assume("a quantum efficiency that is the same over all that is counted")
+            _note_infrared(sheet)
+    if sheet.has("snr"):
+        sheet.assume("signal to noise: the shot noise alone")
+    answer = sheet.answer(laws)
+    if kind != LUMINOUS:
+        return answer
+    lit = [
+        value._replace(lacking=lambda: LINKS_HINT)
+        if value.name in ("photons", *DETECTOR) and value.lacking
+        else value
+        for value in answer.values
+    ]
+    return answer._replace(values=lit)
+
+
+def _kind(given: Inputs) -> str:
+    """The kind to reckon in: photons where nothing links them with watts."""
+    links = (RATIOS[LUMINOUS, PHOTON], RATIOS[PHOTON, LUMINOUS])
+    ratio = given.get("efficacy")
+    return PHOTON if ratio and ratio.dimension in links else RADIANT
+
+
+def _counted(given: Inputs) -> Inputs:
+    """What is given, with photons counted where watts are unless somebody says otherwise."""
+    if "spectrum" not in given or "photon-range" in given:
+        return given
+    limits = given["range"].value if "range" in given else given["spectrum"].value.limits
+    counted = Given(SYMBOLS["photon-range"], range_text(limits), limits)
+    return {**given, counted.name: counted}
+
+
+def _note_infrared(sheet: Worksheet) -> None:
+    """Say that photons are counted which no silicon takes up."""
+    limits = sheet.lit.links["photon-range"].value
+    if limits[1] > SILICON:
+        narrower = mention("{range=400nm:700nm} counts those that a filter lets through")
+        sheet.notes.append(f"photons are counted over {range_text(limits)}: {narrower}")
+
+
+def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
+    """Refuse what takes watts or photons where the light is of another kind."""
+    kind = sheet.lit.kind
+    lacking: tuple[str, ...] = ()
+    if kind == LUMINOUS:
+        lacking = ("photons", *DETECTOR)
+    elif kind == PHOTON:
+        lacking = ("responsivity",)
+    elif not is_linked:
+        lacking = ("photons", "quantum-efficiency")
+    for name in lacking:
+        if name in sheet.given and sheet.lit.values:
+            told = option(name, sheet.given[name].text)
+            problem = f"{told} takes what links the kinds of light"
+            raise MissingInput(problem, LINKS_HINT)
+
+
+def _say_lens(sheet: Worksheet, laws: list[AnyLaw]) -> None:
+    """Take what goes without saying of a lens, and say it."""
+    given = sheet.given
+    for name in ("f-number", "working-f-number"):
+        if name in given:
+            require(given[name], not any_true(given[name].value < FASTEST), "0.5 or more, in air")
+    if "field-angle" in given:
+        hold(given["field-angle"], OFF_AXIS)
+        sheet.assume("off the axis by the fourth power of the cosine; no vignetting")
+    sheet.place(_know_cosine)
+    sheet.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
+    if "working-f-number" not in given:
+        far = mention("focused far away: a magnification of 0 ({magnification})")
+        sheet.default(laws, "magnification", 0.0, far)
+    lossless = mention("a lens without losses: a transmittance of 1 ({transmittance})")
+    sheet.default(laws, "transmittance", 1.0, lossless)
+    if "magnification" in given:
+        sheet.assume("pupils of one size: the working f-number is N (1 + m)")
+
+
+def _know_cosine(sheet: Worksheet) -> None:
+    sheet.know("cosine-off-axis", cos(angle_of(sheet.given, "field-angle")))
