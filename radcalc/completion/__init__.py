@@ -149,7 +149,7 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
         from radcalc.completion.targets import operands
 
         found = operands(line.operands, line.given, incomplete)
-    elif not line.operands:
+    elif not line.operands or (form == "spectrum" and incomplete):  # several are compared
         from radcalc.completion.values import values_of
 
         found = values_of(form, values, incomplete)

@@ -223,6 +223,8 @@ def test_an_option_is_offered_once_unless_it_repeats():
         ("point-source --check beam-fl", ["beam-flux="]),
         ("point-source --check flux=800l", ["flux=800lm"]),
         ("spectrum LED-B3 -g cc", ["cct"]),
+        ("spectrum LED-B3 LPS", ["LPS"]),
+        ("lambertian disc LPS", []),
         ("convert 1 lx fc --format j", ["json"]),
     ],
 )
