@@ -182,12 +182,15 @@ class _Reader:
         number, last = before[-1]
         found = _titles(last, delimiter, width)
         if len(found) != width:
-            is_text = delimiter is None or sum(map(bool, found)) < 2
-            is_text = is_text or last.startswith(oceanview.MARK)
-            if is_text and not (delimiter is None and len(before) == 1 and _is_of_units(found)):
+            if last.startswith(oceanview.MARK):
                 return []
-            problem = f"{len(found)} titles over {width} columns"
-            raise self.error(number, problem, "a title for each column, or no titles")
+            is_sentence = delimiter is None and not titles.is_wavelength(columns.plain(last))
+            if not is_sentence and sum(map(bool, found)) > 1:
+                problem = f"{len(found)} titles over {width} columns"
+                raise self.error(number, problem, "a title for each column, or no titles")
+            if titles.NO_LIGHT.search(columns.plain(last)) and ":" not in last:
+                raise self.error(number, f"'{quote(last.strip())}' is not light", titles.KNOWN)
+            return []
         before.pop()
         above = _titles(before[-1][1], delimiter, width) if before else []
         if len(above) == width and _is_of_units(found):
@@ -368,8 +371,9 @@ class _Reader:
         """Nanometres per unit of the first column: declared, or plain from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
+        said = [*self.comments, *self.preamble]
         try:
-            factor, note = titles.wavelengths(header[:1], self.comments, low, high)
+            factor, note = titles.wavelengths(header[:1], said, low, high)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         self.notes.append(note)

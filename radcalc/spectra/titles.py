@@ -79,7 +79,7 @@ class Meaning(NamedTuple):
 
 def is_wavelength(title: str) -> bool:
     """Whether a plain title is that of wavelengths."""
-    return bool(DECLARED.match(title)) or title.startswith("wavelength")
+    return bool(DECLARED.match(title)) or title.startswith(("wavelength", "nm ", "nm\t"))
 
 
 def wavelengths(

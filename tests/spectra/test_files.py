@@ -133,6 +133,7 @@ def test_what_stands_before_a_table_is_no_part_of_it(head, delimiter, tail, tmp_
         ("# photon flux\nnm,x\n", "may mean that the values are photons"),
         ("Y Units: Reflectance (percent)\nnm,x\n", "is not light"),
         ("Leaf 7\nTransmittance\nnm,x\n", "is not light"),
+        ("Absorbance of leaf 7\n", "'Absorbance of leaf 7' is not light"),
         ("Units: 1e-3 W/m2/nm\nnm,x\n", "scales its values"),
         ("Units: W/m2/nm\nnm,photons\n", "the title says photons, the lines before it watts"),
         ("Pixel,Wavelength\n0,1\n", "the wavelengths are not in the first column"),
@@ -144,6 +145,28 @@ def test_what_is_said_before_a_table_is_heard(head, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(str(path))
     assert message in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("head", "message"),
+    [
+        ("wavelength of the leaf", "4 titles over 2 columns"),
+        ("nm absorbance of it", "4 titles over 2 columns"),
+        ("reflectance after cleaning", "is not light"),
+        ("flux of photons per nm", "may mean that the values are photons"),
+    ],
+)
+def test_titles_between_blanks_are_no_text_that_is_passed_over(head, message, tmp_path):
+    path = tmp_path / "lamp.txt"
+    path.write_text(f"{head}\n400 1\n500 3\n700 2\n", encoding="utf-8")
+    with pytest.raises(RadcalcError, match=message):
+        read_file(str(path))
+
+
+def test_a_line_before_the_table_declares_the_unit_of_wavelengths(tmp_path):
+    path = tmp_path / "lamp.txt"
+    path.write_text("X Units: Wavelength (angstrom)\nthe end\n4000 1\n7000 2\n", encoding="utf-8")
+    assert list(read_file(str(path)).grid) == pytest.approx([400, 700])
 
 
 @pytest.mark.parametrize("unit", ["umol/m2/s/nm", "[umol/m2/s/nm]", "in umol m-2 s-1 nm-1"])
