@@ -330,13 +330,17 @@ class Log:
             cells = _columns_of(lines, layout.delimiter, layout.width)
             texts = cells[layout.place]
             joined = " ".join(texts)
-            if not joined.isascii() or "_" in joined or "," in joined:
+            if not joined.isascii() or "_" in joined:
                 return None
-            marks = self.decimals
             if layout.delimiter != ",":
-                if marks.comma or marks.doubtful:
+                marks, has_point = self.decimals, "." in joined
+                if "," in joined:
+                    if has_point or not marks.comma:
+                        return None
+                    texts = joined.replace(",", ".").split(" ")
+                elif has_point and (marks.comma or marks.doubtful):
                     return None
-                if not marks.point and "." in joined:
+                if has_point and not marks.point:
                     marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
             values = list(map(float, texts))
             total = sum(values)

@@ -157,12 +157,12 @@ class Calendar:
         if self.doubtful or not self.pattern.mark:
             raise ValueError
         mark = self.pattern.mark
-        day = texts[0].partition(mark)[0] + mark
-        text = "\n".join(texts)
-        if text.count(day) == len(texts):  # all of one day, which is most of a log
-            midnight = days[day.removesuffix(mark)]
-            times = list(map(clocks.__getitem__, text.replace(day, "").split("\n")))
-            ticks = [midnight + time for time in times]  # type: ignore[operator]
+        day = texts[0].partition(mark)[0]
+        text = "\n" + "\n".join(texts)
+        if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, as most of a log is
+            midnight = days[day]
+            rest = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
+            ticks = [midnight + clocks[time] for time in rest]  # type: ignore[operator]
         else:
             parts = [text.partition(mark) for text in texts]
             # a day on which the clocks change is None, and adds to nothing

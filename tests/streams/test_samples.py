@@ -144,13 +144,34 @@ def test_what_is_left_out_is_told_and_leaves_a_mark(invalid, is_good):
     assert "2 lines are left out; the first: log, line 3" in log.notes[0]
 
 
-def test_lines_one_by_one_are_what_they_are_at_once(monkeypatch):
-    lines = [f"2024-06-{1 + k // 24:02} {k % 24:02}:30,{k * 0.1:.1f}" for k in range(500)]
-    text = "time,E [lx]\n" + "\n".join(lines) + "\n"
-    at_once = read(text)[:2]
+@pytest.mark.parametrize("mark", [".", ","])
+def test_lines_one_by_one_are_what_they_are_at_once(monkeypatch, mark):
+    lines = [f"2024-06-{1 + k // 24:02} {k % 24:02}:30;{k * 0.1:.1f}" for k in range(500)]
+    text = "time;E [lx]\n" + "\n".join(lines).replace(".", mark) + "\n"
+    at_once = read(text, 999)[:2]
+    assert at_once[1] == [round(k * 0.1, 1) for k in range(500)]
     monkeypatch.setattr(Log, "_at_once", lambda *_: None)
     assert read(text)[:2] == at_once
-    assert len(at_once[1]) == 500
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (["2024-06-01 2024-06-01 12:00,1", "12:01,1"], "line 42"),  # as many dates as lines
+        (["2024-06-01 12:00,1,2", "12:01"], "line 42"),  # as many cells as two lines have
+        (["2024-06-01 12:00,1 2", "2024-06-01 12:01,"], "line 42"),
+    ],
+)
+def test_what_two_lines_have_together_makes_up_for_neither(lines, said):
+    before = [f"2024-06-01 11:{k:02},1" for k in range(40)]
+    with pytest.raises(RadcalcError, match=said):
+        read("\n".join(["time,E [lx]", *before, *lines, ""]))
+
+
+def test_marks_of_decimals_are_held_against_each_other_however_far_apart():
+    rows = [f"{k};{k},5" for k in range(5000)]
+    with pytest.raises(RadcalcError, match="line 5002: a decimal point, but line 2"):
+        read("t_s;E_lx\n" + "\n".join([*rows, "5000;1.5", ""]), 4096)
 
 
 @given(st.lists(st.integers(0, 999), max_size=60), st.integers(1, 400))
