@@ -20,7 +20,7 @@ from radcalc.derivation import (
     format_value,
     letter_of,
 )
-from radcalc.errors import ConditionError, NumberError, mention, option
+from radcalc.errors import ConditionError, NumberError, TooMany, mention, option
 from radcalc.given import Inputs
 from radcalc.laws.law import law
 from radcalc.quantities.light import describe
@@ -30,6 +30,7 @@ from radcalc.units.table import Unit, divide
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
 LONG = 10  # times the mean of the others: a step that is told
+MOST = 200_000  # periods: 22 years of hours
 SLACK = 1e-9  # of a gap's limit
 
 MEAN = {
@@ -210,6 +211,11 @@ class Dose:
         start, end, label = self.spans(time) if self.spans else (time, inf, "")
         if last and start < last.end:
             start = last.end
+        if len(self.periods) >= MOST:
+            raise TooMany(
+                f"there are more than {MOST} periods, up to {label}",
+                mention("{by=day}, or a {max-gap}, where a time is far from the others"),
+            )
         self.periods.append(Period(start, end, label))
         return self.periods[-1]
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from radcalc.calculators import dose as module
 from radcalc.calculators.dose import Dose, Log, check_unit
 from radcalc.errors import RadcalcError
 from radcalc.given import read
@@ -163,6 +164,13 @@ def test_what_is_no_dose_is_refused(times, values, said):
     with pytest.raises(RadcalcError) as refused:
         answer(summed(times, values))
     assert said in refused.value.message
+
+
+def test_a_time_far_from_the_others_makes_no_endless_list(monkeypatch):
+    monkeypatch.setattr(module, "MOST", 50)
+    assert len(summed([0, 49 * DAY], [1.0, 1.0], spans=days).periods) == 50
+    with pytest.raises(RadcalcError, match="more than 50 periods"):
+        summed([0, 50 * DAY], [1.0, 1.0], spans=days)
 
 
 def test_all_gaps_are_refused():
