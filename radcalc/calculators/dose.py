@@ -30,7 +30,7 @@ from radcalc.units.table import Unit, divide
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
 LONG = 10  # times the mean of the others: a step that is told
-MOST = 200_000  # periods: 22 years of hours
+MOST = 100_000  # periods: 11 years of hours
 SLACK = 1e-9  # of a gap's limit
 
 MEAN = {
