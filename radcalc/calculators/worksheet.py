@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
-from itertools import combinations
+from itertools import combinations, permutations
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
@@ -375,7 +375,8 @@ def _refuse_disparate(given: Inputs) -> None:
         for name, one in given.items()
         if one.dimension in powers and not is_array(one.value) and one.value
     }
-    if sizes and max(sizes.values()) > FARTHEST * min(sizes.values()):
+    # each held against each, so that a stream's lines take one way whichever is the larger
+    if [one for one, other in permutations(sizes.values(), 2) if one > FARTHEST * other]:
         least, most = min(sizes, key=sizes.__getitem__), max(sizes, key=sizes.__getitem__)
         told = " beside ".join(option(name, quote(given[name].text)) for name in (least, most))
         raise ConditionError(f"{told} is beyond what radcalc reckons with", "less extreme values")

@@ -11,9 +11,9 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from functools import partial
-from itertools import repeat
+from itertools import product, repeat
 from sys import float_info
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 from radcalc.errors import RadcalcError
 
@@ -23,7 +23,17 @@ REFUSALS = (ValueError, ZeroDivisionError, OverflowError, RadcalcError)  # by a 
 MARK = "\0"  # what a text has in which a traced number is written
 FINITE = (-float_info.max, float_info.max)
 
+# Functions that refuse no finite floats; those that rise or fall with each operand: of any sign,
+# from 0 on, and with the first from 0 to an end.
+NEVER_REFUSED = {operator.add, operator.sub, operator.mul, operator.neg, operator.abs, float}
+SIGNED = {operator.add, operator.sub, operator.mul, operator.neg}
+MONOTONE = {operator.truediv, operator.abs, math.hypot, math.sqrt, math.atan2}
+MONOTONE |= {math.atan, math.exp, math.expm1, math.log, math.log10, math.log2, math.log1p}
+UP_TO = {operator.pow: math.inf, math.cos: math.pi, math.sin: math.pi / 2, math.tan: math.pi / 2}
+ROOM = 1e-9  # for roundings, which need not rise where the function does
+
 Function = Callable[..., Any]
+Range = tuple[float, float]
 Operand = int | tuple[Any]  # an earlier step by its number, or a constant
 
 
@@ -37,7 +47,7 @@ class Trace:
     def __init__(self, value: float) -> None:
         """Begin with a number."""
         self.steps: list[tuple[Function, tuple[Operand, ...]]] = [(float, ())]
-        self.bounds: dict[int, tuple[float, float]] = {}
+        self.bounds: dict[int, Range] = {}
         self.orders: dict[tuple[Function, int, int], bool] = {}
         self.start = Traced(self, 0, value)
         self._known: dict[Any, Traced] = {}
@@ -226,22 +236,46 @@ class Unknown:
     __bool__ = __float__ = _refuse
 
 
+class _Step(NamedTuple):
+    """A step of a record, and comparisons of it and an earlier one, with their outcomes."""
+
+    number: int
+    function: Function
+    operands: tuple[Operand, ...]
+    orders: list[tuple[Function, int, int, bool]]
+
+
+def _is_monotone(function: Function, ranges: Sequence[Any]) -> bool:
+    """Whether a function rises or falls all along with each operand, between these ends."""
+    if function in SIGNED:
+        return True
+    if function in UP_TO:
+        return bool(ranges[0][0] >= 0 and ranges[0][1] <= UP_TO[function])
+    return function in MONOTONE and all(low >= 0 for low, _ in ranges)
+
+
+def _is_sure(how: Function, one: int, other: int, outcome: bool, ranges: dict[int, Range]) -> bool:
+    """Whether two ranges do not meet, and a comparison has that outcome."""
+    if one not in ranges or other not in ranges:
+        return False
+    (low, high), (least, most) = ranges[one], ranges[other]
+    return (high < least or most < low) and how(low, least) is outcome
+
+
 class Record:
     """The steps that lead to results, repeated for many numbers at a time."""
 
     def __init__(self, trace: Trace, results: Sequence[Any]) -> None:
-        """Keep what the results and the bounds take."""
+        """Take the steps, of which some may turn out to be of no use."""
         self.results = [one.step if isinstance(one, Traced) else (float(one),) for one in results]
         self.bounds = trace.bounds
         orders: dict[int, list[tuple[Function, int, int, bool]]] = {}
         for (how, one, other), outcome in trace.orders.items():
             orders.setdefault(max(one, other), []).append((how, one, other, outcome))
-        needed = {one for one in self.results if isinstance(one, int)} | {*self.bounds, 0}
-        needed.update(step for (_, *two) in trace.orders for step in two)
-        for step in range(len(trace.steps) - 1, -1, -1):
-            if step in needed:
-                needed.update(one for one in trace.steps[step][1] if isinstance(one, int))
-        self.steps = [(k, *trace.steps[k], orders.get(k, ())) for k in sorted(needed)]
+        self.steps = [
+            _Step(k, function, operands, orders.get(k, []))
+            for k, (function, operands) in enumerate(trace.steps)
+        ]
 
     def run(self, values: list[float]) -> tuple[list[int] | None, list[list[float]]]:
         """The results in columns, and for which of the numbers they are: None for all of them.
@@ -279,25 +313,61 @@ class Record:
     def _repeat(self, values: list[float]) -> tuple[list[bool] | None, list[list[float]]]:
         """The results; or which of the numbers keep within the first bounds that not all do."""
         columns: dict[int, list[float]] = {0: values}
-        for step, function, operands, orders in self.steps:
-            if step:
+        for step, bounds in self._needed(self._ranges(min(values), max(values))):
+            if step.number:
+                operands = step.operands
                 of = [columns[one] if isinstance(one, int) else repeat(*one) for one in operands]
-                columns[step] = list(map(function, *of))
-            if step in self.bounds:
-                low, high = self.bounds[step]
-                good = [low <= value <= high for value in columns[step]]
+                columns[step.number] = list(map(step.function, *of))
+            if bounds:
+                low, high = bounds
+                good = [low <= value <= high for value in columns[step.number]]
                 if not all(good):
                     return good, []
-            for how, one, other, outcome in orders:
-                good = [
-                    how(*two) is outcome for two in zip(columns[one], columns[other], strict=True)
-                ]
+            for how, one, other, outcome in step.orders:
+                pairs = zip(columns[one], columns[other], strict=True)
+                good = [how(*pair) is outcome for pair in pairs]
                 if not all(good):
                     return good, []
         count = len(values)
         return None, [
             columns[one] if isinstance(one, int) else list(one) * count for one in self.results
         ]
+
+    def _ranges(self, low: float, high: float) -> dict[int, Range]:
+        """Between what the steps are surely, and not refused, for numbers from low to high.
+
+        A function that rises or falls with each of its operands has its extremes at their ends.
+        """
+        ranges = {0: (low, high)}
+        for step in self.steps[1:]:
+            of = [ranges.get(one) if isinstance(one, int) else one * 2 for one in step.operands]
+            if None in of or not _is_monotone(step.function, of):
+                continue
+            try:
+                ends = [step.function(*corner) for corner in product(*of)]  # type: ignore[arg-type]
+            except REFUSALS:
+                continue
+            least, most = min(ends), max(ends)
+            if all(map(math.isfinite, ends)):
+                ranges[step.number] = least - abs(least) * ROOM, most + abs(most) * ROOM
+        return ranges
+
+    def _needed(self, ranges: dict[int, Range]) -> "list[tuple[_Step, Range | None]]":
+        """The steps that lead to the results or to bounds that may be left, with these bounds."""
+        wanted = {one for one in self.results if isinstance(one, int)}
+        needed: list[tuple[_Step, Range | None]] = []
+        for step in reversed(self.steps):
+            bounds, found = self.bounds.get(step.number), ranges.get(step.number)
+            if bounds and found and bounds[0] <= found[0] and found[1] <= bounds[1]:
+                bounds = None
+            orders = [one for one in step.orders if not _is_sure(*one, ranges)]
+            for _, *two, _ in orders:
+                wanted.update(two)
+            may_be_refused = found is None and step.function not in NEVER_REFUSED
+            if bounds or orders or may_be_refused or step.number in wanted:
+                wanted.update(one for one in step.operands if isinstance(one, int))
+                needed.append((step._replace(orders=orders), bounds))
+        return needed[::-1]
 
     def _halved(self, values: list[float]) -> tuple[list[bool], list[list[float]]]:
         """Which of the numbers can be worked out, where a function refuses some of them."""

@@ -11,37 +11,52 @@ from pathlib import Path
 
 from measure import RADCALC, report
 
-LINES, OWN, LONG = 2_000_000, 100_000, 100_000_000
+LINES, DISTANCES, OWN, LONG = 2_000_000, 1_000_000, 100_000, 100_000_000
 MEGABYTES = 60
+OBLIQUE = ("point-source", "--intensity", "250cd", "--height", "6m", "--offset", "- m")
 CASES = [
     (
         "2e6 numbers lx to fc / mawk",
-        ("lx", "fc"),
+        ("convert", "-", "lx", "fc"),
         '{printf "%.12g\\n", $1*0.09290304}',
         "numbers",
         1.2,
     ),
     (
         "2e6 numbers fc to lx, no decimal ratio / mawk",
-        ("fc", "lx"),
+        ("convert", "-", "fc", "lx"),
         '{printf "%.12g\\n", $1/0.09290304}',
         "numbers",
         2,
     ),
     (
         "field 3 of a CSV of 5 columns / mawk",
-        ("lx", "fc", "--field", "3", "-d", ","),
+        ("convert", "-", "lx", "fc", "--field", "3", "-d", ","),
         'BEGIN{FS=OFS=","}{$3 = sprintf("%.12g", $3*0.09290304); print}',
         "table",
         2,
     ),
     (
         "a column by its title, and one added / mawk",
-        ("lx", "fc", "--column", "E", "-d", ",", "--add", "E2"),
+        ("convert", "-", "lx", "fc", "--column", "E", "-d", ",", "--add", "E2"),
         'BEGIN{FS=OFS=","} NR==1{print $0, "E2 [fc]"; next}'
         '{print $0, sprintf("%.12g", $3*0.09290304)}',
         "titled",
         2,
+    ),
+    (
+        "1e6 distances to illuminances / mawk",
+        ("point-source", "--intensity", "100cd", "--distance", "- m", "-g", "irradiance:lx", "-q"),
+        '{printf "%.12g\\n", 100/($1*$1)}',
+        "distances",
+        2.5,
+    ),
+    (
+        "1e6 offsets under a height to illuminances / mawk",
+        (*OBLIQUE, "-g", "irradiance:lx", "-q"),
+        '{d = 36 + $1*$1; printf "%.12g\\n", 250*6/(d*sqrt(d))}',
+        "distances",
+        2.5,
     ),
 ]
 UNITS = {"lx": "lx", "fc": "footcandle", "klx": "klx", "ph": "phot", "mlx": "mlx"}
@@ -65,6 +80,7 @@ def write(folder: Path) -> None:
     random.seed(1)
     numbers = [f"{random.uniform(0, 1e5):.2f}" for _ in range(LINES)]
     (folder / "numbers").write_text("\n".join(numbers) + "\n")
+    (folder / "distances").write_text("\n".join(numbers[:DISTANCES]) + "\n")
     rows = [f"{i},room{i % 7},{number},ok,{3 * i}\n" for i, number in enumerate(numbers)]
     (folder / "table").write_text("".join(rows))
     (folder / "titled").write_text("".join(["i,room,E [lx],ok,n\n", *rows]))
@@ -101,7 +117,7 @@ def main() -> int:
                 print(f"{title}: mawk is not installed")
                 met = False
                 continue
-            ours = fed(folder / data, RADCALC, "convert", "-", *words)
+            ours = fed(folder / data, RADCALC, *words)
             met &= report(title, ours, fed(folder / data, "mawk", script), aim, 9)
         if shutil.which("units") is None:
             print("units is not installed")

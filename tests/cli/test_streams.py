@@ -358,3 +358,85 @@ def test_an_interrupt_exits_130_without_a_traceback():
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=30)
     assert (process.returncode, err.strip()) == (130, b"")
+
+
+CALCULATED = ("point-source", "--intensity", "100cd", "--distance", "- m", "-g", "irradiance:lx")
+
+
+def calculate(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
+    """Run a calculator on bytes, in which the distances are."""
+    return subprocess.run(
+        [entry_point(), *CALCULATED, "-q", *words], input=data, capture_output=True, timeout=60
+    )
+
+
+def test_a_calculator_on_a_stream_ends_as_a_conversion_does():
+    script = 'yes 1 | { "$@"; echo $? >&2; } | head -n 1'
+    command = ["sh", "-c", script, "sh", entry_point(), *CALCULATED, "-q"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert (done.stdout, done.stderr) == ("100\n", "0\n")
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [entry_point(), *CALCULATED, "-q"],
+            input=b"1\n" * 100_000, stdout=full, stderr=subprocess.PIPE, timeout=60,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"radcalc: cannot write the answer: No space left on device\n")
+    with started(
+        entry_point(), *CALCULATED, "-q",
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as process:  # fmt: skip
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(b"1\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == b"100\n"
+        time.sleep(0.1)  # back to reading
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+    assert (process.returncode, err.strip()) == (130, b"")
+
+
+@pytest.mark.parametrize(
+    ("mode", "out", "status", "complaints"),
+    [("abort", b"100\n", 2, 2), ("fail", b"100\n-1\n25\n", 2, 1), ("warn", b"100\n-1\n25\n", 0, 1),
+     ("ignore", b"100\n-1\n25\n", 0, 0)],
+)  # fmt: skip
+def test_a_refused_value_is_a_bad_line(mode, out, status, complaints):
+    done = calculate(b"1\n-1\n2\n", "--invalid", mode)
+    assert (done.stdout, done.returncode) == (out, status)
+    said = done.stderr.decode().splitlines()
+    assert len(said) == complaints
+    assert all("stdin, line 2: --distance -1m is not possible" in line for line in said[:1])
+
+
+def test_every_other_byte_of_a_line_stays():
+    data = b'\xef\xbb\xbfa,"d [m]"\r\n"x, y"," 2 "\r\n\r\n# z\r\n\xff,10'
+    done = calculate(data, "-d", ",", "--column", "d", "--rename", "E")
+    wanted = b'\xef\xbb\xbfa,"E [lx]"\r\n"x, y"," 25 "\r\n\r\n# z\r\n\xff,1'
+    assert (done.stdout, done.stderr, done.returncode) == (wanted, b"", 0)
+
+
+def test_a_long_stream_of_a_calculator_is_that_of_its_parts():
+    """Blocks of many lines, of which few are refused, and lines one by one give the same."""
+    lines = [b"-1" if k % 997 == 0 else b"%.3f" % (1 + k / 7) for k in range(20_000)]
+    together = calculate(b"\n".join(lines) + b"\n", "--invalid", "ignore").stdout
+    apart = calculate(b" x\n".join(lines) + b" x\n", "--invalid", "ignore", "--field", "1").stdout
+    assert together.splitlines() == [line.removesuffix(b" x") for line in apart.splitlines()]
+    distances = [float(line) for line in lines]  # E = I / d^2
+    for distance, shown in zip(distances, together.splitlines(), strict=True):
+        assert float(shown) == (
+            pytest.approx(100 / distance**2, rel=1e-11) if distance > 0 else distance
+        )
+
+
+def test_what_holds_for_some_lines_is_said_once_with_the_line():
+    done = subprocess.run(
+        [entry_point(), "photon", "-", "nm", "-g", "luminous-efficacy"],
+        input=b"500\n900\n950\n510\n", capture_output=True, timeout=60,
+    )  # fmt: skip
+    said = done.stderr.decode().splitlines()
+    notes = [line for line in said if line.startswith("note")]
+    assert notes == ["note: line 2: nothing is seen at 900nm: it lies outside the tables"]
+    assert "assumed: line 1: 500nm is taken as the wavelength" in said[0]
+    assert sum("CIE 1924" in line for line in said) == 1
