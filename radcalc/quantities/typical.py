@@ -5,7 +5,7 @@ Orientation for a reader who wonders whether an answer can be right.
 
 import math
 
-from radcalc.errors import RadcalcError, UsageError, nearest, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, comparable, matching
@@ -79,14 +79,23 @@ def _in_unit(text: str) -> list[Typical]:
     except RadcalcError:
         return []
     if unit.is_scale:
-        return [value for value in VALUES if value.unit == unit.text]
+        own = [value for value in VALUES if value.unit == unit.text]
+        if own:
+            return own
     return [value for value in VALUES if value.measured.dimension == unit.dimension]
 
 
 def _near(text: str) -> list[Typical]:
-    """The values of its quantity that are nearest to an amount, by their ratio; none for a word."""
+    """What has an amount in its name, and the values of its quantity nearest to it, by their ratio.
+
+    None for a word.
+    """
     try:
         amount = read_amount(text)
+    except NumberError:
+        if text[0].isdigit():
+            raise
+        return []
     except RadcalcError:
         return []
     if amount.unit is None:
@@ -100,7 +109,10 @@ def _near(text: str) -> list[Typical]:
         low, high = (_in_si(value, end) for end in (value.low, value.high))
         return max(math.log(low / size), math.log(size / high), 0.0)
 
-    return sorted(known, key=away)[:NEAREST]
+    typed = f"{amount.number:g} {amount.unit.text}"
+    named = matching(typed, VALUES, lambda value: value.what, str.__eq__)  # a bulb of 60 W
+    near = [value for value in sorted(known, key=away) if value not in named]
+    return [*named, *near[:NEAREST]]
 
 
 def _in_si(value: Typical, number: float) -> float:

@@ -8,7 +8,7 @@ import pytest
 from conftest import run
 
 from radcalc import cli
-from radcalc.errors import UsageError
+from radcalc.errors import NumberError, UsageError
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.typical import VALUES, Typical, search, words
 from radcalc.units.numbers import split_quantity
@@ -250,6 +250,20 @@ def test_what_completes_finds_something(word):
 )
 def test_the_values_nearest_to_an_amount_come_first(text, first):
     assert search(text)[0].what == first
+
+
+def test_what_has_the_amount_in_its_name_comes_before_what_is_near():
+    found = search("60W")
+    assert [value.what for value in found[:3]] == [
+        "incandescent bulb, 60 W", "incandescent bulb, 60 W, 1 m away", "LED bulb in place of 60 W"
+    ]  # fmt: skip
+    assert {value.quantity for value in found[3:]} == {"radiant flux"}
+    assert {value.quantity for value in search("dBm")} == {"radiant flux"}
+
+
+def test_a_number_that_cannot_be_read_is_told_as_everywhere():
+    with pytest.raises(NumberError, match="'1,5lx' has a comma"):
+        search("1,5lx")
 
 
 def test_what_is_near_is_sorted_by_the_ratio():
