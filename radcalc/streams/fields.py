@@ -184,8 +184,8 @@ class Cut:
             if column is None:
                 return None
             if adds:
-                last = zip(cells[width - 1 :: width + 1], column, strict=True)
-                index, column = width - 1, [cell + mark + new for cell, new in last]
+                lines = zip(block[:-1].split(b"\n"), column, strict=True)
+                return b"\n".join(map(mark.join, lines)) + b"\n"
             cells[index :: width + 1] = column
         return mark.join(cells).replace(end, b"\n") + b"\n"
 
