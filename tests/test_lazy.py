@@ -77,6 +77,9 @@ CALLS = {
     "a room": (
         radcalc.room, None, (), {"flux": "3000 lm", "length": "6 m", "height": "2 m",
         "utilance": 0.6}, {"illuminance": (100 * A, "lx"), "width": (B, "m")}),
+    "a sensor": (
+        radcalc.sensor, None, (), {"time": "10 ms", "pixel_pitch": "3.45 um", "spectrum": "D65"},
+        {"luminance": (1000 * A, "cd/m2"), "f_number": (B, "")}),
     "a light of films": (
         radcalc.uberlight, None, ((0.0, 0.0, 1.0),), {"falloff": 1},
         {"intensity": (A, "cd"), "falloff_distance": (B, "m")}),

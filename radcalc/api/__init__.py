@@ -837,6 +837,7 @@ def room(**given: Any) -> dict[str, Any]:
 
 
 @in_python
+@in_blocks
 def sensor(**given: Any) -> dict[str, Any]:
     """The light that a lens sends to a sensor, its photons, electrons and current.
 
