@@ -113,7 +113,7 @@ class Given(NamedTuple):
 
 
 Inputs = dict[str, Given]
-LEFT_OF_LIGHT = ("reflectance",)  # ratios that may be told in OD, stops or dB
+LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that may be told in OD, stops or dB
 MARKED = {"f-number": "f/", "nd": "nd"}  # what may stand before the number: f/8,f/11 is no 8.11
 MARKS_OF_STOPS = range(101, 114)  # filters' marks for 1 to 13 stops
 DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and not in mired
@@ -381,7 +381,7 @@ def _with_unit(symbol: Symbol, number: str) -> str:
         return f"{number}rad"
     if TIME in symbol.dimensions and "/" in number:
         return f"{number}s"  # as a shutter says it
-    return number + symbol.example.lstrip("0123456789.")
+    return number + symbol.example.lstrip("0123456789./")
 
 
 def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
