@@ -41,6 +41,7 @@ QUANTITIES = (
     "energy",
 )
 INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
+ONCE = 0.9999995, 1.000005  # between these six digits show 1
 PAGE = Page(
     "",
     INPUTS,
@@ -152,10 +153,10 @@ def _judge(sheet: Worksheet) -> None:
         if is_array(far) or is_array(exact) or not exact:
             return
         nearest = 5 * sheet.known["extent"].value
-        times = format_number(far / exact)
-        if times == "1":
+        times = far / exact
+        if ONCE[0] <= times <= ONCE[1]:
             return
-        times = f"gives {times} times that" if far else "gives no light"
+        times = f"gives {format_number(times)} times that" if far else "gives no light"
         said = f"the inverse square law, from the centre, {times}"
         if far and sheet.at("distance") < nearest:
             said += f"; it is for {format_number(nearest)} m and more, five times the size"

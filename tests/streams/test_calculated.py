@@ -10,6 +10,7 @@ import random
 import pytest
 
 from radcalc import cli, stdio
+from radcalc.streams.calculated import Calculated, remarks_of
 
 # The call with {} for the input, the unit of its lines, from where to where they are, a result.
 CALLS = [
@@ -76,6 +77,13 @@ CALLS = [
     ("sky clear --sun-elevation {} --horizontal-illuminance 12klx", "deg", -5, 90,
      "zenith-luminance"),
     ("direction --polar {} --azimuth 30deg", "deg", 0, 180, "z"),
+    ("laser --flux 1W --diameter 1mm --divergence 1mrad --distance {}", "m", 0.01, 1e3,
+     "irradiance"),
+    ("laser --flux {} --diameter 1mm --divergence 1mrad --distance 10m", "mW", 0.01, 1e3,
+     "peak-irradiance"),
+    ("sky 12 --sun-elevation 40deg --horizontal-illuminance {}", "lx", 1, 2e4, "zenith-luminance"),
+    ("point-source --flux 800lm --exponent 3 --height {} --offset 2m", "m", -2, 9, "irradiance"),
+    ("point-source --intensity 100cd --exponent 3 --within {}", "deg", 0.1, 95, "flux-within"),
 ]  # fmt: skip
 
 
@@ -129,3 +137,35 @@ def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, h
         assert problems.get(k, f"{line}\n") == own
         if k in problems:
             assert line == value
+
+
+@pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
+def test_what_a_record_says_holds_for_all_its_numbers(monkeypatch, call, unit, low, high, result):
+    chance = random.Random(call + unit)
+    values = [chance.uniform(low, high) for _ in range(40)]
+    words = words_of(call, f"- {unit}".strip(), result)
+    if call.startswith("photon"):
+        words = ["photon", "-", unit, "-g", result]
+    made = []
+    begin = Calculated.__init__
+
+    def kept(self, *rest):
+        made.append(self)
+        begin(self, *rest)
+
+    monkeypatch.setattr(Calculated, "__init__", kept)
+    Process(monkeypatch, "".join([f"{value!r}\n" for value in values]).encode()).run(
+        *words, "--invalid", "ignore"
+    )
+    of_unit = [(one, unit) for one in made for unit in one.units.values()]
+    held = 0
+    for calculated, of in of_unit:
+        for record, remarks in of.records:
+            places, _ = record.run(values)
+            for place in list(range(len(values)) if places is None else places)[:5]:
+                _, found = calculated.read(repr(values[place]).encode())
+                own = remarks_of(found.answer)
+                assert len(own) == len(remarks)
+                assert all(text in (None, said) for text, said in zip(remarks, own, strict=True))
+                held += 1
+    assert held
