@@ -42,17 +42,18 @@ def calls():
                     yield shlex.join(words)
 
 
-def streams():
-    """The calls that answer what is piped into them, with that."""
+def piped(called):
+    """The calls of a command that answer what is piped into them, with that."""
     for path in FILES:
         for command, output in transcripts(path):
             text, pipe, words = command.partition(" | ")
-            is_plain = words.startswith("radcalc convert - ") and not set("|<>$") & set(words)
+            is_plain = words.startswith(f"radcalc {called} ") and not set("|<>$") & set(words)
             if pipe and is_plain and not output.endswith("[2]\n"):
                 yield text, shlex.join(words_of(words))
 
 
-CALLS, STREAMS = sorted({*calls(), *MORE}), sorted({*streams()})
+CALLS, STREAMS = sorted({*calls(), *MORE}), sorted({*piped("convert -")})
+LOGS = sorted({*piped("dose -")})
 ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
 
 
@@ -74,7 +75,8 @@ def test_the_schema_and_the_transcripts_are_there():
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
     assert len(CALLS) > 250
     assert len(STREAMS) > 10
-    assert {"scene", "prompt", *map(command_of, CALLS)} >= COMMANDS.keys()
+    assert len(LOGS) > 10
+    assert {"scene", "prompt", "dose", *map(command_of, CALLS)} >= COMMANDS.keys()
 
 
 @pytest.mark.parametrize("text", CALLS)
@@ -91,6 +93,15 @@ def test_every_line_of_a_stream_is_valid(text, words):
     for line in done.stdout.splitlines():
         VALIDATOR.validate(json.loads(line))
         assert json.loads(line)["line"]
+
+
+@pytest.mark.parametrize(("text", "words"), LOGS)
+def test_every_answer_of_a_log_is_valid(text, words):
+    log = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True).stdout
+    done = run(*shlex.split(words), "--json", input=log)
+    assert done.returncode in (0, 1)
+    VALIDATOR.validate(json.loads(done.stdout))
+    assert {one["command"] for one in answers(done.stdout)} == {"dose"}
 
 
 @pytest.mark.parametrize("text", [text for text in ANSWERS if "--check" not in text])
