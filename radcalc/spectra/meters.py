@@ -43,8 +43,8 @@ RELATIVE = Meaning("its values taken as relative watts per wavelength")
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Whether a file has wavelengths in the names of its rows."""
-    return any(map(BAND.match, lines[:SEARCHED]))
+    """Whether a file has wavelengths in the names of its rows, of more than one."""
+    return sum(BAND.match(line) is not None for line in lines[:SEARCHED]) > 1
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Rows:
