@@ -6,7 +6,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
-from radcalc.errors import MissingInput, mention, option, quote
+from radcalc.errors import MissingInput, mention, option, options, quote
 from radcalc.given import Inputs
 from radcalc.laws.laser import DISTANCE, HAZARD, laws_of
 from radcalc.laws.solver import reached
@@ -65,7 +65,8 @@ def laser(given: Inputs) -> Answer:
     sheet.refuse_impossible("divergence")
     if "limit" in sheet.lit.values and not sheet.has(HAZARD):
         told = option("limit", quote(sheet.lit.values["limit"].text))
-        hint = mention("{flux}, {diameter} and {divergence}, or {hazard-distance}")
+        lacking = [n for n in ("flux", "diameter", "divergence") if not sheet.has(n)]
+        hint = options(lacking, " and ")
         raise MissingInput(f"there is no hazard distance to {told}: more is to be known", hint)
     if sheet.has("spot-diameter"):
         if not is_far:
