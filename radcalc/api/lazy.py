@@ -132,7 +132,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
     names = [name for name, one in expected.items() if one.shape]
     axes = tuple(range(max(array.ndim for array in arrays)))
     try:
-        rows: Any = dask.array.blockwise(  # type: ignore[no-untyped-call]
+        rows: Any = dask.array.blockwise(
             Rows(call, expected),
             (len(axes), *axes),
             *(x for array in arrays for x in (array, axes[len(axes) - array.ndim :])),
@@ -173,7 +173,7 @@ def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
 
 
 def _lazy(array: Any) -> Any:
-    return dask.array.asarray(array)  # type: ignore[no-untyped-call]
+    return dask.array.asarray(array)
 
 
 def _without_elements(array: Any) -> Any:
