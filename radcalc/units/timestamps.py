@@ -336,6 +336,11 @@ class Pattern(NamedTuple):
         day, _, clock = text.partition(self.mark)
         return day, clock
 
+    def begins(self, text: str) -> bool:
+        """Whether a text has a date that is so written, be it in the calendar or not."""
+        assert self.dates is not None
+        return bool(self.dates.fullmatch(self.parts(text)[0].strip()))
+
     def day(self, text: str) -> int:
         """The tick of a day's midnight, as if it were one of UTC."""
         assert self.dates is not None
@@ -343,14 +348,14 @@ class Pattern(NamedTuple):
         if not found:
             raise _no_stamp(text)
         has = {key[0]: part for key, part in found.groupdict().items() if part}
-        year = int(has["Y"]) if "Y" in has else 2000 + int(has["y"])
+        year = int(has["Y"]) if "Y" in has else _year_of_two_digits(int(has["y"]))
         if not FIRST_YEAR <= year < LAST_YEAR:
             raise NumberError(f"'{quote(text)}' is in the year {year}", "a date of a log")
         try:
             if "j" in has:
                 ordinal = date(year, 1, 1).toordinal() + int(has["j"]) - 1
                 if date.fromordinal(ordinal).year != year:
-                    raise _no_stamp(text)
+                    raise ValueError
             else:
                 month = int(has["m"]) if "m" in has else MONTHS.index(has["b"][:3].lower()) + 1
                 ordinal = date(year, month, int(has["d"])).toordinal()
@@ -400,14 +405,7 @@ class _Known(dict[str, T]):
 
 def looks_like_stamp(text: str, format_: str = "") -> bool:
     """Whether a cell begins with a date, or has that format."""
-    if not format_:
-        return bool(STAMP.match(text))
-    try:
-        pattern = _of_format(format_)
-        pattern.day(pattern.parts(text)[0])
-    except NumberError:
-        return False
-    return True
+    return _of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
 
 
 def looks_like_clock(text: str) -> bool:
@@ -500,6 +498,7 @@ def _reading(year: str, month: str, day: str) -> str:
 
 def _of_format(text: str) -> Pattern:
     """A format as strptime has it; its date and its clock apart, where a blank or T parts them."""
+    _check_format(text)
     for mark in (" ", "T"):
         day, _, clock = text.partition(mark)
         directives = re.findall("%(.)", day), re.findall("%(.)", clock)
@@ -511,18 +510,34 @@ def _of_format(text: str) -> Pattern:
     return Pattern(whole, whole, "", "") if has_clock else Pattern(whole, None, "\n", "")
 
 
-def _compiled(part: str, text: str) -> re.Pattern[str]:
-    pieces = re.split("%(.)", part)
+def _check_format(text: str) -> None:
+    """Refuse a format that is not read here, has no whole date, or leaves the half of the day."""
     told = option("time-format", quote(text))
-    if unknown := [one for one in pieces[1::2] if one not in DIRECTIVES]:
+    has = {*(directives := re.findall("%(.)", text))}
+    if unknown := [one for one in directives if one not in DIRECTIVES]:
         problem = f"{told} has %{quote(unknown[0])}, which is not read here"
         raise ConditionError(problem, " ".join(f"%{one}" for one in DIRECTIVES if one != "%"))
+    if not (has & {*"Yy"} and ("j" in has or ("d" in has and has & {*"mbB"}))):
+        raise ConditionError(f"{told} has no whole date", FORMATS)
+    if ("I" in has) != ("p" in has):
+        problem = f"{told} has %{'I' if 'I' in has else 'p'} alone"
+        raise ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
+
+
+def _year_of_two_digits(year: int) -> int:
+    """The year as POSIX has it: 69 is 1969, and 68 is 2068."""
+    return year + (1900 if year >= 69 else 2000)
+
+
+def _compiled(part: str, text: str) -> re.Pattern[str]:
+    pieces = re.split("%(.)", part)
     try:
         return re.compile(
             "".join(DIRECTIVES[one] if k % 2 else re.escape(one) for k, one in enumerate(pieces))
         )
     except re.error:
-        raise ConditionError(f"{told} has a part twice", "each part once") from None
+        problem = f"{option('time-format', quote(text))} has a part twice"
+        raise ConditionError(problem, "each part once") from None
 
 
 def zone_of(text: str) -> tzinfo:
