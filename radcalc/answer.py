@@ -20,7 +20,8 @@ class Step(NamedTuple):
 class Input(NamedTuple):
     """What somebody gave: a number in a unit, a text that is none, or True for a flag.
 
-    `uncertainty` is the standard one of the number, in the unit.
+    `uncertainty` is the standard one of the number, in the unit.  What `tells` an answer from
+    others is shown with it even if it is the only one: the day of a log.
     """
 
     name: str
@@ -28,6 +29,7 @@ class Input(NamedTuple):
     unit: str = ""
     text: str = ""
     uncertainty: float = 0.0
+    tells: bool = False
 
     @property
     def is_quantity(self) -> bool:
@@ -134,7 +136,10 @@ class Answer(NamedTuple):
 
 
 def varying(inputs: Sequence[Sequence[Input]]) -> list[str]:
-    """The names of the inputs that are not the same in all answers, and of arrays."""
+    """The names of the inputs that are not the same in all answers, and of arrays.
+
+    And of those that tell an answer from others, of which there may be none.
+    """
     each = [{one.name: one for one in some} for some in inputs]
     names = dict.fromkeys(name for some in each for name in some)
     return [
@@ -145,7 +150,7 @@ def varying(inputs: Sequence[Sequence[Input]]) -> list[str]:
 def _differ(one: Input | None, other: Input | None) -> bool:
     if one is None or other is None:
         return one is not other
-    return is_array(one.value) or is_array(other.value) or one != other
+    return one.tells or is_array(one.value) or is_array(other.value) or one != other
 
 
 def shows(row: Row, name: str) -> bool:

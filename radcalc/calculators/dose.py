@@ -11,7 +11,7 @@ from operator import add, mul, sub
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
-from radcalc.calculators.results import value
+from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import (
     Formula,
@@ -28,6 +28,7 @@ from radcalc.quantities.light import read as read_light
 from radcalc.units.table import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
+WHOLE = (3600, 86400)  # seconds of an hour and of a day without a change of clocks
 NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
 LONG = 10  # times the mean of the others: a step that is told
 MOST = 100_000  # periods: 11 years of hours
@@ -88,13 +89,25 @@ class Period:
     The sum is kept in two floats, so that ten million terms lose no digits.
     """
 
-    __slots__ = ("count", "covered", "end", "label", "low", "peak", "start", "total", "when")
+    __slots__ = (
+        "count",
+        "covered",
+        "end",
+        "is_alone",
+        "label",
+        "low",
+        "peak",
+        "start",
+        "total",
+        "when",
+    )
 
     def __init__(self, start: float, end: float, label: str = "") -> None:
         self.start, self.end, self.label = start, end, label
         self.total = self.low = 0.0
         self.covered: float = 0
         self.count = 0
+        self.is_alone = False  # a sample between two gaps
         self.peak, self.when = -inf, start
 
     def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
@@ -129,6 +142,7 @@ class Dose:
         self.value = 0.0
         self.is_broken = False
         self.count = 0
+        self.plain, self.first_value = 0.0, 0.0  # the sum of the samples, without their times
         self.peak, self.peak_at = -inf, 0.0
         self.gaps, self.gap_time, self.widest = 0, 0.0, NO_STEP
         self.step = NO_STEP  # the longest that is bridged
@@ -143,7 +157,7 @@ class Dose:
         self._watch(times, values)
         counted = 0  # samples of the run that were counted before
         if self.first is None:
-            self.first = times[0]
+            self.first, self.first_value = times[0], values[0]
         elif self.is_broken or times[0] - self.time > self.longest:
             self._gap(self.time, times[0])
         else:
@@ -162,6 +176,7 @@ class Dose:
     def _watch(self, times: list[Any], values: list[float]) -> None:
         """Keep the greatest sample, and what is below 0."""
         self.count += len(times)
+        self.plain += sum(values)
         high, low = max(values), min(values)
         if high > self.peak:
             self.peak, self.peak_at = high, times[values.index(high)]
@@ -184,6 +199,8 @@ class Dose:
                 self.step = Step(longest, times[at], times[at + 1])
             if min(values) < 0:
                 self.below += fsum(map(_below, values, values[1:], steps))
+        elif not counted:
+            self._period(times[0]).is_alone = True
         while True:
             period = self._period(times[0])
             end = period.end
@@ -284,6 +301,12 @@ class Log(NamedTuple):
         length = _duration(self.seconds(step.length))
         return f"{length}, from {self.say(step.start)} to {self.say(step.end)}"
 
+    def samples(self) -> dict[str, float]:
+        """The first sample, the last, and the plain sum of all [SI]."""
+        dose, factor = self.dose, self.unit.factor
+        found = {"first": dose.first_value, "last": dose.value, "sum": dose.plain}
+        return {name: number * factor for name, number in found.items()}
+
     def of_all(self, given: Inputs) -> Answer:
         """The dose of the whole log."""
         dose = self.dose
@@ -303,14 +326,17 @@ class Log(NamedTuple):
         """The dose of each day or hour, by its name; the first has the remarks on all."""
         notes = self.remarks()
         for period in self.dose.periods:
-            if period.covered:
+            if period.covered or period.is_alone:
                 answer = self._answer(period, given)
-                covered, whole = (
-                    _duration(self.seconds(ticks))
-                    for ticks in (period.covered, period.end - period.start)
-                )
-                if covered != whole:
+                seconds = self.seconds(period.end - period.start)
+                covered, whole = _duration(self.seconds(period.covered)), _duration(seconds)
+                if not period.covered:
+                    notes = [f"{period.label}: nothing is covered", *notes]
+                elif covered != whole:
                     notes = [f"{period.label}: {covered} of {whole} are covered", *notes]
+                if seconds not in WHOLE:
+                    told = f"{period.label} has {whole}: the clocks are changed, and"
+                    notes = [f"{told} time-of-maximum is what has passed since it began", *notes]
                 yield period.label, answer._replace(notes=[*answer.notes, *notes])
                 notes = []
 
@@ -329,7 +355,7 @@ class Log(NamedTuple):
         sum_told = f"{format_value(sheet.known[amount].value, whole)}, of {period.count} samples"
         sheet.placed.append(SUM[geometry].told(f"{letter_of(amount)} = {sum_told}"))
         sheet.assume("the light runs straight between samples (the trapezoidal rule)")
-        laws = [MEAN[geometry], RECEIVED]
+        laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
         sheet.solve(laws)
         answer = sheet.answer(laws)
         duration = self.seconds(period.end - period.start)
@@ -340,7 +366,8 @@ class Log(NamedTuple):
             value("coverage", covered / duration, label="covered share of the time"),
             value("samples", float(period.count)),
         ]
-        return answer._replace(values=[*map(_customary, answer.values), *times])
+        results = [_customary(one) if covered else _without_mean(one) for one in answer.values]
+        return answer._replace(values=[*results, *times])
 
 
 def _sum(values: list[float], steps: list[Any]) -> float:
@@ -357,6 +384,14 @@ def _below(one: float, other: float, step: float) -> float:
     if low >= 0:
         return 0.0
     return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
+
+
+def _without_mean(result: Value) -> Value:
+    """A result of a time of which nothing is covered, and which has no mean."""
+    if result.name in ("mean-irradiance", "mean-flux"):
+        why = absent(result.name, "nothing is covered", mention("a longer {max-gap}"))
+        return why._replace(also=result.also)
+    return _customary(result)
 
 
 def _customary(result: Value) -> Value:

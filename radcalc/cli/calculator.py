@@ -1,6 +1,6 @@
 """What every calculator shares: reading its inputs, --get, --check, and showing answers."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -80,10 +80,11 @@ def run(
     command: str,
     shape: str = "",
     operands: Sequence[Input] = (),
+    samples: Mapping[str, float] | None = None,
 ) -> int:
     """Work out the answer to every case and show it, or judge one; return the exit status.
 
-    `operands` are what was given beside the options.
+    `operands` are what was given beside the options; `samples` are facts of a log that is judged.
     """
     work_out = _saying_how_read(work_out)
     if each[0].stream:
@@ -96,6 +97,7 @@ def run(
         check.refuse_several(sum(case.size for case in each))
         given = each[0].given
         question = of_calculator(command, shape, given, work_out, asked.steps)
+        question = question._replace(samples=samples or {})
         inputs = (*operands, *inputs_of(given))
         return check.judge(question, asked.check, asked.tolerance, output, inputs)
     if asked.wanted and output.has_columns:

@@ -1,6 +1,6 @@
 """`radcalc dose FILE|-`."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from math import inf
 
@@ -10,7 +10,7 @@ from radcalc import stdio
 from radcalc.answer import Answer, Input, texts_of
 from radcalc.calculators import dose as page
 from radcalc.cli.calculator import Answered, Asked, run, show
-from radcalc.cli.cases import cases
+from radcalc.cli.cases import Case, cases
 from radcalc.cli.check import refuse_several
 from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
@@ -117,56 +117,74 @@ def command(
 
     Between two samples the light runs straight.  Steps longer than --max-gap are not bridged, nor
     is, without it, a step in which a line was left out; they are told, and counted by coverage.
+    A day or an hour with one sample between two gaps has no exposure, and coverage 0.
     """
+    path = _path(words, typed)
+    each = cases(typed)
+    gap = _gap(each)
+    if by and len(each) > 1:
+        raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
+    if by and asked.check is not None:
+        refuse_several(2)
+    clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
+    cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
+    settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
+    with _reader(path) as (name, read):
+        log = Log(name, read, settings, _complain)
+        summed = _summed(log, gap, by or "")
+    summed.check()
+    told = texts_of(
+        {"file": path, "column": column or "", "unit": unit or "", "time-zone": time_zone or ""}
+    )
+    if by:
+        given = each[0].given
+        inputs = (*told, *inputs_of(given))
+        answers = [
+            Answered(label, (*inputs, Input(by, text=label, tells=True)), _told(log, answer))
+            for label, answer in summed.of_periods(_light(given))
+        ]
+        show(answers, asked, shown, [one.inputs for one in answers])
+    else:
+
+        def work_out(given: Inputs) -> Answer:
+            return _told(log, summed.of_all(_light(given)))
+
+        samples = summed.samples()
+        status = run(each, work_out, asked, shown, "dose", operands=told, samples=samples)
+        if status != stdio.ANSWERED:
+            return status
+    return stdio.ANSWERED if log.is_good else stdio.FAILED
+
+
+def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
+    """The file of the samples, or - for standard input, which nothing else may read."""
     if len(words) != 1:
         problem = "there is a word too many" if words else "the file with the samples is missing"
         raise UsageError(problem, call_of("dose", "FILE"))
     if words[0] == "-":
         refuse_second_reader(typed)
-    each = cases(typed)
-    if by and len(each) > 1:
-        raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
-    if by and asked.check is not None:
-        refuse_several(2)
-    gaps = {case.given["max-gap"].value for case in each if "max-gap" in case.given}
-    if len(gaps) > 1:
+    return words[0]
+
+
+def _gap(each: Sequence[Case]) -> float:
+    """The longest step that is bridged [s], which is one for all cases."""
+    gaps = [case.given["max-gap"] for case in each if "max-gap" in case.given]
+    refuse_uncertain(gaps, "a log")
+    if len({one.value for one in gaps}) > 1:
         raise UsageError("a list of gaps is not for one reading of a log", "--max-gap once")
-    for case in each:
-        refuse_uncertain([one for name, one in case.given.items() if name == "max-gap"], "a log")
-    clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
-    cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
-    settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
-    texts = {"file": words[0], "column": column, "unit": unit, "time-zone": time_zone}
-    told = texts_of({name: text for name, text in texts.items() if text})
-    with _reader(words[0]) as (name, read):
-        log = Log(name, read, settings, _complain)
-        summed = _summed(log, next(iter(gaps), inf), by or "")
-    summed.check()
+    return gaps[0].value if gaps else inf
 
-    def with_remarks(answer: Answer) -> Answer:
-        assumptions = (*log.assumptions, *answer.assumptions)
-        return answer._replace(assumptions=assumptions, notes=[*answer.notes, *log.notes])
 
-    if by:
-        given = dict(each[0].given)
-        inputs = (*told, *inputs_of(given))
-        given.pop("max-gap", None)
-        answers = [
-            Answered(label, (*inputs, Input(by, text=label)), with_remarks(answer))
-            for label, answer in summed.of_periods(given)
-        ]
-        # with none beside them, so that a single one has its column, too
-        show(answers, asked, shown, [*[one.inputs[-1:] for one in answers], ()])
-    else:
+def _light(given: Inputs) -> Inputs:
+    """What is given for the light of the samples, and not for their times."""
+    return {name: one for name, one in given.items() if name != "max-gap"}
 
-        def work_out(given: Inputs) -> Answer:
-            given = {name: one for name, one in given.items() if name != "max-gap"}
-            return with_remarks(summed.of_all(given))
 
-        status = run(each, work_out, asked, shown, "dose", operands=told)
-        if status != stdio.ANSWERED:
-            return status
-    return stdio.ANSWERED if log.is_good else stdio.FAILED
+def _told(log: Log, answer: Answer) -> Answer:
+    """An answer with what is to be said of how its log was read."""
+    return answer._replace(
+        assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
+    )
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """What was asked: a calculator's or a conversion's question."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
@@ -17,7 +18,8 @@ class Question(NamedTuple):
 
     `shape` is that of the source or of the solid angle; `steps` are the derivation, where one is
     asked for.  A conversion has a plan, and the number that is converted.  Where what was given
-    is uncertain, `uncertain` is the right answer with the uncertainties.
+    is uncertain, `uncertain` is the right answer with the uncertainties.  Of a log `samples` has
+    the first, the last and the sum of all [SI].
     """
 
     answer: Answer
@@ -29,6 +31,7 @@ class Question(NamedTuple):
     plan: Plan | None = None
     number: float = 0.0
     uncertain: Answer | None = None
+    samples: Mapping[str, float] = MappingProxyType({})
 
 
 def of_calculator(

@@ -402,6 +402,33 @@ def _environment(p: Problem) -> Found:
         yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
 
 
+def _samples(p: Problem) -> Found:
+    """The samples of a log without their times, or with wrong ones."""
+    samples = p.question.samples
+    mean = p.amount("mean-irradiance") or p.amount("mean-flux")
+    names = ("covered-time", "duration", "samples", "gaps")
+    covered, duration, count, gaps = (p.amount(name) or 0.0 for name in names)
+    is_sum = p.asks("exposure", "energy")
+    if not samples or not mean or not (is_sum or p.asks("mean-irradiance", "mean-flux")):
+        return
+    times_mean = p.right / mean
+    step = covered / (count - 1 - gaps)
+    for unit in (1.0, 60.0, 3600.0) if is_sum else ():
+        if not math.isclose(unit, step):
+            yield usual("step-forgotten", times_mean * samples["sum"] * unit / covered)
+    yield usual("whole-steps", times_mean * samples["sum"] * step / covered)
+    yield usual("plain-mean", times_mean * samples["sum"] / count)
+    for name in ("first", "last"):
+        done = f"the {name} sample was taken for all of the time"
+        yield usual("sample-for-all", times_mean * samples[name], done)
+    peak = p.amount("maximum-irradiance") or p.amount("maximum-flux") or 0.0
+    yield usual("sample-for-all", times_mean * peak)
+    yield usual("gaps-bridged", p.right * duration / covered)
+    for size in (60.0, 3600.0):
+        for value in (p.right * size, p.right / size):
+            yield usual("minutes-for-seconds", value)
+
+
 def _pixel(p: Problem) -> Found:
     """The solid angle of a pixel."""
     if p.question.shape == "pixel" and p.asks("solid-angle"):
@@ -501,6 +528,7 @@ OUTSIDE = (
     _direction,
     _sky,
     _environment,
+    _samples,
     _pixel,
     _eyes,
     _beam,

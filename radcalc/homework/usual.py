@@ -127,6 +127,17 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "k-for-c": (1,
         "the constant of reflected light was used for incident light, or the other way round",
         "L = K 2^EV100 / 100 with K = 12.5, E = C 2^EV100 / 100 with C = 250"),
+    # --- samples in time
+    "step-forgotten": (1, "the samples were added up without the time between them",
+        "H is the sum of (E_i + E_i+1)/2 (t_i+1 - t_i)"),
+    "whole-steps": (1, "each sample was counted with a whole step, the first and the last too",
+        "n samples have n - 1 steps: the ends count half, by the trapezoidal rule"),
+    "sample-for-all": (2, "the greatest sample was taken for all of the time",
+        "H is the sum of (E_i + E_i+1)/2 (t_i+1 - t_i)"),
+    "plain-mean": (2, "the plain mean of the samples was taken, as if they stood for equal times",
+        "the mean over time is H / t: each sample counts with the time around it"),
+    "gaps-bridged": (3, "the gaps were counted, as if they had the mean light of the rest",
+        "what no sample tells is not added up"),
     # --- units and slips
     "minutes-for-seconds": (3, "a time was used in another unit (minutes or hours for seconds)",
         "a watt is a joule per second"),

@@ -24,7 +24,8 @@ def results(results: Sequence[Result], style: Style) -> str:
     """
     units = units_of_varied([result.inputs for result in results])
     given = [[row for row in result.rows if row.given] for result in results]
-    are_apart = len({tuple(row.value for row in rows) for rows in given}) == len(results)
+    numbers = {tuple(row.value for row in rows) for rows in given}
+    are_apart = len(numbers) == len(results) > 1
     units = {
         name: unit
         for name, unit in units.items()

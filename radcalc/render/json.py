@@ -1,7 +1,8 @@
 """Strict JSON at full precision, in one schema for every command.
 
 An answer is one object: the command, its inputs and results by their names, what was assumed and
-noted, the derivation, and what is said of a claim.  Several answers are an array of objects.
+noted, the derivation, and what is said of a claim.  Several answers are an array of objects, and
+so are those of each day, of which there may be one.
 """
 
 import json
@@ -19,7 +20,8 @@ def results(results: Sequence[Result], style: Style) -> str:
     """One object, or of several answers an array with one on each line."""
     objects = [_text(_of_result(result, style)) for result in results]
     together = ",\n".join(objects)
-    return f"{together}\n" if len(objects) == 1 else f"[{together}]\n"
+    is_list = len(objects) != 1 or any(one.tells for result in results for one in result.inputs)
+    return f"[{together}]\n" if is_list else f"{together}\n"
 
 
 def line(result: Result, style: Style, place: dict[str, object]) -> str:

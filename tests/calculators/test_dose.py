@@ -81,6 +81,27 @@ def test_days_add_up_to_the_whole(steps, size, longest):
     assert [p.start for p in dose.periods] == sorted({p.start for p in dose.periods})
 
 
+@given(LOGS, st.integers(1, 7), st.sampled_from([1, 20, 200]))
+def test_a_day_with_a_sample_is_told_though_nothing_of_it_is_covered(steps, size, longest):
+    times, values = log_of(steps)
+    joined = [b - a <= longest for a, b in pairwise(times)]
+    if not any(joined):
+        return
+    told = {
+        label
+        for k, time in enumerate(times)
+        # the end of a step at midnight is of the day before
+        for label in [days(time)[2]]
+        if time % DAY or joined[k : k + 1] == [True] or not (k and joined[k - 1])
+    }
+    dose = summed(times, values, size, longest=longest, spans=days)
+    found = {label for label, _ in Log(dose, resolve("lx"), (1, 1), str).of_periods({})}
+    # what is bridged may go over days without a sample
+    over = {days(t)[2] for (a, b), is_one in zip(pairwise(times), joined, strict=True) if is_one
+            for t in range(a, b)}  # fmt: skip
+    assert found == told | over
+
+
 def test_a_trapezoid_over_days_is_cut_on_its_line():
     """From 0 at 50 to 300 at 350: 50 at 100, 150 at 200, 250 at 300."""
     dose = summed([50, 350], [0.0, 300.0], spans=days)

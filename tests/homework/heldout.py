@@ -5,6 +5,7 @@ Written before the generators of mistakes, from textbooks' classical errors, and
 """
 
 from math import acos, asin, atan, cos, degrees, hypot, log, log2, pi, radians, sqrt
+from pathlib import Path
 
 from homework.corpus import (
     DARK450,
@@ -43,7 +44,26 @@ PICTURE = 2.3**2 * 3 / 4  # m2
 ETENDUE = "etendue --area 2.7mm2 --half-angle 29deg"
 HEAT = "calorimeter --mass 45g --specific-heat 450J/kg/K --temperature-rise 3.7K --time 4min"
 
+LOG = f"dose {Path(__file__).with_name('lux.csv')}"
+# of 130, 470, 290 and 70 lx at 0, 1, 2.5 and 5 h: 300 + 570 + 450 = 1320 lx h
+SAMPLES = 130 + 470 + 290 + 70
+
 HELD_OUT = [
+    # --- samples in time
+    Wrong(LOG, "exposure", "lx.h", 1320 * 3600, "minutes-for-seconds"),
+    Wrong(LOG, "exposure", "lx.s", 1320 * 60, "minutes-for-seconds"),
+    Wrong(LOG, "exposure", "lx.h", SAMPLES, "step-forgotten"),
+    Wrong(LOG, "exposure", "lx.s", SAMPLES, "step-forgotten"),
+    Wrong(LOG, "exposure", "lx.h", SAMPLES * 5 / 3, "whole-steps"),
+    Wrong(LOG, "exposure", "lx.h", SAMPLES / 4 * 5, "plain-mean"),
+    Wrong(LOG, "mean-irradiance", "lx", SAMPLES / 4, "plain-mean"),
+    Wrong(LOG, "exposure", "lx.h", 130 * 5, "sample-for-all"),
+    Wrong(LOG, "exposure", "lx.s", 70 * 5 * 3600, "sample-for-all"),
+    Wrong(LOG, "exposure", "klx.h", 0.47 * 5, "sample-for-all"),
+    # without the 2.5 h: 300 + 570 = 870 lx h in 2.5 h, or 348 lx
+    Wrong(f"{LOG} --max-gap 2h", "exposure", "lx.h", 348 * 5, "gaps-bridged"),
+    Wrong(f"{LOG} --efficacy 54lm.s/umol", "photon-exposure", "mmol/m2",
+          130 / 54 * 1e-3 * 5 * 3600, "sample-for-all"),
     # --- a screen: pi, the gain, the sizes
     Wrong(SCREEN, "luminance", "cd/m2", 1.2 * 2100 / PICTURE, "pi-forgotten"),
     Wrong(SCREEN, "luminance", "cd/m2", 2100 / PICTURE / pi, "gain-forgotten"),
