@@ -47,7 +47,7 @@ from radcalc.quantities.symbols import (
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, relative_rounding, rounding
-from radcalc.units.ranges import read_array, read_series, read_spectra, read_values, real, with_list
+from radcalc.units.ranges import read_array, read_spectra, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 from radcalc.units.uncertain import Part
@@ -116,6 +116,10 @@ Inputs = dict[str, Given]
 LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that may be told in OD, stops or dB
 MARKED = {"f-number": "f/", "nd": "nd"}  # what may stand before the number: f/8,f/11 is no 8.11
 MARKS_OF_STOPS = range(101, 114)  # filters' marks for 1 to 13 stops
+NO_SHARES = (  # numbers of which nothing is a part, so that they have no percentage
+    "exponent", "beam-exponent", "falloff", "f-number", "working-f-number", "ev", "ev100", "iso",
+    "nd", "stops", "luminaires", "room-index", "electrons", "snr",
+)  # fmt: skip
 DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and not in mired
 
 
@@ -154,10 +158,22 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
         return [f"{one}{comma}{azimuth}" for one in read_values(polar)]
     if form != QUANTITY:
         return [text]
-    has_unit = NUMBER not in SYMBOLS[name].dimensions  # 0.2,80% are two ratios
+    has_unit = NUMBER not in SYMBOLS[name].dimensions
     if arrays and name not in LINKS and (values := read_array(text, has_unit)):
         return [values]
-    return read_values(text) if has_unit else read_series(text)
+    if not has_unit:
+        _refuse_mixed_shares(text)
+    return read_values(text)
+
+
+def _refuse_mixed_shares(text: str) -> None:
+    """Refuse 0.5,0.6%, where 0.5 may be a half or half a percent."""
+    mark = ":" if ":" in text else ","
+    *others, last = [part.strip() for part in text.split(mark)]
+    if last.endswith("%") and not all(part.endswith("%") for part in others):
+        whole = mark.join(f"{part.removesuffix('%')}%" for part in (*others, last))
+        problem = f"'{quote(text)}' can be read in two ways"
+        raise ConditionError(problem, f"{quote(whole)}, or numbers without %")
 
 
 AS_BARE = "0123456789./"  # what a number has that is written without its unit
@@ -276,6 +292,9 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
             f"{option(name)} takes {symbol.takes}, not {quote(scale.text)}",
             option(name, symbol.example),
         )
+    if unit is not None and not scale and name in NO_SHARES:
+        problem = f"{option(name)} takes a number, not {quote(unit.text)}"
+        raise ConditionError(problem, option(name, symbol.example))
     if dimension not in symbol.dimensions:
         if unit is None and maths.is_array(number):
             problem = f"{option(name)} has numbers without a unit"

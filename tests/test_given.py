@@ -149,12 +149,24 @@ def test_what_is_no_size_is_refused(size):
         ("time", "1/60,1/125s", ["1/60s", "1/125s"]),
         ("time", "1/60,1/125", ["1/60", "1/125"]),
         ("distance", "1,5m", ["1,5m"]),
-        ("reflectance", "0.2,80%", ["0.2", "80%"]),
-        ("reflectance", "0.1:0.9:40%", ["0.1", "0.5", "0.9"]),
+        ("reflectance", "20%,80%", ["20%", "80%"]),
+        ("reflectance", "0.1,0.3 OD", ["0.1 OD", "0.3 OD"]),
     ],
 )
 def test_a_list_may_have_its_unit_last_where_its_values_have_one(name, text, values):
     assert values_of(name, text) == values
+
+
+@pytest.mark.parametrize("text", ["0.2,80%", "0.5,0.6%", "0.1:0.3:0.1%", "0.1:0.9:40%"])
+def test_a_percentage_at_the_end_of_a_list_of_shares_is_refused(text):
+    with pytest.raises(RadcalcError, match="two ways"):
+        values_of("reflectance", text)
+
+
+@pytest.mark.parametrize("name", ["f-number", "nd", "iso", "stops", "ev100", "exponent"])
+def test_a_number_that_is_no_share_has_no_percentage(name):
+    with pytest.raises(RadcalcError, match="takes a number"):
+        read(name, "12.5%")
 
 
 def test_a_long_range_may_have_its_unit_last():

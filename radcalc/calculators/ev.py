@@ -79,6 +79,7 @@ PAGE = Page(
     "factor of the filter.  Of a flash, {guide-number}, {distance}, {f-number}, {iso} and the "
     "filter give each other.",
 )
+LEAST_STOPS = 1e-9  # of rounding
 FLASHING = PAGE._replace(
     title="a flash",
     takes=(*OF_FLASH, "f-number", "iso", "nd", "stops"),
@@ -90,6 +91,12 @@ FLASHING = PAGE._replace(
 def ev(given: Inputs) -> Answer:
     """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
     answer = _exposed(given)
+    for one in answer.values:
+        if one.name == "stops" and any_true(one.amount < -LEAST_STOPS):
+            problem = "behind a filter the time is longer than without it, not shorter"
+            raise ConditionError(
+                problem, mention("a longer {time}, or a shorter {unfiltered-time}")
+            )
     values = [
         one._replace(label=EXPOSURE_TIME) if one.name == "time" else one for one in answer.values
     ]

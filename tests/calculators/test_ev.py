@@ -98,3 +98,9 @@ def test_a_short_exposure_time_is_a_fraction_in_a_table_only():
     asked = "--f-number 8 --ev100 12 --nd ND4"  # 64 / 2^12 s, times 4
     assert "1/16 " in values_of(f"{asked} --format table")
     assert "time\t0.0625\ts" in values_of(asked)
+
+
+def test_a_time_that_a_filter_would_shorten_is_refused():
+    done = run("ev", "--time", "1/125s", "--unfiltered-time", "1/60s")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "--unfiltered-time" in done.stderr
