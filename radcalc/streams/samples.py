@@ -34,7 +34,8 @@ from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import Unit, resolve
 
-HEAD = 100  # lines in which the data begin
+HEAD = 100  # lines in which the data begin, without comments and blank lines
+MOST_REMARKS = 10_000  # lines that are looked through for them
 FEW = 32  # lines that are not cut further
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # as loggers mark what is missing: -9999.9
@@ -121,11 +122,14 @@ class Log:
     def _lay_out(self) -> Layout:
         """Read the first lines, of which those with data are kept for later."""
         head: list[Row] = []
+        rows: list[Row] = []
         for number, lines in self._blocks:
-            head += enumerate(lines, number)
-            if len(head) >= HEAD:
+            new = list(enumerate(lines, number))
+            head += new
+            rows += [row for row in new if not _is_remark(row[1])]
+            if len(rows) >= HEAD or len(head) >= MOST_REMARKS:
                 break
-        rows = [row for row in head[:HEAD] if not _is_remark(row[1])]
+        rows = rows[:HEAD]
         named = self._named_row(rows)
         start = 0 if named is None else named + 1
         first = next((k for k in range(start, len(rows)) if self._is_data(rows[k][1], named)), None)
@@ -136,12 +140,15 @@ class Log:
                 "lines with a time and a value: 2024-06-01T12:35,812",
             )
         number, line = rows[first]
-        self._pending = [(number, [text for n, text in head if n >= number])]
         delimiter = self._delimiter(line)
         width = len(columns.cells(line, delimiter))
+        while first > start and self._is_bad(rows[first - 1][1], line):
+            first -= 1
+        begin = rows[first][0]
+        self._pending = [(begin, [text for n, text in head if n >= begin])]
         titles = self._titles(rows[:first], named, delimiter, width)
         if not titles:
-            comments = [text for n, text in head if n < number and _is_comment(text)]
+            comments = [text for n, text in head if n < begin and _is_comment(text)]
             titles = self._commented(comments, width)
         return self._columns(number, columns.cells(line, delimiter), titles, delimiter)
 
@@ -178,6 +185,15 @@ class Log:
         if any(map(self._is_stamp, cells)):
             return len(numbers) > 0
         return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
+
+    def _is_bad(self, line: str, good: str) -> bool:
+        """Whether a line above a good one is of data, too: titles have no time and no number."""
+        delimiter = self._delimiter(good)
+        cells, own = columns.cells(line, delimiter), columns.cells(good, delimiter)
+        both = zip(cells, own, strict=False)
+        if any(self._is_stamp(one) and self._is_stamp(other) for one, other in both):
+            return True
+        return len(cells) == len(own) and any(map(_is_number, cells))
 
     def _is_stamp(self, cell: str) -> bool:
         return timestamps.looks_like_stamp(cell, self.settings.clock.format)
@@ -328,26 +344,14 @@ class Log:
         layout = self.layout
         try:
             cells = _columns_of(lines, layout.delimiter, layout.width)
-            texts = cells[layout.place]
-            joined = " ".join(texts)
-            if not joined.isascii() or "_" in joined:
-                return None
-            if layout.delimiter != ",":
-                marks, has_point = self.decimals, "." in joined
-                if "," in joined:
-                    if has_point or not marks.comma:
-                        return None
-                    texts = joined.replace(",", ".").split(" ")
-                elif has_point and (marks.comma or marks.doubtful):
-                    return None
-                if has_point and not marks.point:
-                    marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
-            values = list(map(float, texts))
+            values = list(map(float, self._with_points(cells[layout.place], number)))
             total = sum(values)
-            if total - total or ("-" in joined and min(values) <= LEAST):
+            if total - total or min(values) <= LEAST:
                 return None
             stamps = cells[layout.times[0]]
-            if layout.times[1:]:
+            if layout.clock.has_numbers:
+                stamps = self._with_points(stamps, number)
+            elif layout.times[1:]:
                 stamps = list(map(" ".join, zip(*[cells[k] for k in layout.times], strict=True)))
             times: list[Any] = list(layout.clock.many(stamps))
         except (ValueError, TypeError, RadcalcError):
@@ -356,6 +360,25 @@ class Log:
             return None
         self.last, self.last_line = times[-1], number + len(lines) - 1
         return times, values
+
+    def _with_points(self, texts: list[str], number: int) -> list[str]:
+        """Numbers with decimal points; ValueError where a text or a mark is unusual."""
+        joined = " ".join(texts)
+        if not joined.isascii() or "_" in joined:
+            raise ValueError
+        if self.layout.delimiter == ",":
+            return texts
+        marks, has_point = self.decimals, "." in joined
+        if "," in joined:
+            if has_point or not marks.comma:
+                raise ValueError
+            return joined.replace(",", ".").split(" ")
+        if has_point:
+            if marks.comma or marks.doubtful:
+                raise ValueError
+            if not marks.point:
+                marks.point = next(k for k, text in enumerate(texts, number) if "." in text)
+        return texts
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
         """The samples of lines, each by itself; what is wrong with one is said."""
@@ -400,19 +423,21 @@ class Log:
             raise self.error(
                 number, f"{len(cells)} cells instead of {layout.width}", "a cell in every column"
             )
+        stamp, comma = " ".join([cells[k] for k in layout.times]), layout.delimiter != ","
         try:
-            time = layout.clock.one(" ".join([cells[k] for k in layout.times]))
+            time = layout.clock.one(stamp)
         except RadcalcError as error:
             raise self.error(number, error.message, error.hint) from None
-        text, comma = cells[layout.place], layout.delimiter != ","
+        text = cells[layout.place]
         if text.lower() in MISSING or MARKED.fullmatch(text):
             hint = mention("{invalid=ignore}, which leaves the line out")
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
         value = columns.finite(text, comma)
         if value is None:
             raise self.error(number, f"'{quote(text)}' is not a number", "a number")
-        if comma and (problem := self.decimals.conflict(text, number)):
-            raise self.error(number, problem, columns.MARKS)
+        for one in (stamp, text) if layout.clock.has_numbers else (text,):
+            if comma and (problem := self.decimals.conflict(one, number)):
+                raise self.error(number, problem, columns.MARKS)
         return time, value
 
     def _check_order(self, time: Any, number: int) -> None:

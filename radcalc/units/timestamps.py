@@ -24,6 +24,7 @@ FIRST_YEAR, LAST_YEAR = 1000, 9000
 LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
 MOST_KNOWN = 200_000  # texts of dates or clocks that are remembered
 # Unix time from 2001 to 2286: ticks by the digits before the point.
+OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
 UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
 
 YEAR_FIRST = r"(?P<Y>\d{4})(?P<x>[-/.])(?P<m>\d\d?)(?P=x)(?P<d>\d\d?)|"
@@ -91,6 +92,8 @@ class Period(NamedTuple):
 class Elapsed:
     """Numbers of a unit that have passed since some start."""
 
+    has_numbers = True  # whose decimals have marks
+
     def __init__(self, unit: Unit) -> None:
         self.unit = unit
         self.tick = unit.top, unit.bottom  # a tick in seconds
@@ -128,6 +131,7 @@ class Calendar:
     """Dates with the time of the day, in one zone or with offsets of their own."""
 
     tick = 1, SECOND
+    has_numbers = False
 
     def __init__(
         self, zone: tzinfo | None, pattern: "Pattern", first: str = "", of_title: int | None = None
@@ -280,6 +284,8 @@ class Calendar:
 class Unix(Calendar):
     """Seconds since 1970, or thousandths of them and so on."""
 
+    has_numbers = True
+
     def __init__(self, zone: tzinfo | None, ticks: int) -> None:
         super().__init__(zone or UTC, Pattern(None, None, "", ""))
         self.ticks = ticks
@@ -300,7 +306,7 @@ class Unix(Calendar):
         """The ticks of a text."""
         from decimal import Decimal
 
-        if columns.finite(text, comma=True) is None:
+        if not OF_UNIX.fullmatch(text):
             raise NumberError(f"'{quote(text)}' is no Unix time", "seconds since 1970")
         tick = round(Decimal(text.replace(",", ".")) * self.ticks)
         if not 0 < tick < LATEST:

@@ -120,6 +120,18 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s,E_lx\n0,1\n", {"unit": "fc"}, "contradicts the title 'E_lx'"),
         ("t_s,E_lx,\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles over 2 columns"),
         ("t_s,E (100 lx)\n0,1\n1,2\n", {}, "scales its numbers"),
+        # bad lines above the first good one are none of titles
+        *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
+          for bad in ("OVER", "<1", "1.000.000", "\0") for told in ({}, {"column": "E"})],
+        ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 cells"),
+        ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is no date and time"),
+        ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
+        # marks of decimals in times are held against each other, and against those of values
+        ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' may be a thousand"),
+        ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
+        ("t_s;E_lx\n0.5;1\n1.5;2,5\n", {}, "line 3: a decimal comma"),
+        *[(f"t,E [lx]\n1717245300,1\n{bad},2\n", {}, "is no Unix time")
+          for bad in ("1e-9999999999999999999", "1.7172453e9", "9" * 5000)],
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_refused_with_its_line(text, told, said):
@@ -127,6 +139,17 @@ def test_what_is_wrong_is_refused_with_its_line(text, told, said):
         read(text, **told)
     assert said in refused.value.message
     assert refused.value.hint
+
+
+def test_decimal_commas_are_those_of_times_and_values():
+    rows = [f"{k},5;{k},25" for k in range(100)]
+    times, values, _ = read("t_s;E_lx\n" + "\n".join(rows))
+    assert (times, values) == ([float(k) for k in range(100)], [k + 0.25 for k in range(100)])
+
+
+def test_a_long_preamble_of_comments_is_looked_over():
+    times, values, _ = read("# site\n" * 1500 + "t_s,E_lx\n0,1\n1,2\n")
+    assert (times, values) == ([0, 1], [1, 2])
 
 
 def test_a_line_too_long_fills_no_memory():
