@@ -230,7 +230,7 @@ class Dose:
             start = last.end
         if len(self.periods) >= MOST:
             raise TooMany(
-                f"there are more than {MOST} periods, up to {label}",
+                f"there are more than {MOST} days or hours, up to {label}",
                 mention("{by=day}, or a {max-gap}, where a time is far from the others"),
             )
         self.periods.append(Period(start, end, label))

@@ -252,12 +252,26 @@ class Log:
             stamps = [k for k, name in enumerate(names) if _is_of_time(name)]
             if not names or (not stamps and len(cells) == 2):
                 stamps = [0]
-        clocks = [k for k, cell in enumerate(cells) if timestamps.looks_like_clock(cell)]
         if len(stamps) == 1:
-            return (*stamps, *clocks) if len(clocks) == 1 and clocks != stamps else tuple(stamps)
+            return (*stamps, *self._clock_column(stamps[0], cells, names))
         shown = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
         problem = f"there are {len(stamps)} columns of times" if stamps else "no column has times"
         raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(shown)}")
+
+    def _clock_column(self, date: int, cells: list[str], names: list[str]) -> list[int]:
+        """The column of the clock to that of the dates: the next to it, or one of that title."""
+        clocks = [k for k, cell in enumerate(cells) if timestamps.looks_like_clock(cell)]
+        own = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
+        near = [k for k in clocks if abs(k - date) == 1]
+        found = [k for k in near if k in own] or near or own
+        if len(found) > 1:
+            shown = listed([names[k] if names else str(k + 1) for k in found])
+            hint = f"{option('time-column', 'NAME')} twice, for the date and one of {shown}"
+            raise self.error(0, f"there are {len(found)} columns of clocks", hint)
+        if found and names:
+            pair = f"'{quote(names[date])}' and '{quote(names[found[0]])}'"
+            self.assumptions.append(f"the date and the clock are those of {pair}")
+        return found
 
     def _value_column(
         self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]

@@ -190,7 +190,7 @@ def test_what_is_no_dose_is_refused(times, values, said):
 def test_a_time_far_from_the_others_makes_no_endless_list(monkeypatch):
     monkeypatch.setattr(module, "MOST", 50)
     assert len(summed([0, 49 * DAY], [1.0, 1.0], spans=days).periods) == 50
-    with pytest.raises(RadcalcError, match="more than 50 periods"):
+    with pytest.raises(RadcalcError, match="more than 50 days or hours"):
         summed([0, 50 * DAY], [1.0, 1.0], spans=days)
 
 

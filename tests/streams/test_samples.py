@@ -126,6 +126,7 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("time,E [lx]\n2024-06-01T11:00\n2024-06-01T12:00,1\n", {}, "line 2: 1 cells"),
         ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is no date and time"),
         ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
+        ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
         # marks of decimals in times are held against each other, and against those of values
         ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' may be a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
@@ -139,6 +140,23 @@ def test_what_is_wrong_is_refused_with_its_line(text, told, said):
         read(text, **told)
     assert said in refused.value.message
     assert refused.value.hint
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        # sunrise is no time of a sample
+        ("date,E [lx],rise\n2024-06-01,1,04:00\n2024-06-02,1,04:01\n", 86400),
+        ("date,E [lx],time\n2024-06-01,1,04:00\n2024-06-02,1,04:01\n", 86460),
+        ("date,MST,E [lx],rise\n2024-06-01,04:00,1,03:00\n2024-06-01,04:01,1,03:00\n", 60),
+        ("rise,date,time,E [lx]\n03:00,2024-06-01,04:00,1\n03:00,2024-06-01,04:01,1\n", 60),
+    ],
+)
+def test_the_clock_to_a_date_is_the_next_column_or_has_a_title_of_time(text, seconds):
+    times, _, log = read(text)
+    assert times == [0, seconds]
+    said = [one for one in log.assumptions if "the date and the clock" in one]
+    assert len(said) == (seconds != 86400)
 
 
 def test_decimal_commas_are_those_of_times_and_values():
