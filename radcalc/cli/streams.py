@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from radcalc import stdio
-from radcalc.answer import Answer, Input, Result
+from radcalc.answer import Answer, Input, Result, Value
 from radcalc.cli.cases import Case
 from radcalc.cli.options import WITHOUT_NUMBERS, Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
-from radcalc.errors import RadcalcError, UsageError, command, option, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.given import Given, Inputs, inputs_of, refuse_uncertain
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
@@ -143,11 +143,11 @@ def convert(
 
     precision = shown.style.precision
 
-    def titled(unit: Unit) -> Texts:
+    def titled(unit: Unit) -> tuple[Texts, Unit]:
         told = f"the numbers are in {quote(unit.text)}, as their title says"
         texts = Numbers(planned(unit, told), precision, mark)
         texts.example = "a number alone: the title has its unit"
-        return texts
+        return texts, target
 
     header = None
     if lines or name is not None:
@@ -199,6 +199,7 @@ def calculate(
     """
     from radcalc.calculators.results import rows
     from radcalc.streams.calculated import Calculated, Found
+    from radcalc.streams.header import refuse_change
     from radcalc.streams.stream import Stream, run
 
     source = case.stream
@@ -212,17 +213,33 @@ def calculate(
         raise UsageError(f"{len(wanted)} results in the place of one field", "-g once")
     remarks = Remarks(shown.style.remarks and not as_json)
 
-    def of_line(given: Given) -> Answer:
+    has_titles = bool(layout.lines) and not as_json
+    target: Unit | None = None  # of the results, which a title has
+
+    def of_value(given: Given) -> Answer:
         return work_out(case.of_line(given))
 
-    def texts_of(source: Source) -> Calculated:
+    def of_line(given: Given) -> Answer:
+        if has_titles and layout.name is None and target:
+            refuse_change(given.unit or resolve("1"), target)
+        return of_value(given)
+
+    def texts_of(source: Source, wanted: Sequence[str]) -> Calculated:
         heard, precision = remarks.hear, shown.style.precision
         return Calculated(source, of_line, wanted, heard, precision, layout.mark)
 
-    def titled(unit: Unit) -> Calculated:
+    def titled(unit: Unit) -> tuple[Calculated, Unit]:
+        nonlocal target
         remarks.note("assumed", f"the numbers are in {quote(unit.text)}, as their title says")
         source.check(unit)
-        return texts_of(source._replace(unit=unit.text))
+        of_unit = source._replace(unit=unit.text)
+        names = _in_units(of_unit, of_value, wanted, as_json)
+        target = _unit_of(names)
+        if target is None and not as_json:
+            raise UsageError("a title has a unit", option("get", "NAME:UNIT"))
+        if has_titles and layout.name is None and target:
+            refuse_change(unit, target)
+        return texts_of(of_unit, names), target or resolve("1")
 
     def record(line: int, field: int | None, given: Given, found: Found) -> str:
         from radcalc.render import json
@@ -239,13 +256,15 @@ def calculate(
         remarks.say()
         stdio.pour(data)
 
-    target = _check_wanted(source, of_line, wanted, as_json)
+    named = _in_units(source, of_value, wanted, as_json)
     header = None
     if layout.lines or layout.adds:
+        target = _unit_of(named)
         header = _header(source, asked, layout, target, as_json, titled, remarks)
+        wanted = named if has_titles else wanted
     made = record if as_json else None
-    fields = layout.fields
-    stream = Stream(texts_of(source), layout.cut, fields, layout.lines, header, made, layout.adds)
+    texts = texts_of(source, wanted)
+    stream = Stream(texts, layout.cut, layout.fields, layout.lines, header, made, layout.adds)
     good = run(stream, stdio.read, write, asked.invalid or ABORT, _complain)
     return stdio.ANSWERED if good else stdio.FAILED
 
@@ -254,62 +273,84 @@ def _header(
     source: Source,
     asked: Asked,
     layout: "Layout",
-    target: str,
+    target: Unit | None,
     as_json: bool,
-    titled: "Callable[[Unit], Texts]",
+    titled: "Callable[[Unit], tuple[Texts, Unit]]",
     remarks: "Remarks",
 ) -> "Header":
     """What reads the titles over the input, and writes that of the result, in the target's unit."""
     from radcalc.streams.header import Header, refuse_change
 
-    name = layout.name
-    if as_json:  # which has no titles
-        name = name or "result"
-    elif not target:
-        raise UsageError("a title has a unit", "-g NAME:UNIT")
-    unit = resolve_any(target or "1")
     own = resolve_given(source.unit) if source.unit else None
-    if name is None:
-        refuse_change(own or source.read(SYMBOLS[source.name].example).unit or resolve("1"), unit)
+    if layout.name is None and own and target and not as_json:
+        refuse_change(own, target)
     return Header(
         layout.cut,
         own,
-        unit,
+        resolve("1") if as_json else target,
         titled,
         lambda text: remarks.note("note", text),
         asked.column or "",
-        name,
-        layout.adds,
+        "result" if as_json else layout.name,  # JSON has no titles
+        layout.adds and not as_json,
         lambda unit: option(source.name, f"'- {unit}'"),
         source.is_bare,
     )
 
 
-def _check_wanted(
-    source: Source, of_line: Callable[[Given], Answer], wanted: Sequence[str], as_json: bool
-) -> str:
-    """Refuse what no line has for a result, by what follows of such a value.
+def _unit_of(wanted: Sequence[str]) -> Unit | None:
+    """The unit of the first result, NAME:UNIT; None where the name is alone."""
+    text = wanted[0].partition(":")[2].strip() if wanted else ""
+    return resolve_any(text) if text else None
 
-    Gives the unit of the first result, '' where only the first line will tell it.
+
+def _in_units(
+    source: Source, of_line: Callable[[Given], Answer], wanted: Sequence[str], as_json: bool
+) -> Sequence[str]:
+    """The results NAME:UNIT that lines have; where only a line tells the unit, NAME.
+
+    Refuses what no line has, by what follows of a value of the same kind in the same unit.
     """
     from radcalc.calculators.results import names_of, pick
 
-    try:
-        values = of_line(source.read(SYMBOLS[source.name].example)).values
-    except RadcalcError:  # of everything else, which the first line says, or of that value
-        values = ()
+    values = _likely(source, of_line)
     if not wanted and not as_json:
         names = names_of([one for one in values if one.given is None]) or ["NAME:UNIT"]
         told = option(source.name, "-")
         raise UsageError(f"{told} takes a result for every line", f"-g with {', '.join(names)}")
-    units = [one.partition(":")[2].strip() for one in wanted]
+    named = list(wanted)
     for k, one in enumerate(wanted if values else ()):
         try:
-            units[k] = pick(values, one).unit
+            row = pick(values, one)
+        except NumberError:  # of that value
+            continue
         except UsageError:
             if one.partition(":")[0] not in {v.name for v in values if v.is_absent}:
                 raise
-    return units[0] if units else ""
+            continue
+        if source.unit or not row.given:  # which has the unit of its line
+            named[k] = f"{row.name}:{row.unit}"
+    return named
+
+
+def _likely(source: Source, of_line: Callable[[Given], Answer]) -> Sequence[Value]:
+    """What follows of a line as there may be one; nothing where the lines may be of other kinds."""
+    symbol = SYMBOLS[source.name]
+    example = source.read(symbol.example)
+    texts = [symbol.example]
+    if source.unit:
+        unit = resolve_given(source.unit)
+        is_like = unit.dimension == example.dimension and not unit.is_scale
+        texts = [f"{example.value / unit.factor!r} {source.unit}"] if is_like else []
+        texts.append(f"1 {source.unit}")
+    elif len(symbol.dimensions) > 1 and not source.is_bare:
+        return ()
+    for text in texts:
+        try:
+            return of_line(source.read(text)).values
+        except RadcalcError:  # of everything else, which the first line says, or of that value
+            continue
+    return ()
 
 
 class Remarks:

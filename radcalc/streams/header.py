@@ -29,8 +29,8 @@ class Header:
         self,
         cut: Cut | None,
         source: Unit | None,
-        target: Unit,
-        titled: Callable[[Unit], Texts],
+        target: Unit | None,
+        titled: Callable[[Unit], tuple[Texts, Unit]],
         note: Callable[[str], None],
         column: str = "",
         name: str | None = None,
@@ -40,21 +40,24 @@ class Header:
     ) -> None:
         """Take what is typed.
 
-        `source` is the unit of the numbers, or None; `titled` makes what reads numbers in the unit
-        of their title.  `column` is the title that is meant, `name` the title of the results, and
-        with `adds` that of a new column behind the others.  `call` is what is to be typed for
-        numbers in a unit, where that is no conversion, and `is_bare` where they need none.
+        `source` is the unit of the numbers, and `target` that of the results, or None; `titled`
+        makes what reads numbers in the unit of their title, and gives the unit of its results.
+        `column` is the title that is meant, `name` the title of the results, and with `adds` that
+        of a new column behind the others.  `call` is what is to be typed for numbers in a unit,
+        where that is no conversion, and `is_bare` where they need none.
         """
         self.cut = cut
         self.source = source
-        self.target = target
+        self.target = target or resolve("1")
+        self.is_known = target is not None
         self.titled = titled
         self.note = note
         self.column = column
-        self.own = None if name is None else self._own(name, "add" if adds else "rename")
+        self.name = name
         self.adds = adds
+        self.own = self._own() if target else None
         self.is_bare = is_bare
-        self.call = call or (lambda unit: command("convert", "-", unit, quote(target.text)))
+        self.call = call or (lambda unit: command("convert", "-", unit, quote(self.target.text)))
         self.texts: Texts | None = None
         self.fields: Fields | None = None
         self.shown: dict[int | None, str] = {}
@@ -137,6 +140,8 @@ class Header:
                     f"{WHERE} has no unit for '{quote(titles[0].text)}'",
                     self.call("UNIT"),
                 )
+            if not self.is_known:
+                raise UsageError(f"{WHERE} has no unit", option("get", "NAME:UNIT"))
             return
         for title in titles:
             if self.source is None:
@@ -153,11 +158,15 @@ class Header:
                     f"a column in {typed}" if is_there else self.call(said),
                 )
         if self.source is None:
-            self.texts = self.titled(first.unit)
+            self.texts, self.target = self.titled(first.unit)
+            self.own = self._own()
 
-    def _own(self, name: str, symbol: str) -> Title:
+    def _own(self) -> Title | None:
         """The name that is typed for the column of the results, which may have its unit."""
-        typed = option(symbol, quote(name))
+        name = self.name
+        if name is None:
+            return None
+        typed = option("add" if self.adds else "rename", quote(name))
         if not name.strip() or not name.isprintable():
             raise UsageError(f"{typed} is no title", "a word for the column")
         if self.cut and not self.cut.delimiter and len(name.split()) > 1:
