@@ -141,7 +141,8 @@ class Header:
                     self.call("UNIT"),
                 )
             if not self.is_known:
-                raise UsageError(f"{WHERE} has no unit", option("get", "NAME:UNIT"))
+                problem = f"{WHERE} tells no unit for the results"
+                raise UsageError(problem, option("get", "NAME:UNIT"))
             return
         for title in titles:
             if self.source is None:

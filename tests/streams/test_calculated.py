@@ -4,12 +4,15 @@ What a line has to be comes from the calculators themselves, called once for eac
 """
 
 import io
+import json
 import math
 import random
 
 import pytest
 
 from radcalc import cli, stdio
+from radcalc.quantities.light import KINDS
+from radcalc.quantities.symbols import light_unit
 from radcalc.streams.calculated import Calculated, remarks_of
 
 # The call with {} for the input, the unit of its lines, from where to where they are, a result.
@@ -169,3 +172,50 @@ def test_what_a_record_says_holds_for_all_its_numbers(monkeypatch, call, unit, l
                 assert all(text in (None, said) for text, said in zip(remarks, own, strict=True))
                 held += 1
     assert held
+
+
+# For every light quantity that calculators take, the call with {} for it.
+OF_LIGHT = [
+    ("flux", "point-source --flux {} --distance 2m"),
+    ("intensity", "point-source --intensity {} --distance 2m"),
+    ("peak-intensity", "point-source --peak-intensity {} --exponent 3"),
+    ("irradiance", "point-source --irradiance {} --distance 2m"),
+    ("energy", "point-source --energy {} --time 10s --distance 2m"),
+    ("exposure", "point-source --exposure {} --time 10s --distance 2m"),
+    ("exitance", "lambertian --exitance {} --area 1cm2"),
+    ("radiance", "lambertian --radiance {} --area 1cm2 --distance 1m"),
+    ("incident-irradiance", "lambertian --incident-irradiance {} --reflectance 0.5"),
+    (
+        "peak-irradiance",
+        "laser --peak-irradiance {} --diameter 1mm --divergence 1mrad --distance 1m",
+    ),
+    ("flux", "point-source --flux {} --distance 2m --wavelength 555nm"),
+    ("radiance", "sensor --radiance {} --f-number 4"),
+    ("flux", "etendue --etendue 1mm2.sr --flux {}"),
+]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(("name", "call"), OF_LIGHT)
+def test_a_title_has_the_unit_of_the_numbers(monkeypatch, name, call, kind):
+    unit = light_unit(name, kind)
+    process = Process(monkeypatch)
+    words = [word.replace("{}", f"7 {unit}") for word in call.split()]
+    own = json.loads(process.run(*words, "--json"))
+    as_csv = "-d", ",", "--column", "P", "--add", "result"
+    found = [one for one, row in own["results"].items() if not row["given"]]
+    assert found
+    for result in found:
+        number = single(monkeypatch, call, f"7 {unit}", result)
+        unit_of = own["results"][result]["unit"]
+        said = f"result [{unit_of}]\n{number}" if unit_of != "1" else f"result\n{number}"
+        for typed, title in (
+            (f"- {unit}", "P"),
+            ("-", f"P [{unit}]"),
+            (f"- {unit}", f"P [{unit}]"),
+        ):
+            data = f"n,{title}\na,7\n".encode()
+            words = words_of(call, typed, result)
+            out = Process(monkeypatch, data).run(*words, "-q", *as_csv)
+            titles, line = out.splitlines()
+            assert f"{titles.rpartition(',')[2]}\n{line.rpartition(',')[2]}\n" == said
