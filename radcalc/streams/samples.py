@@ -5,7 +5,7 @@ its times are written, and in which unit its values are.
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import inf
 from operator import lt
 from typing import Any, NamedTuple
@@ -49,6 +49,15 @@ Row = tuple[int, str]  # the number of a line and its text
 Samples = tuple[list[Any], list[float]]  # times in ticks, and values
 
 
+class Sample(NamedTuple):
+    """A sample with its line, and its time as it stands there."""
+
+    time: Any
+    value: float
+    number: int
+    stamp: str
+
+
 class Settings(NamedTuple):
     """What is told of a log: its columns, its unit, what parts its cells, how its times are."""
 
@@ -87,6 +96,9 @@ class Log:
         self.left_out, self.first_left_out = 0, ""
         self.last: Any = None  # tick
         self.last_line = 0
+        # Local times that come twice wait for a later one, None for a line that was left out.
+        self.waiting: list[Sample | None] = []
+        self.before: tuple[Any, int] = None, 0  # the last time before them, and its line
         self.decimals = columns.Decimals()
         self.text = Text(name, read, "a time and a value", inf)
         self._blocks = self.text.blocks()
@@ -108,6 +120,7 @@ class Log:
             yield from self._of(lines, number)
         for number, lines in self._blocks:
             yield from self._of(lines, number)
+        yield from _runs(self.waiting)
         if doubt := self.decimals.doubt():
             raise self.error(*doubt, columns.MARKS)
         if self.text.note:
@@ -396,40 +409,63 @@ class Log:
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
         """The samples of lines, each by itself; what is wrong with one is said."""
-        times: list[Any] = []
-        values: list[float] = []
-        for number, line in enumerate(lines, number):  # noqa: B020
-            if _is_remark(line):
-                continue
-            is_missing = True
+        rows = [row for row in enumerate(lines, number) if not _is_remark(row[1])]
+        yield from _runs(sample for row in rows for sample in self._of_line(*row))
+
+    def _of_line(self, number: int, line: str) -> Iterator[Sample | None]:
+        """The sample of a line, with those before it that waited for its time."""
+        try:
             try:
-                time, value = self._sample(line, number)
-                is_missing = False
-                self._check_order(time, number)
-            except LineError as error:
-                if self.settings.invalid == ABORT:
-                    raise
-                self._leave_out(error)
-                if is_missing:
-                    if times:
-                        yield times, values
-                        times, values = [], []
-                    yield None
-                continue
-            self.last, self.last_line = time, number
-            times.append(time)
-            values.append(value)
-        if times:
-            yield times, values
+                sample = self._sample(line, number)
+            except timestamps.Undecided:
+                yield from self._leave_out_waiting()
+                sample = self._sample(line, number)
+        except LineError as error:
+            self._leave_out(error)
+            yield from self._in_order([None])
+            return
+        try:
+            self._check_order(sample.time, number)
+        except LineError as error:
+            self._leave_out(error)
+            return
+        if self.clock.doubtful and not any(self.waiting):
+            self.before = self.last, self.last_line
+        self.last, self.last_line = sample.time, number
+        yield from self._in_order([sample])
+
+    def _in_order(self, samples: list[Sample | None]) -> list[Sample | None]:
+        """The samples whose times are known, of which some may have waited for a later one."""
+        self.waiting += samples
+        if self.clock.doubtful:
+            return []
+        samples, self.waiting = self.waiting, []
+        return samples
+
+    def _leave_out_waiting(self) -> Iterator[None]:
+        """Leave out the samples of which no order tells which of two times they have."""
+        assert isinstance(self.clock, timestamps.Calendar)
+        waiting, self.waiting = self.waiting, []
+        self.clock.doubtful = ""
+        for sample in waiting:
+            if sample:
+                why = self.clock.comes_twice(sample.stamp, sample.time)
+                self._leave_out(self.error(sample.number, why.message, why.hint))
+        self.last, self.last_line = self.before
+        self.clock.last = self.last
+        yield None
 
     def _leave_out(self, error: LineError) -> None:
+        """Say what is wrong with a line, or stop there."""
+        if self.settings.invalid == ABORT:
+            raise error
         self.first_left_out = self.first_left_out or error.message
         self.left_out += 1
         self.is_good = self.is_good and self.settings.invalid != FAIL
         if self.settings.invalid != IGNORE:
             self.say(error)
 
-    def _sample(self, line: str, number: int) -> tuple[Any, float]:
+    def _sample(self, line: str, number: int) -> Sample:
         """The time and the value of a line."""
         layout = self.layout
         cells = columns.cells(line, layout.delimiter)
@@ -440,6 +476,8 @@ class Log:
         stamp, comma = " ".join([cells[k] for k in layout.times]), layout.delimiter != ","
         try:
             time = layout.clock.one(stamp)
+        except timestamps.Undecided:
+            raise
         except RadcalcError as error:
             raise self.error(number, error.message, error.hint) from None
         text = cells[layout.place]
@@ -452,7 +490,7 @@ class Log:
         for one in (stamp, text) if layout.clock.has_numbers else (text,):
             if comma and (problem := self.decimals.conflict(one, number)):
                 raise self.error(number, problem, columns.MARKS)
-        return time, value
+        return Sample(time, value, number, stamp)
 
     def _check_order(self, time: Any, number: int) -> None:
         """Refuse a time that is not after the one before."""
@@ -467,6 +505,23 @@ class Log:
         if isinstance(self.clock, timestamps.Calendar) and not self.clock.is_told:
             hint += f"; where clocks were put back, {timestamps.ZONE}"
         raise self.error(number, problem, hint)
+
+
+def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
+    """Samples as lists of times and values, with None between them where a line was left out."""
+    times: list[Any] = []
+    values: list[float] = []
+    for sample in samples:
+        if sample is None:
+            if times:
+                yield times, values
+                times, values = [], []
+            yield None
+        else:
+            times.append(sample.time)
+            values.append(sample.value)
+    if times:
+        yield times, values
 
 
 def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[list[str]]:

@@ -65,7 +65,6 @@ OF_DATES, OF_CLOCKS = "YymdjbB", "HIMSfpz"
 FORMATS = mention("{time-format=%d/%m/%Y %H:%M} or {time-format=%m/%d/%Y %H:%M}")
 KNOWN = "2024-06-01T12:35:00, with Z, an offset or {time-zone}; or {time-format=%d.%m.%Y %H:%M}"
 ZONE = option("time-zone", "Europe/Prague")
-ONE_OFFSET = mention("{time-zone=+01:00}, where the clock was not changed")
 
 
 class Settings(NamedTuple):
@@ -89,10 +88,15 @@ class Period(NamedTuple):
     label: str
 
 
+class Undecided(NumberError):
+    """A local time before this one came twice, and no order tells which of both it is."""
+
+
 class Elapsed:
     """Numbers of a unit that have passed since some start."""
 
     has_numbers = True  # whose decimals have marks
+    doubtful = ""
 
     def __init__(self, unit: Unit) -> None:
         self.unit = unit
@@ -210,21 +214,25 @@ class Calendar:
         if not ticks:
             raise NumberError(
                 f"'{quote(text)}' does not exist in {self.zone}: clocks are put forward there",
-                ONE_OFFSET,
+                _without_change(self.zone, local),
             )
         if len(ticks) == 1:
             if self.doubtful:
-                was, self.doubtful = self.doubtful, ""
-                raise _comes_twice(was, self.zone)
+                raise Undecided(*_comes_twice(self.doubtful, self.zone, ticks[0]))
             return ticks[0]
         if self.last is None:
-            raise _comes_twice(text, self.zone)
+            raise NumberError(*_comes_twice(text, self.zone, local))
         if ticks[0] > self.last:
             self.doubtful = text
             return ticks[0]
         self.doubtful = ""
         self.resolved = self.resolved or text
         return ticks[1]
+
+    def comes_twice(self, text: str, tick: int) -> NumberError:
+        """What is wrong with a time of which no order tells which of two it is."""
+        assert self.zone is not None
+        return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
 
     @property
     def shown_in(self) -> tzinfo:
@@ -626,12 +634,18 @@ def _tick(zone: tzinfo, local: datetime) -> int:
     return naive - _offset(zone, naive, 0)
 
 
-def _comes_twice(text: str, zone: tzinfo) -> NumberError:
-    return NumberError(
+def _comes_twice(text: str, zone: tzinfo, local: int) -> tuple[str, str]:
+    return (
         f"'{quote(text)}' comes twice in {zone}, as clocks are put back, and the log has no order "
         "that tells which it is",
-        f"times with offsets, or {ONE_OFFSET}",
+        f"times with offsets, or {_without_change(zone, local)}",
     )
+
+
+def _without_change(zone: tzinfo, local: int) -> str:
+    """What helps where a clock shows the same time all the year, that of the winter."""
+    offset = min(_offset(zone, local, fold) for fold in (0, 1))
+    return f"{option('time-zone', _said(offset))}, where the clock was not changed"
 
 
 def _no_stamp(text: str) -> NumberError:

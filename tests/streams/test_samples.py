@@ -159,6 +159,48 @@ def test_the_clock_to_a_date_is_the_next_column_or_has_a_title_of_time(text, sec
     assert len(said) == (seconds != 86400)
 
 
+@pytest.mark.parametrize("size", [1 << 20, 20])
+def test_of_times_that_come_twice_those_are_left_out_that_no_order_tells(size):
+    """01:30 is 23:30 UTC, 03:30 is 02:30 UTC, and 02:00 to 02:59 may be of two hours."""
+    clocks = ["01:30", "02:10", "02:20", "02:30", "03:30", "04:30"]
+    rows = [f"2024-10-27 {clock},{k}" for k, clock in enumerate(clocks)]
+    rows[2] = "2024-10-27 02:20,--"
+    said = []
+    text = "\n".join(["time,E [lx]", *rows, ""])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Log, "_leave_out", lambda log, error: said.append(error.message))
+        times, values, _ = read(text, size, zone="Europe/Prague", invalid="ignore")
+    assert values == [0, 4, 5]
+    assert [time for time in times if time is not None] == [0, 3 * 3600, 4 * 3600]
+    assert times[0] == 0
+    assert times[1] is None
+    assert [one.partition(":")[0] for one in said] == ["log, line 4", "log, line 3", "log, line 5"]
+
+
+def test_the_order_tells_the_hour_although_its_first_line_has_no_value():
+    """02:30 and 02:40 are before 02:10, and so of the first of the two hours."""
+    rows = ["01:30,0", "02:20,--", "02:30,2", "02:40,3", "02:10,4", "03:30,5"]
+    text = "time,E [lx]\n" + "".join(f"2024-10-27 {row}\n" for row in rows)
+    times, values, _ = read(text, zone="Europe/Prague", invalid="ignore")
+    assert values == [0, 2, 3, 4, 5]
+    assert times == [0, None, 3600, 4200, 6000, 10800]
+
+
+@pytest.mark.parametrize(
+    ("zone", "time", "offset"),
+    [
+        ("Europe/Prague", "2024-10-27 02:30", "+01:00"),
+        ("Europe/Prague", "2024-03-31 02:30", "+01:00"),
+        ("America/New_York", "2024-11-03 01:30", "-05:00"),
+        ("Australia/Lord_Howe", "2024-04-07 01:45", "+10:30"),
+    ],
+)
+def test_the_offset_that_helps_is_that_of_the_zone(zone, time, offset):
+    with pytest.raises(RadcalcError) as refused:
+        read(f"time,E [lx]\n{time},1\n{time[:10]} 05:30,1\n", zone=zone)
+    assert offset in str(refused.value.hint)
+
+
 def test_decimal_commas_are_those_of_times_and_values():
     rows = [f"{k},5;{k},25" for k in range(100)]
     times, values, _ = read("t_s;E_lx\n" + "\n".join(rows))
