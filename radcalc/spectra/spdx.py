@@ -50,7 +50,7 @@ class _Document:
         self.path: list[str] = []
         self.text = ""
         self.wavelength = ""
-        self.parser = expat.ParserCreate()
+        self.parser = expat.ParserCreate("utf-8")
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.data
@@ -58,7 +58,7 @@ class _Document:
         self.parser.StartDoctypeDeclHandler = self.refuse_doctype
 
     def read(self, text: str) -> None:
-        """Parse the whole; the declaration of an encoding no longer holds."""
+        """Parse the whole; it is UTF-8 by now, whatever encoding it declares."""
         try:
             self.parser.Parse(text.encode(), True)
         except expat.ExpatError as error:

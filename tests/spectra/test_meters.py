@@ -208,6 +208,13 @@ def test_tm27_is_read(old, new, absolute, encoding, tmp_path):
     assert "TM-27" in table.described
 
 
+@pytest.mark.parametrize("declared", ["UTF-16", "utf-16", "ISO-8859-1", "windows-1252", "UTF-8"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_the_bytes_tell_the_encoding_of_tm27_and_not_its_declaration(declared, encoding, tmp_path):
+    text = f'<?xml version="1.0" encoding="{declared}"?>\n' + SPDX[SPDX.index("<IES") :]
+    assert list(read_file(save(tmp_path, text, encoding)).values) == [1, 3, 2]
+
+
 def test_tm27_with_a_prefix_is_read(tmp_path):
     text = SPDX.replace("</", "</t:").replace("<Sp", "<t:Sp").replace("<IES", "<t:IES")
     text = text.replace("<H", "<t:H").replace("<M", "<t:M").replace("<C", "<t:C")
