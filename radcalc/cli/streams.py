@@ -46,7 +46,8 @@ OPTIONS = (
     click.Option(
         ["--column"],
         metavar="NAME",
-        help="The field under that title, which may be without its unit: E for E [lx].",
+        help="The field under that title, which may be without its unit (E for E [lx]), or with "
+        "that number.",
     ),
     click.Option(
         ["-d", "--delimiter"],

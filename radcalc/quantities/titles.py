@@ -13,7 +13,7 @@ from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.quantities.light import read
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
-from radcalc.units.table import Unit, suggest, unit_of
+from radcalc.units.table import PARTS, Unit, suggest, unit_of
 
 AROUND = " \t,;:_/-–"  # what stands between a name and a unit
 LONGEST = 200  # characters of a title in which a unit is looked for
@@ -24,16 +24,43 @@ PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-
 SCALED_BEFORE = re.compile(
     r"(?:[(\[][^)\]]*[\d⁰¹²³⁴-⁹]|(?:^|\s)1(?:0+|e)[-+^\d⁰¹²³⁴-⁹]*|[*×]|\d\s?x)\s*$"
 )
-SCALED_BEHIND = re.compile(r"\s*[*×x/·]\s*\d")
+HERE = "\0"  # stands for the unit in a title, where the rest of it is looked at
+# Numbers in a title that scale nothing: f/2.8, 1/e2, sizes such as 2x4, places such as x1 y2 and
+# x1, fractions and dates, areas such as 20 m².
+NO_SCALE = re.compile(
+    r"\bf/\d[\d.]*"
+    r"|\b1\s?/\s?(?-i:e)(?:\^?2|²)?(?![^\W\d_])"
+    r"|\b\d+(?:(?:[x×]| [x×] )(?!10+(?!\d))\d+)+(?![\d^⁰¹²³⁴-⁹.])"
+    r"|(?<![^\W_])x=?\d+[\s_,;]*y=?\d+"
+    r"|^x(?!10+(?!\d))\d+"
+    r"|\b\d+(?:/(?!100)\d+)+"
+    r"|(?<![^\W\d_])(?:[cmkµμ]?m|ft|s)(?:\^-?\d|⁻?[¹²³])",
+    re.IGNORECASE,
+)
+FACTOR = re.compile(
+    r"(?<![^\W\d_])x\s?\d|\d\s?x(?![^\W_])|[*×·÷]\s?\d|\d\s?[*×·]|/\s?\d"
+    r"|10(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])|(?<![^\W_])\d[\d.]*e[-+]?\d+(?![^\W_])"
+    r"|(?<![^\W\d_])(?:thousand|million|hundred|tenth)(?:th)?s?(?![^\W\d_])"
+    r"|(?<!\d)(?<!\d\s)(?:%|‰|(?<![^\W\d_])(?:per ?cent|pct)(?![^\W\d_]))"
+    rf"|{HERE}[\"')\]]*\s?(?:[/*·×^²³]|per\b)",
+    re.IGNORECASE,
+)
+FUNCTION = re.compile(
+    r"(?<![^\W\d_])(?:(?i:log)(?:10|2|e)?|lg|ln|lb|dB[a-zA-Z]{0,3}|(?i:sqrt|squared|square root"
+    r"|inverse|reciprocal|exp(?=\s?\()))(?=(?:[A-ZΑ-Ω][a-z]{0,3})?(?![^\W\d_]))"
+    r"|(?<!\d)1\s?/\s?(?:[^\W\d_]|\()|(?<![^\W_])d\w+\s?/\s?dt(?![^\W_])"
+    r"|[√∛∫∂^²³⁻⁴-⁹]|\*\*"
+)
 IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
 # A word that is surely meant as a unit of light, were it known: klux, W/m2*s-1.
 UNIT_OF_LIGHT = re.compile(
-    r"(?<![^\W_])(?:[kmunµμ]|kilo|milli|micro)?"
+    r"(?<![^\W_])(?!units?(?![^\W_]))(?:[kmunµμ]|kilo|milli|micro)?"
     r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
     re.IGNORECASE,
 )
 # What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
+BRACKETS = re.compile(r"[()\[\]]")
 COMPARED = 1000  # titles that a name is held against where it is none of them
 
 
@@ -71,27 +98,70 @@ def read_title(text: str, like: Unit | None = None) -> Title:
     A unit of the quantity of `like` is looked for first, or of any of light without it.  Then
     what is in brackets is any unit, and a word of more than one letter is one of light.
 
-    Raises UnitError where the title scales its numbers, as in `E (1000 lx)`, or has a unit of
-    light that is none here, as `E (klux)`.
+    Raises UnitError where the title has a unit of light that is none here, as `E (klux)`, or
+    where its numbers are not those of its unit, as `refuse_altered` has it.
     """
     title = _read(text, like)
     if title.unit is None and (found := UNIT_OF_LIGHT.search(text)):
         known = ", ".join(suggest(found[0])) or "a unit of radcalc units"
         raise UnitError(f"the title '{quote(text)}' has a unit that is not known", known)
-    before, behind = text[: title.start], text[title.end :]
-    if title.unit and (SCALED_BEFORE.search(before) or SCALED_BEHIND.match(behind)):
-        unit = quote(title.unit.text)
-        raise UnitError(f"the title '{quote(text)}' scales its numbers", f"numbers in {unit}")
+    if title.unit:
+        refuse_altered(title)
     return title
+
+
+def unit_in(text: str, like: Unit | None = None) -> Unit | None:
+    """The unit in a title, whatever else the title says; None where it has none."""
+    return _read(text, like).unit
+
+
+def refuse_altered(title: Title) -> None:
+    """Refuse a title under which the numbers are not those of the quantity in its unit.
+
+    Raises UnitError where the title scales them, as `E [lx] x1000`, has a function of them, as
+    `log E [lx]`, or has another unit, as `E [W/m2] or [lx]`.
+    """
+    text, unit = title.text, title.unit
+    before, behind = text[: title.start], text[title.end :]
+    rest = NO_SCALE.sub(" ", f"{before}{HERE}{behind}" if unit else text)
+    hint = f"numbers in {quote(unit.text)}" if unit else "numbers in their unit"
+    in_parts = unit and len(unit.atoms) > 1 and any(name in PARTS for name, _ in unit.atoms)
+    if in_parts or FACTOR.search(rest) or (unit and SCALED_BEFORE.search(before)):
+        raise UnitError(f"the title '{quote(text)}' scales its numbers", hint)
+    if FUNCTION.search(rest):
+        raise UnitError(f"the title '{quote(text)}' has a function of its numbers", hint)
+    if unit and (other := _other_unit(f"{before} {behind}", unit)):
+        both = f"{quote(unit.text)} and {quote(other.text)}"
+        raise UnitError(f"the title '{quote(text)}' has two units, {both}", "one of them")
 
 
 def _read(text: str, like: Unit | None) -> Title:
     candidates = list(_candidates(text)) if len(text) <= LONGEST else []
     for is_fitting in (_fits, _contradicts):
+        longer: list[Title] = []  # units of light, no part of which is the unit: s in umol_m2_s
         for title, in_brackets in candidates:
+            if any(one.start <= title.start and title.end <= one.end for one in longer):
+                continue
             if is_fitting(title, in_brackets, like):
                 return title
+            if _contradicts(title, in_brackets, like) and not in_brackets:
+                longer.append(title)
     return Title(text, text)
+
+
+def _other_unit(rest: str, unit: Unit) -> Unit | None:
+    """A unit in the rest of a title that is surely meant as one, and is not that of the title."""
+    for text in (rest, BRACKETS.sub(" ", rest)):
+        for title, in_brackets in _candidates(text):
+            other = title.unit
+            if other is None or is_same(other, unit) or IN.fullmatch(other.text):
+                continue
+            is_symbol = sum(map(str.isalpha, other.text)) < 2 or other.is_scale  # E1, (W)
+            if is_symbol and not (in_brackets and _measure(other) == _measure(unit)):
+                continue
+            if _measure(other) == _measure(unit) or _contradicts(title, False, None):
+                return other
+    return None
 
 
 def is_same(one: Unit, other: Unit) -> bool:
@@ -105,11 +175,14 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
     """The place of the one column of that name.
 
     It is a whole title, or a title without its unit, or either in any case of letters: the first
-    of these that is there.  Raises UsageError where none is, or several.
+    of these that is there.  A number that is no whole title is that of the column, from 1.  Raises
+    UsageError where none is, or several.
     """
     name = name.strip()
     folded = name.casefold()
     found = [place for place, title in enumerate(titles) if title == name]
+    is_number = name.isascii() and name.isdecimal()
+    number = int(name[:9]) if is_number else 0
     if not found:
         near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
         bare = [(k, title, _read(title, like).name) for k, title in near[:COMPARED]]
@@ -118,6 +191,8 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
             or [k for k, title, _ in bare if title.casefold() == folded]
             or [k for k, _, own in bare if own.casefold() == folded]
         )
+        if 1 <= number <= len(titles) and number - 1 not in found:
+            found = sorted([*found, number - 1])
     if len(found) == 1:
         return found[0]
     if found:
@@ -126,10 +201,10 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
             f"{where} has the column '{quote(name)}' {len(found)} times", listed(several)
         )
     known = [title for title in titles[:COMPARED] if title]
-    raise UsageError(
-        f"{where} has no column '{quote(name)}'",
-        listed(nearest(name, known) or known) or "a title for each column",
-    )
+    hint = listed(nearest(name, known) or known) or "a title for each column"
+    if is_number:
+        hint = f"from 1 to {len(titles)}" + (f", or one of: {listed(known)}" if known else "")
+    raise UsageError(f"{where} has no column '{quote(name)}'", hint)
 
 
 def _candidates(text: str) -> Iterator[tuple[Title, bool]]:

@@ -334,14 +334,9 @@ class _Reader:
                     f"{chosen} with one of: {_named(names)}",
                 )
             return 1, names[1]
-        is_number = self.column.isdecimal() and self.column not in names
-        if is_number and 2 <= int(self.column) <= width:
-            place = int(self.column) - 1
-        elif header:
-            place = self.named(["", *names[1:]])
-        else:
-            problem = f"there are no titles, and no column '{quote(self.column)}' of values"
-            raise self.error(0, problem, _named(names))
+        place = self.named(["", *names[1:]])
+        if place == 0:
+            raise self.error(0, "column 1 has the wavelengths", _named(names))
         self.notes.append(f"values from column {place + 1} {quote(names[place])}".strip())
         return place, names[place]
 

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from radcalc.columns import plain, units_in
-from radcalc.errors import ConditionError, quote
+from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
-from radcalc.units.table import unit_of
+from radcalc.quantities.titles import read_title, refuse_altered
+from radcalc.units.table import NUMBER, unit_of
 
 UNITS = {
     "nm": 1.0,
@@ -54,6 +55,7 @@ PHOTONS = re.compile(
 SAMPLED = re.compile(
     rf"(?:.*[:=\t,;])?\W*(?:(?:percent|spectral|total|diffuse)\W+)*{PROPERTY}\W*(?:percent)?\W*"
 )
+RELATIVE = re.compile(r"\b(?:a\.? ?u|arb|rel|norm)")
 PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")
 LONGEST = 500  # characters of a line before the table that are looked at
 LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
@@ -124,10 +126,18 @@ def values(title: str) -> Meaning:
         raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
     if SCALED.search(text):
         raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
+    try:
+        if read_title(title).unit is None:
+            refuse_altered(read_title(title.replace("%", " ")))  # of the peak, in any unit
+    except UnitError as error:
+        raise ConditionError(error.message, KNOWN) from None
     brackets, endings = units_in(title)
     for part in brackets + endings:
         facts, factor = _light(part, part in brackets)
         if facts is None:
+            if part in brackets and _is_of_another(part):
+                problem = f"values in {quote(part)} are not light, or in a unit that is not known"
+                raise ConditionError(problem, KNOWN)
             continue
         if not _is_spectral(facts):
             problem = f"values in {quote(part)} are not power or photons per wavelength"
@@ -185,6 +195,14 @@ def _with_short_units(text: str) -> str:
 def _is_spectral(facts: Reading) -> bool:
     """Whether it is power or photons per wavelength."""
     return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
+
+
+def _is_of_another(part: str) -> bool:
+    """Whether what is in brackets is a unit of something else, or a ratio of unknown ones."""
+    unit = unit_of(part)
+    if unit:
+        return unit.dimension != NUMBER
+    return "/" in part and not RELATIVE.search(plain(part))
 
 
 def _absolute(facts: Reading, factor: float) -> Meaning:

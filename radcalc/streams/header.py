@@ -9,7 +9,7 @@ from radcalc.errors import NumberError, UnitError, UsageError, command, option, 
 from radcalc.quantities.light import describe
 from radcalc.quantities.search import comparable, index
 from radcalc.quantities.targets import GENERIC
-from radcalc.quantities.titles import Title, find, is_same, read_title
+from radcalc.quantities.titles import Title, find, is_same, read_title, refuse_altered
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span
 from radcalc.streams.readers import Texts
 from radcalc.units.table import Unit, resolve
@@ -76,6 +76,10 @@ class Header:
                 fields = self.fields = Fields(str(self._find(titles, above) + 1))
             places = list(fields.of(len(titles)))
             read = [read_title(titles[place], self.source) for place in places]
+            names = self._names_above(above, len(titles))
+            if self.cut:  # not a line of text
+                for title in [*read, *(read_title(names[place]) for place in places if names)]:
+                    refuse_altered(title)
         except (NumberError, UnitError) as error:
             raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
         self._check_units(read)
@@ -124,12 +128,16 @@ class Header:
         try:
             return find(titles, self.column, WHERE, self.source)
         except UsageError as error:
-            names = [self._text(above, span) for span in self._spans(above)]
-            if len(names) == len(titles) > 1:
+            if names := self._names_above(above, len(titles)):
                 return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
                 error.hint = f"{option('delimiter', 'X')}, with what cuts the fields"
             raise
+
+    def _names_above(self, above: bytes, count: int) -> list[str]:
+        """The names of the columns in the line above, where it has so many."""
+        names = [self._text(above, span) for span in self._spans(above)]
+        return names if len(names) == count > 1 else []
 
     def _check_units(self, titles: list[Title]) -> None:
         """Hold the units in the titles against the one that is typed, or take theirs."""

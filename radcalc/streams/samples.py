@@ -26,7 +26,7 @@ from radcalc.errors import (
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
-from radcalc.quantities.titles import find, is_same, read_title
+from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
 from radcalc.spectra.lines import Text
 from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.units import timestamps
@@ -252,7 +252,7 @@ class Log:
         try:
             told = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
             clock = timestamps.clock_for(text, told)
-        except NumberError as error:
+        except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
         return Layout(delimiter, len(cells), times, place, clock, unit)
 
@@ -291,12 +291,12 @@ class Log:
     ) -> tuple[int, Unit]:
         """The column of the values, and their unit."""
         others = [k for k in range(len(cells)) if k not in times]
-        units = {k: unit for k in others if (unit := self._unit_in(titles, k))}
         if self.settings.column:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
         else:
             numbers = [k for k in others if _is_number(cells[k])]
-            of_light = list(units) or (numbers if titles and len(others) > 1 else others)
+            of_light = [k for k in others if any(_may_be_light(row[k]) for row in titles)]
+            of_light = of_light or (numbers if titles and len(others) > 1 else others)
             if len(of_light) != 1:
                 shown = [titles[0][k] if titles else str(k + 1) for k in of_light or others]
                 raise self.error(
@@ -307,7 +307,7 @@ class Log:
             place = of_light[0]
         if place in times:
             raise UsageError("one column has the times and the values", "two columns")
-        return place, self._unit(units.get(place), titles[0][place] if titles else "")
+        return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
 
     def _unit(self, declared: Unit | None, title: str) -> Unit:
         """The unit of the values: as told, or as the title has it."""
@@ -328,29 +328,30 @@ class Log:
         return told
 
     def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
-        """The unit of light in the titles of a column."""
+        """The unit of light in the titles of a column, which has its numbers as they are."""
         own = [row[place] for row in titles]
+        try:
+            read = [read_title(title) for title in own]
+            for one in read:
+                refuse_altered(one)
+        except UnitError as error:
+            raise self.error(0, error.message, error.hint) from None
+        units = [one.unit for one in read if one.unit and read_light(one.unit)]
+        for unit in units[1:]:
+            if not is_same(unit, units[0]):
+                problem = f"the titles '{quote(' '.join(own))}' have two units"
+                raise self.error(0, problem, "one of them")
+        if units:
+            return units[0]
         for title in own:
-            try:
-                unit = read_title(title).unit
-            except UnitError as error:
-                raise self.error(0, error.message, error.hint) from None
-            if unit and read_light(unit):
-                return unit
-        for title in own:
-            if {*columns.plain(title).replace("_", " ").split()} & {*PPFD}:
+            if _is_ppfd(title):
                 self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}")
                 return resolve(PPFD_UNIT)
         return None
 
     def _place(self, name: str, names: list[str], width: int) -> int:
         """The column of a name, or of a number."""
-        if name.isdecimal() and name not in names:
-            if not 1 <= int(name[:9]) <= width:
-                problem = f"there is no column '{quote(name)}'"
-                raise self.error(0, problem, f"from 1 to {width}")
-            return int(name) - 1
-        return find(names, name, self.name)
+        return find(names or [""] * width, name, self.name)
 
     # The samples.
 
@@ -573,11 +574,28 @@ def _is_number(cell: str) -> bool:
 
 def _is_of_time(title: str) -> bool:
     """Whether a title is that of times."""
-    is_named = OF_TIME.search(columns.plain(title).replace("_", " "))
-    return bool(is_named) or _unit_of_time(title) is not None
+    if OF_TIME.search(columns.plain(title).replace("_", " ")):
+        return True
+    unit = unit_in(title, SECONDS)
+    return bool(unit and unit.dimension == TIME) and not _may_be_light(title)
 
 
 def _unit_of_time(title: str) -> Unit | None:
     """The unit of time in a title: t [s], time_s, hours."""
     unit = read_title(title, SECONDS).unit
     return unit if unit and unit.dimension == TIME else None
+
+
+def _may_be_light(title: str) -> bool:
+    """Whether a title has a unit of light, or what looks like one, or is that of PPFD."""
+    if unit := unit_in(title):
+        return read_light(unit) is not None
+    try:
+        read_title(title)
+    except UnitError:
+        return True
+    return _is_ppfd(title)
+
+
+def _is_ppfd(title: str) -> bool:
+    return bool({*columns.plain(title).replace("_", " ").split()} & {*PPFD})

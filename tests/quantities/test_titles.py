@@ -1,9 +1,15 @@
 """Titles as people write them, and what is their name and their unit."""
 
+import re
+import subprocess
+
 import pytest
+from conftest import entry_point
+from hypothesis import given
+from hypothesis import strategies as st
 
 from radcalc.errors import UnitError, UsageError
-from radcalc.quantities.titles import find, is_same, read_title
+from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
 from radcalc.units.scales import resolve_any
 
 # The title, the unit of the numbers or none, the name in it, its unit, and with fc in its place.
@@ -29,6 +35,7 @@ TITLES = {
     "brackets in a unit": ("PPFD umol/(m2 s)", "umol/m2/s", "PPFD", "umol/(m2 s)", "PPFD fc"),
     "brackets in brackets": ("P (umol/(m2 s))", "umol/m2/s", "P", "umol/(m2 s)", "P (fc)"),
     "superscripts": ("P [µmol m⁻² s⁻¹]", "umol/m2/s", "P", "µmol m⁻² s⁻¹", "P [fc]"),
+    "a name that is a unit": ("E (W) [lx]", None, "E (W)", "lx", "E (W) [fc]"),
     "underscores for signs": ("PPFD_umol_m2_s", "umol/m2/s", "PPFD", "umol/m2/s", "PPFD_fc"),
     "a scale": ("P_dBm", "dBm", "P", "dBm", "P_fc"),
     "another unit": ("E [fc]", "lx", "E", "fc", "E [fc]"),
@@ -76,6 +83,75 @@ def test_what_scales_its_numbers_or_has_an_unknown_unit_is_refused(text):
         read_title(text, resolve_any("lx"))
 
 
+NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost", "grid 3x3",
+         "20 m²", "E1", "lamp 5 W", "at 2 m", "LG monitor", "logger 1", "1/2", "f/2.8", "50 %",
+         "400-700 nm", "2024-06-01", "max", "exp 1", "1/e2"]  # fmt: skip
+SET_OFF = ["{0} [{1}]", "{0} ({1})", "{0}, {1}", "{0}_{1}", "{0} in {1}"]
+UNITS = ["lx", "klx", "W/m2", "umol/m2/s", "cd/m2"]
+# What makes other numbers of those in the unit: behind or before a title, or in its name.
+FACTORS = ["{} x1000", "{} *1000", "{}*1000", "{} /1000", "{}_x10", "{}, x10", "{} × 10³",
+           "{} ·100", "{} %", "{} ÷10", "{} (x1000)", "1000 x {}", "1000*{}", "10^3 * {}", "1e3 {}",
+           "thousands of {}"]  # fmt: skip
+FUNCTIONS = ["log {}", "log10 {}", "log10({})", "LOG {}", "ln {}", "lg({})", "sqrt {}", "√{}",
+             "1/{}", "1 / {}", "{} (log)", "{}, log", "{}²", "{}**2",
+             "inverse {}", "dB {}"]  # fmt: skip
+
+
+@given(st.sampled_from(NAMES), st.sampled_from(SET_OFF), st.sampled_from(UNITS))
+def test_a_title_with_any_name_has_its_unit(name, style, unit):
+    assert read_title(style.format(name, unit)).unit.text == unit
+
+
+@given(
+    st.sampled_from(["E", "desk", "E_v", "Osvětlenost"]),
+    st.sampled_from(SET_OFF),
+    st.sampled_from(UNITS),
+    st.sampled_from([*FACTORS, *FUNCTIONS]),
+    st.booleans(),
+)
+def test_a_factor_or_a_function_in_a_title_is_refused(name, style, unit, change, of_name):
+    text = style.format(change.format(name), unit) if of_name else None
+    text = text or change.format(style.format(name, unit))
+    with pytest.raises(UnitError, match=r"scales its|a function of|unit that is not known"):
+        refuse_altered(read_title(text))
+
+
+@given(
+    st.sampled_from(["[{0}] or [{1}]", "({0}) ({1})", "[{0}] ({1})", "{0}, {1}", "_{0} [{1}]",
+                     "[{0}] {1}"]),
+    st.lists(st.sampled_from(UNITS), min_size=2, max_size=2, unique=True),
+)  # fmt: skip
+def test_two_units_in_a_title_are_refused(style, units):
+    with pytest.raises(UnitError, match=r"two units|unit that is not known"):
+        read_title("E " + style.format(*units))
+
+
+@pytest.mark.parametrize(
+    "title",
+    ["E [W/m2/nm] x1000", "1000 x E [W/m2/nm]", "log10 E [W/m2/nm]", "E [W/m2/nm] (log)",
+     "E² [W/m2/nm]", "1/E [W/m2/nm]", "E [W/m2/nm] %", "E [W/m2/nm] or [mW/m2/nm]",
+     "E (W/m2/nm) (uW/cm2/nm)", "E [mW/m²·nm]"],
+)  # fmt: skip
+@pytest.mark.parametrize("command", ["convert", "dose", "spectrum"])
+def test_every_command_refuses_such_a_title(title, command):
+    first = {"convert": "t", "dose": "t [s]", "spectrum": "nm"}[command]
+    told = {
+        "convert": ["-", "kW/m2/nm", "-d", ";", "--header", "--field", "2"],
+        "dose": ["-"],
+        "spectrum": ["-", "-g", "peak-wavelength"],
+    }
+    title = title if command == "spectrum" else title.replace("/nm", "")
+    data = f"{first};{title}\n400;1\n500;2\n600;1\n".encode()
+    done = subprocess.run([entry_point(), command, *told[command]], input=data, capture_output=True)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert re.search(rb"scales its|a function of|two units|not known|not light", done.stderr)
+
+
+def test_a_unit_is_seen_whatever_else_the_title_says():
+    assert unit_in("log E [lx]").text == "lx"
+    assert unit_in("PAR_umol_m2_s", resolve_any("s")).text == "umol/m2/s"
+
+
 @pytest.mark.parametrize(
     ("one", "other", "wanted"),
     [("lx", "lux", True), ("lx", "lm/m2", True), ("lx", "fc", False), ("lx", "radlux", False),
@@ -99,6 +175,8 @@ def test_units_are_the_same_where_their_numbers_are(one, other, wanted):
         (["t", "Osvětlenost (lx)"], "OSVĚTLENOST", 1),
         (["t", "lux"], " lux ", 1),
         (["2", "1"], "1", 1),
+        (["t", "light"], "2", 1),
+        (["", ""], "2", 1),
     ],
 )
 def test_a_column_is_found_by_its_title(titles, name, place):
@@ -112,7 +190,10 @@ def test_a_column_is_found_by_its_title(titles, name, place):
         (["E [lx]", "E [fc]"], "E", "2 times", "E [lx] (field 1), E [fc] (field 2)"),
         (["e", "ε", "E "], "ee", "it has no column 'ee'", "e"),
         (["t", "light"], "lihgt", "it has no column 'lihgt'", "light"),
-        (["t", "light"], "2", "it has no column '2'", "t, light"),
+        (["t", "light"], "3", "it has no column '3'", "from 1 to 2, or one of: t, light"),
+        (["t", "light"], "0", "it has no column '0'", "from 1 to 2"),
+        (["", ""], "3", "it has no column '3'", "from 1 to 2"),
+        (["t", "lux_1"], "1", "it has the column '1' 2 times", "t (field 1), lux_1 (field 2)"),
         ([], "x", "it has no column 'x'", "a title for each column"),
     ],
 )

@@ -67,6 +67,10 @@ LAYOUTS = {
     "over a slash": ("t / min,E / klx\n0,1\n1,2\n", {}, 60, 2, "klx"),
     "without its unit": ("t_s,E_lx,F_lx\n0,1,5\n1,2,6\n", {"column": "f"}, 1, 6, "lx"),
     "Latin-1": ("t_s,E_lx,T \xb0C\n0,1,1\n1,2,1\n".encode("latin-1"), {}, 1, 2, "lx"),
+    "a word with s": ("t_s,PAR_umol_m2_s\n0,1\n1,2\n", {}, 1, 2, "umol/m2/s"),
+    "seconds behind": ("t,E [lx] 60 s\n0,1\n1,2\n", {"time_unit": "s"}, 1, 2, "lx"),
+    "others scaled": ("t_s,E [lx],log E [lx]\n0,1,0\n1,2,1\n", {"column": "E"}, 1, 2, "lx"),
+    "others without light": ("t_s,E [lx],T [K] x10\n0,1,0\n1,2,1\n", {}, 1, 2, "lx"),
     "Unix": ("timestamp,E [lx]\n1717245300,1\n1717245301,2\n", {}, 1, 2, "lx"),
 }  # fmt: skip
 
@@ -119,6 +123,11 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("t_s,E\n0,1\n", {}, "the unit of the values is missing"),
         ("t_s,E_lx\n0,1\n", {"unit": "fc"}, "contradicts the title 'E_lx'"),
         ("t_s,E_lx,\n0,1\n1,2\n", {"column": "E_lx"}, "3 titles over 2 columns"),
+        ("t [s] x1000,E [lx]\n0,1\n1,2\n", {}, "'t [s] x1000' scales its numbers"),
+        ("t [s],E [lx] x1000\n0,1\n1,2\n", {}, "'E [lx] x1000' scales its numbers"),
+        ("t [s],log E\n0,1\n1,2\n", {"unit": "lx"}, "has a function of its numbers"),
+        ("t,log E\ns,lx\n0,1\n1,2\n", {}, "has a function of its numbers"),
+        ("t,E [W/m2]\ns,lx\n0,1\n1,2\n", {}, "have two units"),
         ("t_s,E (100 lx)\n0,1\n1,2\n", {}, "scales its numbers"),
         # bad lines above the first good one are none of titles
         *[(f"time,E [lx]\n2024-06-01T11:00,{bad}\n2024-06-01T12:00,1\n", told, "line 2: ")
