@@ -119,6 +119,8 @@ class _Search:
                 if len(self.seen) >= most and one.value not in self.seen:
                     continue
                 self.seen.add(one.value)
+            if abs(one.value - self.right) <= allowed * self.scale:
+                continue  # so few digits do not tell it from the right value
             off = abs(one.value / self.scale - value)
             if off <= allowed:
                 # Rounded, so that of equal values the first to be found comes first.

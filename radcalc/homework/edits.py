@@ -197,7 +197,10 @@ def _numbers(p: Problem, law: AnyLaw, target: str) -> Iterator[Candidate]:
 
 
 def _constant(law: AnyLaw) -> tuple[float, int]:
-    """The number in front of a formula, and the power of pi in it."""
+    """The number by pi in front of a formula, and the power of both; of 4 / pi it is 1/4.
+
+    Where there is no pi it is the number alone.
+    """
     right = law.template.partition(" = ")[2]
     number, pi, sign = 1.0, 0, 1
     for word in right.split():
@@ -214,25 +217,31 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
     if "/ (4 pi " in right:
         return 4.0, pi - 1
     if "/ (pi " in right:
-        pi -= 1
+        return 1 / number, pi - 1
     if "/ (4 " in right:
         number /= 4
     return number, pi
+
+
+def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
+    """The result where what a law gives is another number of times the right one."""
+    left = law.names[0]
+
+    def solve(at: At) -> Any:
+        if target == left:
+            return at(target) * ratio
+        return law.solve(target, lambda one: at(one) / (ratio if one == left else 1.0))
+
+    return p.chain.solved(target, solve)
 
 
 def _constants(
     p: Problem, law: AnyLaw, target: str, number: float, power: int
 ) -> Iterator[Candidate | None]:
     """What follows with another constant of the same family."""
-    left = law.names[0]
 
     def edit(name: str, ratio: float, done: str = "") -> Candidate | None:
-        def solve(at: At) -> Any:
-            if target == left:
-                return at(target) * ratio
-            return law.solve(target, lambda one: at(one) / (ratio if one == left else 1.0))
-
-        return usual(name, p.chain.solved(target, solve), done, text_of(law))
+        return usual(name, scaled(p, law, target, ratio), done, text_of(law))
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # in which 2 is half for full
@@ -254,7 +263,7 @@ def _constants(
     if power and number == 1:
         yield edit("pi-upside-down", math.pi ** (-2 * power))
     elif number != 1:
-        yield edit("constant-forgotten", 1 / number)
+        yield edit("constant-forgotten", number ** -(power if number < 1 and power else 1))
     if law.name in CYCLES:
         for ratio in (2 * math.pi, 0.5 / math.pi):
             yield edit("angular-for-cycles", ratio)

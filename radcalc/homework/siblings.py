@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING
 from radcalc.geometry import cones
 from radcalc.geometry.numerics import vectors
 from radcalc.homework.chain import FAILURES
-from radcalc.homework.edits import text_of
+from radcalc.homework.edits import scaled, text_of
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.laws.law import At
+from radcalc.quantities.symbols import UNIFORM
 
 if TYPE_CHECKING:
     from radcalc.spectra.observers import Observer
@@ -148,7 +149,7 @@ def _working(at: At) -> Wrong:
 
 
 def _spot(symbol: str) -> Callable[[At], Wrong]:
-    """What is taken for the mean in a spot, or for its peak."""
+    """The area of a spot by its diameter as if that were the radius."""
 
     def wrong(at: At) -> Wrong:
         yield "diameter-for-radius", at(symbol) / 4
@@ -156,21 +157,36 @@ def _spot(symbol: str) -> Callable[[At], Wrong]:
     return wrong
 
 
-def _peak(at: At) -> Wrong:
-    yield "mean-for-peak", at("peak-irradiance") / 2
-    yield from _spot("peak-irradiance")(at)
-
-
-def _peak_of_limit(at: At) -> Wrong:
-    yield "mean-for-peak", at("limit-diameter") / math.sqrt(2)
-
-
 def _of_gaussian(at: At) -> Wrong:
-    yield "sum-for-root", at("diameter") + at("divergence") * at("distance")
+    wider = at("divergence") * at("distance")
+    yield "sum-for-root", at("diameter") + wider
+    yield "exit-forgotten", wider
 
 
 def _of_uniform(at: At) -> Wrong:
-    yield "sum-for-root", math.hypot(at("diameter"), at("divergence") * at("distance"))
+    wider = at("divergence") * at("distance")
+    yield "sum-for-root", math.hypot(at("diameter"), wider)
+    yield "exit-forgotten", wider
+
+
+def _beside(whole: float, part: float) -> float:
+    return math.sqrt(whole**2 - part**2)
+
+
+def _reach_of_gaussian(at: At) -> Wrong:
+    spot, own, angle = at("limit-diameter"), at("diameter"), at("divergence")
+    mean = spot / math.sqrt(2)  # where the mean over the spot is the limit
+    yield "sum-for-root", (spot - own) / angle
+    yield "uniform-for-gaussian", (mean - own) / angle
+    yield "exit-forgotten", spot / angle
+    yield "mean-for-peak", mean / angle
+
+
+def _reach_of_uniform(at: At) -> Wrong:
+    spot, own, angle = at("limit-diameter"), at("diameter"), at("divergence")
+    yield "sum-for-root", _beside(spot, own) / angle
+    yield "gaussian-for-uniform", _beside(math.sqrt(2) * spot, own) / angle
+    yield "exit-forgotten", spot / angle
 
 
 def _room(at: At) -> Wrong:
@@ -198,11 +214,12 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("working f-number", "working-f-number", _working),
     ("mean irradiance of a spot", "irradiance", _spot("irradiance")),
     ("mean exposure of a spot", "exposure", _spot("exposure")),
-    ("peak of a gaussian beam", "peak-irradiance", _peak),
+    ("peak of a gaussian beam", "peak-irradiance", _spot("peak-irradiance")),
     ("peak of a uniform beam", "peak-irradiance", _spot("peak-irradiance")),
-    ("limit of a gaussian beam's peak", "limit-diameter", _peak_of_limit),
     ("spread of a gaussian beam", "spot-diameter", _of_gaussian),
     ("spread of a uniform beam", "spot-diameter", _of_uniform),
+    ("spread of a gaussian beam", "hazard-distance", _reach_of_gaussian),
+    ("spread of a uniform beam", "hazard-distance", _reach_of_uniform),
     ("room index", "room-index", _room),
 )
 
@@ -495,6 +512,23 @@ def _beam(p: Problem) -> Found:
         yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
 
 
+PEAKS = {  # the laws of a spot: what is taken for what they give, by how many times that
+    "mean irradiance of a spot": ("peak-for-mean", 2.0),
+    "mean exposure of a spot": ("peak-for-mean", 2.0),
+    "peak of a gaussian beam": ("mean-for-peak", 0.5),
+    "limit of a gaussian beam's peak": ("mean-for-peak", 0.5),
+}
+
+
+def _peaks(p: Problem) -> Found:
+    """The mean over a spot for the peak on its axis, and the peak for the mean."""
+    is_uniform = "profile" in p.given and p.given["profile"].value == UNIFORM
+    for law, target in p.chain.steps:
+        if law.name in PEAKS and not is_uniform:
+            name, ratio = PEAKS[law.name]
+            yield usual(name, scaled(p, law, target, ratio))
+
+
 SWAPS = (
     ("k-for-c", "k", "c"),
     ("k-for-c", "c", "k"),
@@ -532,5 +566,6 @@ OUTSIDE = (
     _pixel,
     _eyes,
     _beam,
+    _peaks,
     _swapped,
 )

@@ -62,7 +62,15 @@ USUAL: dict[str, tuple[float, str, str]] = {
     # --- laser beams
     "mean-for-peak": (1, "the mean over the spot was taken for the peak on the axis",
         "of the 1/e^2 diameter a Gaussian beam's peak is twice the mean: 8 Phi / (pi D^2)"),
-    "sum-for-root": (2, "the diameters were added, as of a uniform beam, or their squares were",
+    "peak-for-mean": (1, "the peak on the axis was taken for the mean over the spot",
+        "the mean is the flux over the area of the spot: 4 Phi / (pi D^2)"),
+    "uniform-for-gaussian": (1, "the range equation of a uniform beam was used",
+        "of the 1/e^2 diameter a Gaussian beam has E_lim = 8 Phi / (pi (D^2 + (phi d)^2))"),
+    "gaussian-for-uniform": (1, "the beam was taken as Gaussian",
+        "a uniform beam has E_lim = 4 Phi / (pi (D + phi d)^2)"),
+    "exit-forgotten": (2, "the diameter at the laser's exit was left out",
+        "a Gaussian beam has D_s^2 = D^2 + (phi d)^2, a uniform one D_s = D + phi d"),
+    "sum-for-root": (1, "the diameters were added, as of a uniform beam, or their squares were",
         "a Gaussian beam has D_s^2 = D^2 + (phi d)^2, a uniform one D_s = D + phi d"),
     # --- functions and their siblings
     "arctangent-for-arcsine": (2, "the tangent was used for the sine (or the sine for the tangent)",

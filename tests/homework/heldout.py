@@ -35,6 +35,7 @@ LIT = pi * 370 * 0.87 / (4 * (3.4 * 1.3) ** 2)  # lx
 PHOTODIODE = "sensor --flux 4.7uW --wavelength 830nm --quantum-efficiency 0.63"
 BEAM = "laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --distance 23m"
 SPOT = hypot(1.3e-3, 1.7e-3 * 23)  # m
+HAZARD = "laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --limit 25W/m2"
 ROOM = (
     "room --width 7m --length 11m --height 2.3m --illuminance 470lx --flux 3400lm --utilance 0.57 "
     "--maintenance 0.83"
@@ -94,9 +95,26 @@ HELD_OUT = [
     Wrong(BEAM, "peak-irradiance", "W/m2", 4 * 4.7e-3 / (pi * SPOT**2), "mean-for-peak"),
     Wrong(BEAM, "spot-diameter", "mm", 1.3 + 1.7 * 23, "sum-for-root"),
     Wrong(BEAM, "spot-diameter", "mm", hypot(1.3, 2 * 1.7 * 23), "full-for-half"),
-    Wrong("laser --flux 4.7mW --diameter 1.3mm --divergence 1.7mrad --limit 25W/m2",
-          "hazard-distance", "m", sqrt(4 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3,
+    Wrong(HAZARD, "hazard-distance", "m", sqrt(4 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3,
           "mean-for-peak"),
+    Wrong(BEAM, "irradiance", "W/m2", 8 * 4.7e-3 / (pi * SPOT**2), "peak-for-mean"),
+    Wrong(BEAM, "peak-irradiance", "W/m2", 4.7e-3 / (pi * SPOT**2), "constant-forgotten"),
+    Wrong("laser --diameter 1.3mm --divergence 1.7mrad --distance 2.3m", "spot-diameter", "mm",
+          1.7 * 2.3, "exit-forgotten"),
+    Wrong("laser --irradiance 3.3W/m2 --spot-diameter 7mm", "flux", "mW",
+          3.3e3 * pi * 0.007**2 / 8, "peak-for-mean"),
+    Wrong(HAZARD, "hazard-distance", "m", (sqrt(4 * 4.7e-3 / (pi * 25)) - 1.3e-3) / 1.7e-3,
+          "uniform-for-gaussian"),
+    Wrong(HAZARD, "hazard-distance", "m", (sqrt(8 * 4.7e-3 / (pi * 25)) - 1.3e-3) / 1.7e-3,
+          "sum-for-root"),
+    Wrong(HAZARD, "hazard-distance", "m", sqrt(4 * 4.7e-3 / (pi * 25)) / 1.7e-3,
+          "mean-for-peak"),
+    Wrong(f"{HAZARD} --profile uniform", "hazard-distance", "m",
+          sqrt(8 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3, "gaussian-for-uniform"),
+    Wrong(f"{HAZARD} --profile uniform", "hazard-distance", "m",
+          sqrt(4 * 4.7e-3 / (pi * 25) - 1.3e-3**2) / 1.7e-3, "sum-for-root"),
+    Wrong(f"{HAZARD} --profile uniform", "hazard-distance", "m",
+          sqrt(4 * 4.7e-3 / (pi * 25)) / 1.7e-3, "exit-forgotten"),
     # --- rooms: what is left out of the lumen method, and turned round
     Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.83, "utilance-forgotten"),
     Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.57, "maintenance-forgotten"),
