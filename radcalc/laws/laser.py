@@ -21,6 +21,7 @@ from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, law, relation
 from radcalc.maths import expm1, hypot, larger, log1p, smaller, sqrt
 from radcalc.quantities.symbols import GAUSSIAN, UNIFORM
+from radcalc.units.numbers import EXACT
 
 WAIST = "Gaussian beam with its waist at the exit"
 PROFILE = "Gaussian beam: E(r) = E_0 exp(-8 r^2 / D_s^2)"
@@ -63,6 +64,12 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     def left(at: At, part: Any) -> Any:
         return take(_rest(at(spot), part), part)
 
+    def before(at: At) -> Any:
+        problem = "the divergence alone makes as wide a spot, of a beam that has no width"
+        is_all = at(spot) <= widening(at) * (1 + EXACT)
+        cones.refuse(is_all, problem, "a larger spot, or less else")
+        return take(at(spot), widening(at))
+
     def away(at: At) -> Any:
         if distance == HAZARD:
             return take(larger(at(spot), at("diameter")), at("diameter"))
@@ -73,7 +80,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
         f"{{{spot}}} = {template % distance}",
         {
             spot: lambda at: add(at("diameter"), widening(at)),
-            "diameter": lambda at: left(at, widening(at)),
+            "diameter": before,
             "divergence": lambda at: left(at, at("diameter")) / at(distance),
             distance: lambda at: away(at) / at("divergence"),
         },

@@ -251,7 +251,7 @@ _ROWS = (
     _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
         convert="Straight line from a small source to the receiver.",
         point_source="Straight line from the source to the receiver.",
-        laser=("10m", "Distance from the laser's exit (0).")),
+        laser=("10m", "Distance from the laser's exit, where the spot is without it.")),
     _length("height", "h", "50cm", "Height above the source's plane, along its axis.",
         point_source="Height of the source above the receiver's plane, along its axis.",
         screen=("1.2m", "Height of the picture."),

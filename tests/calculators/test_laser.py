@@ -149,6 +149,8 @@ def test_less_spread_than_diffraction_is_noted():
         ("--flux 1mW --received-flux 2mW --diameter 1mm", "there is no option"),
         ("--flux 5mW --diameter 1mm --profile square", "square"),
         ("--flux 5mW --diameter 1mm --limit 25W/m2", "there is no hazard distance to --limit"),
+        ("--divergence 1mrad --distance 10m --spot-diameter 10mm", "of a beam that has no width"),
+        ("--divergence 0.3mrad --distance 10m --spot-diameter 3mm", "of a beam that has no width"),
         (f"{POINTER} --irradiance 10kW/m2", "no beam becomes narrower"),
         (f"{POINTER} --limit 25lx", "what links them"),
     ],
