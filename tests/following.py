@@ -48,6 +48,7 @@ PROSE = (
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
     r"one of them", r"the same unit.*", r"terms of one quantity", r".* \* \(1 [+-] .*\)",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
+    r"a line of \d+ fields",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
     r"an intensity behind it, .*",
     r"a comparison by .*", r"a product of comparisons .*", r"angles with their units, .*",
@@ -58,7 +59,7 @@ STANDING_FOR = {  # words in capitals of commands that are not symbols
 }  # fmt: skip
 
 
-ALSO = {"--get": "-g", "--format": "--json"}  # other spellings
+ALSO = {"--get": "-g", "--format": "--json", "--delimiter": "-d"}  # other spellings
 
 
 class Outcome(NamedTuple):
@@ -132,7 +133,7 @@ def cut(hint: str) -> tuple[str, list[Token]]:
     def marked(found: re.Match[str]) -> str:
         name, _, value = found[1].partition(VALUE)
         if name:
-            return place(Option("-g" if name == "get" else f"--{name}", value))
+            return place(Option("-g" if name == "get" else f"--{name}", value.strip("'")))
         if value.startswith(WORD):
             return place(Command([value[1:], "--help"]))
         typed: Words = []

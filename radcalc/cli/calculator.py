@@ -13,6 +13,7 @@ from radcalc.cli.options import Output
 from radcalc.errors import UsageError, nearest, option, quote
 from radcalc.given import Inputs, any_uncertain, inputs_of
 from radcalc.maths import is_array
+from radcalc.quantities.symbols import QUANTITY
 from radcalc.render import arrays
 from radcalc.render.formats import CSV
 from radcalc.units.ranges import MOST
@@ -90,7 +91,7 @@ def run(
     if each[0].stream:
         return _of_lines(each, work_out, asked, output, command, operands)
     if asked.lines is not None:
-        streams.refuse(asked.lines, "- for the value of an option")
+        streams.refuse(asked.lines, _lines_for(each[0].given))
     if asked.check is not None:
         from radcalc.homework.question import of_calculator
 
@@ -116,6 +117,14 @@ def run(
     )
     show(answers, asked, output, told)
     return stdio.ANSWERED
+
+
+def _lines_for(given: Inputs) -> str:
+    """The option that could have its values from lines of standard input."""
+    for name, one in given.items():
+        if one.symbol.form == QUANTITY:
+            return option(name, f"'- {one.unit_text}'" if one.unit else "-")
+    return "- for the value of an option"
 
 
 def _of_lines(

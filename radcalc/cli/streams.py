@@ -443,7 +443,7 @@ class Layout(NamedTuple):
         mark = (asked.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
             raise UsageError(
-                "--decimal , and --delimiter , contradict each other", "--delimiter tab"
+                "--decimal , and --delimiter , contradict each other", option("delimiter", "tab")
             )
         fields = Fields("1" if asked.field is None else asked.field)
         name = asked.rename if asked.add is None else asked.add
