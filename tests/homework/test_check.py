@@ -27,8 +27,8 @@ def right_value(words: str, name: str, unit: str) -> float:
 
 
 def test_every_command_has_a_right_answer_here():
-    # (a scene needs a file: tests/calculators/test_scene.py)
-    judging = set(cli.COMMANDS) - {"units", "quantities", "typical", "scene", "prompt"}
+    # (a scene and a log need files: test_scene.py and test_dose.py in tests/calculators)
+    judging = set(cli.COMMANDS) - {"units", "quantities", "typical", "scene", "dose", "prompt"}
     assert {words.split()[0] for words, _, _ in RIGHT} == judging
     assert len(RIGHT) >= 30
 
