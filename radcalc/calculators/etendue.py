@@ -22,6 +22,7 @@ from radcalc.laws.law import AnyLaw
 from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
 from radcalc.laws.surface import CONFIGURATION_FACTOR
 from radcalc.maths import FAINTEST, any_true, larger
+from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
 CONES = ("half-angle", "apex-angle", "na", "f-number")
 RECEIVERS = ("receiver-area", "receiver-radius", "receiver-diameter")
@@ -42,6 +43,7 @@ PAGE = Page(
         "Cone of its light": CONES,
         "Receiver": (*RECEIVERS, "distance", "incidence"),
         "Light": ("etendue", "radiance", "flux"),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
     },
     examples=(
         "area=1mm2 half-angle=90deg",

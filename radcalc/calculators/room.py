@@ -10,6 +10,7 @@ from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import RECTANGLE
 from radcalc.maths import any_true
+from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.numbers import EXACT
 
 SIZES = ("width", "length", "area", "height")
@@ -73,6 +74,7 @@ PAGE = Page(
     sections={
         "Room": (*SIZES, "room-index"),
         "Light": ("irradiance", "flux", "luminaires", *LOSSES),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
     },
     examples=(
         "width=6m length=9m height=2m illuminance=500lx flux=3600lm utilance=0.6 maintenance=0.8",

@@ -10,6 +10,7 @@ from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import ASPECT
 from radcalc.maths import hypot, sqrt
+from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
 SIZES = ("width", "height", "diagonal", "aspect", "area")
 
@@ -61,7 +62,11 @@ PAGE = Page(
     ("radiance", "irradiance", "flux"),
     ("gain", *SIZES),
     about="Give the luminance and the illuminance of the picture on a projection screen.",
-    sections={"Light": ("flux", "irradiance", "radiance"), "Picture": (*SIZES, "gain")},
+    sections={
+        "Light": ("flux", "irradiance", "radiance"),
+        "Picture": (*SIZES, "gain"),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
     examples=(
         "flux=3000lm diagonal=100in aspect=16/9 gain=1.3",
         "flux=2000lm width=2m aspect=4/3 get=luminance:fL",
