@@ -138,7 +138,7 @@ class Commands(Helped, click.Group):
         if args[0] not in COMMANDS and not args[0].startswith("-"):
             from radcalc.cli.complaints import meant
 
-            raise UsageError(f"there is no command '{quote(args[0])}'", meant(args))
+            raise UsageError(f"there is no command '{quote(args[0].strip())}'", meant(args))
         return super().resolve_command(ctx, args)
 
 
@@ -167,10 +167,15 @@ def commands() -> None:
 
 
 def protect_negatives(words: list[str]) -> list[str]:
-    """Write the minus of words that are numbers in another way, so that Click sees no option."""
+    """Write the minus of words that are numbers in another way, so that Click sees no option.
+
+    The - of a stream, as in '- nm', has a blank before it.
+    """
     return [
         "→"
         if word == "->"
+        else f" {word}"
+        if word[:2] == "- "
         else MINUS + word[1:]
         if word[:1] == "-" and _is_negative(word)
         else word

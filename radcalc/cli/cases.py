@@ -103,7 +103,7 @@ def _stream(
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
     own = [name for name in streams if name not in sources]
     if len(streams) > 1:
-        told = " and ".join(option(name, quote(typed[name])) for name in streams)
+        told = " and ".join(option(name, quote(typed[name].strip())) for name in streams)
         raise UsageError(f"{told}: there is one standard input", "one -")
     if not own:
         return None

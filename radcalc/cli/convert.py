@@ -118,6 +118,7 @@ def command(
         if error.symbol == "efficacy":
             error.hint = likely_efficacy(error, list(words))
         raise
+    streams.refuse_condition(each[0])
     if words[:1] == ("-",):
         if check is not None:
             raise UsageError("--check takes one answer, and a stream has several", "one value")

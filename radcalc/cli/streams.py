@@ -15,7 +15,7 @@ from radcalc.errors import NumberError, RadcalcError, UsageError, command, optio
 from radcalc.given import Given, Inputs, inputs_of, refuse_uncertain
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
-from radcalc.streams import ABORT, INVALID, Source
+from radcalc.streams import ABORT, INVALID, MARK, Source
 from radcalc.units.amounts import read_stream_operands
 from radcalc.units.scales import resolve_any, resolve_given
 from radcalc.units.table import Unit, resolve
@@ -99,6 +99,13 @@ def refuse_second_reader(typed: dict[str, Any]) -> None:
     """Refuse a spectrum from standard input, which has the numbers."""
     if str(typed.get("spectrum", "")).partition(":")[0].strip() == "-":
         raise UsageError("there is more than one -, and one standard input", "--spectrum FILE")
+
+
+def refuse_condition(case: Case) -> None:
+    """Refuse lines of standard input for a condition of a conversion."""
+    if case.stream:
+        problem = f"{option(case.stream.name, '-')}: a conversion takes lines of standard input for VALUE alone"
+        raise UsageError(problem, command("convert", "-", "UNIT", "TARGET"))
 
 
 def convert(
@@ -364,17 +371,17 @@ class Remarks:
         """Say nothing unless it is wanted."""
         self.are_wanted = are_wanted
         self.lines: dict[str, int] = {}  # of what is not said yet, the first
-        self.known: set[str] = set()
+        self.known: set[str] = set()  # without numbers, as what is shared
         self.shared: set[str] | None = None  # by all lines before anything is said
         self.has_begun = False
 
-    def hear(self, texts: Sequence[str | None], line: int) -> None:
-        """Take what there is to say of a line; None stands for what depends on its number."""
+    def hear(self, texts: Sequence[str], line: int) -> None:
+        """Take what there is to say of a line; MARK stands for numbers that depend on its own."""
         if not self.has_begun:
-            own = {text for text in texts if text}
+            own = {_without_numbers(text) for text in texts}
             self.shared = own if self.shared is None else self.shared & own
         for text in texts:
-            if text and (key := text.translate(WITHOUT_NUMBERS)) not in self.known:
+            if MARK not in text and (key := _without_numbers(text)) not in self.known:
                 self.known.add(key)
                 self.lines[text] = line
 
@@ -386,13 +393,18 @@ class Remarks:
     def say(self) -> None:
         """Say what was heard, before the answers are written."""
         if self.are_wanted and self.lines:
+            shared = () if self.has_begun else self.shared or ()
             said = [
-                text if not self.has_begun and text in (self.shared or ()) else _of_line(text, line)
+                text if _without_numbers(text) in shared else _of_line(text, line)
                 for text, line in self.lines.items()
             ]
             stdio.say([spelled(text) for text in said])
         self.has_begun = self.has_begun or self.shared is not None
         self.lines.clear()
+
+
+def _without_numbers(text: str) -> str:
+    return text.replace(MARK, "").translate(WITHOUT_NUMBERS)
 
 
 def _of_line(text: str, line: int) -> str:
@@ -447,6 +459,7 @@ class Layout(NamedTuple):
             )
         fields = Fields("1" if asked.field is None else asked.field)
         name = asked.rename if asked.add is None else asked.add
+        name = None if name is None else name.strip()
         if name is not None and not fields.is_one:
             raise UsageError("--add and --rename are for one field", "a call for each field")
         return cls(cut, fields, lines, mark, name, asked.add is not None)

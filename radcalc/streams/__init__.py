@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 # What a value that cannot be converted does.
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
 
+MARK = "\0"  # what stands in a text for a number that varies from line to line
+
 
 class Source(NamedTuple):
     """An input of which standard input has the values: bare numbers of a unit, or texts with one.

@@ -15,10 +15,10 @@ from radcalc.errors import MissingUnit, NumberError, RadcalcError, UsageError, o
 from radcalc.given import Given, with_number
 from radcalc.render.plain import DIGITS, number
 from radcalc.stdio import remarks
-from radcalc.streams import Source
+from radcalc.streams import MARK, Source
 from radcalc.streams.blocks import numbers
 from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, NUMBER, POINT, decoded, pointed
-from radcalc.streams.traces import MARK, Record, Trace, Unknown, Untraceable
+from radcalc.streams.traces import REFUSALS, Record, Trace, Unknown, Untraceable
 from radcalc.units.numbers import parse_number
 
 MOST_RECORDS = 12  # of one unit; a calculation of more ways is worked out text by text
@@ -46,7 +46,7 @@ class Calculated:
         source: Source,
         work_out: Callable[[Given], Answer],
         wanted: Sequence[str],
-        hear: Callable[[Sequence[str | None], int], None],
+        hear: Callable[[Sequence[str], int], None],
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
@@ -157,10 +157,10 @@ class Calculated:
 
 
 class _Recorded(NamedTuple):
-    """A record, and what is to be said of its results: None where that varies with the number."""
+    """A record, and what is to be said of its results, with MARK for numbers that vary."""
 
     record: Record
-    remarks: list[str | None]
+    remarks: list[str]
 
 
 class _OfUnit:
@@ -247,12 +247,11 @@ class _OfUnit:
         try:
             again = self.calculated.find(with_number(given, trace.start, MARK, Unknown(trace)))
             record = trace.record([row.value for row in again.rows])
-        except (Exception, Untraceable):  # whatever a number cannot do that is no float
+        except (TypeError, AttributeError, *REFUSALS, Untraceable):  # of what is no float
             return None
         if record.run([value]) != (None, [[row.value] for row in found.rows]):
             return None
-        texts = remarks_of(again.answer)
-        return _Recorded(record, [None if MARK in text else text for text in texts])
+        return _Recorded(record, remarks_of(again.answer))
 
 
 def remarks_of(answer: Answer) -> list[str]:

@@ -16,11 +16,11 @@ from sys import float_info
 from typing import Any, NamedTuple, NoReturn
 
 from radcalc.errors import RadcalcError
+from radcalc.streams import MARK
 
 MOST_STEPS = 5000  # of a calculation that is recorded
 MOST_NUMBERS = 200_000  # of all steps at a time
 REFUSALS = (ValueError, ZeroDivisionError, OverflowError, RadcalcError)  # by a function of floats
-MARK = "\0"  # what a text has in which a traced number is written
 FINITE = (-float_info.max, float_info.max)
 
 # Functions that refuse no finite floats; those that rise or fall with each operand: of any sign,
