@@ -104,7 +104,8 @@ def refuse_second_reader(typed: dict[str, Any]) -> None:
 def refuse_condition(case: Case) -> None:
     """Refuse lines of standard input for a condition of a conversion."""
     if case.stream:
-        problem = f"{option(case.stream.name, '-')}: a conversion takes lines of standard input for VALUE alone"
+        told = option(case.stream.name, "-")
+        problem = f"{told}: a conversion takes lines of standard input for VALUE alone"
         raise UsageError(problem, command("convert", "-", "UNIT", "TARGET"))
 
 
