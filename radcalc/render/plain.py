@@ -52,15 +52,20 @@ def line(
 
 
 def results(results: "Sequence[Result]", style: "Style") -> str:
-    """All rows of all results, a line each; a calculator's begin with their names."""
-    return "".join(
-        [
-            (f"{row.name}\t" if result.named and not style.bare else "")
+    """All rows of all results, a line each; a calculator's begin with their names.
+
+    Before those of a day of a log stands the day.
+    """
+    lines: list[str] = []
+    for result in results:
+        is_named = result.named and not style.bare
+        lines += [f"{one.name}\t{one.text}\n" for one in result.inputs if one.tells and is_named]
+        lines += [
+            (f"{row.name}\t" if is_named else "")
             + line(row.value, row.unit, style.precision, style.bare, row.uncertainty)
-            for result in results
             for row in result.rows
         ]
-    )
+    return "".join(lines)
 
 
 def records(records: "Records", style: "Style") -> str:

@@ -583,7 +583,10 @@ def _is_of_time(title: str) -> bool:
 def _unit_of_time(title: str) -> Unit | None:
     """The unit of time in a title: t [s], time_s, hours."""
     unit = read_title(title, SECONDS).unit
-    return unit if unit and unit.dimension == TIME else None
+    if not unit or unit.dimension != TIME:
+        return None
+    whole = unit_in(title)  # PAR_umol_m2_s
+    return None if whole and read_light(whole) else unit
 
 
 def _may_be_light(title: str) -> bool:

@@ -37,9 +37,10 @@ TIME_OF_DAY = (
     r"|(?P<H2>\d\d)(?P<M2>\d\d)(?P<S2>\d\d)?"
 )
 OFFSET = r"(?P<z>[Zz]|UTC|GMT|[-+\u2212]\d\d(?::?\d\d)?)"
-CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?")
-STAMP = re.compile(r"\d{1,4}([-/.]) ?\d\d?\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)")  # begins with a date
-TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?")
+CLOCK = re.compile(rf"(?:{TIME_OF_DAY}) ?{OFFSET}?", re.ASCII)  # no digits of other scripts
+# begins with a date
+STAMP = re.compile(r"\d{1,4}([-/.]) ?\d\d?\1 ?\d{1,4}(?![\d.])|\d{8}(?=T\d)", re.ASCII)
+TIME_ALONE = re.compile(r"\d\d?:\d\d(:\d\d)?([.,]\d+)?( ?[AaPp]\.?[Mm]\.?)?", re.ASCII)
 IN_TITLE = re.compile(r"\b(?:GMT|UTC) ?(?P<z>[-+\u2212]\d\d?(?::?\d\d)?)?(?!\w)", re.IGNORECASE)
 ORDER_IN_TITLE = re.compile(r"(mm?[-/]dd?|dd?[-/]mm?)[-/]yyyy", re.IGNORECASE)
 # What a format has, as strptime reads it.
@@ -467,7 +468,7 @@ def _of_numbers(first: str, settings: Settings, zone: tzinfo | None) -> Clock:
             raise ConditionError(problem, "the same without it")
         return Elapsed(unit)
     if re.fullmatch(r"(?:19|20)\d{6}", first):
-        return Calendar(zone, Pattern(re.compile(YEAR_FIRST), None, " ", ""))
+        return Calendar(zone, Pattern(re.compile(YEAR_FIRST, re.ASCII), None, " ", ""))
     raise MissingInput(
         f"the unit of the times is missing: '{quote(first)}'",
         mention("{time-unit=s}, or a title such as t [s]"),
@@ -479,7 +480,7 @@ def _of_stamp(text: str, title: str) -> Pattern:
     mark = "T" if "T" in text and ":" not in text.partition("T")[0] else " "
     day = text.partition(mark)[0]
     if re.fullmatch(YEAR_FIRST, day):
-        return Pattern(re.compile(YEAR_FIRST), None, mark, "")
+        return Pattern(re.compile(YEAR_FIRST, re.ASCII), None, mark, "")
     parts = re.fullmatch(r"(\d\d?)([-/.])(\d\d?)\2(\d{2,4})", day)
     if not parts:
         raise _no_stamp(text)
@@ -502,8 +503,8 @@ def _of_stamp(text: str, title: str) -> Pattern:
         readings = " or ".join(_reading(year, *two) for two in ((second, first), (first, second)))
         raise ConditionError(f"'{quote(day)}' may be {readings}", FORMATS)
     if by_day:
-        return Pattern(re.compile(DAY_FIRST), None, mark, said)
-    return Pattern(re.compile(MONTH_FIRST), None, mark, said)
+        return Pattern(re.compile(DAY_FIRST, re.ASCII), None, mark, said)
+    return Pattern(re.compile(MONTH_FIRST, re.ASCII), None, mark, said)
 
 
 def _reading(year: str, month: str, day: str) -> str:
@@ -547,7 +548,8 @@ def _compiled(part: str, text: str) -> re.Pattern[str]:
     pieces = re.split("%(.)", part)
     try:
         return re.compile(
-            "".join(DIRECTIVES[one] if k % 2 else re.escape(one) for k, one in enumerate(pieces))
+            "".join(DIRECTIVES[one] if k % 2 else re.escape(one) for k, one in enumerate(pieces)),
+            re.ASCII,
         )
     except re.error:
         problem = f"{option('time-format', quote(text))} has a part twice"

@@ -59,6 +59,7 @@ LAYOUTS = {
     "a comment": ("# t [min], E [lx]\n0,1\n1,2\n", {}, 60, 2, "lx"),
     "title alone": ("s\tlux\n0\t1\n1\t2\n", {}, 1, 2, "lux"),
     "a word": ("time_s,ppfd\n0,1\n1,2\n", {}, 1, 2, "umol/m2/s"),
+    "per second": ("t_s,PAR_umol_m2_s\n0,1\n1,2\n", {}, 1, 2, "umol/m2/s"),
     "three": ("t_s,E_lx,P_mW\n0,1,5\n1,2,6\n", {"column": "P_mW"}, 1, 6, "mW"),
     "by number": ("0,1,5\n1,2,6\n", {"column": "3", "unit": "W", "times": ("1",),
                                      "time_unit": "s"}, 1, 6, "W"),
@@ -136,6 +137,8 @@ def test_a_byte_order_mark_tells_the_encoding(encoding, end):
         ("time,E [lx]\nx,1\n2024-06-01T12:00,1\n", {}, "line 2: 'x' is no date and time"),
         ("t_s,E_lx\n0,OVER\n1,2\n", {}, "line 2: 'OVER' is not a number"),
         ("a,b,c,E_lx\n12:00,2024-06-01,12:01,1\n", {}, "there are 2 columns of clocks"),
+        ("time,E [lx]\n2024-06-01T12:00,1\n２０２４-06-01T13:00,1\n", {}, "line 3: "),
+        ("time,E [lx]\n2024-06-01T12:00,1\n2024-06-01T１3:00,1\n", {}, "line 3: "),
         # marks of decimals in times are held against each other, and against those of values
         ("t [ms];E [lx]\n1,000;5\n2,000;5\n", {}, "line 2: '1,000' may be a thousand"),
         ("t_s;E_lx\n0,5;1,5\n1.5;2,5\n", {}, "line 3: a decimal point"),
