@@ -113,7 +113,7 @@ class _Reader:
                 continue
             if line.lstrip().startswith(columns.COMMENTS):
                 if len(self.comments) < MOST_BEFORE:
-                    self.comments.append(line.lstrip("#%/; \t"))
+                    self.comments.append(line.lstrip("#%/; \t")[: titles.LONGEST])
             else:
                 yield number, line
 
@@ -160,7 +160,7 @@ class _Reader:
         delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
         width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
         header = self.header(before, delimiter, width) if before else []
-        self.preamble = [line for _, line in before]
+        self.preamble = [line[: titles.LONGEST] for _, line in before]
         self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
         if len(before) > 1:
             self.notes.append(f"the table begins in line {rows[0][0]}")
@@ -193,6 +193,8 @@ class _Reader:
             return []
         before.pop()
         above = _titles(before[-1][1], delimiter, width) if before else []
+        if _is_bad_row(found, above):
+            self.number(found[0], delimiter != ",", number)
         if len(above) == width and _is_of_units(found):
             before.pop()
             found = [
@@ -245,6 +247,8 @@ class _Reader:
 
     def check_titles(self, header: list[str]) -> None:
         """Refuse a first column that says it is something else than wavelengths."""
+        if (longest := max(map(len, header), default=0)) > titles.LONGEST:
+            raise self.error(0, f"a title of {longest} characters", f"up to {titles.LONGEST}")
         plain = [columns.plain(title) for title in header]
         if any(map(titles.is_wavelength, plain[1:])):
             raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
@@ -461,6 +465,18 @@ def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
         if len(parts) == width:
             return [part.strip() for part in parts]
     return found
+
+
+def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
+    """Whether the line over a table is a row of it that has no wavelength, and no titles.
+
+    Titles may be numbers behind the first; in a row, that has digits or stands below titles.
+    """
+    if not any(columns.is_number(cell, True) for cell in cells[1:]):
+        return False
+    first = columns.plain(cells[0])
+    is_below = len(above) == len(cells) and titles.is_wavelength(columns.plain(above[0]))
+    return is_below or (not titles.is_wavelength(first) and re.search(r"\d", first) is not None)
 
 
 def _is_of_units(cells: Sequence[str]) -> bool:

@@ -20,7 +20,7 @@ from radcalc.spectra.titles import Meaning
 
 SEARCHED = 500  # lines in which the spectrum begins
 BAND = re.compile(
-    r'\s*"?(?:spectral data\s*)?(\d{2,5}(?:[.,]\d+)?)\s*\[?nm\]?"?\s*[\t,;](.*)', re.IGNORECASE
+    r'\s*"?(?:spectral data\s*)?(\d{2,5}(?:[.,]\d+)?)\s*\[?nm\]?"?\s*([\t,;])(.*)', re.IGNORECASE
 )
 # The figures of a meter by the names of results, and how it calls them.
 FIGURES = {
@@ -52,9 +52,11 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
     if column:
         raise refusal(name, 0, "there are no columns to choose from", f"no {option('column')}")
     tables: list[list[Row]] = []
+    is_exact = True  # every comma cuts cells
     for number, line in enumerate(lines, 1):
         if found := BAND.match(line):
-            row = number, found[1], found[2].strip('\t,; "')
+            row = number, found[1], _value(name, number, found[3], found[2])
+            is_exact &= found[2] == "," and '"' not in found[3]
             if not tables or row[1] == tables[-1][0][1]:
                 tables.append([])
             tables[-1].append(row)
@@ -69,7 +71,16 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
         notes = (f"of its {len(tables)} tables the one of {len(finest)} rows is taken",)
     figures = _figures(lines)
     meanings = (RELATIVE, *UNITS) if "illuminance" in figures else (RELATIVE,)
-    return Rows(finest, meanings, notes, figures, has_commas=True)
+    return Rows(finest, meanings, notes, figures, has_commas=not is_exact)
+
+
+def _value(name: str, number: int, text: str, delimiter: str) -> str:
+    """The one value behind the name of a row."""
+    cells = columns.cells(text.rstrip(f"{delimiter} "), delimiter)
+    if len(cells) != 1:
+        problem = f"{len(cells)} values at one wavelength"
+        raise refusal(name, number, problem, "a file with one value in every row")
+    return cells[0]
 
 
 def _refuse_gaps(table: list[Row], name: str) -> None:

@@ -15,6 +15,7 @@ ROOT = "IESTM2714"
 LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",
          "radiance": "W/m2/sr/nm"}  # fmt: skip
 RELATIVE = "relative"
+READ = ("SpectralData", "SpectralQuantity")  # the elements whose text is looked at
 QUANTITIES = f"{', '.join(LIGHT)} or {RELATIVE}"
 
 
@@ -48,9 +49,11 @@ class _Document:
         self.rows: list[Row] = []
         self.quantity = ""
         self.path: list[str] = []
-        self.text = ""
+        self.text: list[str] = []
         self.wavelength = ""
+        self.has_distribution = False
         self.parser = expat.ParserCreate("utf-8")
+        self.parser.buffer_text = True
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.data
@@ -76,16 +79,20 @@ class _Document:
         if not self.path and name != ROOT:
             problem = f"XML of '{quote(name)}', not {ROOT}"
             raise refusal(self.name, self.line, problem, "a file of IES TM-27-14")
+        if name == "SpectralDistribution":
+            if self.has_distribution:
+                raise refusal(self.name, self.line, "a second spectrum", "a file of one")
+            self.has_distribution = True
         self.path.append(name)
-        self.text = ""
+        self.text = []
         if name == "SpectralData":
             self.wavelength = attributes.get("wavelength", "").strip()
             if not self.wavelength:
                 raise refusal(self.name, self.line, "a wavelength is missing", "one in every row")
 
     def end(self, tag: str) -> None:
-        name, text = self.path.pop(), self.text.strip()
-        self.text = ""
+        name, text = self.path.pop(), "".join(self.text).strip()
+        self.text = []
         if name == "SpectralData":
             self.rows.append((self.line, self.wavelength, text))
         elif name == "SpectralQuantity":
@@ -94,7 +101,8 @@ class _Document:
             self.quantity = text.lower()
 
     def data(self, text: str) -> None:
-        self.text += text
+        if self.path[-1] in READ:
+            self.text.append(text)
 
     def refuse_doctype(self, *declared: object) -> None:
         raise refusal(self.name, self.line, "a document type declaration", "the file without it")

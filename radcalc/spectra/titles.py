@@ -53,7 +53,7 @@ PHOTONS = re.compile(
 )
 # A property of a sample as all that a line says, or that it says behind its key.
 SAMPLED = re.compile(
-    rf"(?:.*[:=\t,;])?\W*(?:(?:percent|spectral|total|diffuse)\W+)*{PROPERTY}\W*(?:percent)?\W*"
+    rf"(?:.*[:=\t,;])?\W*+(?:(?:percent|spectral|total|diffuse)\W++)*{PROPERTY}\W*(?:percent)?\W*"
 )
 RELATIVE = re.compile(r"\b(?:a\.? ?u|arb|rel|norm)")
 PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")

@@ -54,7 +54,8 @@ CALLS = (
     "convert {} lm lx --isotropic --distance {}m",
     "convert {} umol/s W --wavelength {}nm",
 )
-MAY_BE_0 = ("luminous-effic", "ev", "incidence")  # of what is not seen, or stands upright
+# Of what is not seen, or stands upright; a picture from afar; a beam that is safe at its exit.
+MAY_BE_0 = ("luminous-effic", "ev", "incidence", "magnification", "hazard-distance")
 
 
 def call(words: list[str]) -> tuple[int, str]:

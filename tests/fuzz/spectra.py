@@ -88,7 +88,7 @@ def cgats(table: Rows) -> tuple[str, str]:
 def meter(table: Rows) -> tuple[str, str]:
     """A row a wavelength, which is in its name, in one table or in a coarse one and a fine one."""
     before = "\n".join(["Model Name\tX", "CCT\t5198.0", *random.sample(BEFORE, 2)])
-    form = random.choice(["{}nm\t{}", "Spectral Data {}[nm],{}"])
+    form = random.choice(["{}nm\t{}", "{}nm;{}", "{}nm,{},", "Spectral Data {}[nm],{}"])
     coarse = [table[::10]] if len(table) > 100 and random.random() < 0.5 else []
     lines = [form.format(*row) for each in [*coarse, table] for row in each]
     return "\n".join([before, *lines, "bin1,-0.29,1", ""]), ""

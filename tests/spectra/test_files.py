@@ -257,6 +257,14 @@ BROKEN = {
         "400;1,000\n500;2,000\n",
         "line 1: '1,000' may be a thousand or a decimal",
     ),
+    "a bad first row": ("nm,E\nx400,1\n500,2\n600,3\n", "line 2: 'x400' is not a number"),
+    "a bad first row alone": ("x400;1\n500;2\n600;3\n", "line 1: 'x400' is not a number"),
+    "a first row of a word": (
+        "wavelength,E\nn/a,1\n500,2\n600,3\n",
+        "line 2: 'n/a' is not a number",
+    ),
+    "no first wavelength": ("wavelength,E\n,1\n500,2\n600,3\n", "line 2: a value is missing"),
+    "a long title": ("nm,E " + "1" * 20_000 + "\n400,1\n500,2\n", "a title of 20002 characters"),
     "no text": (b"400 1\n500 \xff\n", "line 2: 'ÿ' is not a number"),
 }
 
@@ -269,6 +277,23 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(text, message, tmp_path
         read_file(str(path))
     assert message in caught.value.message
     assert caught.value.hint
+
+
+@pytest.mark.parametrize("titles", ["wavelength,2700", "nm,2700", ",2700", "lamp,2700"])
+def test_a_title_may_be_a_number(titles, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(titles + "\n400,1\n500,2\n", encoding="utf-8")
+    assert list(read_file(f"{path}", "2700").values) == [1, 2]
+
+
+@pytest.mark.parametrize(
+    "line", ["# " + "a:" * 500_000, "# " + "percent " * 200_000, "a " * 500_000, "(" * 1_000_000]
+)
+def test_long_lines_before_a_table_do_not_hold_it_up(line, tmp_path):
+    """The work for each would grow with the square of its length, to hours."""
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{line}\n" * 4 + "nm,E\n400,1\n500,2\n", encoding="utf-8")
+    assert list(read_file(str(path)).values) == [1, 2]
 
 
 PHOTONS = [  # what the values are, and how they are said to be taken

@@ -112,6 +112,24 @@ def test_a_damaged_file_of_a_meter_is_refused(text, message, tmp_path):
     assert message in caught.value.message
 
 
+@pytest.mark.parametrize(
+    "form", ["{}nm,{}", "{}nm;{}", "{}nm\t{}", '"{}nm","{}"', '"{}nm,{}"', "{}nm,{},,"]
+)
+def test_a_delimiter_of_a_meter_is_no_decimal_comma(form, tmp_path):
+    text = "".join(form.format(x, f"{x / 200:.2f}") + "\n" for x in (400, 500, 600))
+    assert list(read_file(save(tmp_path, text)).values) == [2, 2.5, 3]
+    quoted = form if ";" in form or "\t" in form else '{}nm,"{}"'
+    text = "".join(quoted.format(x, f"{x / 200:.2f}") + "\n" for x in (400, 500, 600))
+    assert list(read_file(save(tmp_path, text.replace(".", ","))).values) == [2, 2.5, 3]
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+def test_two_values_at_a_wavelength_of_a_meter_are_refused(delimiter, tmp_path):
+    text = "".join(f"{x}nm,1,5\n".replace(",", delimiter) for x in (400, 500, 600))
+    with pytest.raises(RadcalcError, match="line 1: 2 values at one wavelength"):
+        read_file(save(tmp_path, text))
+
+
 def test_a_meter_has_no_columns(tmp_path):
     with pytest.raises(RadcalcError, match="no columns to choose from"):
         read_file(save(tmp_path, uprtek(1)), "2")
@@ -233,6 +251,13 @@ BAD_SPDX = {
     "no number": (">3<", ">x<", "line 8: 'x' is not a number"),
     "no value": (">3<", "><", "line 8: a value is missing"),
     "no wavelength": ('wavelength="500.0"', "", "line 8: a wavelength is missing"),
+    "two of a spectrum": (
+        "  </SpectralDistribution>",
+        '  </SpectralDistribution><SpectralDistribution><SpectralData wavelength="600">1'
+        "</SpectralData></SpectralDistribution>",
+        "line 10: a second spectrum",
+    ),
+    "two quantities": ("<Band", "<SpectralQuantity>flux</SpectralQuantity><Band", "a second"),
     "other XML": ("IESTM2714 xmlns", "svg xmlns", "XML of 'svg'"),
     "cut short": ("</SpectralDistribution>\n</IESTM2714>", "", "no XML: no element found"),
     "a bomb": (
@@ -248,6 +273,13 @@ def test_xml_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
     with pytest.raises(RadcalcError) as caught:
         read_file(save(tmp_path, replaced(SPDX, old, new)))
     assert message in caught.value.message
+
+
+@pytest.mark.parametrize("place", ["    <SpectralQ", "1</SpectralData>", "  <Header>"])
+def test_blank_lines_do_not_hold_tm27_up(place, tmp_path):
+    """The work for them would grow with the square of their number, to hours."""
+    text = replaced(SPDX, place, "\n" * 4_000_000 + place)
+    assert list(read_file(save(tmp_path, text)).values) == [1, 3, 2]
 
 
 ARGYLL = (
