@@ -1,38 +1,100 @@
-"""The manual page and the command line say the same."""
+"""The manual's pages and the command line say the same, and what the pages show is what happens."""
 
 import os
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 import click
 import pytest
-from conftest import ROOT
+from conftest import ROOT, entry_point
 
-from radcalc.cli import commands, manual
+from radcalc.cli import COMMANDS, commands, manual
+from radcalc.cli.manual import mdoc
+from radcalc.quantities.names import QUANTITIES
+from radcalc.units.compiled import PREFIX_NAMES, UNITS
 
-PAGE = ROOT / "man" / "radcalc.1"
-SHARED = "Options of every command"
-OF_CALCULATORS = "Options of every calculator"
-OF_STREAMS = "Options of every stream"
+MAN = ROOT / "man"
+PAGES = {f"{path.stem}({path.suffix[1:]})": path for path in manual.pages(MAN)}
+SOURCES = {name: path.read_text(encoding="utf-8") for name, path in PAGES.items()}
+MAIN, STREAMS = "radcalc(1)", "radcalc-streams(7)"
+ELSEWHERE = {"numfmt(1)", "qalc(1)", "units(1)"}
+# The messages in the DIAGNOSTICS of the pages, and what brings them forth.
+PRODUCED = {
+    "cannot convert radiant flux": "convert 5 W lm",
+    "cannot convert luminous flux": "convert 5 lm kg",
+    "cannot convert luminance": "convert 5 cd/m2 lx --hemisphere --reflectance 0.5",
+    "--distance has no use": "convert 100 lx fc --distance 2m",
+    "--isotropic and --hemisphere": "convert 800 lm cd --isotropic --hemisphere",
+    "--solid-angle does not link": "convert 800 cd/m2 lx --solid-angle 1sr",
+    "--distance 2 has no unit": "convert 100 cd lx --distance 2",
+    "--reflectance 1.2 is": "convert 500 lx cd/m2 --reflectance 1.2",
+    "nothing is seen at 900nm": "convert 5 lm W --wavelength 900nm",
+    "the result in nm": "convert 1e307 m nm",
+    "the observer is on": "solid-angle sphere --radius 2m --distance 1m",
+    "--radius has no use": "solid-angle cone --half-angle 30deg --radius 2m",
+    "--flux 800lm contradicts": "point-source --flux 800lm --intensity 100cd",
+    "nothing follows from --incidence 30deg": "point-source --flux 1lm --incidence 30deg",
+    "no exposure follows": "point-source --flux 800lm --distance 2m -g exposure",
+    "--flux and --luminous-flux": "point-source --flux 800lm --luminous-flux 800lm",
+    "--luminous-intensity is": "point-source --radiant-flux 3W --luminous-intensity 5cd",
+    "no light arrives": "point-source --illuminance 3lx --distance 2m --incidence 100deg",
+    "a reflectance of 1.25664": "lambertian --incident-illuminance 500lx --luminance 200cd/m2",
+    "--distance 2m is less": "lambertian --luminance 5cd/m2 --area 1m2 --distance 2m",
+    "--incidence 89deg": "lambertian --luminance 5cd/m2 --area 1m2 --distance 9m --incidence 89deg",
+    "the lobe varies": "point-source --intensity 9cd --exponent 9 --distance 1m --incidence 45deg "
+    "--receiver-area 1m2",
+    "a calorimeter measures": "calorimeter --flux 5lm --time 1s",
+    "a table of 999001 answers": "point-source --flux 1lm --distance 1m:1000m:1mm",
+    "unknown unit": "convert 5 LX fc",
+    "'carcel'": "convert 5 carcel cd",
+    "the unit 'W/m^2 sr'": "convert '5 W/m^2 sr' to W/m2/sr",
+    "'1,5 lx'": "convert 1,5 lx fc",
+    "stdin, line 2, field 3": "printf 'a b 1\\na b x\\n' | radcalc convert - lx fc --field 3",
+    "stdin, line 2: there is no field 3": "printf 'a b 1\\na b\\n' | radcalc convert - lx fc "
+    "--field 3",
+    "stdin, line 2: a quoted": "printf '1,2\\n\"1,2\\n' | radcalc convert - lx fc -d , --field 1",
+    "cannot write the answer": "convert 1 lx fc > /dev/full",
+}
 
 
-def mandoc(*words: str) -> subprocess.CompletedProcess[str]:
+def mandoc(path: Path, *words: str) -> subprocess.CompletedProcess[str]:
     if not shutil.which("mandoc"):
         (pytest.fail if os.environ.get("CI") else pytest.skip)("mandoc is not installed")
     return subprocess.run(
-        ["mandoc", *words, str(PAGE)], capture_output=True, text=True, encoding="utf-8", timeout=60
+        ["mandoc", *words, str(path)], capture_output=True, text=True, encoding="utf-8", timeout=60
+    )
+
+
+def rendered(name: str, width: int = 500) -> str:
+    """A page without overstrikes; by default too wide for a word to be broken."""
+    done = mandoc(PAGES[name], "-T", "utf8", "-O", f"width={width}")
+    assert done.returncode == 0, done.stderr
+    return re.sub(".\b", "", done.stdout)
+
+
+def shell(command: str) -> subprocess.CompletedProcess[str]:
+    """Run a line of shell with both streams together."""
+    return subprocess.run(
+        ["sh", "-c", command],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        cwd=ROOT,
+        env=os.environ | {"PATH": f"{Path(entry_point()).parent}{os.pathsep}{os.environ['PATH']}"},
+        timeout=60,
     )
 
 
 def contexts() -> dict[str, click.Context]:
-    """Each command by the words that call it, `radcalc` itself included."""
+    """Each command by its page, `radcalc` itself included."""
     top = click.Context(commands, info_name="radcalc", **commands.context_settings)
-    found = {"radcalc": top}
+    found = {MAIN: top}
     for name in commands.list_commands(top):
         command = commands.get_command(top, name)
         assert command is not None
-        found[f"radcalc {name}"] = click.Context(
+        found[f"radcalc-{name}(1)"] = click.Context(
             command, info_name=name, parent=top, **command.context_settings
         )
     return found
@@ -49,17 +111,9 @@ def spellings(context: click.Context) -> set[str]:
     return {s for option in options(context) for s in (*option.opts, *option.secondary_opts)}
 
 
-@pytest.fixture(scope="module")
-def page() -> str:
-    """The rendered page without overstrikes, too wide for a word to be broken."""
-    done = mandoc("-T", "utf8", "-O", "width=500")
-    assert done.returncode == 0, done.stderr
-    return re.sub(".\b", "", done.stdout)
-
-
-@pytest.mark.parametrize("called", CONTEXTS)
-def test_every_command_and_every_option_has_help(called):
-    context = CONTEXTS[called]
+@pytest.mark.parametrize("page", CONTEXTS)
+def test_every_command_and_every_option_has_help(page):
+    context = CONTEXTS[page]
     assert context.command.help
     assert [option.opts for option in options(context) if not option.help] == []
 
@@ -67,65 +121,170 @@ def test_every_command_and_every_option_has_help(called):
 @pytest.mark.parametrize("width", [20, 40, 80, 100])
 def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
     ours, clicks = (click.HelpFormatter(width=width) for _ in range(2))
-    commands.format_commands(CONTEXTS["radcalc"], ours)
-    click.Group.format_commands(commands, CONTEXTS["radcalc"], clicks)
+    commands.format_commands(CONTEXTS[MAIN], ours)
+    click.Group.format_commands(commands, CONTEXTS[MAIN], clicks)
     assert ours.getvalue() == clicks.getvalue()
     assert "convert" in ours.getvalue()
 
 
-def described(page: str, title: str) -> set[str]:
-    """The options that are items of a list in one section of the page."""
-    section = re.search(rf"^ *{title}\n(.*?)^ {{0,3}}\S", page, re.M | re.S)
-    assert section, f"the manual has no section '{title}'"
+def test_every_command_has_a_page():
+    first = {name for name in PAGES if name.endswith("(1)")}
+    assert first == {MAIN, *(f"radcalc-{name}(1)" for name in COMMANDS)}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_has_the_sections_of_its_kind(name):
+    sections = re.findall(r"^\.Sh (.+)$", SOURCES[name], re.M)
+    first = ["NAME", "SYNOPSIS", "DESCRIPTION"] if name.endswith("(1)") else ["NAME", "DESCRIPTION"]
+    assert sections[: len(first)] == first
+    wanted = {"OPTIONS", "EXAMPLES", "SEE ALSO"} if name.endswith("(1)") else {"SEE ALSO"}
+    assert wanted <= set(sections)
+    title = re.search(r"^\.Dt (\S+) (\d)$", SOURCES[name], re.M)
+    assert title
+    assert f"{title[1].lower()}({title[2]})" == name
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_what_is_generated_is_up_to_date(name):
+    assert manual.rewritten(SOURCES[name]) == SOURCES[name]  # python -m radcalc.cli.manual man
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_is_clean_mdoc(name):
+    done = mandoc(PAGES[name], "-T", "lint", "-W", "warning")
+    assert (done.returncode, done.stdout) == (0, "")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_pages_that_a_page_names_exist(name):
+    named = re.findall(r"^\.(?:It )?Xr (\S+) (\d)", SOURCES[name], re.M)
+    assert named
+    assert {f"{page}({section})" for page, section in named} <= {*PAGES, *ELSEWHERE}
+    sections = re.findall(r"^\.Sx (.+?)(?: [.,;])?$", SOURCES[name], re.M)
+    assert set(sections) <= set(re.findall(r"^\.S[hs] (.+)$", SOURCES[name], re.M))
+
+
+def test_the_main_page_leads_to_every_other():
+    named = re.findall(r"^\.(?:It )?Xr (\S+) (\d)", SOURCES[MAIN], re.M)
+    assert {*PAGES} - {f"{page}({section})" for page, section in named} == {MAIN}
+
+
+def described(name: str) -> set[str]:
+    """The options that are items of the lists in a page's OPTIONS."""
+    section = re.search(r"^OPTIONS\n(.*?)^\S", rendered(name), re.M | re.S)
+    assert section
     items = re.findall(r"^ {5}((?:--?[\w-]+(?:, )?)+)", section[1], re.M)
     return {spelling for item in items for spelling in item.split(", ") if spelling}
 
 
-@pytest.mark.parametrize("called", CONTEXTS)
-def test_the_manual_describes_every_option_of_every_command_and_no_other(called, page):
-    if called == "radcalc":
-        found = described(page, "COMMANDS")
+@pytest.mark.parametrize("name", CONTEXTS)
+def test_a_page_describes_every_option_of_its_command_and_no_other(name):
+    of_all = {"-n", "--number", "--auto", "--precision"}  # which lists of units and names refuse
+    if name == MAIN:
+        shared = spellings(CONTEXTS["radcalc-units(1)"])
+        assert described(name) == spellings(CONTEXTS[name]) | shared
+        return
+    found = described(name)
+    hidden = spellings(CONTEXTS[name]) - found
+    if "--get" in found and hidden - of_all:
+        assert hidden == described(STREAMS)
     else:
-        found = described(page, called) | described(page, SHARED)
-        if "--get" in spellings(CONTEXTS[called]):
-            found |= described(page, OF_CALCULATORS)
-        if "--rename" in spellings(CONTEXTS[called]):
-            found |= described(page, OF_STREAMS)
-    assert found == spellings(CONTEXTS[called])
+        assert hidden <= of_all
+    assert found <= spellings(CONTEXTS[name])
 
 
-def test_every_option_named_in_the_manual_exists(page):
-    named = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", page))
+@pytest.mark.parametrize("name", PAGES)
+def test_every_option_that_a_page_names_exists(name):
+    named = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", rendered(name)))
     assert named - set().union(*map(spellings, CONTEXTS.values())) == set()
 
 
-def test_the_lists_of_options_are_those_of_the_commands():
-    source = PAGE.read_text(encoding="utf-8")
-    assert source == manual.rewritten(source)  # python -m radcalc.cli.manual man/radcalc.1
-
-
-def test_every_command_with_options_of_its_own_has_a_block_of_them():
-    marked = [found[2] for found in manual.BLOCK.finditer(PAGE.read_text(encoding="utf-8"))]
-    names = [called.removeprefix("radcalc ") for called in CONTEXTS]
-    own = [name for name in names if manual.sections_of(name)]
-    assert sorted(marked) == sorted([*own, "every command", "every calculator", "every stream"])
-
-
-def test_the_lists_of_a_command_have_the_titles_of_its_help(page):
-    section = re.search(r"^ *radcalc point-source\n(.*?)^ {0,3}\S", page, re.M | re.S)
+def test_the_options_of_a_command_have_the_titles_of_its_help():
+    section = re.search(r"^OPTIONS\n(.*?)^\S", rendered("radcalc-point-source(1)"), re.M | re.S)
     assert section
     titles = re.findall(r"^ {5}([A-Z][\w ]+):$", section[1], re.M)
-    assert titles == ["Light", "Its directions", "The receiver", "Kinds of light"]
+    assert titles == [
+        "Light",
+        "Its directions",
+        "The receiver",
+        "Kinds of light",
+        "Results",
+        "Output",
+    ]
 
 
 def test_the_parts_of_an_argument_are_told_apart():
-    item = manual.BLOCK.search('.\\" options of every calculator\n.\\" end of options\n')
-    assert item
-    written = manual.rewritten(item[0])
-    assert ".It Fl g , Fl -get Ar NAME Ns Oo : Ns Ar UNIT Oc\n" in written
-    assert ".It Fl -check Oo Ar NAME Ns = Oc Ns Ar VALUE Ns Oo Ar UNIT Oc\n" in written
+    source = SOURCES["radcalc-ev(1)"]
+    assert ".It Fl g , Fl -get Ar NAME Ns Oo : Ns Ar UNIT Oc\n" in source
+    assert ".It Fl -check Oo Ar NAME Ns = Oc Ns Ar VALUE Ns Oo Ar UNIT Oc\n" in source
 
 
-def test_the_manual_is_clean_mdoc():
-    done = mandoc("-T", "lint", "-W", "warning")
-    assert (done.returncode, done.stdout) == (0, "")
+def test_the_pages_have_every_quantity_unit_and_prefix():
+    quantities, units = rendered("radcalc-quantities(7)"), rendered("radcalc-units(7)")
+    for quantity in QUANTITIES:
+        assert f" {quantity.names('en')[0]} ({quantity.symbol}, {quantity.unit})\n" in quantities
+        assert quantity.definition in quantities
+    for name in UNITS:
+        assert re.search(rf"^ {{5}}{name}(?:,| |$)", units, re.M), name
+    for name, power in PREFIX_NAMES.items():
+        assert re.search(rf"^ {{5}}{name} .* 10\^{power}$", units, re.M), name
+
+
+# What is lm and what leads to cd or lx is in CIE's vocabulary: I = dPhi/dOmega, E = dPhi/dA.
+@pytest.mark.parametrize(
+    ("quantity", "line"),
+    [
+        ("luminous flux", "with a solid angle: luminous intensity"),
+        ("luminous flux", "with an area: luminous exitance"),
+        ("illuminance", "with a time: luminous exposure"),
+        ("luminance", "with the pupil's diameter: retinal illuminance"),
+    ],
+)
+def test_a_quantity_says_what_leads_to_another(quantity, line):
+    item = rendered("radcalc-quantities(7)").partition(f"\n     {quantity} (")[2]
+    assert f"- {line}\n" in re.sub(r"- +", "- ", item.partition("\n\n")[0] + "\n")
+
+
+TRANSCRIPTS = [
+    pytest.param(command, output, id=f"{name}: {command}")
+    for name in PAGES
+    for command, output in manual.transcripts(SOURCES[name])
+]
+
+
+@pytest.mark.parametrize(("command", "output"), TRANSCRIPTS)
+def test_an_example_prints_what_the_page_shows(command, output):
+    """Word for word: the page folds long lines, and has blanks for tabs."""
+    done = shell(command)
+    status = f"[{done.returncode}]" if done.returncode else ""
+    assert [*done.stdout.split(), *status.split()] == output.split()
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_examples_that_run(name):
+    ran = [command for command, _ in manual.transcripts(SOURCES[f"radcalc-{name}(1)"])]
+    assert any(f"radcalc {name}" in command for command in ran)
+
+
+DIAGNOSTICS = [
+    pytest.param(mdoc.shown(message), id=message)
+    for source in SOURCES.values()
+    for message in re.findall(
+        r"^\.It Li (.+)$", source.partition(".Sh DIAGNOSTICS")[2].partition(".Sh ")[0], re.M
+    )
+]
+
+
+@pytest.mark.parametrize("message", DIAGNOSTICS)
+def test_a_refusal_in_the_manual_is_what_is_said(message):
+    (words,) = [words for start, words in PRODUCED.items() if message.startswith(start)]
+    done = shell(words if words.startswith("printf") else f"radcalc {words}")
+    assert done.returncode == 2
+    assert f"radcalc: {message}" in done.stdout
+
+
+def test_a_mark_that_is_none_is_refused():
+    with pytest.raises(KeyError):
+        manual.rewritten('.\\" generated: nothing\n.\\" end of generated\n')
+    with pytest.raises(KeyError):
+        manual.rewritten('.\\" generated: options of nothing\n.\\" end of generated\n')

@@ -171,7 +171,7 @@ def test_what_has_no_reading_or_stands_for_nothing_is_refused(number, source, ta
 
 @pytest.mark.parametrize("name", sorted({scale.name for scale in SCALES}))
 def test_the_manual_describes_every_scale(name):
-    page = (ROOT / "man" / "radcalc.1").read_text(encoding="utf-8")
+    page = (ROOT / "man" / "man7" / "radcalc-units.7").read_text(encoding="utf-8")
     section = page.partition(".Sh SCALES")[2].partition(".Sh ")[0]
     items = [line for line in section.splitlines() if line.startswith(".It Li ")]
     assert any(name in item.replace(",", " ").split() for item in items)

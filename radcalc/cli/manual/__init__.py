@@ -1,0 +1,57 @@
+"""The manual's pages in man/, of which the lists and the helps are made of the commands and tables.
+
+`python -m radcalc.cli.manual man` writes anew what stands between the pages' marks
+
+    .\\" generated: WHAT of NAME
+    .\\" end of generated
+
+where WHAT is one of `WRITERS`.  The rest of a page is written by hand.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+
+from radcalc.cli.manual import commands, mdoc, reference
+
+MARKED = re.compile(
+    r'^(\.\\" generated: (\w+)(?: of (.+))?\n)(?:.*\n)*?(\.\\" end of generated\n)', re.MULTILINE
+)
+WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
+    "name": commands.name,
+    "help": commands.help_text,
+    "options": commands.options,
+    "results": commands.results,
+    "list": commands.listed,
+    "quantities": reference.quantities,
+    "conditions": reference.conditions,
+    "units": reference.units,
+    "prefixes": reference.prefixes,
+    "scales": reference.scales,
+}
+
+
+def rewritten(page: str) -> str:
+    """The page with everything between its marks as the commands and tables have it."""
+
+    def write(found: re.Match[str]) -> str:
+        lines = WRITERS[found[2]](found[3] or "")
+        return found[1] + "".join(f"{line}\n" for line in lines) + found[4]
+
+    return MARKED.sub(write, page)
+
+
+def pages(folder: Path) -> list[Path]:
+    """The pages in man1 and man7 of a folder."""
+    return sorted(folder.glob("man?/radcalc*.?"))
+
+
+def transcripts(page: str) -> list[tuple[str, str]]:
+    """Every command of a page's displays, with the output below it."""
+    found = []
+    for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.M | re.S):
+        for entry in re.split(r"^\$ ", mdoc.shown(block), flags=re.M)[1:]:
+            lines = entry.split("\n")
+            length = next(i for i, line in enumerate(lines, 1) if not line.endswith(("\\", "|")))
+            found.append(("\n".join(lines[:length]), "\n".join(lines[length:])))
+    return found

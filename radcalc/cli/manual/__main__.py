@@ -1,0 +1,12 @@
+"""Rewrite the pages of a folder in their places: `python -m radcalc.cli.manual man`."""
+
+import sys
+from pathlib import Path
+
+from radcalc.cli.manual import pages, rewritten
+
+found = pages(Path(sys.argv[1]))
+if not found:
+    sys.exit(f"there are no pages in {sys.argv[1]}/man1")
+for page in found:
+    page.write_text(rewritten(page.read_text(encoding="utf-8")), encoding="utf-8")

@@ -1,0 +1,175 @@
+"""What the pages have of the commands: names and helps, options as in --help, results."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+import click
+
+from radcalc.cli import COMMANDS, commands
+from radcalc.cli import options as output
+from radcalc.cli import streams as lines
+from radcalc.cli.command import ALSO, LINES, SectionedCommand
+from radcalc.cli.compile import results_of
+from radcalc.cli.manual.mdoc import literal, plain, sentences, text
+from radcalc.quantities.light import KINDS
+from radcalc.quantities.symbols import (
+    LINKS,
+    SPECIFIC,
+    SYMBOLS,
+    Symbol,
+    light_unit,
+    names_of_kinds,
+)
+
+TOP = click.Context(commands, info_name="radcalc", **commands.context_settings)
+RESULT_WIDTH = 16  # of most of their names
+VERBATIM, EXAMPLES = "\b", "Examples:"
+Sections = Mapping[str, Sequence[click.Option]]
+
+
+def command(name: str) -> SectionedCommand:
+    """A command by its name."""
+    found = commands.get_command(TOP, name)
+    if not isinstance(found, SectionedCommand):
+        raise KeyError(f"there is no command {name!r}")
+    return found
+
+
+def name(of: str) -> Iterator[str]:
+    """What a page is called, and the command's line in the list of commands."""
+    yield f".Nm radcalc-{of}"
+    yield f".Nd {_lowered(COMMANDS[of])}"
+
+
+def listed(of: str) -> Iterator[str]:
+    """The commands with their lines and pages."""
+    yield ".Bl -tag -width Ds -compact"
+    for one, line in COMMANDS.items():
+        yield f".It Xr radcalc-{one} 1"
+        yield text(line)
+    yield ".El"
+
+
+def _lowered(line: str) -> str:
+    return text(line[0].lower() + line[1:].rstrip("."))
+
+
+def help_text(of: str) -> Iterator[str]:
+    """What --help says, but for its examples and lists: the page has fuller ones.
+
+    What stands in lines of its own is kept where a colon leads to it.
+    """
+    before = ""
+    for paragraph in (command(of).help or "").split("\n\n"):
+        first, *rest = paragraph.strip("\n").split("\n")
+        if first.strip() == VERBATIM:
+            if before.endswith(":") and rest[0].strip() != EXAMPLES:
+                indent = min(len(line) - len(line.lstrip()) for line in rest)
+                yield from literal(line[indent:] for line in rest)
+            continue
+        if before:
+            yield ".Pp"
+        before = paragraph.strip()
+        yield from sentences(before)
+
+
+def options(of: str) -> Iterator[str]:
+    """The options of a command, or those of every command or every stream."""
+    for i, (title, group) in enumerate(sections_of(of).items()):
+        yield from [".Pp"] if i else []
+        yield from [f"{text(title)}:"] if title else []
+        yield ".Bl -tag -width Ds"
+        yield from _items(group)
+        yield ".El"
+
+
+def sections_of(of: str) -> Sections:
+    """The options that a block lists, by the titles of the help; a single list has no title."""
+    help_option = commands.get_help_option(TOP)
+    if of == "every command":
+        return {"": [*output.OPTIONS, *([help_option] if help_option else [])]}
+    if of == "every stream":
+        return {"": lines.OPTIONS}
+    if of == "radcalc":
+        return {"": [one for one in commands.get_params(TOP) if isinstance(one, click.Option)]}
+    sections = {title: group for title, group in command(of).sections.items() if title != LINES}
+    return sections | {"Output": [*sections["Output"], *([help_option] if help_option else [])]}
+
+
+def results(of: str) -> Iterator[str]:
+    """The results of a command by the names that --get takes, each with its letter and unit."""
+    found = command(of)
+    named = [one for one in results_of(found) if of == "photon" or one not in LINKS]
+    kinds = _kinds(found)
+    yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
+    for one in named:
+        symbol = SYMBOLS[one]
+        if symbol.kind and symbol.generic in named:
+            continue
+        yield f".It Cm {one}"
+        yield from sentences(_described(symbol, kinds))
+    yield ".El"
+
+
+def _kinds(found: SectionedCommand) -> list[str]:
+    """The kinds of light that a command takes: those whose names are options of it."""
+    options = {spelling.removeprefix("--") for one in found.params for spelling in one.opts}
+    kinds = [kind for kind in KINDS if any(SPECIFIC.get(one, "  ")[1] == kind for one in options)]
+    return kinds or [*KINDS]
+
+
+def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
+    """What a symbol is, its letter and its units."""
+    label = f"{symbol.label[0].upper()}{symbol.label[1:]}"
+    letter = f" {symbol.letter}" if symbol.letter and not label.endswith(symbol.letter) else ""
+    if symbol.geometry is None or symbol.kind:
+        unit = f", in {symbol.unit}" if symbol.unit not in ("", "1") else ""
+        return f"{label}{letter}{unit}."
+    units = _either([light_unit(symbol.name, kind) for kind in kinds])
+    names = [one for one in names_of_kinds(symbol.name) if SPECIFIC[one][1] in kinds]
+    own = f"; of one kind: {', '.join(names)}" if names else ""
+    return f"{label}{letter}, in {units}{own}."
+
+
+def _either(words: Sequence[str]) -> str:
+    *first, last = words
+    return f"{', '.join(first)} or {last}" if first else last
+
+
+def _items(listed: Sequence[click.Option]) -> Iterator[str]:
+    """An item an option; hidden ones are other names of the one before them."""
+    shown = [option for option in listed if not option.hidden]
+    starts = [listed.index(option) for option in shown]
+    for option, start, end in zip(shown, starts, [*starts[1:], len(listed)], strict=True):
+        spellings = [spelling for one in listed[start:end] for spelling in _spellings(one)]
+        flags = " , ".join(f"Fl {plain(spelling[1:])}" for spelling in spellings)
+        yield f".It {flags}{_argument(option)}"
+        said, also, _ = (option.help or "").partition(ALSO)
+        yield from sentences(f"{said}." if also else said)
+
+
+def _spellings(option: click.Option) -> list[str]:
+    """The short name first."""
+    return sorted(option.opts, key=len)
+
+
+def _argument(option: click.Option) -> str:
+    """What follows an option: one of several words, or an example or a word for a value."""
+    if option.is_flag or option.count:
+        return ""
+    if isinstance(option.type, click.Choice):
+        # a punctuation mark of its own is none of mdoc's
+        choices = [rf"\&{word}" if word in (".", ",") else word for word in option.type.choices]
+        return f" Cm {' | '.join(choices)}"
+    metavar = option.metavar or "VALUE"
+    if "[" not in metavar:
+        return f" Ar {plain(metavar)}"
+    macros = {"[": "Oo", "]": "Oc", "=": "=", ":": ":"}
+    parts = [macros.get(part, f"Ar {part}") for part in re.findall(r"[][=:]|[^][=:]+", metavar)]
+    words = " " if metavar[:2] != "[=" else " Ns "
+    for part, following in zip(parts, [*parts[1:], ""], strict=True):
+        words += part
+        if following and part != "Oo" and following != "Oc":
+            words += " Ns"
+        words += " " if following else ""
+    return words

@@ -1,0 +1,69 @@
+"""Text as mdoc(7) has it: escapes, filled lines, displays, and options that are marked up."""
+
+import re
+import textwrap
+from collections.abc import Iterable, Iterator
+
+FLAG = re.compile(r"([('\"]?)(--[a-z][\w=-]*|-[a-z](?![\w-]))(\W*)")
+BETWEEN_SENTENCES = re.compile(r"(?<=[\w)\"'][.?!]) +(?=[A-Z\"])")
+WIDTH = 80
+
+
+def plain(text: str) -> str:
+    """Text whose characters mean themselves."""
+    text = text.replace("\\", r"\e").replace("^", r"\(ha").replace("~", r"\(ti")
+    return "".join(c if c.isascii() else f"\\[u{ord(c):04X}]" for c in text)
+
+
+def text(words: str) -> str:
+    """Running text: hyphens stay hyphens, and no word is taken for a request."""
+    words = re.sub(r"(?<![A-Za-z])-|(?<=\de)-(?=\d)", r"\\-", plain(words))
+    return rf"\&{words}" if words[:1] in (".", "'") else words
+
+
+def filled(words: Iterable[str]) -> list[str]:
+    """Lines of running text."""
+    lines = textwrap.wrap(
+        " ".join(map(text, words)), WIDTH, break_long_words=False, break_on_hyphens=False
+    )
+    return [rf"\&{line}" if line[:1] in (".", "'") else line for line in lines]
+
+
+def sentences(words: str) -> Iterator[str]:
+    """A text in lines, each sentence in its own, with the options that it names marked up."""
+    for sentence in BETWEEN_SENTENCES.split(" ".join(words.split())):
+        waiting: list[str] = []
+        for word in sentence.split():
+            named = FLAG.fullmatch(word)
+            if not named:
+                waiting.append(word)
+                continue
+            yield from filled(waiting)
+            waiting = []
+            yield " ".join([".Fl", *named[1], plain(named[2][1:]), *named[3]])
+        yield from filled(waiting)
+
+
+def argument(words: str) -> str:
+    """Words behind a macro, of which none is taken for another."""
+    return re.sub(r"(?<![\w\\])(?=[A-Z][a-z](?!\w))", r"\\&", plain(words))
+
+
+def literal(lines: Iterable[str]) -> Iterator[str]:
+    """Lines that stay as they are."""
+    yield ".Bd -literal -offset indent"
+    for line in lines:
+        kept = plain(line).replace("-", r"\-").replace("'", r"\(aq").replace("`", r"\(ga")
+        yield rf"\&{kept}" if kept.startswith(".") else kept
+    yield ".Ed"
+
+
+ESCAPES = {
+    r"\(aq": "'", r"\(ga": "`", r"\(ha": "^", r"\(ti": "~", r"\-": "-", r"\&": "", r"\e": "\\",
+}  # fmt: skip
+ESCAPED = re.compile(r"\\\[u([0-9A-F]{4,5})\]|\\\(..|\\.")
+
+
+def shown(source: str) -> str:
+    """What lines of a display show."""
+    return ESCAPED.sub(lambda m: chr(int(m[1], 16)) if m[1] else ESCAPES[m[0]], source)

@@ -1,0 +1,137 @@
+"""What the pages have of the tables: quantities, conditions, units, prefixes and scales."""
+
+from collections.abc import Iterator, Sequence
+
+from radcalc.cli.manual.mdoc import argument, plain, sentences, text
+from radcalc.cli.spelling import spelled
+from radcalc.conversion.bridges import WANTED
+from radcalc.conversion.plan import plan, target_of
+from radcalc.errors import MissingCondition, RadcalcError
+from radcalc.quantities.entries import Entry, entry
+from radcalc.quantities.entries import scales as scale_entries
+from radcalc.quantities.language import ENGLISH
+from radcalc.quantities.light import GEOMETRIES, KINDS, read
+from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
+from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
+from radcalc.units.scales import SCALES
+from radcalc.units.table import Unit
+
+LANGUAGE_NAMES = {"cs": "Czech", "ru": "Russian"}
+LIGHT = [names[i] for i in range(len(KINDS)) for names, _ in GEOMETRIES.values()]
+
+
+def quantities(_: str) -> Iterator[str]:
+    """Each quantity: its name, symbol and unit, what it is, its names, and where it leads."""
+    yield ".Bl -tag -width Ds"
+    for quantity in QUANTITIES:
+        symbol, unit = argument(quantity.symbol), argument(quantity.unit)
+        yield f".It Em {quantity.name(ENGLISH)} No ({symbol}, {unit})"
+        yield from sentences(quantity.definition)
+        yield from sentences(_names(quantity))
+        if said := [*_misnomers(quantity), *_leads(quantity)]:
+            yield ".Bl -dash -compact"
+            for one in said:
+                yield ".It"
+                yield from sentences(one)
+            yield ".El"
+    yield ".El"
+
+
+def _names(quantity: Quantity) -> str:
+    """The other names in each language."""
+    said = [f"also {name}" for name in quantity.names(ENGLISH)[1:]]
+    said += [
+        f"{LANGUAGE_NAMES[one]} {', '.join(quantity.names(one))}"
+        for one in LANGUAGE_NAMES
+        if quantity.names(one)
+    ]
+    return _sentence("; ".join(said))
+
+
+def _sentence(words: str) -> str:
+    return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+def _misnomers(quantity: Quantity) -> Iterator[str]:
+    """The words that people use for a quantity, and why it is called otherwise."""
+    for terms, meant, why in MISNOMERS:
+        if meant == quantity.symbol:
+            yield f"{', '.join(terms)}: {why}"
+
+
+def _leads(quantity: Quantity) -> Iterator[str]:
+    """The quantities that one condition leads to, by the condition."""
+    found: dict[str, list[str]] = {}
+    for other in QUANTITIES:
+        try:
+            source, target = _unit(quantity), _unit(other)
+            if not _is_another_kind_and_place(source, target):
+                plan(source, target, [])
+        except MissingCondition as error:
+            if len(error.lacking) == 1:
+                found.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
+        except RadcalcError:
+            continue  # nothing leads there, or a quantity has no unit of its own
+    for what, names in found.items():
+        yield f"with {what}: {', '.join(names)}"
+
+
+def _is_another_kind_and_place(source: Unit, target: Unit) -> bool:
+    """Whether W/m2, which may leave a surface or reach it, would seem to be one step away."""
+    start, end = read(source), read(target)
+    if start is None or end is None or start.kind == end.kind:
+        return False
+    return start.geometry != end.geometry or source.is_exitance != target.is_exitance
+
+
+def _unit(quantity: Quantity) -> Unit:
+    """The usual unit; of an exitance one that leaves a surface."""
+    return target_of(quantity.name(ENGLISH))
+
+
+def conditions(_: str) -> Iterator[str]:
+    """What is missing, in the words of a refusal, and the options that supply it."""
+    yield ".Bl -tag -width Ds -compact"
+    for phrase, options in WANTED.values():
+        yield f".It {phrase}"
+        yield from sentences(spelled(options) + ".")
+    yield ".El"
+
+
+def units(_: str) -> Iterator[str]:
+    """Every unit that has a name, by the quantity that it measures; those of light first."""
+    measured: dict[str, list[Entry]] = {}
+    for name in UNITS:
+        found = entry(name)
+        measured.setdefault(found.quantity or "other", []).append(found)
+    light = [name for name in LIGHT if name in measured]
+    for quantity in dict.fromkeys([*light, *measured]):
+        yield f".Ss {text(quantity[0].upper() + quantity[1:])}"
+        yield from _entries(measured[quantity])
+
+
+def scales(_: str) -> Iterator[str]:
+    """Every scale, with its function."""
+    yield from _entries(scale_entries(SCALES))
+
+
+def _entries(found: Sequence[Entry]) -> Iterator[str]:
+    yield ".Bl -tag -width Ds -compact"
+    for one in found:
+        comma = "" if one.symbols.startswith("(") else ","
+        symbols = f" No {comma} {argument(one.symbols)}" if one.symbols else ""
+        yield f".It Li {argument(one.name)}{symbols}".replace(" No ,", " ,")
+        source = f" [{one.source}]" if one.source else ""
+        yield from sentences(f"{one.definition}{source}")
+        if one.note:
+            yield from sentences(f"(note: {one.note})")
+    yield ".El"
+
+
+def prefixes(_: str) -> Iterator[str]:
+    """The prefixes with their symbols and powers of ten."""
+    yield ".Bl -column quetta Micro 10^-30 -compact"
+    for name, power in PREFIX_NAMES.items():
+        symbols = ", ".join(symbol for symbol, of in PREFIX_SYMBOLS.items() if of == name)
+        yield f".It {name} Ta {plain(symbols)} Ta 10\\(ha{text(str(power))}"
+    yield ".El"
