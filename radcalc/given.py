@@ -47,7 +47,7 @@ from radcalc.quantities.symbols import (
 from radcalc.units.amounts import Amount, read_amount, split_value
 from radcalc.units.dimensions import ANGLE, ENERGY, LENGTH, TIME
 from radcalc.units.numbers import parse_number, relative_rounding, rounding
-from radcalc.units.ranges import read_array, read_spectra, read_values, real, with_list
+from radcalc.units.ranges import read_array, read_values, real, with_list
 from radcalc.units.scales import ScaleUnit, degree
 from radcalc.units.table import NUMBER, Dimension, Unit, divide, resolve
 from radcalc.units.uncertain import Part
@@ -152,6 +152,8 @@ def values_of(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
     if name in MARKED and MARKED[name] in str(text).lower():
         return text.split(",")  # type: ignore[no-any-return]
     if form == SPECTRUM:
+        from radcalc.spectra.sources import read_spectra
+
         return read_spectra(text)
     if form == DIRECTION and ":" in str(text):
         polar, comma, azimuth = text.partition(",")

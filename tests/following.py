@@ -9,6 +9,7 @@ import io
 import os
 import re
 import shlex
+import sys
 import tempfile
 from collections.abc import Iterator
 from itertools import product
@@ -16,6 +17,7 @@ from typing import Any, NamedTuple
 from unittest import mock
 
 from radcalc import cli, stdio
+from radcalc.cli.cases import is_stream
 from radcalc.cli.spelling import Shell
 from radcalc.errors import END, START, VALUE, WORD, Impossible, RadcalcError
 from radcalc.quantities.symbols import FLAG, SYMBOLS, light_unit
@@ -24,7 +26,7 @@ from radcalc.units.uncertain import SIGN, signed
 
 Words = list[str]
 STEPS = 6  # hints that are followed one after another, where more than one thing is wrong
-LINES = (b"1\n", b"1 lx\n", b"E,F\n1,2\n", b"E,F\n1 lx,2 lx\n")  # for a stream
+LINES = (b"1\n", b"1 lx\n", b"E,F\n1,2\n", b"E,F\n1 lx,2 lx\n", b"1 2\n")  # for a stream
 
 # Hints that say what is possible or to be decided, and nothing to type.
 PROSE = (
@@ -48,7 +50,7 @@ PROSE = (
     r"a whole number", r"wavelengths from \S+ to \S+", r"one of the two", r"one exponent",
     r"one of them", r"the same unit.*", r"terms of one quantity", r".* \* \(1 [+-] .*\)",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
-    r"a line of \d+ fields",
+    r"a line of \d+ fields", r"- once, and files",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
     r"an intensity behind it, .*",
     r"a comparison by .*", r"a product of comparisons .*", r"angles with their units, .*",
@@ -87,6 +89,8 @@ def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
             os.dup2(given.fileno(), 0)
             os.dup2(taken.fileno(), 1)
             with (
+                open(0, encoding="utf-8", closefd=False) as lines_given,
+                mock.patch.object(sys, "stdin", lines_given),
                 mock.patch.object(stdio, "complain", complain),
                 contextlib.redirect_stdout(out),
                 contextlib.redirect_stderr(io.StringIO()),
@@ -329,7 +333,7 @@ def _in_place(words: Words, quoted: list[str], one: str) -> Words:
 
 def answered(words: Words, steps: int = STEPS) -> bool:
     """Whether a call is answered; where it is refused, by following some hint, or up to prose."""
-    for lines in LINES if words[:2] == ["convert", "-"] else LINES[:1]:
+    for lines in LINES if any(map(is_stream, words)) else LINES[:1]:
         outcome = call(words, lines)
         if outcome.error is None:
             is_answer = outcome.status in (stdio.ANSWERED, stdio.WRONG)

@@ -6,7 +6,7 @@ from which a sample was left out, is a gap: nothing is added there, and it is to
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator
-from math import fsum, inf
+from math import ceil, floor, fsum, inf, log10
 from operator import add, mul, sub
 from typing import Any, NamedTuple
 
@@ -256,8 +256,10 @@ class Log(NamedTuple):
             problem = "one sample makes no dose" if dose.count else "there is no sample"
             raise ConditionError(problem, "two samples or more")
         if not any(period.covered for period in dose.periods):
+            longest = _typed(self.seconds(dose.widest.length))
             raise ConditionError(
-                "every step is a gap, and nothing is added up", mention("a longer {max-gap}")
+                "every step is a gap, and nothing is added up",
+                f"{option('max-gap', longest)}, which bridges all of them",
             )
         if dose.least < -NOISE * dose.peak:
             raise ConditionError(
@@ -283,10 +285,11 @@ class Log(NamedTuple):
             bridged = dose.time - dose.first - dose.gap_time
             mean = (bridged - dose.step.length) / others
             if others > 0 and dose.step.length > LONG * mean:
+                between = self._between(mean, dose.step.length)
                 notes.append(
                     f"bridged by a straight line: a step of {self._told(dose.step)}; the others "
                     f"have {_duration(self.seconds(mean))} on average "
-                    f"({option('max-gap', '10min')} would leave it out)"
+                    f"({option('max-gap', between)} would leave it out)"
                 )
         if dose.negative:
             below = format_number(_exact(dose.below, self.tick))
@@ -296,6 +299,10 @@ class Log(NamedTuple):
                 f"{unit}, together {below} {unit} s"
             )
         return notes
+
+    def _between(self, mean: float, longest: float) -> str:
+        """A duration that is as far from both, as one types it."""
+        return _typed(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
 
     def _told(self, step: Step) -> str:
         length = _duration(self.seconds(step.length))
@@ -415,7 +422,21 @@ def _exact(number: float, *ratios: tuple[int, int]) -> float:
 
 def _duration(seconds: float) -> str:
     """A duration for people."""
+    size, unit = _unit_of_time(seconds)
+    return f"{format_number(seconds / size)} {unit}"
+
+
+def _typed(seconds: float) -> str:
+    """A duration as one types it, of two digits, and no shorter."""
+    size, unit = _unit_of_time(seconds)
+    number = seconds / size
+    last = 10.0 ** (floor(log10(number)) - 1)
+    return f"{format_number(ceil(number / last - SLACK) * last)}{unit}"
+
+
+def _unit_of_time(seconds: float) -> tuple[int, str]:
+    """The unit in which people tell a duration, and its seconds."""
     for least, size, unit in ((172800, 86400, "d"), (3600, 3600, "h"), (60, 60, "min")):
         if seconds >= least:
-            return f"{format_number(seconds / size)} {unit}"
-    return f"{format_number(seconds)} s"
+            return size, unit
+    return 1, "s"

@@ -123,7 +123,7 @@ def _lines_for(given: Inputs) -> str:
     """The option that could have its values from lines of standard input."""
     for name, one in given.items():
         if one.symbol.form == QUANTITY:
-            return option(name, f"'- {one.unit_text}'" if one.unit else "-")
+            return option(name, f"- {one.unit_text}" if one.unit else "-")
     return "- for the value of an option"
 
 

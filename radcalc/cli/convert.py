@@ -1,5 +1,6 @@
 """`radcalc convert VALUE UNIT [to] TARGET`, under conditions."""
 
+import os
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -7,7 +8,7 @@ from radcalc import stdio
 from radcalc.answer import Input, Result, Row
 from radcalc.cli import check as checking
 from radcalc.cli import streams
-from radcalc.cli.cases import Case, cases
+from radcalc.cli.cases import Case, cases, is_stream
 from radcalc.cli.command import CONVERSION, LIGHT, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
@@ -15,12 +16,15 @@ from radcalc.errors import (
     MINUS,
     ConversionError,
     MissingUnit,
+    NumberError,
     RadcalcError,
     UnitError,
     UsageError,
     option,
     quote,
+    quote_path,
 )
+from radcalc.errors import command as call_of
 from radcalc.given import Given, any_uncertain, inputs_of
 from radcalc.quantities.light import read as read_light
 from radcalc.units.amounts import Amount, read_operands, sides
@@ -109,6 +113,8 @@ def command(
     """
     checking.refuse_idle(check, tolerance)
     asked = streams.Asked(**stream_options)
+    if words and is_stream(words[0]):  # '- lx', as an option has it
+        words = (*words[0].split(None, 1), *words[1:])
     if words[:1] == ("-",):
         streams.refuse_second_reader(typed)
     try:
@@ -124,7 +130,11 @@ def command(
             raise UsageError("--check takes one answer, and a stream has several", "one value")
         return streams.convert(list(words), asked, each, steps, shown)
     streams.refuse(asked)
-    calls = conversions(list(words), each)
+    try:
+        calls = conversions(list(words), each)
+    except NumberError:
+        _refuse_file(words)
+        raise
     first = calls[0]
     if not first.targets:
         for name, given in (("--steps", steps), ("--check", check), ("--auto", shown.style.auto)):
@@ -213,6 +223,14 @@ def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
             told = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
             calls.append(Conversion(amount, value, source, targets, told))
     return calls
+
+
+def _refuse_file(words: Sequence[str]) -> None:
+    """Refuse a file in the place of the value, which the shell can put on standard input."""
+    if os.path.isfile(words[0]):
+        name = quote_path(words[0])
+        stream = call_of("convert", "-", *map(quote, words[1:]))
+        raise UsageError(f"'{name}' is a file, and no value", f"{stream} < {name}")
 
 
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:

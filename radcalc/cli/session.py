@@ -40,6 +40,7 @@ from radcalc.units.uncertain import SIGN
 
 ANS = "ans"
 LEAVING = ("exit", "quit")
+ALSO_LEAVING = (*LEAVING, "bye", "q", "logout")  # which people type to leave
 WORDS = {"help": "The commands, or the help of one.", "vars": "The names, and what they keep."}
 WORDS |= dict.fromkeys(LEAVING, "Leave the prompt.")
 SEPARATING = {*SEPARATORS, *ALSO_UNITS}
@@ -111,6 +112,9 @@ class Session:
         name, text = (assignment[1], assignment[2]) if assignment else ("", line)
         if assignment:
             refuse_name(name, text)
+        if not assignment and self._leaves(line):
+            hint = f"{LEAVING[0]}, alone in its line, or Ctrl-D"
+            raise UsageError(f"'{quote(line.strip())}' does not leave the prompt", hint)
         self.count += 1
         words[:] = self.read(text)
         amount = _amount(words)
@@ -126,6 +130,11 @@ class Session:
         if self.heard:
             self.rows, self.origins[ANS] = self.heard, self.used | {self.count}
         return status
+
+    def _leaves(self, line: str) -> bool:
+        """Whether a line is meant to leave the prompt, and begins with no name that was given."""
+        first = line.split()[0].rstrip("();.").lstrip(":")
+        return first.lower() in ALSO_LEAVING and first not in self.variables
 
     def _has_names(self, text: str) -> bool:
         return any(self._is_name(found) for found in NAME.findall(text))

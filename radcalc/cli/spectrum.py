@@ -18,8 +18,7 @@ from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE, Records
 from radcalc.render.plain import number
 from radcalc.spectra.kinds import KINDS
-from radcalc.spectra.sources import spectrum
-from radcalc.units.ranges import read_spectra
+from radcalc.spectra.sources import read_spectra, spectrum
 
 STDIN = "-"
 FILES = {"FILE": "a measured spectrum", STDIN: "a measured spectrum, from standard input"}

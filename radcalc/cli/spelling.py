@@ -11,7 +11,8 @@ class Shell:
     @staticmethod
     def option(name: str, value: str) -> str:
         """`--height 6m`."""
-        return f"{'-g' if name == 'get' else f'--{name}'} {value}".rstrip()
+        text = f"'{value}'" if "'" not in value and NEED_QUOTES.intersection(value) else value
+        return f"{'-g' if name == 'get' else f'--{name}'} {text}".rstrip()
 
     @staticmethod
     def command(*words: str) -> str:
@@ -20,8 +21,8 @@ class Shell:
         for word in words:
             name, equals, value = word.partition("=")
             text = value if equals else word
-            text = f"'{text}'" if NEED_QUOTES.intersection(text) else text
-            typed.append(Shell.option(name, text) if equals else text)
+            quoted = f"'{text}'" if NEED_QUOTES.intersection(text) else text
+            typed.append(Shell.option(name, text) if equals else quoted)
         return " ".join(["radcalc", *typed])
 
     @staticmethod

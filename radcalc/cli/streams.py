@@ -302,7 +302,7 @@ def _header(
         asked.column or "",
         "result" if as_json else layout.name,  # JSON has no titles
         layout.adds and not as_json,
-        lambda unit: option(source.name, f"'- {unit}'"),
+        lambda unit: option(source.name, f"- {unit}"),
         source.is_bare,
     )
 

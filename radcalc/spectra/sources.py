@@ -4,16 +4,18 @@ import math
 import os
 from typing import NamedTuple
 
-from radcalc.errors import ConditionError, RadcalcError, command, nearest, option, quote
+from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
 from radcalc.spectra.kinds import KINDS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
 from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
+from radcalc.units.ranges import MOST, read_series
 from radcalc.units.scales import find
 from radcalc.units.table import resolve
 
+SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives several
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
@@ -103,6 +105,8 @@ def uncertain_parameter(text: str) -> Parameter | None:
 def _unknown(text: str) -> RadcalcError:
     if "/" in text or text.lower().endswith((".csv", ".txt", ".tsv", ".dat")):
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+    if "," in text and all(map(_is_spectrum, text.split(","))):
+        return ConditionError(f"'{quote(text)}' is a list of spectra", "one of them here")
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     if meant := MEANT.get(text.strip().lower()):
         return ConditionError(problem, meant)
@@ -119,6 +123,23 @@ def _is_spectrum(text: str) -> bool:
     except RadcalcError:
         return False
     return True
+
+
+def read_spectra(text: str) -> list[str]:
+    """Cut `blackbody:2000K:6000K:1000K` into its temperatures, and `D65,A` into its sources.
+
+    Any other text is one source.
+    """
+    parts = text.split(",")
+    if len(parts) > 1 and "-" not in parts and not os.path.exists(text):
+        if len(parts) > MOST:
+            raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
+        if all(map(_is_spectrum, parts)):
+            return parts
+    kind, colon, parameters = text.partition(":")
+    if kind.strip().lower() in SERIES and colon:
+        return [f"{kind.strip()}:{part}" for part in read_series(parameters)]
+    return [text]
 
 
 def comparable(name: str) -> str:

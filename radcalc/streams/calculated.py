@@ -67,7 +67,7 @@ class Calculated:
         try:
             given = self.source.read(typed)
         except MissingUnit as error:
-            hint = option(self.source.name, "'- UNIT'") + " for bare numbers"
+            hint = option(self.source.name, "- UNIT") + " for bare numbers"
             raise UsageError(f"'{quote(typed)}' has no unit", hint) from error
         return given, self.find(given)
 

@@ -68,6 +68,11 @@ def read_delimiter(text: str) -> bytes:
     return os.fsencode(character)
 
 
+def typed_delimiter(character: str) -> str:
+    """A delimiter as one types it: the name of one that has a name."""
+    return next((name for name, known in NAMED.items() if known == character), character)
+
+
 # A title between blanks: a word, with a unit in brackets or behind a slash, if there is one.
 _BRACKETS = r"(?:\[[^\[\]]*\]|\((?:[^()]|\([^()]*\))*\))"
 _WORD = rf"(?:[^ \t\[\]()]|{_BRACKETS})+"

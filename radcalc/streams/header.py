@@ -5,13 +5,14 @@ It is held against the unit of the numbers, and says in the output what the numb
 
 from collections.abc import Callable
 
+from radcalc.columns import DELIMITERS
 from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
 from radcalc.quantities.light import describe
 from radcalc.quantities.search import comparable, index
 from radcalc.quantities.targets import GENERIC
 from radcalc.quantities.titles import Title, find, is_same, read_title, refuse_altered
-from radcalc.streams.fields import BLANKS, Cut, Fields, Span
-from radcalc.streams.readers import Texts
+from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
+from radcalc.streams.readers import UTF_8, Texts
 from radcalc.units.table import Unit, resolve
 
 WHERE = "the header of stdin"
@@ -68,7 +69,7 @@ class Header:
         The line `above` may have the names of columns whose units stand in this one.
         """
         if b"\0" in line:
-            raise UsageError(f"{WHERE} is no text in UTF-8", "UTF-8 (iconv converts UTF-16)")
+            raise UsageError(f"{WHERE} is no text in UTF-8", UTF_8)
         try:
             spans = self._spans(line)
             titles = [self._text(line, span) for span in spans]
@@ -131,7 +132,9 @@ class Header:
             if names := self._names_above(above, len(titles)):
                 return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
-                error.hint = f"{option('delimiter', 'X')}, with what cuts the fields"
+                mark = next((mark for mark in DELIMITERS if mark in titles[0]), "")
+                shown = typed_delimiter(mark) if mark else "X"
+                error.hint = f"{option('delimiter', shown)}, with what cuts the fields"
             raise
 
     def _names_above(self, above: bytes, count: int) -> list[str]:

@@ -17,6 +17,7 @@ from radcalc.units.table import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
 NUMBER = b"0123456789.+-"
+UTF_8 = "UTF-8 (iconv converts UTF-16)"
 POINT, COMMA = b".", b","  # what decimals begin with
 DECIMAL_COMMA = re.compile(r"(?<![\d,])(?:\d+,\d*|,\d+)(?![\d,])")
 POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has another
@@ -60,7 +61,7 @@ class Numbers:
             return self.made, parse_number(pointed(decoded(text), self.mark))
         except NumberError as error:
             hint = error.hint
-            if len(text.split(None, 1)) > 1:
+            if len(text.split(None, 1)) > 1 and hint != UTF_8:
                 hint = self.example
             elif self.mark == POINT and b"," in text and error.hint[:1].isdigit():
                 hint += f", or {option('decimal', ',')} for commas in all numbers"
@@ -221,4 +222,4 @@ def decoded(text: bytes) -> str:
         return decoded
     except UnicodeDecodeError:
         shown = quote(text.decode(errors="backslashreplace"))
-        raise NumberError(f"'{shown}' is not text in UTF-8", "UTF-8") from None
+        raise NumberError(f"'{shown}' is not text in UTF-8", UTF_8) from None

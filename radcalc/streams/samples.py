@@ -31,6 +31,7 @@ from radcalc.spectra.lines import Text
 from radcalc.streams import ABORT, FAIL, IGNORE
 from radcalc.units import timestamps
 from radcalc.units.dimensions import TIME
+from radcalc.units.numbers import parse_number
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import Unit, resolve
 
@@ -222,14 +223,30 @@ class Log:
                 break
             found.insert(0, cells)
         if named is not None and len(found) < len(rows) - named:
-            number, line = rows[named]
-            count = len(columns.cells(line, delimiter))
-            raise self.error(
-                number,
-                f"{count} titles over {width} columns",
-                "a title for each column, without delimiters in it but in quotation marks",
-            )
+            raise self._unlike(rows[named], delimiter, width)
+        if rows and not found and self._has_titles(rows[-1][1], delimiter):
+            raise self._unlike(rows[-1], delimiter, width)
         return found
+
+    def _has_titles(self, line: str, delimiter: str | None) -> bool:
+        """Whether the line above the data has titles of times and of light, of any number."""
+        cells = columns.cells(line, delimiter) if delimiter else []
+        if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
+            return False
+        return any(map(_is_of_time, cells)) or any(
+            self._unit_in([cells], k) is not None for k in range(len(cells))
+        )
+
+    def _unlike(self, row: Row, delimiter: str | None, width: int) -> LineError:
+        """What is wrong where the data have more columns than titles, or fewer."""
+        number, line = row
+        count = len(columns.cells(line, delimiter))
+        return self.error(
+            number,
+            f"{count} titles over {width} columns",
+            "a title for each column; quotation marks around what has a delimiter in it, and "
+            "1000 in place of 1,000",
+        )
 
     def _commented(self, comments: Sequence[str], width: int) -> list[list[str]]:
         """The titles of columns, where a comment has them."""
@@ -487,6 +504,10 @@ class Log:
             raise self.error(number, f"a value is missing: '{quote(text)}'", hint)
         value = columns.finite(text, comma)
         if value is None:
+            try:
+                parse_number(text)
+            except NumberError as error:
+                raise self.error(number, error.message, error.hint) from None
             raise self.error(number, f"'{quote(text)}' is not a number", "a number")
         for one in (stamp, text) if layout.clock.has_numbers else (text,):
             if comma and (problem := self.decimals.conflict(one, number)):

@@ -128,9 +128,24 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
             return _amount(text, size, found_in, off, dimensions, parts)
     if is_signed and (found := _read_expression(text)):
         return found
+    if meant := sum_meant(text):
+        raise UnitError(f"'{quote(text)}' has several numbers", f"'{quote(meant)}'")
     if problem:
         raise problem
     return _read_plain(text, number, unit, dimensions)
+
+
+def sum_meant(text: str) -> str:
+    """`5 ft + 3 in` for `5 ft 3 in`: numbers with units of one quantity; '' for anything else."""
+    import re  # only when something is wrong already
+
+    pairs = re.findall(r"([\d.]+)\s*([^\d\s.]+)", text)
+    if len(pairs) < 2 or "".join(map("".join, pairs)) != "".join(text.split()):
+        return ""
+    units = [unit_of(unit) for _, unit in pairs]
+    if len({unit.dimension if unit else None for unit in units} | {None}) != 2 or None in units:
+        return ""
+    return " + ".join(f"{number} {unit}" for number, unit in pairs)
 
 
 def _has_number(unit: str) -> bool:
@@ -251,6 +266,18 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around a separator
     may a unit be several words.
     """
+    try:
+        return _read_operands(words)
+    except RadcalcError:
+        for end in range(len(words), 3, -1):  # 5 ft 3 in m
+            if meant := sum_meant(" ".join(words[:end])):
+                typed = quote(" ".join(words[:end]))
+                hint = command("convert", meant, *words[end:])
+                raise UsageError(f"'{typed}' has several numbers", hint) from None
+        raise
+
+
+def _read_operands(words: list[str]) -> tuple[Amount, str]:
     if not words:
         raise UsageError("a value is missing", EXAMPLE)
     if words[1:] and words[-1] in ("-", "="):

@@ -220,14 +220,6 @@ def refuse_many(sizes: Sequence[int], most: int = MOST) -> None:
         raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
 
 
-def read_spectra(text: str) -> list[str]:
-    """Cut `blackbody:2000K:6000K:1000K` into its temperatures; any other source is one."""
-    kind, colon, parameters = text.partition(":")
-    if kind.strip().lower() in ("blackbody", "daylight") and colon:
-        return [f"{kind.strip()}:{part}" for part in read_series(parameters)]
-    return [text]
-
-
 def _has_unit(part: str) -> bool:
     return part.strip()[-1:] in ("%", "°") or any(map(str.isalpha, part))
 

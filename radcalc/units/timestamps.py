@@ -488,7 +488,7 @@ def _of_stamp(text: str, title: str) -> Pattern:
     if len(year) != 4:
         raise ConditionError(
             f"'{quote(text)}' has a year of {len(year)} digits, and no plain order",
-            mention("{time-format=%m/%d/%y %I:%M:%S %p}, as it is written"),
+            mention("{time-format=%m/%d/%y %I:%M:%S %p} or what else it is written in"),
         )
     order = ORDER_IN_TITLE.search(title.replace("_", " "))
     if order:
