@@ -124,8 +124,6 @@ def command(
     gap = _gap(each)
     if by and len(each) > 1:
         raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
-    if by and asked.check is not None:
-        refuse_several(2)
     clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
     settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
@@ -133,10 +131,19 @@ def command(
         log = Log(name, read, settings, _complain)
         summed = _summed(log, gap, by or "")
     summed.check()
-    told = texts_of(
-        {"file": path, "column": column or "", "unit": unit or "", "time-zone": time_zone or ""}
-    )
-    if by:
+    typed_here = {
+        "file": path,
+        "column": column,
+        "unit": unit,
+        "time-column": ",".join(time_column),
+        "delimiter": delimiter,
+        "invalid": invalid if invalid != ABORT else "",
+        "time-zone": time_zone,
+        "time-format": time_format,
+        "time-unit": time_unit,
+    }
+    told = texts_of({name: text or "" for name, text in typed_here.items()})
+    if by and asked.check is None:
         given = each[0].given
         inputs = (*told, *inputs_of(given))
         answers = [
@@ -145,9 +152,12 @@ def command(
         ]
         show(answers, asked, shown, [one.inputs for one in answers])
     else:
+        if by:
+            refuse_several(len(summed.dose.periods))
 
         def work_out(given: Inputs) -> Answer:
-            return _told(log, summed.of_all(_light(given)))
+            light = _light(given)
+            return _told(log, next(summed.of_periods(light))[1] if by else summed.of_all(light))
 
         samples = summed.samples()
         status = run(each, work_out, asked, shown, "dose", operands=told, samples=samples)

@@ -20,7 +20,7 @@ from radcalc.spectra.titles import KNOWN, PROPERTY
 MARK = ">>>>>"  # the table stands between two lines that begin so; not every file has the second
 NODE = re.compile(r"data from (.*) node")
 AXIS = re.compile(r"xaxis mode: *(.*)")
-PIXELS = re.compile(r"number of pixels in [a-z ]*: *(\d+)")
+PIXELS = re.compile(r"number of pixels in [a-z ]*: *0*(\d{1,9})", re.ASCII)
 REFERENCE = "reference spectrum present: yes"
 JAZ = (["w", "d", "s", "p"], ["w", "d", "r", "s", "p"])
 ABSOLUTE = "jaz absolute irradiance"

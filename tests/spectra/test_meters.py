@@ -173,6 +173,7 @@ def test_the_table_stands_behind_its_mark(text, end, decimal, tmp_path):
     ("old", "new", "message"),
     [
         ("7.00E2\t2.0\n", "", "2 rows, but its own count of pixels is 3"),
+        ("Spectrum: 3", f"Spectrum: {'9' * 5000}", "3 rows, but its own count of pixels is 9"),
         ("7.00E2\t2.0\n", "7.00E2\n", "1 columns instead of 2"),
         ("XAxis mode: Wavelengths", "XAxis mode: Raman Shifts", "is no wavelength"),
         ("lamp_12", "leaf_Reflection_12", "is a reflection, no light"),
