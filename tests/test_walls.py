@@ -25,6 +25,8 @@ KEEPERS = {
     "colour": ("radcalc.spectra.compile",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
     "dask": ("radcalc.api.lazy",),
+    "plotille": ("radcalc.plots.terminal",),
+    "matplotlib": ("radcalc.plots.figure",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
     "uncertainties": ("radcalc.units.uncertain",),
     "numpy": (
@@ -37,6 +39,8 @@ KEEPERS = {
         "radcalc.spectra.files",
         "radcalc.geometry",
         "radcalc.distributions",
+        "radcalc.plots.directions",
+        "radcalc.plots.places",
     ),
 }
 PICTURE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").split("```text\n")[1]
@@ -168,7 +172,7 @@ def test_the_vocabulary_has_the_names_of_observers_and_distributions():
 
 
 HEAVY = {"click", "numpy", "pint", "rich", "colour", "dask", "scipy", "uncertainties"}
-HEAVY.add("prompt_toolkit")
+HEAVY |= {"prompt_toolkit", "plotille", "matplotlib"}
 SLOW = {"re", "dataclasses", "typing", "json", "enum", "collections", "functools", "inspect"}
 PROBE = """
 import os, sys
@@ -291,6 +295,19 @@ def test_a_scalar_answer_into_a_pipe_loads_neither_pint_nor_numpy_nor_rich(words
     loaded = loaded_by(*words)
     assert "click" in loaded
     assert not loaded & (HEAVY - {"click"})
+
+
+@pytest.mark.parametrize(
+    "words", [("spectrum", "D65"), ("photon", "400nm:700nm:50nm")], ids=" ".join
+)
+def test_a_picture_below_the_answer_loads_what_draws_it_and_no_numpy(words):
+    loaded = loaded_by(*words, "--plot")
+    assert loaded & HEAVY == {"click", "plotille"}
+
+
+def test_a_figure_in_a_file_loads_no_picture_in_characters(tmp_path):
+    loaded = loaded_by("spectrum", "D65", "--plot", str(tmp_path / "d65.svg"))
+    assert loaded & HEAVY == {"click", "numpy", "matplotlib"}
 
 
 def test_a_file_of_a_luminaire_loads_its_own_reader_alone():

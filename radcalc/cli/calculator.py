@@ -24,7 +24,8 @@ BLOCK = 100_000  # values of a long range that are worked out at a time
 class Asked(NamedTuple):
     """What is asked of the answer: some results, the derivation, whether a number is right.
 
-    `lines` are the options for lines of standard input, of a command that takes these.
+    `lines` are the options for lines of standard input, of a command that takes these; `plot` is
+    where the picture goes, of one that has one.
     """
 
     wanted: tuple[str, ...]
@@ -32,11 +33,13 @@ class Asked(NamedTuple):
     check: str | None
     tolerance: str | None
     lines: streams.Asked | None = None
+    plot: str = ""
 
     @classmethod
     def of(cls, values: dict[str, Any], takes_lines: bool) -> "Asked":
         """Take it out of a command's values; refuse what has no use with --check, or without."""
-        asked = cls(*[values.pop(name) for name in cls._fields[:-1]])
+        asked = cls(*[values.pop(name) for name in cls._fields[:4]])
+        asked = asked._replace(plot=values.pop("plot", None) or "")
         if takes_lines:
             own = [values.pop(name) for name in streams.Asked._fields]
             asked = asked._replace(lines=streams.Asked(*own))
@@ -82,12 +85,18 @@ def run(
     shape: str = "",
     operands: Sequence[Input] = (),
     samples: Mapping[str, float] | None = None,
+    drawn: Any = None,
 ) -> int:
     """Work out the answer to every case and show it, or judge one; return the exit status.
 
-    `operands` are what was given beside the options; `samples` are facts of a log that is judged.
+    `operands` are what was given beside the options; `samples` are facts of a log that is judged;
+    `drawn` is what a picture takes beside the inputs.
     """
     work_out = _saying_how_read(work_out)
+    if asked.plot:
+        from radcalc.cli import plot
+
+        plot.refuse(asked, output)
     if each[0].stream:
         return _of_lines(each, work_out, asked, output, command, operands)
     if asked.lines is not None:
@@ -101,20 +110,30 @@ def run(
         question = question._replace(samples=samples or {})
         inputs = (*operands, *inputs_of(given))
         return check.judge(question, asked.check, asked.tolerance, output, inputs)
-    if asked.wanted and output.has_columns:
+    if asked.wanted and output.has_columns and not asked.plot:
         each = [part for case in each for part in _blocks(case)]
-    else:
+    elif not asked.plot:
         _refuse_long(each, asked)
     if any_uncertain([one for case in each for one in case.given.values()]):
         from radcalc.calculators.uncertainty import with_uncertainties
 
         work_out = partial(with_uncertainties, work_out)
     told = [(*operands, *inputs_of(case.given)) for case in each]
+    solved: Iterable[tuple[Inputs, Answer]] = (
+        (case.given, _noted(case, work_out(case.given))) for case in each
+    )
+    picture: Any = None
+    if asked.plot:
+        solved = list(solved)
+        picture = plot.picture(command, solved, asked, drawn)
     answers = (
         one
-        for case, inputs in zip(each, told, strict=True)
-        for one in _every(case, inputs, _noted(case, work_out(case.given)))
+        for case, inputs, (_, answer) in zip(each, told, solved, strict=True)
+        for one in _every(case, inputs, answer)
     )
+    if picture:
+        plot.show_beside(picture, list(answers), asked, output, told)
+        return stdio.ANSWERED
     show(answers, asked, output, told)
     return stdio.ANSWERED
 
@@ -145,6 +164,8 @@ def _of_lines(
         raise UsageError("--check takes one answer, and a stream has several", "one value")
     if asked.steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
+    if asked.plot:
+        raise UsageError("--plot is not for a stream", "a range of values: 1m:10m:0.1m")
     if len(each) > 1 or case.long:
         raise UsageError(f"{told} stands beside a list", "one value of everything else")
     return streams.calculate(case, work_out, asked.wanted, asked.lines, output, operands)

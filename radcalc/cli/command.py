@@ -30,6 +30,14 @@ GET = click.Option(
     help="The bare number of that result, or with --format the result alone (repeatable; in the "
     "unit shown, without one).",
 )
+PLOT = click.Option(
+    ["--plot"],
+    metavar="[FILE]",
+    help="Draw a picture: below the answer, or as a figure in FILE (.svg, .png).",
+)
+HERE = "-"  # --plot without a file
+# What the word behind --plot ends in where it is its file, and no operand.
+FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
 # The forms of operands that no symbol has.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
@@ -48,14 +56,15 @@ def define(
     output: Sequence[click.Option] = (),
     operands: tuple[str, Sequence[str]] = (WORD, ()),
     cls: "type[SectionedCommand] | None" = None,
+    draws: bool = False,
 ) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
     """Make a command of a function, whose docstring is the help.
 
     `sections` are the titles of the help, with the symbols and other options below them; `words`
     says what its operands are, and `operands` in which form, for completion; light quantities are
-    taken in `kinds`.  A command that calculates has the options that ask for results, and those
-    for lines of standard input if it takes any; `output` are more options of the output, and `cls`
-    is the class of the command.
+    taken in `kinds`.  A command that calculates has the options that ask for results, those
+    for lines of standard input if it takes any, and that for a picture if it `draws`; `output` are
+    more options of the output, and `cls` is the class of the command.
 
     The function is called with `typed`, the texts of the symbols that were given, where it has
     any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
@@ -64,7 +73,7 @@ def define(
     sections = dict(sections)
     if calculates:
         own = sections.pop("Results", ())
-        sections["Results"] = (*own, GET, *check.OPTIONS)
+        sections["Results"] = (*own, GET, *check.OPTIONS, *([PLOT] if draws else []))
         if takes_lines:
             from radcalc.cli import streams  # which no list of units or names needs
 
@@ -187,6 +196,8 @@ class SectionedCommand(Helped):
         """
         end = args.index("--") if "--" in args else len(args)
         args = ["--header=1" if word == "--header" else word for word in args[:end]] + args[end:]
+        if PLOT in self.params:
+            args = _with_plot(args[:end]) + args[end:]
         several = {o for p in self.params if getattr(p, "multiple", False) for o in p.opts}
         seen: set[str] = set()
         for word in args[: args.index("--")] if "--" in args else args:
@@ -214,6 +225,18 @@ class SectionedCommand(Helped):
             if any(records):
                 with formatter.section(title):
                     formatter.write_dl([record for record in records if record])
+
+
+def _with_plot(args: Sequence[str]) -> list[str]:
+    """The words of a call, in which --plot and its file are one word, or --plot has none."""
+    found: list[str] = []
+    for word in args:
+        if found and found[-1] == "--plot":
+            is_file = word.lower().endswith(FIGURES) and word[0] != "-"
+            found[-1:] = [f"--plot={word}"] if is_file else [f"--plot={HERE}", word]
+        else:
+            found.append(word)
+    return [f"--plot={HERE}" if word == "--plot" else word for word in found]
 
 
 def _hidden(option: click.Option) -> click.Option:

@@ -30,6 +30,7 @@ from radcalc.quantities.symbols import CHOICE
     },
     words="[SHAPE]",
     operands=(CHOICE, tuple(SHAPES)),
+    draws=True,
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what follows for a diffuse source or reflector, exactly at any distance.

@@ -116,9 +116,14 @@ class Output(NamedTuple):
         """The style, with the terminal's width where a table is drawn; 80 where there is none."""
         if self.format != TABLE:
             return self.style
-        import shutil  # costs as much as a conversion, and only tables need it
+        return self.style._replace(width=width_of_terminal())
 
-        return self.style._replace(width=shutil.get_terminal_size((80, 24)).columns)
+
+def width_of_terminal() -> int:
+    """The terminal's width; 80 where there is none."""
+    import shutil  # costs as much as a conversion, and only tables and pictures need it
+
+    return shutil.get_terminal_size((80, 24)).columns
 
 
 def folded(lines: Sequence[str]) -> list[str]:

@@ -21,6 +21,7 @@ T = TypeVar("T")
     {"Light": ("observer",)},
     words="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY",
     operands=(QUANTITY, ("wavelength",)),
+    draws=True,
 )
 def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
@@ -31,6 +32,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc photon 2.33eV
       radcalc photon 540THz
       radcalc photon 18000cm-1
+      radcalc photon 400nm:780nm:1nm -g luminous-efficacy --plot
       radcalc photon 400nm:700nm:50nm -g wavelength:nm -g luminous-efficacy:lm/W
 
     The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is looked up

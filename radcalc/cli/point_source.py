@@ -37,6 +37,7 @@ from radcalc.cli.options import Output
         ),
         "Kinds of light": LIGHT,
     },
+    draws=True,
 )
 def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
     """Give what follows for a source that is small beside its distance.

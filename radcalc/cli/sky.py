@@ -45,6 +45,7 @@ SAVE = click.Option(
     },
     words="[TYPE]",
     operands=(CHOICE, NAMES),
+    draws=True,
 )
 def command(
     words: tuple[str, ...],

@@ -42,6 +42,7 @@ LIST = click.Option(
     words="SOURCE ...",
     operands=(SPECTRUM, ()),
     takes_lines=False,
+    draws=True,
 )
 def command(
     words: tuple[str, ...],
@@ -60,6 +61,8 @@ def command(
       radcalc spectrum measured.csv --range 380nm:780nm
       radcalc spectrum D65 LED-B3 HPS -g cct -g cri -g lux-per-ppfd
       radcalc spectrum blackbody:3000K:6000K:1000K -g temperature:K -g luminous-efficacy:lm/W
+      radcalc spectrum LED-B3 --plot           a picture, with V(lambda) over it
+      radcalc spectrum D65 A LED-B3 --plot lamps.svg
       radcalc spectrum --list                  the named sources
       radcalc spectrum --list fluorescent      those of a kind
 

@@ -1,13 +1,18 @@
-"""What a file holds, read safely: regular files alone, of a size that is known to fit."""
+"""What a file holds, read safely and written whole.
 
+Read are regular files alone, of a size that is known to fit.
+"""
+
+import errno
 import os
+import secrets
 import stat
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager, suppress
 from io import FileIO
 
 from radcalc import stdio
-from radcalc.errors import ConditionError, quote_path
+from radcalc.errors import ConditionError, OutputError, quote, quote_path
 
 BLOCK = 1 << 20  # bytes that are read at a time where nobody says how many there are
 
@@ -76,6 +81,87 @@ def whole(file: FileIO, largest: int, path: str) -> bytes:
     """What is left of an open file: that much memory, and no copy."""
     size = os.fstat(file.fileno()).st_size
     return _whole(file.read, max(BLOCK, size + 1), largest, quote_path(path))
+
+
+def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
+    """Refuse a place to write to, before the work whose result would be lost.
+
+    Parameters
+    ----------
+    path : str
+        Of the file to be written.
+    extensions : collection of str
+        That it may have, in lower case.
+    things, instead : str
+        What is written, and the extensions, for messages.
+
+    Returns
+    -------
+    str
+        Its extension, in lower case.
+
+    Raises
+    ------
+    ConditionError
+        If the extension is another one.
+    OutputError
+        If it cannot be written, as far as that can be known before.
+
+    Examples
+    --------
+    >>> check_place("led.pdf", (".svg", ".png"), "figures", ".svg or .png")
+    Traceback (most recent call last):
+    radcalc.errors.ConditionError: led.pdf: figures are not written as .pdf
+    try: .svg or .png
+    """
+    extension = os.path.splitext(path)[1].lower()
+    if extension not in extensions:
+        what = f"as {quote(extension)}" if extension else "without an extension"
+        raise ConditionError(f"{quote_path(path)}: {things} are not written {what}", instead)
+    if "\0" in path:
+        raise _cannot_write(path, "no name of a file")
+    target = os.path.realpath(path)
+    folder = os.path.dirname(target)
+    if not os.path.isdir(folder):
+        raise _cannot_write(path, f"there is no folder {quote_path(folder)}")
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise _cannot_write(path, "a folder, a pipe or a device")
+    if not all(os.access(place, os.W_OK) for place in (folder, target) if os.path.exists(place)):
+        raise _cannot_write(path, os.strerror(errno.EACCES))
+    return extension
+
+
+@contextmanager
+def written(path: str) -> Iterator[str]:
+    """A new file, empty, that takes the place of a path when all is written to it.
+
+    What was there is replaced then, and is left as it is where anything goes wrong.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    target = os.path.realpath(path)  # what a link leads to, and not the link
+    # in the same folder, for what is moved from elsewhere may be there by halves
+    extension = os.path.splitext(path)[1].lower()
+    made = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
+    try:
+        with open(made, "xb"):  # with the permissions of any new file
+            pass
+        yield made
+        if os.path.exists(target):
+            os.chmod(made, stat.S_IMODE(os.stat(target).st_mode))
+        os.replace(made, target)
+    except OSError as error:
+        raise _cannot_write(path, error.strerror or str(error)) from None
+    finally:
+        with suppress(OSError):  # it is there where something went wrong
+            os.remove(made)
+
+
+def _cannot_write(path: str, why: str) -> OutputError:
+    return OutputError(f"cannot write {quote_path(path)}: {why}", "another place for it")
 
 
 def _without_waiting(path: str, flags: int) -> int:

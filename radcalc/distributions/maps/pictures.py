@@ -6,19 +6,14 @@ Each format is a module of its own, loaded when it is needed: `rgbe`, `pfm` and 
 str).  What a file or a picture has wrong is a ConditionError; an OSError is left to this module.
 """
 
-import errno
-import os
-import secrets
-import stat
 from collections.abc import Sequence
-from contextlib import suppress
 from importlib import import_module
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from radcalc.distributions import contents
-from radcalc.errors import SHOWN, ConditionError, OutputError, quote, quote_path
+from radcalc.errors import SHOWN, ConditionError, quote, quote_path
 
 # Of the sum of all values: those below 0 that are less of it are what lossy encoding left.
 NOISE = 1e-6
@@ -154,31 +149,17 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     OutputError
         If it cannot be written.
     """
-    check_target(path)
-    extension = _extension(path)
+    extension = check_target(path)
     if picture.frame and extension != ".exr":
         raise ConditionError("a part of a picture is kept in OpenEXR alone", "an .exr file")
-    target = os.path.realpath(path)  # what a link leads to, and not the link
-    # in the same folder, for what is moved from elsewhere may be there by halves
-    made = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
-    try:
-        with open(made, "xb"):  # with the permissions of any new file
-            pass
-        module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
+    module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
+    with contents.written(path) as made:
         notes: tuple[str, ...] = module.write(made, picture)
-        if os.path.exists(target):
-            os.chmod(made, stat.S_IMODE(os.stat(target).st_mode))
-        os.replace(made, target)
-        return notes
-    except OSError as error:
-        raise _cannot_write(path, error.strerror or str(error)) from None
-    finally:
-        with suppress(OSError):  # it is there where something went wrong
-            os.remove(made)
+    return notes
 
 
-def check_target(path: str) -> None:
-    """Refuse a place to write to, before the work whose result would be lost.
+def check_target(path: str) -> str:
+    """Refuse a place to write to, before the work whose result would be lost; the extension.
 
     Raises what `write_picture` raises, as far as it can be known before.
 
@@ -189,21 +170,9 @@ def check_target(path: str) -> None:
     radcalc.errors.ConditionError: map.png: pictures are not written as .png
     try: .hdr (Radiance), .exr (OpenEXR) or .pfm
     """
-    extension = _extension(path)
-    if extension not in WRITERS:
-        what = f"as {quote(extension)}" if extension else "without an extension"
-        problem = f"{quote_path(path)}: pictures are not written {what}"
-        raise ConditionError(problem, ".hdr (Radiance), .exr (OpenEXR) or .pfm")
-    if "\0" in path:
-        raise _cannot_write(path, "no name of a file")
-    target = os.path.realpath(path)
-    folder = os.path.dirname(target)
-    if not os.path.isdir(folder):
-        raise _cannot_write(path, f"there is no folder {quote_path(folder)}")
-    if os.path.exists(target) and not os.path.isfile(target):
-        raise _cannot_write(path, "a folder, a pipe or a device")
-    if not all(os.access(place, os.W_OK) for place in (folder, target) if os.path.exists(place)):
-        raise _cannot_write(path, os.strerror(errno.EACCES))
+    return contents.check_place(
+        path, WRITERS, "pictures", ".hdr (Radiance), .exr (OpenEXR) or .pfm"
+    )
 
 
 def check_size(width: int, height: int, name: str) -> None:
@@ -309,14 +278,6 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
         raise ConditionError(problem, "x and y of red, green, blue and white")
     weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
     return tuple(map(float, weights))
-
-
-def _extension(path: str) -> str:
-    return os.path.splitext(path)[1].lower()
-
-
-def _cannot_write(path: str, why: str) -> OutputError:
-    return OutputError(f"cannot write {quote_path(path)}: {why}", "another place for it")
 
 
 def _is_no_picture(head: bytes, name: str) -> ConditionError:

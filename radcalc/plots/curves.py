@@ -1,0 +1,140 @@
+"""What follows over a range: the results of several answers as curves."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from radcalc.answer import Answer, Row
+from radcalc.calculators.results import pick
+from radcalc.errors import ConditionError, UsageError, mention, option, quote
+from radcalc.given import Given, Inputs
+from radcalc.maths import is_array
+from radcalc.plots.data import Axis, Chart, Series
+from radcalc.quantities.symbols import DIRECTION, QUANTITY
+
+MOST = 20_000  # points of a picture
+WIDE = 50.0  # from where on the ratio of what is along an axis asks for a logarithmic one
+PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
+RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
+
+
+class Solved(NamedTuple):
+    """What was given for an answer, and the answer."""
+
+    given: Inputs
+    answer: Answer
+
+    @property
+    def each(self) -> list[Answer]:
+        """All the answers, where several fit."""
+        return [self.answer, *self.answer.more]
+
+
+def varied(solved: Sequence[Solved]) -> list[str]:
+    """The names of what differs between answers, in the order in which it was given."""
+    first = solved[0].given
+    return [
+        name
+        for name, one in first.items()
+        if is_array(one.value) or any(other.given[name].text != one.text for other in solved)
+    ]
+
+
+def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
+    """Results over what varies; of several lists the last is along the axis.
+
+    Parameters
+    ----------
+    solved : sequence of Solved
+        With one input at least that is not the same in all of them, or is an array.
+    wanted : sequence of str
+        The results to be drawn, NAME[:UNIT]; without any, the one that the answer is about.
+
+    Raises
+    ------
+    UsageError
+        If there is nothing to draw, or results in different units.
+    """
+    *others, along = varied(solved)
+    own = solved[0].given[along]
+    wanted = wanted or [_usual(solved, along)]
+    lines: dict[str, tuple[list[float], list[float]]] = {}
+    rows: list[Row] = []
+    for one in solved:
+        places = _places(one.given[along])
+        told = [f"{name} {one.given[name].text}".strip() for name in others]
+        for k, answer in enumerate(one.each, start=1):
+            case = [*told, *([f"answer {k}"] if len(one.each) > 1 else [])]
+            for name in wanted:
+                row = pick(answer.values, name, ", ".join(case))
+                rows.append(row)
+                label = ", ".join([*([row.quantity] if len(wanted) > 1 else []), *case])
+                x, y = lines.setdefault(label, ([], []))
+                x += places
+                y += _numbers(row.value, len(places))
+    if len({row.unit for row in rows}) > 1:
+        several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
+        raise UsageError(f"{several}: an axis has one unit", "a picture of each")
+    _refuse_many(lines)
+    is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
+    x_axis = Axis(*_name(own), is_log=is_log)
+    names = list(dict.fromkeys(f"{row.quantity} {row.symbol}".strip() for row in rows))
+    y_axis = Axis(names[0] if len(names) == 1 else "", rows[0].unit, is_log=is_log)
+    fixed = [one for name, one in solved[0].given.items() if name not in (*others, along)]
+    title = ", ".join(f"{one.name} {one.text}".strip() for one in fixed)
+    return Chart(title, x_axis, y_axis, [Series(label, x, y) for label, (x, y) in lines.items()])
+
+
+def _usual(solved: Sequence[Solved], along: str) -> str:
+    """The result that a curve is of where nobody says: what the answer is about, and varies."""
+    values = [
+        one
+        for one in solved[0].answer.values
+        if not one.is_absent and one.given is None and one.name != along
+    ]
+    names = [one.name for one in values]
+    for name in (*(one for one in PREFERRED if one in names), *names):
+        found = [pick(one.answer.values, name).value for one in solved if _has(one, name)]
+        if len(found) == len(solved) and (is_array(found[0]) or len(set(found)) > 1):
+            return name
+    problem = f"nothing that follows depends on {option(along)}"
+    raise UsageError(problem, "a range of something else")
+
+
+def _has(one: Solved, name: str) -> bool:
+    return any(value.name == name and not value.is_absent for value in one.answer.values)
+
+
+def _places(given: Given) -> list[float]:
+    """Where the answers stand along the axis."""
+    if given.symbol.form == DIRECTION:
+        return [math.degrees(given.value[0])]
+    if given.symbol.form != QUANTITY or given.number is None:
+        problem = f"{option(given.name, quote(given.text))} is no number to be on an axis"
+        raise ConditionError(problem, mention(RANGE))
+    return [float(x) for x in (given.number if is_array(given.number) else [given.number])]
+
+
+def _name(given: Given) -> tuple[str, str]:
+    """The label and the unit of what is along the axis."""
+    if given.symbol.form == DIRECTION:
+        return "polar angle \u03b8", "deg"
+    letter = given.symbol.letter
+    unit = "" if given.unit is None else given.unit_text
+    return f"{given.symbol.label} {letter}".strip(), unit
+
+
+def _numbers(value: Any, count: int) -> list[float]:
+    return [float(x) for x in value] if is_array(value) else [float(value)] * count
+
+
+def _refuse_many(lines: dict[str, tuple[list[float], list[float]]]) -> None:
+    count = sum(len(x) for x, _ in lines.values())
+    if count > MOST:
+        raise UsageError(f"a picture of {count} points is too many", f"at most {MOST}")
+
+
+def _is_wide(numbers: Sequence[Sequence[float]]) -> bool:
+    """Whether numbers are positive and far apart."""
+    every = [x for some in numbers for x in some]
+    return min(every) > 0 and max(every) > WIDE * min(every)

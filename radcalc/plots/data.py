@@ -1,0 +1,103 @@
+"""What is to be drawn, as plain data: charts, polar diagrams, fields over a plane, and discs."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+LINE, REFERENCE, LINES = "line", "reference", "lines"  # how a series is drawn
+Values = Sequence[float]
+
+
+class Axis(NamedTuple):
+    """What an axis shows, in which unit; between limits where these are not those of the data."""
+
+    label: str
+    unit: str = ""
+    limits: tuple[float, float] | None = None
+    is_log: bool = False
+
+    @property
+    def title(self) -> str:
+        """`distance [m]`; a number has no unit."""
+        unit = f"[{self.unit}]" if self.unit not in ("", "1") else ""
+        return f"{self.label} {unit}".strip()
+
+
+class Series(NamedTuple):
+    """Points of a curve, and its name.
+
+    A `REFERENCE` is there to compare with, `LINES` are upright from 0 to each point.
+    """
+
+    label: str
+    x: Values
+    y: Values
+    style: str = LINE
+
+
+class Chart(NamedTuple):
+    """Curves over an axis; `marks` are names and places on it that are marked."""
+
+    title: str
+    x: Axis
+    y: Axis
+    series: Sequence[Series]
+    marks: Sequence[tuple[str, float]] = ()
+
+
+class Plane(NamedTuple):
+    """A plane of a polar diagram: values at angles from the axis [deg].
+
+    Those of the second half plane, which is opposite, have negative angles.
+    """
+
+    label: str
+    angles: Values
+    values: Values
+
+
+class Polar(NamedTuple):
+    """A polar diagram, whose axis points down; what `radius` shows is its distance from there."""
+
+    title: str
+    radius: Axis
+    planes: Sequence[Plane]
+
+
+class Mark(NamedTuple):
+    """A place in a field, or in a disc, that is marked."""
+
+    label: str
+    x: float
+    y: float
+
+
+class Field(NamedTuple):
+    """Values over a plane of x and y, a row for each y; lengths on both axes are alike."""
+
+    title: str
+    x: Axis
+    y: Axis
+    value: Axis
+    xs: Values
+    ys: Values
+    rows: Sequence[Values]
+    marks: Sequence[Mark] = ()
+
+
+class Disc(NamedTuple):
+    """Values over a hemisphere of directions: its centre is in the middle, 90 deg is the rim.
+
+    `rows` are over x (to the right) and y (up) from -1 to 1, evenly apart, the distance from the
+    middle being in proportion to the angle; what is outside of the disc counts for nothing.
+    `rim` are names of angles [deg], counted clockwise from the top.
+    """
+
+    title: str
+    value: Axis
+    rows: Sequence[Values]
+    rim: Sequence[tuple[str, float]]
+    centre: str = ""
+    marks: Sequence[Mark] = ()
+
+
+Picture = Chart | Polar | Field | Disc

@@ -1,0 +1,103 @@
+"""Pictures of spectra, with the eye's luminous efficiency over them."""
+
+import math
+from collections.abc import Sequence
+
+from radcalc.errors import ConditionError, option
+from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Series
+from radcalc.quantities.light import RADIANT
+from radcalc.quantities.symbols import light_unit, specific_name
+from radcalc.spectra import planck
+from radcalc.spectra.observers import OBSERVERS, Observer
+from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
+
+WAVELENGTH = Axis("wavelength \u03bb", "nm")
+RELATIVE = Axis("relative spectral power")
+POINTS = 400  # of a black body
+WIDEST = 4  # times the wavelength of its peak, to which a black body is drawn
+EACH = "each over its own peak"
+
+
+def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -> Chart:
+    """Watts per nanometre of spectra, and an observer's luminous efficiency.
+
+    Spectra of different quantities, or relative ones, are over their own peaks; the efficiency has
+    its maximum at the height of the highest of them.
+    """
+    quantities = {source.absolute for source in sources}
+    unit = ""
+    if len(quantities) == 1 and (quantity := quantities.pop()):
+        unit = f"{light_unit(quantity, RADIANT)}/nm"
+        own = specific_name(quantity, RADIANT).replace("-", " ").replace("radiant", "").strip()
+        axis = Axis(f"spectral {own}", unit)
+    else:
+        several = len(sources) > 1
+        axis = RELATIVE._replace(label=f"{RELATIVE.label}, {EACH}" if several else RELATIVE.label)
+    drawn = []
+    for source in sources:
+        x, y = _points(source, limits)
+        if not any(y):
+            problem = f"{source.label} has no power where it would be drawn"
+            raise ConditionError(problem, f"another {option('range')}")
+        if not unit:
+            peak = max(y)
+            y = [value / peak for value in y]
+        style = LINES if isinstance(source, Lines) else LINE
+        drawn.append(Series(source.label, x, y, style))
+    most = max(max(one.y) for one in drawn)
+    reference = efficiency(eye, most)
+    if unit:
+        name = f"{reference.label}, at most {most:.3g} {unit}"
+        reference = reference._replace(label=name)
+    ends = _ends([one.x for one in drawn], limits)
+    axis = axis._replace(limits=(0.0, most))
+    return Chart("", WAVELENGTH._replace(limits=ends), axis, [*drawn, reference])
+
+
+def efficiency(eye: Observer, most: float = 1.0) -> Series:
+    """An observer's relative luminous efficiency, at its table's wavelengths."""
+    x = [float(nm) for nm in range(eye.start, eye.end + 1)]
+    label = eye.label.replace("lambda", "\u03bb")
+    return Series(label, x, [most * value for value in eye.values], REFERENCE)
+
+
+def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
+    """Where wavelengths [nm] stand below the luminous efficiency, by day and by night."""
+    night = OBSERVERS["scotopic"]
+    curves = [efficiency(one)._replace(style=LINE) for one in dict.fromkeys((eye, night))]
+    ends = VISIBLE
+    if wavelengths:
+        places = [nm for _, nm in wavelengths]
+        ends = min(VISIBLE[0], *places), max(VISIBLE[1], *places)
+    axis = Axis("relative luminous efficiency", limits=(0.0, 1.0))
+    return Chart("", WAVELENGTH._replace(limits=ends), axis, curves, wavelengths)
+
+
+def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
+    """The wavelengths to be shown: those of the spectra, and all that is seen."""
+    if limits != WHOLE and limits[1] < math.inf:
+        return limits
+    return (
+        min(VISIBLE[0], *(x[0] for x in places)),
+        max(VISIBLE[1], *(x[-1] for x in places)),
+    )
+
+
+def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
+    """Wavelengths [nm], and watts per nanometre there; of lines their watts."""
+    low, high = limits
+    if isinstance(source, BlackBody):
+        peak = source.peak()[0]
+        low, high = max(low, 10.0), min(high, max(VISIBLE[1], WIDEST * peak))
+        x = [low + (high - low) * k / POINTS for k in range(POINTS + 1)]
+        exitances = planck.spectral_exitances([nm * 1e-9 for nm in x], source.temperature)
+        return x, [1e-9 * value for value in exitances]
+    part = source if limits == WHOLE else source.part(limits)
+    if isinstance(part, Lines):
+        return [nm for nm, _ in part.lines], [watts for _, watts in part.lines]
+    if not isinstance(part, Table):
+        return [], []
+    x, y = [float(nm) for nm in part.grid], [float(value) for value in part.values]
+    if source.is_whole:  # there is nothing beyond its ends, where others are not known
+        return [x[0], *x, x[-1]], [0.0, *y, 0.0]
+    return x, y

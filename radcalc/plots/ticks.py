@@ -1,0 +1,102 @@
+"""Round numbers along an axis, and how they are written."""
+
+import math
+
+STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+ROUNDING = 1e-9  # of a step: a tick is not left out for it
+
+
+def ticks(low: float, high: float, most: int) -> list[float]:
+    """Round numbers between two, evenly apart, both ends among them where they are round.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, low < high.
+    most : int
+        How many there may be.
+
+    Returns
+    -------
+    list of float
+
+    Examples
+    --------
+    >>> ticks(0.0, 1.0, 6)
+    [0.0, 0.2, 0.4, 0.6, 0.8, 1.0]
+    >>> ticks(380.0, 780.0, 5)
+    [400.0, 500.0, 600.0, 700.0]
+    """
+    step = round_step((high - low) / max(most - 1, 1))
+    first = math.ceil(low / step - ROUNDING)
+    found = []
+    while first * step <= high + step * ROUNDING:
+        found.append(float(f"{first * step:.12g}"))
+        first += 1
+    return found if len(found) <= most else ticks(low, high, most - 1)
+
+
+def round_step(least: float) -> float:
+    """The least step of 1, 2, 2.5, 5 times a power of ten that is not below a number.
+
+    Examples
+    --------
+    >>> round_step(0.13), round_step(70.0)
+    (0.2, 100.0)
+    """
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(s for s in STEPS if s * power >= least * (1 - ROUNDING)) * power
+
+
+def log_ticks(low: float, high: float, most: int) -> list[float]:
+    """Powers of ten between two, or these and 2 and 5 times them where there is room.
+
+    Examples
+    --------
+    >>> log_ticks(1.0, 100.0, 9)
+    [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]
+    >>> log_ticks(1e-6, 1e6, 5)
+    [1e-06, 0.001, 1.0, 1000.0, 1000000.0]
+    """
+    ends = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    for factors in ((1, 2, 5), (1,)):
+        found = [float(f"{f}e{power}") for power in ends for f in factors]
+        found = [x for x in found if low * (1 - ROUNDING) <= x <= high * (1 + ROUNDING)]
+        if len(found) <= most:
+            return found
+    apart = 2
+    while len(found[::apart]) > most:
+        apart += 1
+    return found[::apart]
+
+
+def limits(values: list[float], most: int) -> tuple[float, float]:
+    """Round ends of an axis on which values stand, 0 among them where that is near.
+
+    Examples
+    --------
+    >>> limits([3.0, 97.0], 6)
+    (0.0, 100.0)
+    >>> limits([996.0, 1004.0], 6)
+    (996.0, 1004.0)
+    """
+    low, high = min(values), max(values)
+    if 0 < low < high / 2:
+        low = 0.0
+    if high < 0 and high > low / 2:
+        high = 0.0
+    if low == high:
+        low, high = (low - 1, high + 1) if not low else sorted((0.0, 2 * low))
+    step = round_step((high - low) / max(most - 1, 1))
+    return math.floor(low / step + ROUNDING) * step, math.ceil(high / step - ROUNDING) * step
+
+
+def texts(values: list[float]) -> list[str]:
+    """Numbers as an axis has them: as many places as tell them apart.
+
+    Examples
+    --------
+    >>> texts([0.0, 0.5, 1.0]), texts([0.0, 2e-7])
+    (['0', '0.5', '1'], ['0', '2e-07'])
+    """
+    return [f"{value + 0.0:.6g}" for value in values]
