@@ -493,11 +493,13 @@ def _read_wavelengths(symbol: Symbol, value: Any) -> Given:
             option(symbol.name, symbol.example),
         )
     low, high = (round(end.value * 1e9, 9) for end in ends)
-    if low >= high:
+    if low == high:
         raise ConditionError(
-            f"{option(symbol.name, quote(text))} ends before it starts",
-            option(symbol.name, f"{ends[1].text}:{ends[0].text}"),
+            f"{option(symbol.name, quote(text))} is one wavelength",
+            option(symbol.name, symbol.example),
         )
+    if low > high:
+        raise _backwards(symbol, text, option(symbol.name, f"{ends[1].text}:{ends[0].text}"))
     return Given(symbol, text, (low, high))
 
 

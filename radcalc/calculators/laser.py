@@ -59,7 +59,8 @@ def laser(given: Inputs) -> Answer:
     sheet.use("profile")
     far = laws_of(profile, with_distance=True)
     is_far = DISTANCE in reached(far, set(sheet.known))
-    laws = far if is_far else laws_of(profile, with_distance=False)
+    is_at_exit = not is_far and not {"spot-diameter", "diameter"} <= reached(far, set(sheet.known))
+    laws = laws_of(profile, with_distance=False) if is_at_exit else far
     sheet.assume(PROFILES[profile])
     sheet.solve(laws)
     sheet.refuse_impossible("divergence")
@@ -69,7 +70,7 @@ def laser(given: Inputs) -> Answer:
         hint = options(lacking, " and ")
         raise MissingInput(f"there is no hazard distance to {told}: more is to be known", hint)
     if sheet.has("spot-diameter"):
-        if not is_far:
+        if is_at_exit:
             sheet.assume(mention("the spot is that at the laser's exit (no {distance})"))
         sheet.assume("irradiance: the mean, of the flux over the area of the spot")
     if sheet.has("divergence"):

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from copy import copy
 from typing import Any
 
 from radcalc.answer import Row, Value
@@ -115,8 +116,9 @@ def _refuse_absent(value: Value, case: str = "") -> None:
     """Say what a result lacks that does not follow, and in which of several answers."""
     of_case = f"{case}: " if case else ""
     if (because := value.because) is not None:
-        because.message = f"{of_case}{because.message}"
-        raise because
+        error = copy(because)  # an answer may be asked again, for another case
+        error.message = f"{of_case}{because.message}"
+        raise error
     if value.lacking is not None:
         raise MissingInput(f"{of_case}no {value.label} follows from what is given", value.lacking())
 
@@ -184,7 +186,9 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         raise MissingInput(
             f"{name} takes what links the kinds of light", f"{LINKS_HINT}, or {generic}"
         )
-    raise UsageError(f"there is no result '{quote(name)}'", _right_names(name, values, names))
+    of_case = f"{case}: " if case else ""
+    hint = _right_names(name, values, names)
+    raise UsageError(f"{of_case}there is no result '{quote(name)}'", hint)
 
 
 def names_of(values: Sequence[Value]) -> list[str]:

@@ -19,6 +19,16 @@ def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
     return ConditionError(f"{name}{where}: {problem}", hint)
 
 
+def _lines(text: str) -> Lines:
+    """The lines of a text; str.splitlines would also cut at the \\x85 of Latin-1 and others."""
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    lines = text.split("\n")
+    if not lines[-1]:
+        lines.pop()
+    return lines
+
+
 class Text:
     """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
 
@@ -58,7 +68,7 @@ class Text:
                 problem = f"a line of more than {LONGEST} bytes"
                 raise refusal(self.name, number, problem, f"{self.row} in every row")
             if whole:
-                lines = self._decoded(whole).splitlines()
+                lines = _lines(self._decoded(whole))
                 yield number, lines
                 number += len(lines)
             if not data:

@@ -8,6 +8,7 @@ from radcalc.columns import plain, units_in
 from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
 from radcalc.quantities.titles import read_title, refuse_altered
+from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import NUMBER, unit_of
 
 UNITS = {
@@ -135,7 +136,7 @@ def values(title: str) -> Meaning:
     for part in brackets + endings:
         facts, factor = _light(part, part in brackets)
         if facts is None:
-            if part in brackets and _is_of_another(part):
+            if _is_of_another(part) if part in brackets else _is_of_a_detector(part):
                 problem = f"values in {quote(part)} are not light, or in a unit that is not known"
                 raise ConditionError(problem, KNOWN)
             continue
@@ -173,6 +174,8 @@ def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
                 said = filter(None, (f"in {quote(part)}, as its preamble says", one.said))
                 found[one] = one._replace(said=", ".join(said))
                 break
+            if _is_of_a_detector(part):
+                raise ConditionError(f"'{quote(line.strip())}' is not light", KNOWN)
         else:
             photons = photons or (line if PHOTONS.search(text) else "")
     if len(found) > 1:
@@ -203,6 +206,12 @@ def _is_of_another(part: str) -> bool:
     if unit:
         return unit.dimension != NUMBER
     return "/" in part and not RELATIVE.search(plain(part))
+
+
+def _is_of_a_detector(part: str) -> bool:
+    """Whether a text is a unit of what a detector makes of light, as A/W is."""
+    unit = unit_of(part) if "/" in part or "-" in part or "⁻" in part else None
+    return unit is not None and unit.dimension == RESPONSIVITY
 
 
 def _absolute(facts: Reading, factor: float) -> Meaning:

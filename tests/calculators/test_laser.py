@@ -143,6 +143,8 @@ def test_less_spread_than_diffraction_is_noted():
         ("", "the beam is missing"),
         ("--profile gaussian", "the beam is missing"),
         ("--flux 5mW --diameter 1mm --distance 10m", "nothing follows from"),
+        ("--flux 5mW --diameter 2mm --spot-diameter 3mm", "nothing follows from --diameter 2mm"),
+        ("--flux 5mW --diameter 1mm --irradiance 100W/m2", "nothing follows from --diameter 1mm"),
         ("--flux 5mW --diameter 1mm --divergence 20deg", "not possible"),
         ("--diameter 1mm --distance 10m --spot-diameter 0.5mm", "no beam becomes narrower"),
         ("--diameter 1mm --distance 1m --spot-diameter 1m", "a divergence of 999.9"),

@@ -7,6 +7,7 @@ import pytest
 from conftest import run
 from following import call
 
+from radcalc.calculators.results import absent, pick
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
 from radcalc.given import read
@@ -162,3 +163,18 @@ def test_a_deep_red_line_has_no_colour_rendering_index(nanometres):
     assert done.status == 2
     assert "adaptation of CIE 13.3" in done.error.message
     assert call(["spectrum", f"line:{nanometres}nm", "-q", "-g", "cct"]).status == 0
+
+
+def test_what_is_missing_in_one_of_several_is_said_with_its_name_each_time():
+    values = [absent("irradiance", "it is relative", "another")]
+    for case in ("lamp.csv", "sun.csv"):
+        with pytest.raises(RadcalcError) as caught:
+            pick(values, "irradiance", case)
+        assert caught.value.message == f"{case}: there is no irradiance: it is relative"
+        with pytest.raises(RadcalcError, match=rf"{case}: there is no result 'lux'"):
+            pick(values, "lux", case)
+
+
+def test_a_range_of_one_wavelength_is_no_range():
+    error = call(["spectrum", "D65", "--range", "400nm:0.4um"]).error
+    assert "is one wavelength" in error.message

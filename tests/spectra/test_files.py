@@ -232,6 +232,8 @@ BROKEN = {
     "a reflectance": ("nm,reflectance_1\n400,1\n700,1\n", "is not light"),
     "a responsivity": ("nm,Responsivity (A/W)\n400,1\n700,1\n", "is not light"),
     "a responsivity in its unit": ("nm,R [A/W]\n400,1\n700,1\n", "A/W are not light"),
+    "a responsivity without brackets": ("nm,R A/W\n400,1\n700,1\n", "A/W are not light"),
+    "a responsivity in a comment": ("# R [mA/W]\nnm,R\n400,1\n700,1\n", "'R [mA/W]' is not light"),
     "volts": ("nm,x [mV]\n400,1\n700,1\n", "mV are not light"),
     "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "in a unit that is not known"),
     "an unknown unit of light": ("nm,E [mW/m²·nm]\n400,1\n700,1\n", "a unit that is not known"),
@@ -265,6 +267,10 @@ BROKEN = {
     ),
     "no first wavelength": ("wavelength,E\n,1\n500,2\n600,3\n", "line 2: a value is missing"),
     "a long title": ("nm,E " + "1" * 20_000 + "\n400,1\n500,2\n", "a title of 20002 characters"),
+    "an end of lines that Latin-1 has not": (
+        b"# \x85, \x0c, \x1c, \xff\n400 1\n500 x\n",
+        "line 3: 'x' is not a number",
+    ),
     "no text": (b"400 1\n500 \xff\n", "line 2: 'ÿ' is not a number"),
 }
 
