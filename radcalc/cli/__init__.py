@@ -91,6 +91,10 @@ class Helped(click.Command):
         self.format_help(ctx, formatter)
         return formatter.getvalue().rstrip("\n")
 
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Name the page of the manual, which is called as the command is."""
+        formatter.write(f"\nManual: man {ctx.command_path.replace(' ', '-')}\n")
+
 
 def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:

@@ -127,6 +127,12 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
     assert "convert" in ours.getvalue()
 
 
+@pytest.mark.parametrize("page", CONTEXTS)
+def test_a_help_names_its_page(page):
+    context = CONTEXTS[page]
+    assert context.command.get_help(context).endswith(f"\n\nManual: man {page[:-3]}")
+
+
 def test_every_command_has_a_page():
     first = {name for name in PAGES if name.endswith("(1)")}
     assert first == {MAIN, *(f"radcalc-{name}(1)" for name in COMMANDS)}

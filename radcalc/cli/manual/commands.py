@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from textwrap import dedent
 
 import click
 
@@ -23,7 +24,7 @@ from radcalc.quantities.symbols import (
 
 TOP = click.Context(commands, info_name="radcalc", **commands.context_settings)
 RESULT_WIDTH = 16  # of most of their names
-VERBATIM, EXAMPLES = "\b", "Examples:"
+VERBATIM, EXAMPLES, DRAWN = "\b", "Examples:", "__"
 Sections = Mapping[str, Sequence[click.Option]]
 
 
@@ -57,17 +58,17 @@ def _lowered(line: str) -> str:
 def help_text(of: str) -> Iterator[str]:
     """What --help says, but for its examples and lists: the page has fuller ones.
 
-    What stands in lines of its own is kept where a colon leads to it.
+    What stands in lines of its own is kept where a colon leads to it, and so is a drawing.
     """
     before = ""
     for paragraph in (command(of).help or "").split("\n\n"):
         first, *rest = paragraph.strip("\n").split("\n")
         if first.strip() == VERBATIM:
-            if before.endswith(":") and rest[0].strip() != EXAMPLES:
-                indent = min(len(line) - len(line.lstrip()) for line in rest)
-                yield from literal(line[indent:] for line in rest)
+            is_led_to = before.endswith(":") and rest[0].strip() != EXAMPLES
+            if is_led_to or any(DRAWN in line for line in rest):
+                yield from literal(dedent("\n".join(rest)).strip().split("\n"))
             continue
-        if before:
+        if before and paragraph.strip():
             yield ".Pp"
         before = paragraph.strip()
         yield from sentences(before)

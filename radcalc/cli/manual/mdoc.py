@@ -26,7 +26,9 @@ def filled(words: Iterable[str]) -> list[str]:
     lines = textwrap.wrap(
         " ".join(map(text, words)), WIDTH, break_long_words=False, break_on_hyphens=False
     )
-    return [rf"\&{line}" if line[:1] in (".", "'") else line for line in lines]
+    lines = [rf"\&{line}" if line[:1] in (".", "'") else line for line in lines]
+    # an abbreviation at the end of a line ends no sentence
+    return [*(rf"{line}\&" if line.endswith(".") else line for line in lines[:-1]), *lines[-1:]]
 
 
 def sentences(words: str) -> Iterator[str]:
