@@ -45,10 +45,13 @@ SUM = {
 }
 OF = {IRRADIANCE: ("exposure", "maximum-irradiance"),
       FLUX: ("energy", "maximum-flux")}  # fmt: skip
+MEANS, PEAKS = ("mean-irradiance", "mean-flux"), ("maximum-irradiance", "maximum-flux")
+# Why a time has none of them, and what to do.
+EMPTY = "nothing is covered", mention("a longer {max-gap}, or all results, in which it is empty")
 PAGE = Page(
     "a dose",
     ("receiver-area",),
-    ("exposure", "energy", "mean-irradiance", "mean-flux", "maximum-irradiance", "maximum-flux"),
+    ("exposure", "energy", *MEANS, *PEAKS),
 )
 # What people read an exposure in, beside its coherent unit.
 ALSO = {"lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h",
@@ -93,7 +96,7 @@ class Period:
         "count",
         "covered",
         "end",
-        "is_alone",
+        "is_in_gap",
         "label",
         "low",
         "peak",
@@ -107,7 +110,7 @@ class Period:
         self.total = self.low = 0.0
         self.covered: float = 0
         self.count = 0
-        self.is_alone = False  # a sample between two gaps
+        self.is_in_gap = False  # the whole of it, or a sample between two gaps
         self.peak, self.when = -inf, start
 
     def take(self, times: list[Any], values: list[float], steps: list[Any]) -> None:
@@ -189,6 +192,12 @@ class Dose:
         self.gaps += 1
         self.gap_time += end - start
         self.widest = max(self.widest, Step(end - start, start, end))
+        while self.spans:
+            period = self.periods[-1]
+            period.is_in_gap |= not period.covered
+            if period.end >= end:
+                break
+            self._period(period.end)
 
     def _run(self, times: list[Any], values: list[float], steps: list[Any], counted: int) -> None:
         """Add samples without a gap between them, cut at the ends of periods."""
@@ -200,7 +209,7 @@ class Dose:
             if min(values) < 0:
                 self.below += fsum(map(_below, values, values[1:], steps))
         elif not counted:
-            self._period(times[0]).is_alone = True
+            self._period(times[0]).is_in_gap = True
         while True:
             period = self._period(times[0])
             end = period.end
@@ -231,7 +240,7 @@ class Dose:
         if len(self.periods) >= MOST:
             raise TooMany(
                 f"there are more than {MOST} days or hours, up to {label}",
-                mention("{by=day}, or a {max-gap}, where a time is far from the others"),
+                mention("{by=day}; a time that is far from the others may be wrong"),
             )
         self.periods.append(Period(start, end, label))
         return self.periods[-1]
@@ -333,13 +342,13 @@ class Log(NamedTuple):
         """The dose of each day or hour, by its name; the first has the remarks on all."""
         notes = self.remarks()
         for period in self.dose.periods:
-            if period.covered or period.is_alone:
+            if period.covered or period.is_in_gap:
                 answer = self._answer(period, given)
                 seconds = self.seconds(period.end - period.start)
                 covered, whole = _duration(self.seconds(period.covered)), _duration(seconds)
-                if not period.covered:
+                if period.count and not period.covered:
                     notes = [f"{period.label}: nothing is covered", *notes]
-                elif covered != whole:
+                elif period.covered and covered != whole:
                     notes = [f"{period.label}: {covered} of {whole} are covered", *notes]
                 if seconds not in WHOLE:
                     told = f"{period.label} has {whole}: the clocks are changed, and"
@@ -357,7 +366,8 @@ class Log(NamedTuple):
         sheet = Worksheet(PAGE, given, preferred=reading.kind)
         sheet.know(amount, _exact(total, self.tick, factor))
         sheet.know("covered-time", covered)
-        sheet.know(peak, _exact(period.peak, factor))
+        if period.peak > -inf:
+            sheet.know(peak, _exact(period.peak, factor))
         whole = coherent_unit_of(amount, reading.kind)
         sum_told = f"{format_value(sheet.known[amount].value, whole)}, of {period.count} samples"
         sheet.placed.append(SUM[geometry].told(f"{letter_of(amount)} = {sum_told}"))
@@ -367,13 +377,21 @@ class Log(NamedTuple):
         answer = sheet.answer(laws)
         duration = self.seconds(period.end - period.start)
         times = [
-            value("time-of-maximum", self.seconds(period.when - period.start)),
+            value("time-of-maximum", self.seconds(period.when - period.start))
+            if period.peak > -inf
+            else absent("time-of-maximum", *EMPTY),
             value("duration", duration),
             value("covered-time", covered),
             value("coverage", covered / duration, label="covered share of the time"),
             value("samples", float(period.count)),
         ]
-        results = [_customary(one) if covered else _without_mean(one) for one in answer.values]
+        lacking = () if covered else MEANS if period.count else (*MEANS, *PEAKS)
+        results = [
+            absent(one.name, *EMPTY)._replace(also=one.also)
+            if one.name in lacking
+            else _customary(one)
+            for one in answer.values
+        ]
         return answer._replace(values=[*results, *times])
 
 
@@ -391,14 +409,6 @@ def _below(one: float, other: float, step: float) -> float:
     if low >= 0:
         return 0.0
     return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
-
-
-def _without_mean(result: Value) -> Value:
-    """A result of a time of which nothing is covered, and which has no mean."""
-    if result.name in ("mean-irradiance", "mean-flux"):
-        why = absent(result.name, "nothing is covered", mention("a longer {max-gap}"))
-        return why._replace(also=result.also)
-    return _customary(result)
 
 
 def _customary(result: Value) -> Value:

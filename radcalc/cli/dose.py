@@ -117,7 +117,7 @@ def command(
 
     Between two samples the light runs straight.  Steps longer than --max-gap are not bridged, nor
     is, without it, a step in which a line was left out; they are told, and counted by coverage.
-    A day or an hour with one sample between two gaps has no exposure, and coverage 0.
+    A day or an hour in a gap has an exposure of 0, no mean, and coverage 0.
     """
     path = _path(words, typed)
     each = cases(typed)
