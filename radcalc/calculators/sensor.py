@@ -29,7 +29,7 @@ def _magnification(at: At) -> Any:
     cones.refuse(
         at("working-f-number") < at("f-number"),
         "a working f-number is not below the lens's",
-        "more of it",
+        "a working f-number of that or more",
     )
     return at("working-f-number") / at("f-number") - 1
 

@@ -191,6 +191,12 @@ def _reach_of_uniform(at: At) -> Wrong:
 
 def _room(at: At) -> Wrong:
     yield "perimeter-for-sum", at("room-index") / 2
+    yield "mean-for-sum", at("room-index") * 2
+
+
+def _off_axis(at: At) -> Wrong:
+    for power in (1, 2, 3):
+        yield "fewer-cosines", at("irradiance") / at("cosine-off-axis") ** (4 - power)
 
 
 LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
@@ -221,6 +227,7 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("spread of a gaussian beam", "hazard-distance", _reach_of_gaussian),
     ("spread of a uniform beam", "hazard-distance", _reach_of_uniform),
     ("room index", "room-index", _room),
+    ("camera equation", "irradiance", _off_axis),
 )
 
 

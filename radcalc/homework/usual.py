@@ -56,7 +56,11 @@ USUAL: dict[str, tuple[float, str, str]] = {
     "diagonal-for-width": (2, "the diagonal was used for the width", "c^2 = w^2 + h^2"),
     "perimeter-for-sum": (2, "the whole perimeter was taken for the sum of two sides",
         "k = w l / (h (w + l)), with the sum of one width and one length"),
+    "mean-for-sum": (2, "the mean of the two sides was taken for their sum",
+        "k = w l / (h (w + l)), with the sum of one width and one length"),
     # --- cameras
+    "fewer-cosines": (1, "the cosine was taken to a lower power than the fourth",
+        "off a lens's axis: one cosine each for the pupil and the sensor, two for the distance"),
     "magnification-forgotten": (1, "the magnification was left out, or not squared",
         "close up, N (1 + m) stands for the f-number: the light falls with (1 + m)^2"),
     # --- laser beams

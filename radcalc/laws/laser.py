@@ -26,6 +26,7 @@ from radcalc.units.numbers import EXACT
 WAIST = "Gaussian beam with its waist at the exit"
 PROFILE = "Gaussian beam: E(r) = E_0 exp(-8 r^2 / D_s^2)"
 RANGE = "range equation of laser safety"
+WIDER = "a wider spot, or less of the diameter, the divergence or the distance"
 HAZARD, DISTANCE = "hazard-distance", "distance"
 EXIT = law("spot at the laser's exit", "{spot-diameter} = {diameter}")
 
@@ -44,7 +45,7 @@ def _plus(one: Any, other: Any) -> Any:
 
 
 def _rest(whole: Any, part: Any) -> Any:
-    cones.refuse(whole < part, "no beam becomes narrower on its way", "a larger spot, or less else")
+    cones.refuse(whole < part, "no beam becomes narrower on its way", WIDER)
     return whole
 
 
@@ -67,7 +68,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     def before(at: At) -> Any:
         problem = "the divergence alone makes as wide a spot, of a beam that has no width"
         is_all = at(spot) <= widening(at) * (1 + EXACT)
-        cones.refuse(is_all, problem, "a larger spot, or less else")
+        cones.refuse(is_all, problem, WIDER)
         return take(at(spot), widening(at))
 
     def away(at: At) -> Any:

@@ -251,6 +251,7 @@ _ROWS = (
     _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
         convert="Straight line from a small source to the receiver.",
         point_source="Straight line from the source to the receiver.",
+        ev=("3m", "Distance from the flash to what it lights."),
         laser=("10m", "Distance from the laser's exit, where the spot is without it.")),
     _length("height", "h", "50cm", "Height above the source's plane, along its axis.",
         point_source="Height of the source above the receiver's plane, along its axis.",
@@ -421,8 +422,8 @@ _ROWS = (
     _symbol(NUMBER, "room-index", "k", "2.5",
         "The room's area over half its walls' from the working plane up to the luminaires."),
     _symbol(NUMBER, "utilance", "U", "0.6",
-        "The part of the luminaires' flux that gets to the working plane, once or again; with the "
-        "flux of bare lamps, the utilization factor.", REFLECTED,
+        "The part of the luminaires' flux that gets to the working plane, at once or reflected; "
+        "with the flux of bare lamps, the utilization factor.", REFLECTED,
         takes="a number from 0 to 1"),
     _symbol(NUMBER, "maintenance", "MF", "0.8",
         "Maintenance factor: the part of the light that is left by ageing and dirt (1).", FRACTION,
@@ -447,7 +448,7 @@ _ROWS = (
     _area("pixel-area", "A_p", "12um2", "Area of a pixel, or of another detector.", unit="um2"),
     _symbol(PHOTONS, "photons", "N_p", "10000photon", "Photons on a pixel.",
         takes="a number of photons"),
-    _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons that they set free."),
+    _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons that the photons set free."),
     _symbol(NUMBER, "quantum-efficiency", "η", "0.6", "Electrons per photon.", FRACTION,
         takes="a number from 0 to 1"),
     _symbol(NUMBER, "snr", "SNR", "100", "Signal over its shot noise, the root of the electrons.",
@@ -673,7 +674,16 @@ def _of_light(
 _EXAMPLES = {"luminance": "1000cd/m2", "illuminance": "10klx"}
 _NARROWER: dict[str, dict[str, tuple[str, str]]] = {
     "radiance": {"sensor": ("1000cd/m2", "The radiance of the scene.")},
-    "exposure": {"sensor": ("0.1lx.s", "The exposure of the sensor (with {time}).")},
+    "exposure": {
+        "sensor": ("0.1lx.s", "The exposure of the sensor (with {time})."),
+        "laser": ("100J/m2", "The exposure of the spot (with {time})."),
+    },
+    "peak-irradiance": {
+        "laser": ("10W/m2", "The irradiance on the axis, where it is greatest."),
+    },
+    "limit": {
+        "laser": ("25W/m2", "A limit of the peak, from the standard (with {hazard-distance})."),
+    },
     "luminance": {
         "ev": (_EXAMPLES["luminance"], "Luminance of the scene."),
         "mesopic": ("0.1cd/m2", "The photopic luminance."),

@@ -121,6 +121,12 @@ HELD_OUT = [
     Wrong(ROOM, "luminaires", "", 470 * 77 * 0.57 / 3400 / 0.83, "utilance-upside-down"),
     Wrong(ROOM, "luminaires", "", 470 / 77 / 3400 / 0.57 / 0.83, "area-upside-down"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 36), "perimeter-for-sum"),
+    Wrong(ROOM, "room-index", "", 77 / (2.3 * 9), "mean-for-sum"),
+    # --- off a lens's axis: one cosine, or two, for four
+    Wrong(f"{CAMERA} --field-angle 23deg", "illuminance", "lx",
+          pi * 370 * 0.87 * cos(radians(23)) / (4 * (3.4 * 1.3) ** 2), "fewer-cosines"),
+    Wrong(f"{CAMERA} --field-angle 23deg", "illuminance", "lx",
+          pi * 370 * 0.87 * cos(radians(23)) ** 2 / (4 * (3.4 * 1.3) ** 2), "fewer-cosines"),
     # --- the cinematographer's light: the cosine, the fall-off
     Wrong("uberlight 0,0,2.3 --intensity 730cd --incidence 50deg", "illuminance", "lx",
           730 / 2.3**2, "cosine-forgotten"),
