@@ -266,6 +266,12 @@ def test_an_example_prints_what_the_page_shows(command, output):
     assert [*done.stdout.split(), *status.split()] == output.split()
 
 
+@pytest.mark.parametrize("name", PAGES)
+def test_no_line_of_a_display_is_wider_than_80_columns(name):
+    wide = [line for line in rendered(name, 80).splitlines() if len(line) > 80]
+    assert wide == []
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_examples_that_run(name):
     ran = [command for command, _ in manual.transcripts(SOURCES[f"radcalc-{name}(1)"])]

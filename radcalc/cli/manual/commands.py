@@ -8,10 +8,11 @@ import click
 
 from radcalc.cli import COMMANDS, commands
 from radcalc.cli import options as output
-from radcalc.cli import streams as lines
+from radcalc.cli import streams
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import results_of
-from radcalc.cli.manual.mdoc import literal, plain, sentences, text
+from radcalc.cli.help import joined, narrowed
+from radcalc.cli.manual.mdoc import ROOM, literal, plain, sentences, text
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     LINKS,
@@ -66,7 +67,8 @@ def help_text(of: str) -> Iterator[str]:
         if first.strip() == VERBATIM:
             is_led_to = before.endswith(":") and rest[0].strip() != EXAMPLES
             if is_led_to or any(DRAWN in line for line in rest):
-                yield from literal(dedent("\n".join(rest)).strip().split("\n"))
+                lines = dedent("\n".join(rest)).strip().split("\n")
+                yield from literal(part for one in joined(lines) for part in narrowed(one, ROOM))
             continue
         if before and paragraph.strip():
             yield ".Pp"
@@ -90,7 +92,7 @@ def sections_of(of: str) -> Sections:
     if of == "every command":
         return {"": [*output.OPTIONS, *([help_option] if help_option else [])]}
     if of == "every stream":
-        return {"": lines.OPTIONS}
+        return {"": streams.OPTIONS}
     if of == "radcalc":
         return {"": [one for one in commands.get_params(TOP) if isinstance(one, click.Option)]}
     sections = {title: group for title, group in command(of).sections.items() if title != LINES}

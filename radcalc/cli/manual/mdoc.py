@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 FLAG = re.compile(r"([('\"]?)(--[a-z][\w=-]*|-[a-z](?![\w-]))(\W*)")
 BETWEEN_SENTENCES = re.compile(r"(?<=[\w)\"'][.?!]) +(?=[A-Z\"])")
 WIDTH = 80
+ROOM = 73  # of a display, in a page of that width
 
 
 def plain(text: str) -> str:
@@ -53,7 +54,7 @@ def argument(words: str) -> str:
 
 def literal(lines: Iterable[str]) -> Iterator[str]:
     """Lines that stay as they are."""
-    yield ".Bd -literal -offset indent"
+    yield ".Bd -literal -offset 2n"
     for line in lines:
         kept = plain(line).replace("-", r"\-").replace("'", r"\(aq").replace("`", r"\(ga")
         yield rf"\&{kept}" if kept.startswith(".") else kept
