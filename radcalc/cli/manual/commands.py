@@ -6,9 +6,8 @@ from textwrap import dedent
 
 import click
 
-from radcalc.cli import COMMANDS, commands
+from radcalc.cli import COMMANDS, commands, streams
 from radcalc.cli import options as output
-from radcalc.cli import streams
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import results_of
 from radcalc.cli.help import joined, narrowed
