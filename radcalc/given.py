@@ -294,7 +294,7 @@ def _read_quantity(symbol: Symbol, value: Any) -> Given:
             f"{option(name)} takes {symbol.takes}, not {quote(scale.text)}",
             option(name, symbol.example),
         )
-    if unit is not None and unit.factor != 1 and not scale and name in NO_SHARES:
+    if name in NO_SHARES and unit is not None and unit.factor != 1 and not scale:
         problem = f"{option(name)} takes a number, not {quote(unit.text)}"
         raise ConditionError(problem, option(name, symbol.example))
     if dimension not in symbol.dimensions:

@@ -86,7 +86,6 @@ class Scanner:
         start, solidus = self.at, -1
         atoms: list[Atom] = []
         pending = ""  # the operator that waits for its right side
-        self.skip_blanks()
         while True:
             self.skip_blanks()
             if self.peek() in ("", ")"):
@@ -185,7 +184,8 @@ class Scanner:
 
     def name(self) -> str:
         start = self.at
-        while c := self.peek():
+        while self.at < len(self.text):
+            c = self.text[self.at]
             inside = self.at > start
             follows = self.text[self.at + 1 : self.at + 2]
             if not (

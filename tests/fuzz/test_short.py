@@ -1,12 +1,9 @@
 """A short run of every sweep; `PYTHONPATH=tests python -m fuzz.NAME` runs the whole of one."""
 
 import importlib
-from pathlib import Path
 
 import pytest
-
-HERE = Path(__file__).parent
-SWEEPS = sorted({path.stem for path in HERE.glob("*.py")} - {"command", "test_short"})
+from fuzz.sweeps import SWEEPS
 
 
 @pytest.mark.parametrize("name", SWEEPS)

@@ -102,7 +102,7 @@ def _means(sky: Sky, width: int, height: int) -> Any:
     columns, step = np.arange(width), max(1, BLOCK // width)
     for top in range(0, height // 2, step):  # below it is dark
         rows = np.arange(top, min(top + step, height // 2))
-        size = 0.0
+        size: Any = 0.0
         for a, down in zip(places, weights, strict=True):
             polar = (rows[:, None] + (1 + a) / 2) * (math.pi / height)
             weight = down * np.sin(polar)

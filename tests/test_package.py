@@ -1,0 +1,83 @@
+"""What the wheel and the source distribution have in them, and what SECURITY.md promises."""
+
+import ast
+import os
+import subprocess
+import sys
+import tarfile
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+PACKAGE = ROOT / "radcalc"
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+BUILD = PROJECT["tool"]["hatch"]["build"]["targets"]
+LEFTOVERS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
+# What could run a text, reach a network, or read more than what is named.
+NEVER_CALLED = {"eval", "exec", "compile", "__import__", "system", "popen"}
+NEVER_IMPORTED = {
+    "ctypes", "ftplib", "http", "marshal", "multiprocessing", "pickle", "requests", "runpy",
+    "shelve", "smtplib", "socket", "socketserver", "ssl", "subprocess", "urllib", "webbrowser",
+    "xmlrpc",
+}  # fmt: skip
+
+
+def files(*places: str) -> set[str]:
+    """The files below folders of the project, or the files themselves, but for leftovers."""
+    found = set()
+    for place in places:
+        path = ROOT / place
+        for one in path.rglob("*") if path.is_dir() else [path]:
+            name = one.relative_to(ROOT)
+            if one.is_file() and not LEFTOVERS & set(name.parts) and one.suffix != ".pyc":
+                found.add(name.as_posix())
+    return found
+
+
+def built(kind: str, folder: Path) -> Path:
+    """A distribution of this tree, made by the project's own build backend."""
+    code = f"from hatchling.build import build_{kind} as build; print(build({str(folder)!r}))"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return folder / done.stdout.split()[-1]
+
+
+def test_the_wheel_has_the_package_and_the_manual_and_no_more(tmp_path):
+    with zipfile.ZipFile(built("wheel", tmp_path)) as wheel:
+        names = {name for name in wheel.namelist() if not name.endswith("/")}
+    data = {name for name in names if ".data/" in name}
+    about = {name for name in names if ".dist-info/" in name}
+    assert names - data - about == files("radcalc")
+    pages = {os.path.basename(name) for name in data if "/share/man/" in name}
+    assert pages == {os.path.basename(name) for name in files("man")}
+    scripts = {name.partition(".data/")[2] for name in data if "/scripts/" in name}
+    assert scripts <= {"scripts/radcalc"}
+    assert len(data) == len(pages) + len(scripts)
+    ends = {name.partition(".dist-info/")[2] for name in about}
+    assert {"METADATA", "RECORD", "WHEEL", "licenses/LICENSE"} <= ends
+
+
+def test_the_source_distribution_has_all_that_the_tests_need(tmp_path):
+    with tarfile.open(built("sdist", tmp_path)) as source:
+        names = {name.partition("/")[2] for name in source.getnames()}
+    assert names - {"PKG-INFO", ".gitignore", "pyproject.toml"} == files(*BUILD["sdist"]["include"])
+    assert {"SECURITY.md", "CHANGELOG.md", "tests/conftest.py", "tests/cases/streams.md"} <= names
+
+
+@pytest.mark.parametrize("path", sorted(PACKAGE.rglob("*.py")), ids=lambda path: path.stem)
+def test_no_module_runs_a_text_or_reaches_a_network(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            assert not NEVER_IMPORTED & {name.name.partition(".")[0] for name in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert (node.module or "").partition(".")[0] not in NEVER_IMPORTED
+        elif isinstance(node, ast.Call):
+            called = node.func
+            is_of_re = isinstance(called, ast.Attribute) and getattr(called.value, "id", "") == "re"
+            name = getattr(called, "id", None) or getattr(called, "attr", None)
+            assert is_of_re or name not in NEVER_CALLED, ast.unparse(node)
