@@ -278,6 +278,14 @@ def test_every_command_has_examples_that_run(name):
     assert any(f"radcalc {name}" in command for command in ran)
 
 
+def test_the_page_of_examples_has_ten_tasks_each_with_a_call_and_how_to_read_it():
+    tasks = SOURCES["radcalc-examples(7)"].split(".Sh ")[3:-1]
+    assert len(tasks) == 10
+    for task in tasks:
+        assert manual.transcripts(task)
+        assert len(task.rpartition(".Ed\n.Pp\n")[2].split()) > 10
+
+
 DIAGNOSTICS = [
     pytest.param(mdoc.shown(message), id=message)
     for source in SOURCES.values()
