@@ -40,6 +40,7 @@ KEEPERS = {
         "radcalc.geometry",
         "radcalc.distributions",
         "radcalc.plots.directions",
+        "radcalc.plots.figure",
         "radcalc.plots.places",
     ),
 }

@@ -145,6 +145,11 @@ def environment(source: Source, given: Inputs) -> Answer:
     return _surroundings(source, given, RECEIVER).answer()
 
 
+def surroundings(source: Source, given: Inputs) -> "Radiances":
+    """The radiances that `environment` is about; `given` as there."""
+    return _surroundings(source, given, RECEIVER).found.radiances
+
+
 class Made(NamedTuple):
     """A picture that was made, what it is in words, and what is to be said of its values.
 

@@ -75,8 +75,7 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     `given` has one of `DIRECTIONS`, and may have an azimuth and an accuracy; `of` is what the
     expression is in.
     """
-    polar = _polar(given)
-    azimuth = given["azimuth"].value if "azimuth" in given else (0.0, TURN)
+    polar, azimuth = directions(given)
     accuracy = given["accuracy"].value if "accuracy" in given else USUAL
     check_zone(*polar, azimuth[1] - azimuth[0])
     if not FINEST <= accuracy <= COARSEST:
@@ -126,6 +125,11 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     )
     notes = [SINE] if WITH_SINE.search(text) else []
     return Answer(values, said, notes, [step])
+
+
+def directions(given: Inputs) -> tuple[tuple[float, float], tuple[float, float]]:
+    """The polar angles and the azimuths [rad] to integrate over."""
+    return _polar(given), given["azimuth"].value if "azimuth" in given else (0.0, TURN)
 
 
 def _polar(given: Inputs) -> tuple[float, float]:

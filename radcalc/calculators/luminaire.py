@@ -182,8 +182,7 @@ class _Luminaire:
         self.sheet.use(*SHAPED[shape])
         if is_array(width):
             raise _one_at_a_time(next(n for n in SHAPED[shape] if n in self.given))
-        made = shapes.Cone(width) if shape == CONICAL else shapes.Lobe(width)
-        return Photometry(made, shape)
+        return Photometry(shapes.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
         """Everything that follows."""

@@ -142,13 +142,13 @@ NO_PLANE = "no plane is given", mention("{tilt=90deg} or {normal}")
 NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
 
-def sky(name: str, given: Inputs) -> Answer:
+def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
     """The light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
 
     `given` are light quantities by whichever name, where the sun is, a direction, a plane, and
-    what links the kinds.
+    what links the kinds.  Of a sky that `is_drawn` the sun's azimuth is of use by itself.
     """
-    return _Sky(name, given).answer()
+    return _Sky(name, given, is_drawn=is_drawn).answer()
 
 
 def sky_map(name: str, given: Inputs) -> "Made":
@@ -172,7 +172,9 @@ def sky_map(name: str, given: Inputs) -> "Made":
 class _Sky:
     """A sky, where its sun is, and what is asked of it."""
 
-    def __init__(self, name: str, given: Inputs, for_map: bool = False) -> None:
+    def __init__(
+        self, name: str, given: Inputs, for_map: bool = False, is_drawn: bool = False
+    ) -> None:
         self.name, self.type = name, sky_type(name)
         self.sheet = Worksheet(PAGE._replace(title=f"the sky {name}"), given)
         self.given = self.sheet.given
@@ -182,7 +184,7 @@ class _Sky:
         self.laws: list[AnyLaw] = self._laws()
         self._refuse_incomplete()
         if self.type.follows_sun or self.is_sunlit:
-            self._refuse_misplaced(for_map)
+            self._refuse_misplaced(for_map, is_drawn)
         else:
             self._refuse_sun()
 
@@ -290,7 +292,7 @@ class _Sky:
         if useless:
             raise Unused(useless, IS_EVEN.format(quote(self.name)))
 
-    def _refuse_misplaced(self, for_map: bool) -> None:
+    def _refuse_misplaced(self, for_map: bool, is_drawn: bool) -> None:
         """Ask for the angles that matter, and refuse those that do not."""
         given = self.given
         if "sun-elevation" not in given:
@@ -301,7 +303,7 @@ class _Sky:
         aside = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
         # one of a list of planes or directions may be level, or the zenith
         asked = self.has_plane or (self.type.follows_sun and "toward" in given)
-        if "sun-azimuth" in given and not (asked or for_map):
+        if "sun-azimuth" in given and not (asked or for_map or is_drawn):
             hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
             raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
         if "sun-azimuth" not in given and (turned or aside or for_map):

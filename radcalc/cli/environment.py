@@ -50,6 +50,7 @@ TO = click.Option(
     words="SOURCE",
     operands=(ENVIRONMENT, NAMES),
     takes_lines=False,
+    draws=True,
 )
 def command(
     words: tuple[str, ...],
@@ -71,6 +72,7 @@ def command(
       radcalc environment sky:overcast --zenith-luminance 9000cd/m2 --normal 1,0,0
       radcalc environment sky:12 --sun-elevation 40deg --sun-azimuth 0deg \\
         --toward 0deg:90deg:15deg,90deg
+      radcalc environment room.hdr --unit cd/m2 --plot room.png
       radcalc environment '3000*max(cos(theta), 0) cd/m2' --steps
       radcalc environment room.hdr --unit cd/m2 --irradiance-map lux.exr --size 64x32
       radcalc environment ball.hdr --projection mirror-ball --unit 1 \\
@@ -104,7 +106,8 @@ def command(
         def work_out(given: Inputs) -> Answer:
             return environment(source, given)
 
-        return run(each, work_out, asked, shown, "environment", operands=texts_of(operands))
+        told = texts_of(operands)
+        return run(each, work_out, asked, shown, "environment", operands=told, drawn=source)
     for name in ("normal", "toward"):
         if name in typed:
             problem = f"--{name} has no use where a map is written"

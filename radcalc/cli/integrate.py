@@ -23,6 +23,7 @@ UNIT = click.Option(
     },
     words="EXPRESSION",
     takes_lines=False,
+    draws=True,
 )
 def command(
     words: tuple[str, ...], unit: str | None, typed: dict[str, str], asked: Asked, shown: Output
@@ -35,6 +36,7 @@ def command(
       radcalc integrate '100*cos(theta)**10' --polar 0deg:45deg
       radcalc integrate 'max(x, 0)' --sphere --accuracy 1e-6
       radcalc integrate '(theta<30*deg)*100' --sphere --unit cd
+      radcalc integrate 'cos(theta)**2' --hemisphere --plot
       radcalc integrate 'exp(-(theta/(10*deg))**2)' --half-angle 60deg -g integral:deg2
 
     EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
@@ -59,4 +61,5 @@ def command(
         shown,
         "integrate",
         operands=operands,
+        drawn=(text, unit or ""),
     )

@@ -46,6 +46,7 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: 
       radcalc lambertian disc --luminance 1e4cd/m2 --radius 25cm --offset 50cm --illuminance 1klx
       radcalc lambertian hemisphere --luminance 3000cd/m2 --illuminance 5000lx
       radcalc lambertian sphere --luminance 2e4cd/m2 --radius 6cm --distance 1m:5m:1m
+      radcalc lambertian disc --luminance 1e4cd/m2 --radius 25cm --distance 0.1m:5m:0.1m --plot
       radcalc lambertian rectangle --luminance 3000cd/m2 --width 1m --length 2m --height 1.5m \\
         --corner --perpendicular
       radcalc lambertian hemisphere --luminance 3000cd/m2 --incidence 30deg

@@ -59,6 +59,8 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --flux 500lm --intensity 900cd --distribution cone
       radcalc point-source --flux 5mW --distance 1m --wavelength 632.8nm
       radcalc point-source --distribution lamp.ies --height 3m --offset 1m
+      radcalc point-source --distribution lamp.ies --plot                 (polar diagram)
+      radcalc point-source --flux 800lm --distance 1m:10m:0.1m --plot fall-off.svg
       radcalc point-source --distribution lamp.ldt --flux 3klm --illuminance 50lx
       radcalc point-source --distribution table.csv --toward 0deg:90deg:5deg
       radcalc point-source --distribution '300*cos(theta)^4*(theta<90*deg) cd'

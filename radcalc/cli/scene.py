@@ -43,6 +43,7 @@ AT = click.Option(
     words="FILE.csv",
     operands=(FILE, (".csv", ".tsv", ".txt")),
     takes_lines=False,
+    draws=True,
 )
 def command(
     words: tuple[str, ...],
@@ -59,6 +60,7 @@ def command(
       radcalc scene room.csv --at 1,2,0.75 --at 3,2,0.75 --normal 0,-1,0
       radcalc scene room.csv --grid 0:6:61,0:4:41,0.75
       radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 -g uniformity
+      radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --plot room.svg     (isolux)
       radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --format csv > room-lux.csv
       radcalc scene room.csv --at 1,2,0.75 -g share-desk:%
       radcalc scene grow.csv --at 0,0,0 --spectrum LED-B3 -g irradiance:umol/m2/s
@@ -119,14 +121,43 @@ def command(
         return survey(given).over_all(points.blocks(), points.is_grid)
 
     by_points = shown.format == CSV or (bool(names) and not of_all)
-    if asked.check is None and by_points and not of_all and points.size > 1:
+    if asked.check is None and by_points and not of_all and points.size > 1 and not asked.plot:
         if shown.has_columns:
             return _stream(survey(given), told, points, asked, shown)
         return _list(survey(given), told, points, asked, shown)
-    if asked.check is None and not names and not points.is_grid and points.size > 1:
+    is_list = not names and not points.is_grid and points.size > 1
+    if asked.check is None and is_list and not asked.plot:
         return _show(survey(given), told, points, shown)
     links = tuple(one for one in told if one.name not in given)
+    if asked.plot:
+        return _draw(survey, given, points, asked, shown, links)
     return run([Case(given)], work_out, asked, shown, "scene", operands=links)
+
+
+def _draw(
+    survey: Callable[[Inputs], Any],
+    given: Inputs,
+    points: "Points",
+    asked: Asked,
+    shown: Output,
+    operands: tuple[Input, ...],
+) -> int:
+    """Draw what the points of a grid get, beside the answer over all of them."""
+    from radcalc.calculators import scene as page
+    from radcalc.plots.places import Surveyed
+
+    blocks: list[Answer] = []
+    sources: list[Any] = []
+
+    def work_out(given: Inputs) -> Answer:
+        """The answer over all points, while those at each are kept."""
+        own: page.Survey = survey(given)
+        blocks.extend(own.at_points(points.blocks()))
+        sources.extend((one.name, one.source.place) for one in own.scene.sources)
+        return own.remarks(points.is_grid, with_values=True)
+
+    drawn = Surveyed(points.axes, blocks, sources)
+    return run([Case(given)], work_out, asked, shown, "scene", operands=operands, drawn=drawn)
 
 
 def _stream(
@@ -199,12 +230,13 @@ def _coordinates(answer: Answer) -> tuple[Input, ...]:
 
 
 class Points(NamedTuple):
-    """The points of a call: their names where they are typed, and blocks of them."""
+    """The points of a call: their names where they are typed, or the axes; and blocks of them."""
 
     blocks: Callable[[], Iterator[Any]]
     size: int
     names: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
+    axes: tuple[Any, ...] = ()
 
     @property
     def is_grid(self) -> bool:
@@ -221,7 +253,8 @@ def _points(at: tuple[str, ...], grid: Given | None) -> Points:
     if grid:
         axes = [scene.Axis(*axis) for axis in grid.value]
         size = math.prod(axis.size for axis in axes)
-        return Points(lambda: scene.grid(*axes), size, (), () if grid.unit else (IN_METRES,))
+        said = () if grid.unit else (IN_METRES,)
+        return Points(lambda: scene.grid(*axes), size, (), said, tuple(axes))
     if not at:
         raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
     if several := next((text for text in at if ":" in text), None):

@@ -68,6 +68,7 @@ def command(
       radcalc sky 13 --sun-elevation 35deg --global-irradiance 600W/m2 --sun-irradiance 750W/m2
       radcalc sky clear --sun-elevation 40deg --horizontal-illuminance 12klx --spectrum D65 \\
         -g horizontal-photon-irradiance:umol/m2/s
+      radcalc sky clear --sun-elevation 40deg --horizontal-illuminance 12klx --plot
       radcalc sky overcast --illuminance 4klx --tilt 90deg -g zenith-luminance
       radcalc sky clear --sun-elevation 40deg --sun-azimuth 0deg --horizontal-illuminance 12klx \\
         --save clear.hdr --size 2048x1024
@@ -102,4 +103,14 @@ def command(
         raise UsageError("--size has no use without --save", "--save FILE with it")
     each = cases(typed, arrays=True)
     operands = texts_of({"type": name})
-    return run(each, lambda given: sky(name, given), asked, shown, "sky", name, operands)
+    is_drawn = bool(asked.plot)
+    return run(
+        each,
+        lambda given: sky(name, given, is_drawn),
+        asked,
+        shown,
+        "sky",
+        name,
+        operands,
+        drawn=name,
+    )

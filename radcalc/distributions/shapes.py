@@ -7,11 +7,39 @@ import math
 
 import numpy
 
-from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak
+from radcalc.distributions.distribution import (
+    ALL_AZIMUTHS,
+    ALL_POLAR,
+    Distribution,
+    Interval,
+    Peak,
+)
 from radcalc.geometry import cones, lobes
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.solid import zone
 from radcalc.maths import Number
+from radcalc.quantities.symbols import DISTRIBUTIONS
+
+_, CONICAL, LOBED = DISTRIBUTIONS
+
+
+def of_shape(shape: str, width: float | None = None) -> Distribution:
+    """The distribution of a shape's name.
+
+    Parameters
+    ----------
+    shape : {"isotropic", "cone", "lobe"}
+    width : float, optional
+        The half angle of a cone [rad], or the exponent of a lobe [1].
+
+    Examples
+    --------
+    >>> of_shape("lobe", 3.0).peak().value
+    1.0
+    """
+    if shape == LOBED and width is not None:
+        return Lobe(width)
+    return Cone(width) if shape == CONICAL and width is not None else Isotropic()
 
 
 class _Axial:

@@ -24,7 +24,9 @@ def picture(
     wanted : sequence of str
         The results that are asked for, NAME[:UNIT], of which curves are drawn.
     operand : object, optional
-        What the command works on beside its inputs.
+        What the command works on beside its inputs: the name of a sky; the
+        `radcalc.calculators.environment.Source` of an environment; the expression and the text of
+        its unit; the `radcalc.plots.places.Surveyed` of a scene.
 
     Returns
     -------
@@ -36,16 +38,15 @@ def picture(
     UsageError
         If there is nothing to draw.
     """
-    names = varied(solved)
-    if command in LISTS or not names:
-        if command not in OF_ONE:
-            problem = "a single answer has nothing to be drawn"
-            raise UsageError(problem, mention(RANGE))
-        return OF_ONE[command](solved, operand)
-    return curves(solved, wanted)
+    along = varied(solved)
+    if along and command not in LISTS:
+        return curves(solved, wanted)
+    if command not in OF_ONE:
+        raise UsageError("a single answer has nothing to be drawn", mention(RANGE))
+    return OF_ONE[command](solved, wanted, operand)
 
 
-def _spectrum(solved: Sequence[Solved], operand: None) -> Picture:
+def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.plots.spectra import spectra
 
     given = solved[0].given
@@ -54,7 +55,7 @@ def _spectrum(solved: Sequence[Solved], operand: None) -> Picture:
     return spectra([one.given["spectrum"].value for one in solved], eye, limits)
 
 
-def _photon(solved: Sequence[Solved], operand: None) -> Picture:
+def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.plots.spectra import photon
 
     given = solved[0].given
@@ -64,8 +65,47 @@ def _photon(solved: Sequence[Solved], operand: None) -> Picture:
     return photon([(wave.text, size * 1e9)], eye)
 
 
-LISTS = ("spectrum",)  # of which several answers are one picture of their own
-OF_ONE: dict[str, Callable[[Sequence[Solved], Any], Picture]] = {
+def _point_source(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.plots.directions import of_point_source
+
+    return of_point_source(solved[0], wanted)
+
+
+def _scene(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.plots.places import over_grid
+
+    return over_grid(operand, *wanted[:1])
+
+
+def _sky(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.plots.directions import of_sky
+
+    return of_sky(operand, solved[0])
+
+
+def _environment(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.plots.directions import of_environment
+
+    return of_environment(operand, solved[0])
+
+
+def _integrate(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
+    from radcalc.calculators.integrate import directions
+    from radcalc.plots.directions import integrand
+
+    text, unit = operand
+    polar, azimuths = directions(solved[0].given)
+    return integrand(text, unit, polar, azimuths)
+
+
+# Commands of which several answers are one picture of their own.
+LISTS = ("spectrum", "scene")
+OF_ONE: dict[str, Callable[[Sequence[Solved], Sequence[str], Any], Picture]] = {
     "spectrum": _spectrum,
     "photon": _photon,
+    "point-source": _point_source,
+    "scene": _scene,
+    "sky": _sky,
+    "environment": _environment,
+    "integrate": _integrate,
 }

@@ -89,7 +89,8 @@ class Disc(NamedTuple):
 
     `rows` are over x (to the right) and y (up) from -1 to 1, evenly apart, the distance from the
     middle being in proportion to the angle; what is outside of the disc counts for nothing.
-    `rim` are names of angles [deg], counted clockwise from the top.
+    `rim` are names of angles [deg], counted clockwise from the top.  What `is_image` has edges,
+    and no contours that anybody could read.
     """
 
     title: str
@@ -98,6 +99,7 @@ class Disc(NamedTuple):
     rim: Sequence[tuple[str, float]]
     centre: str = ""
     marks: Sequence[Mark] = ()
+    is_image: bool = False
 
 
 Picture = Chart | Polar | Field | Disc

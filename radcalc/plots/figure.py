@@ -1,18 +1,41 @@
 """Pictures as figures of Matplotlib, and these as SVG or PNG; the only module that imports it."""
 
 import io
+import math
 import os
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from radcalc.errors import ConditionError
-from radcalc.plots.data import LINES, REFERENCE, Axis, Chart, Picture
+from radcalc.plots.data import (
+    LINES,
+    REFERENCE,
+    Axis,
+    Chart,
+    Disc,
+    Field,
+    Mark,
+    Picture,
+    Polar,
+)
+from radcalc.plots.ticks import levels, limits, ticks
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
 SIZE = 7.2, 4.5  # inches
 DOTS = 160  # of PNG, an inch
-GREY = "#6b7280"
+SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
+WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
+GREY, DARK, FAINT = "#6b7280", "#374151", "#d1d5db"
+DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
+RIGHT = 90.0
+RINGS = 6  # circles of a polar diagram, with the point in its middle
+COLORMAP = "viridis"
+SPAN = 1000.0  # between the darkest and the brightest of an image
+CLIPPED = 99.5  # percent: what is brighter is as bright as that
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
 SETTINGS = {
     "axes.edgecolor": GREY,
@@ -50,7 +73,12 @@ def figure(picture: Picture) -> Any:
     matplotlib = _matplotlib()
     from matplotlib.figure import Figure
 
-    ways: dict[type, Callable[[Any, Any], None]] = {Chart: _chart}
+    ways: dict[type, Callable[[Any, Any], None]] = {
+        Chart: _chart,
+        Polar: _polar,
+        Field: _field,
+        Disc: _disc,
+    }
     with matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS}):
         made = Figure(figsize=SIZE, layout="constrained")
         ways[type(picture)](picture, made)
@@ -124,11 +152,135 @@ def _chart(chart: Chart, made: Any) -> None:
 
 
 def _axis(own: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
-    own.set_label_text(axis.title)
+    own.set_label_text(_text(axis))
     if axis.is_log:
         set_scale("log")
     if axis.limits:
         set_ends(*axis.limits)
+
+
+# -- polar diagrams --------------------------------------------------------------------------------
+
+
+def _polar(polar: Polar, made: Any) -> None:
+    """The axis points down; only the lower half is drawn where there is nothing in the upper."""
+    is_half = not any(
+        value
+        for plane in polar.planes
+        for angle, value in zip(plane.angles, plane.values, strict=True)
+        if abs(angle) > RIGHT
+    )
+    made.set_layout_engine("none")
+    made.set_size_inches(*(HALF if is_half else SQUARE))
+    axes = made.add_axes(WEDGE if is_half else CIRCLE, projection="polar")
+    axes.set_theta_zero_location("S")
+    for color, plane, dashes in zip(COLORS, polar.planes, DASHES, strict=False):
+        turns = [math.radians(angle) for angle in plane.angles]
+        axes.plot(turns, plane.values, color=color, linestyle=dashes, label=plane.label)
+        axes.fill(turns, plane.values, color=color, alpha=0.08, lw=0)
+    rays = range(-180, 180, 30)
+    if is_half:
+        axes.set_thetamin(-RIGHT)
+        axes.set_thetamax(RIGHT)
+        rays = range(-90, 91, 30)
+    places = [math.radians(angle if is_half else angle % 360) for angle in rays]
+    axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
+    most = max(value for plane in polar.planes for value in plane.values)
+    circles = ticks(0.0, limits([0.0, most], RINGS)[1], RINGS)
+    axes.set_ylim(0.0, circles[-1])
+    axes.set_yticks(circles[1:])
+    axes.set_rlabel_position(RIGHT if is_half else 75)
+    axes.spines["polar"].set_color(FAINT)
+    made.legend(title=_text(polar.radius), loc="lower center", ncols=2)
+    made.suptitle(polar.title, fontsize=11)
+
+
+# -- fields and discs ------------------------------------------------------------------------------
+
+
+def _field(field: Field, made: Any) -> None:
+    axes = made.subplots()
+    axes.grid(visible=False)
+    axes.set_aspect("equal")
+    _filled(made, axes, field.xs, field.ys, field.rows, field.value)
+    _marks(axes, field.marks)
+    axes.set_xlabel(_text(field.x))
+    axes.set_ylabel(_text(field.y))
+    axes.set_title(field.title)
+
+
+def _disc(disc: Disc, made: Any) -> None:
+    import numpy
+    from matplotlib.patches import Circle
+
+    made.set_size_inches(*SQUARE)
+    axes = made.subplots()
+    axes.set_aspect("equal")
+    axes.axis("off")
+    places = numpy.linspace(-1.0, 1.0, len(disc.rows))
+    x, y = numpy.meshgrid(places, places)
+    rows = numpy.asarray(disc.rows, float)
+    inside = rows[numpy.hypot(x, y) <= 1]
+    if disc.is_image:
+        from matplotlib.colors import LogNorm
+
+        high = float(numpy.percentile(inside, CLIPPED)) or 1.0
+        norm = LogNorm(max(float(inside.min()), high / SPAN), high)
+        drawn = axes.pcolormesh(places, places, rows, cmap=COLORMAP, norm=norm, rasterized=True)
+        made.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
+    else:
+        _filled(made, axes, places, places, rows, disc.value)
+    for drawn in axes.collections:
+        drawn.set_clip_path(Circle((0, 0), 1, transform=axes.transData))
+    axes.add_patch(Circle((0, 0), 1, fill=False, color=GREY))
+    for label, angle in disc.rim:
+        turn = math.radians(angle)
+        axes.text(
+            1.09 * math.sin(turn), 1.09 * math.cos(turn), label, color=DARK,
+            ha="center", va="center",
+        )  # fmt: skip
+    _marks(axes, disc.marks)
+    axes.set_title(disc.title, pad=16)
+
+
+def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> None:
+    """Contours with their numbers, and colours between them."""
+    import matplotlib
+    import numpy
+
+    every = numpy.asarray(rows, float)
+    found = levels(every.ravel().tolist())
+    if not found:
+        made.colorbar(axes.pcolormesh(xs, ys, every, cmap=COLORMAP), ax=axes, label=_text(value))
+        return
+    bounds = [min(float(every.min()), found[0]), *found, max(float(every.max()), found[-1])]
+    shades = matplotlib.colormaps[COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
+    shown = axes.contourf(xs, ys, every, bounds, colors=shades)
+    lines = axes.contour(xs, ys, every, found, colors="white", linewidths=0.9)
+    axes.clabel(lines, fmt=lambda level: f"{level:.6g}", fontsize=8.5)
+    made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), ticks=found, spacing="uniform")
+
+
+def _text(axis: Axis) -> str:
+    """The title of an axis, with indices and powers as print has them."""
+    unit = POWER.sub(lambda found: found[0].translate(SUPERSCRIPTS), axis.unit)
+    return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
+
+
+def _marks(axes: Any, marks: Sequence[Mark]) -> None:
+    from matplotlib.patheffects import withStroke
+
+    for mark in marks:
+        axes.plot(mark.x, mark.y, "o", color="white", mec=DARK, ms=6)
+        axes.annotate(
+            mark.label,
+            (mark.x, mark.y),
+            (6, 5),
+            textcoords="offset points",
+            color=DARK,
+            fontsize=9,
+            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+        )
 
 
 def extension_of(path: str) -> str:

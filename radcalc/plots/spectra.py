@@ -34,8 +34,9 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         several = len(sources) > 1
         axis = RELATIVE._replace(label=f"{RELATIVE.label}, {EACH}" if several else RELATIVE.label)
     drawn = []
+    thermal = _thermal([one for one in sources if isinstance(one, BlackBody)], limits)
     for source in sources:
-        x, y = _points(source, limits)
+        x, y = _points(source, thermal if isinstance(source, BlackBody) else limits)
         if not any(y):
             problem = f"{source.label} has no power where it would be drawn"
             raise ConditionError(problem, f"another {option('range')}")
@@ -47,7 +48,7 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
     most = max(max(one.y) for one in drawn)
     reference = efficiency(eye, most)
     if unit:
-        name = f"{reference.label}, at most {most:.3g} {unit}"
+        name = f"{reference.label}, 1 at {most:.3g} {unit}"
         reference = reference._replace(label=name)
     ends = _ends([one.x for one in drawn], limits)
     axis = axis._replace(limits=(0.0, most))
@@ -83,12 +84,17 @@ def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
     )
 
 
+def _thermal(bodies: Sequence[BlackBody], limits: Range) -> Range:
+    """The wavelengths over which black bodies are drawn, all of them over the same."""
+    peaks = [body.peak()[0] for body in bodies]
+    low, high = min(VISIBLE[0], *peaks, 1e99) / 10, max(VISIBLE[1], *(WIDEST * x for x in peaks), 0)
+    return max(low, limits[0]), min(high, limits[1])
+
+
 def _points(source: Spectrum, limits: Range) -> tuple[list[float], list[float]]:
     """Wavelengths [nm], and watts per nanometre there; of lines their watts."""
     low, high = limits
     if isinstance(source, BlackBody):
-        peak = source.peak()[0]
-        low, high = max(low, 10.0), min(high, max(VISIBLE[1], WIDEST * peak))
         x = [low + (high - low) * k / POINTS for k in range(POINTS + 1)]
         exitances = planck.spectral_exitances([nm * 1e-9 for nm in x], source.temperature)
         return x, [1e-9 * value for value in exitances]

@@ -5,14 +5,27 @@ other, with texts on top.  The only module that imports plotille.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 from plotille import Canvas
 
-from radcalc.plots.data import LINES, REFERENCE, Chart, Picture, Series
-from radcalc.plots.ticks import limits, log_ticks, texts, ticks
+from radcalc.plots.data import (
+    LINE,
+    LINES,
+    REFERENCE,
+    Axis,
+    Chart,
+    Disc,
+    Field,
+    Mark,
+    Picture,
+    Polar,
+    Series,
+    Values,
+)
+from radcalc.plots.ticks import levels, limits, log_ticks, texts, ticks
 from radcalc.stdio import fold
 
 EMPTY = 0x2800  # the Braille letter without dots
@@ -28,6 +41,16 @@ FAINT = "."  # what is behind the curves, in ASCII
 LEAST, MOST = 10, 24  # rows of a chart
 SHARE = 5  # columns for each row of a chart
 APART = 3  # dots of a dotted line
+GRID = 4  # dots of the circles and rays of a polar diagram
+RINGS = 6  # circles of a polar diagram, with the point in its middle
+RIM = 6  # columns beside a circle, for what is written there
+SMALLEST, LARGEST = 12, 32  # rows of a circle
+RIGHT = 90.0
+ROUND = 360  # pieces of a circle
+RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # of contours
+SPAN = 1000.0  # between the darkest and the brightest of what is shaded
+CLIPPED = 0.99  # of all: what is brighter is as bright as that
+BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 GAP = 2  # columns between two texts
 
 
@@ -115,7 +138,12 @@ def has_braille(encoding: str | None) -> bool:
 
 def draw(picture: Picture, style: Style) -> str:
     """A picture as lines of text, no wider than the style says."""
-    ways: dict[type, Callable[[Any, Style], list[str]]] = {Chart: _chart}
+    ways: dict[type, Callable[[Any, Style], list[str]]] = {
+        Chart: _chart,
+        Polar: _polar,
+        Field: _field,
+        Disc: _disc,
+    }
     lines = ways[type(picture)](picture, style)
     text = "".join(f"{line.rstrip()}\n" for line in lines)
     return _in_ascii(text) if style.ascii else text
@@ -138,6 +166,256 @@ def _joined(cells: Iterable[tuple[str, str]], style: Style) -> str:
 
 def _dim(text: str, style: Style) -> str:
     return f"{DIM}{text}{RESET}" if style.color and text.strip() else text
+
+
+# -- polar diagrams --------------------------------------------------------------------------------
+
+
+def _polar(polar: Polar, style: Style) -> list[str]:
+    """The axis points down; only the lower half is drawn where there is nothing in the upper."""
+    most = max(value for plane in polar.planes for value in plane.values)
+    circles = [x for x in ticks(0.0, limits([0.0, most], RINGS)[1], RINGS) if x]
+    names, outer = texts(circles), circles[-1]
+    is_half = not any(
+        value
+        for plane in polar.planes
+        for angle, value in zip(plane.angles, plane.values, strict=True)
+        if abs(angle) > RIGHT
+    )
+    radius = min(style.width - 2 * RIM, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * RIM, -(-radius // (4 if is_half else 2)) + 2
+    dot = outer / (radius - 1)
+    top = 5 if is_half else 2 * rows
+    sheet = Sheet(
+        columns,
+        rows,
+        (-columns * dot, columns * dot),
+        ((top - 4 * rows) * dot, top * dot),
+    )
+    grid = sheet.layer(DIM[2:-1], FAINT)
+    reach = RIGHT if is_half else 180.0
+    for size in circles:
+        _dotted(grid, [_turned(size, angle) for angle in _degrees(-reach, reach)], GRID)
+    for angle in range(-180, 180, 30):
+        if abs(angle) <= reach:
+            _dotted(grid, [(0.0, 0.0), _turned(outer, angle)], GRID)
+            _write_at_rim(sheet, f"{abs(angle)}°", *_turned(outer, angle), dot)
+    for size, name in zip(circles, names, strict=True):
+        column, row = sheet.place(size, 0.0)
+        if size != outer:
+            sheet.write(column - len(name) // 2, row if not is_half else row - 1, name, "2")
+    legend = []
+    for k, plane in enumerate(polar.planes):
+        color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
+        canvas = sheet.layer(color, mark)
+        points = [_turned(v, a) for a, v in zip(plane.angles, plane.values, strict=True)]
+        _curve(canvas, points, LINE if k == 0 else REFERENCE, sheet)
+        own = Series("", (), (), LINE if k == 0 else REFERENCE)
+        legend.append((_sample(own, mark, style), color, plane.label))
+    left = " " * ((style.width - columns) // 2)
+    said = f"{polar.radius.title}, circles every {names[0]}"
+    lines = [*_title(polar.title, style), *(left + line for line in sheet.lines(style))]
+    return [
+        *lines,
+        f"{' ' * max((style.width - len(said)) // 2, 0)}{said}",
+        *_legend(legend, style),
+    ]
+
+
+def _tall(style: Style) -> int:
+    """The rows of a circle, in which most of a terminal is."""
+    return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
+
+
+def _turned(size: float, angle: float) -> tuple[float, float]:
+    """Where a value stands at an angle [deg] from straight down."""
+    turn = math.radians(angle)
+    return size * math.sin(turn), -size * math.cos(turn)
+
+
+def _degrees(low: float, high: float) -> list[float]:
+    return [low + (high - low) * k / ROUND for k in range(ROUND + 1)]
+
+
+def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> None:
+    """Write beside a place on a circle about the middle, outside of it."""
+    size = math.hypot(x, y)
+    column, row = sheet.place(x + 4 * dot * x / size, y + 4 * dot * y / size)
+    if abs(x) < size / 100:
+        column -= len(text) // 2
+    elif x < 0:
+        column -= len(text) - 1
+    sheet.write(column, row, text)
+
+
+# -- fields and discs ------------------------------------------------------------------------------
+
+
+def _field(field: Field, style: Style) -> list[str]:
+    """Contours over x and y, of lengths that are alike on both."""
+    x_ends, y_ends = (field.xs[0], field.xs[-1]), (field.ys[0], field.ys[-1])
+    wide, high = x_ends[1] - x_ends[0], y_ends[1] - y_ends[0]
+    y_ticks = ticks(*y_ends, 6)
+    names = texts(y_ticks)
+    left = max(map(len, names)) + 2
+    columns = style.width - left - 1
+    rows = min(max(round(columns * high / wide / 2), 4), MOST)
+    columns = min(columns, max(round(2 * rows * wide / high), LEAST))
+    sheet = Sheet(
+        columns,
+        rows,
+        (x_ends[0], _beyond(*x_ends, 2 * columns)),
+        (y_ends[0], _beyond(*y_ends, 4 * rows)),
+    )
+    numbered = dict(zip([_row(sheet, y) for y in y_ticks], names, strict=True))
+    drawn = field.xs, field.ys, field.rows
+    _place_marks(sheet, field.marks)
+    said = _contours(sheet, drawn, field.value, field.marks)
+    lines = [*_title(field.title, style), f"{' ' * (left - 1)}{field.y.title}"]
+    for row, line in enumerate(sheet.lines(style)):
+        name = numbered.get(row, "")
+        lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
+    x_ticks = ticks(*x_ends, max(columns // 10, 2))
+    return [*lines, *_below(field.x, sheet, x_ticks, float, left, style), said]
+
+
+def _disc(disc: Disc, style: Style) -> list[str]:
+    """A disc with its contours, or of dots where it is a picture of things."""
+    radius = min(style.width - 2 * RIM, 2 * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * RIM, radius // 2 + 2
+    wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
+    sheet = Sheet(columns, rows, (-wide, wide), (-high, high))
+    count = len(disc.rows)
+    places = [2 * k / (count - 1) - 1 for k in range(count)]
+    inside = [
+        [v if x * x + y * y <= 1 else math.nan for x, v in zip(places, row, strict=True)]
+        for y, row in zip(places, disc.rows, strict=True)
+    ]
+    grid = sheet.layer(DIM[2:-1], FAINT)
+    _curve(grid, [_turned(1.0, angle) for angle in _degrees(-180, 180)], LINE, sheet)
+    for label, angle in disc.rim:
+        x, y = _turned(1.0, 180 - angle)
+        _write_at_rim(sheet, label, x, y, 1 / radius)
+    _place_marks(sheet, disc.marks)
+    if disc.is_image:
+        said = _shaded(sheet, places, inside, disc.value, style)
+    else:
+        taken = {sheet.place(*_turned(1.0, angle)) for angle in _degrees(-180, 180)}
+        said = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
+    left = " " * max((style.width - columns) // 2, 0)
+    lines = [*_title(disc.title, style), *(left + line for line in sheet.lines(style))]
+    return [*lines, said]
+
+
+def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
+    """Small crosses with their names."""
+    for mark in marks:
+        column, row = sheet.place(mark.x, mark.y)
+        sheet.write(column, row, "+")
+        if column + 2 + len(mark.label) <= sheet.columns:
+            sheet.write(column + 1, row, mark.label)
+        else:
+            sheet.write(column - len(mark.label), row, mark.label)
+
+
+def _contours(
+    sheet: Sheet,
+    drawn: tuple[Values, Values, Sequence[Values]],
+    value: Axis,
+    marks: Sequence[Mark],
+    taken: Iterable[tuple[int, int]] = (),
+) -> str:
+    """Draw contours with their numbers, away from what is taken, and tell what they are of."""
+    every = [z for row in drawn[2] for z in row if z == z]
+    found = levels(every)
+    full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
+    for k, (level, name) in enumerate(zip(found, texts(found), strict=True)):
+        color = RAMP[k * (len(RAMP) - 1) // max(len(found) - 1, 1)]
+        canvas = sheet.layer(color, MARKS[k % len(MARKS)])
+        places = []
+        for start, end in _segments(*drawn, level):
+            canvas.line(*start, *end)
+            places.append(start)
+        _name_contour(sheet, places, name, color, full)
+    low, high = texts([float(f"{x:.4g}") for x in (min(every), max(every))])
+    return f"{value.title}, from {low} to {high}"
+
+
+def _name_contour(
+    sheet: Sheet,
+    places: list[tuple[float, float]],
+    name: str,
+    color: str,
+    taken: list[tuple[int, int]],
+) -> None:
+    """Write a contour's number where it is farthest from those of others and from the edges."""
+    half = len(name) // 2
+
+    def is_free(cell: tuple[int, int]) -> bool:
+        around = range(cell[0] - half - 1, cell[0] - half + len(name) + 1)
+        inside = around[0] >= 0 and around[-1] < sheet.columns
+        return inside and not any((column, cell[1]) in sheet.texts for column in around)
+
+    def room(cell: tuple[int, int]) -> tuple[float, int, int]:
+        apart = [abs(cell[0] - c) / len(name) + abs(cell[1] - r) for c, r in taken]
+        return min(apart, default=0.0), *cell
+
+    free = list(filter(is_free, {sheet.place(x, y) for x, y in places}))
+    if free:
+        column, row = max(free, key=room)
+        taken.append((column, row))
+        sheet.write(column - half, row, name, color)
+
+
+def _segments(
+    xs: Values, ys: Values, rows: Sequence[Values], level: float
+) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+    """The straight pieces of a contour, each across a triangle that is half of a cell."""
+    for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
+        for i in range(len(xs) - 1):
+            z = low[i], low[i + 1], high[i], high[i + 1]
+            if not min(z) <= level <= max(z) or any(map(math.isnan, z)):
+                continue
+            a, b = (xs[i], y0, z[0]), (xs[i + 1], y0, z[1])
+            c, d = (xs[i], y1, z[2]), (xs[i + 1], y1, z[3])
+            for corners in ((a, b, d), (a, c, d)):
+                crossed = [
+                    _between(one, other, level)
+                    for one, other in pairwise((*corners, corners[0]))
+                    if (one[2] < level) != (other[2] < level)
+                ]
+                if len(crossed) == 2:
+                    yield crossed[0], crossed[1]
+
+
+def _between(
+    one: tuple[float, float, float], other: tuple[float, float, float], level: float
+) -> tuple[float, float]:
+    """Where a level is on the line between two places."""
+    share = (level - one[2]) / (other[2] - one[2])
+    return one[0] + share * (other[0] - one[0]), one[1] + share * (other[1] - one[1])
+
+
+def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
+    """Draw dots the denser the brighter, by the logarithm of what is above the least share."""
+    every = sorted(z for row in rows for z in row if z == z)
+    high = every[int(CLIPPED * (len(every) - 1))] or 1.0
+    low = max(every[0], high / SPAN)
+    canvas = sheet.layer("", "#")
+    count = len(places)
+    for row in range(4 * sheet.rows):
+        y = sheet.y[0] + (sheet.y[1] - sheet.y[0]) * row / (4 * sheet.rows)
+        for column in range(2 * sheet.columns):
+            x = sheet.x[0] + (sheet.x[1] - sheet.x[0]) * column / (2 * sheet.columns)
+            if x * x + y * y > 1:
+                continue
+            i, j = (round((place + 1) / 2 * (count - 1)) for place in (x, y))
+            z = rows[j][i]
+            share = math.log(max(z, low) / low) / math.log(high / low) if high > low else 1.0
+            if z == z and share > (BAYER[row % 4][column % 4] + 0.5) / 16:
+                canvas.point(x, y)
+    ends = texts([float(f"{z:.3g}") for z in (low, high)])
+    return f"{value.title}: all dots at {ends[1]} and more, none at {ends[0]} and less"
 
 
 # -- charts ----------------------------------------------------------------------------------------
@@ -175,7 +453,7 @@ def _chart(chart: Chart, style: Style) -> list[str]:
     for row, line in enumerate(sheet.lines(style)):
         name = numbered.get(row, "")
         lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
-    return [*lines, *_below(chart, sheet, x_ticks, x_of, left, style), *_legend(legend, style)]
+    return [*lines, *_below(chart.x, sheet, x_ticks, x_of, left, style), *_legend(legend, style)]
 
 
 def _title(title: str, style: Style) -> list[str]:
@@ -193,7 +471,7 @@ def _beyond(low: float, high: float, dots: int) -> float:
 
 
 def _ends(
-    axis: Any, values: list[float], most: int, is_round: bool = True
+    axis: Axis, values: list[float], most: int, is_round: bool = True
 ) -> tuple[tuple[float, float], list[float]]:
     """The ends of an axis, and the round numbers on it."""
     if axis.is_log:
@@ -233,19 +511,19 @@ def _curve(canvas: Any, points: list[tuple[float, float]], style: str, sheet: Sh
         canvas.line(x0, y0, x1, y1)
 
 
-def _dotted(canvas: Any, points: list[tuple[float, float]]) -> None:
-    """Every third dot along a line."""
+def _dotted(canvas: Any, points: list[tuple[float, float]], apart: int = APART) -> None:
+    """Dots along a line."""
     due = 0
     for (x0, y0), (x1, y1) in pairwise(points):
         steps = max(map(abs, canvas.dots_between(x0, y0, x1, y1)))
         while due < steps:
             canvas.point(x0 + (x1 - x0) * due / steps, y0 + (y1 - y0) * due / steps)
-            due += APART
+            due += apart
         due -= steps
 
 
 def _below(
-    chart: Chart,
+    axis: Axis,
     sheet: Sheet,
     x_ticks: list[float],
     x_of: Callable[[float], float],
@@ -264,7 +542,7 @@ def _below(
         rule[column] = "┬"
         numbers[start : start + len(text)] = text
         taken = start + len(text) + 1
-    title = chart.x.title
+    title = axis.title
     return [
         _dim(f"{' ' * (left - 1)}└{''.join(rule)}", style),
         _dim("".join(numbers), style),

@@ -1,8 +1,10 @@
 """Round numbers along an axis, and how they are written."""
 
 import math
+from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
 ROUNDING = 1e-9  # of a step: a tick is not left out for it
 
 
@@ -89,6 +91,27 @@ def limits(values: list[float], most: int) -> tuple[float, float]:
         low, high = (low - 1, high + 1) if not low else sorted((0.0, 2 * low))
     step = round_step((high - low) / max(most - 1, 1))
     return math.floor(low / step + ROUNDING) * step, math.ceil(high / step - ROUNDING) * step
+
+
+def levels(values: Iterable[float], most: int = 10) -> list[float]:
+    """Round numbers between the least and the greatest of many, for contours.
+
+    Where these are far apart, they are 1, 2 and 5 times powers of ten.
+
+    Examples
+    --------
+    >>> levels([220.0, 510.0])
+    [250.0, 300.0, 350.0, 400.0, 450.0, 500.0]
+    >>> levels([0.4, 210.0])
+    [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0]
+    """
+    every = sorted(values)
+    low, high = every[0], every[-1]
+    if not low < high * (1 - 1e-6):
+        return []
+    is_far = low > 0 and high > FAR * low
+    found = log_ticks(low, high, most) if is_far else ticks(low, high, most)
+    return [x for x in found if low < x < high]
 
 
 def texts(values: list[float]) -> list[str]:

@@ -1,0 +1,215 @@
+"""Pictures of functions of direction: polar diagrams, discs as a fisheye sees them, integrands."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy
+
+from radcalc.calculators.environment import Source, surroundings
+from radcalc.calculators.point_source import spread
+from radcalc.calculators.results import pick
+from radcalc.calculators.sky import place_of_sun
+from radcalc.derivation import format_angle
+from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
+from radcalc.distributions.maps.radiance_map import RadianceMap
+from radcalc.distributions.radiances import Radiances
+from radcalc.distributions.shapes import of_shape
+from radcalc.distributions.sky import Sky
+from radcalc.geometry.directions import UP, cartesian, facing, spherical
+from radcalc.geometry.numerics.expression import Expression
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
+from radcalc.geometry.sky import sky_type
+from radcalc.plots.curves import Solved
+from radcalc.plots.data import REFERENCE, Axis, Chart, Disc, Mark, Plane, Polar, Series
+from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
+from radcalc.units.table import resolve
+
+PLANES = (("C0-C180", 0.0), ("C90-C270", math.pi / 2))
+EVERY_PLANE = "every C plane"
+HALVES = 721  # angles of a plane, from -180 deg to 180 deg
+PIXELS = 181  # of a disc, each way
+POLARS, AZIMUTHS = 361, 72  # of an integrand
+FEW = 4  # azimuths at which one is drawn
+STRENGTHS = ("peak-intensity", "intensity")
+RELATIVE = Axis("relative intensity")
+
+
+def polar(distribution: Distribution, factor: float, radius: Axis, title: str = "") -> Polar:
+    """The polar diagram of a distribution: the planes C0-C180 and C90-C270.
+
+    Parameters
+    ----------
+    distribution : Distribution
+        Its intensities.
+    factor : float
+        What these are multiplied by to be in the unit of the axis.
+    radius : Axis
+        What the diagram shows.
+    title : str, optional
+    """
+    angles = numpy.linspace(-180.0, 180.0, HALVES)
+    theta = numpy.radians(numpy.abs(angles))
+    planes = []
+    for label, azimuth in PLANES[: 1 if distribution.is_axial else 2]:
+        phi = numpy.where(angles < 0, azimuth + math.pi, azimuth)
+        values = factor * distribution.intensity(theta, phi)
+        name = EVERY_PLANE if distribution.is_axial else label
+        planes.append(Plane(name, angles.tolist(), numpy.broadcast_to(values, phi.shape).tolist()))
+    return Polar(title, radius, planes)
+
+
+def of_point_source(one: Solved, wanted: Sequence[str] = ()) -> Polar:
+    """The polar diagram of a point source, in the unit of its intensity."""
+    values, given = one.answer.values, one.given
+    amounts = {value.name: value for value in values if not value.is_absent}
+    chosen = given["distribution"].value if "distribution" in given else ""
+    title = given["distribution"].text if "distribution" in given else ""
+    distribution: Distribution
+    if isinstance(chosen, str):
+        shape = spread(given)
+        width = next((amounts[n].amount for n in ("half-angle", "exponent") if n in amounts), None)
+        distribution, title = of_shape(shape, width), shape
+    else:
+        distribution = chosen.distribution
+        title = chosen.name or title
+    on_axis = float(distribution.intensity(0.0, 0.0))
+    known = [name for name in STRENGTHS if name in amounts]
+    if not known:
+        return polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
+    own = [name for name in wanted if SYMBOLS[name.partition(":")[0]].generic == "intensity"]
+    name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
+    row = pick(values, own[0] if own and name == "intensity" else name)
+    factor = row.value / (on_axis if name == "intensity" else distribution.peak().value)
+    axis = Axis(f"{row.quantity} I", row.unit)
+    return polar(distribution, factor, axis, title)
+
+
+def of_sky(name: str, one: Solved) -> Disc:
+    """A sky as who looks up sees it, in the unit of its zenith's luminance."""
+    given = one.given
+    kind = sky_type(name)
+    sun = place_of_sun(given) if "sun-elevation" in given else None
+    row = pick(one.answer.values, "zenith-radiance")
+    sky = Sky(name, sun if kind.follows_sun else None)
+    title = f"sky {name}: {kind.name}"
+    if sun and "sun-azimuth" not in given:
+        title += "; azimuths are counted from the sun's"
+    return fisheye(
+        sky, row.value, Axis(row.quantity.removeprefix("zenith "), row.unit), UP, title, sun
+    )
+
+
+def of_environment(source: Source, one: Solved) -> Disc:
+    """What a receiver sees of its surroundings."""
+    radiances = surroundings(source, one.given)
+    unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
+    label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
+    factor = 1 / float(resolve(unit).factor) if unit else 1.0
+    normal = one.given["normal"].value if "normal" in one.given else UP
+    title = "" if "normal" not in one.given else f"toward {one.given['normal'].text}"
+    value = Axis(label.replace("-", " "), unit)
+    is_image = isinstance(radiances, RadianceMap)
+    return fisheye(radiances, factor, value, normal, title, is_image=is_image)
+
+
+def fisheye(
+    radiances: Radiances,
+    factor: float,
+    value: Axis,
+    normal: Vector = UP,
+    title: str = "",
+    sun: tuple[float, float] | None = None,
+    is_image: bool = False,
+) -> Disc:
+    """What surrounds a place, as who looks along a normal sees it: equidistant, 90 deg at the rim.
+
+    Along the vertical the azimuth 0 is at the top; from below, azimuths run clockwise.
+
+    Parameters
+    ----------
+    radiances : Radiances
+        By the direction that they come from.
+    factor : float
+        What these are multiplied by to be in the unit of the value.
+    value : Axis
+        What is shown.
+    normal : tuple of 3 floats, optional
+        Where one looks; up by default.
+    title : str, optional
+    sun : tuple of 2 floats [rad], optional
+        Polar angle and azimuth of the sun, to be marked.
+    is_image : bool, optional
+        Whether it is a picture of things, and no smooth sky.
+    """
+    forward, _, up = facing(normal)
+    is_level = not (forward[0] or forward[1])
+    if is_level:
+        up = (1.0, 0.0, 0.0)
+    right = cross(forward, up)
+    x, y = numpy.meshgrid(*2 * [numpy.linspace(-1.0, 1.0, PIXELS)])
+    away = numpy.hypot(x, y)
+    angle = numpy.minimum(away, 1.0) * math.pi / 2
+    across = numpy.sin(angle) / numpy.where(away > 0, away, 1.0)
+    own = (x * across, y * across, numpy.cos(angle))
+    theta, phi, _ = spherical(*from_components((right, up, forward), own))
+    values = numpy.broadcast_to(factor * radiances.radiance(theta, phi), x.shape)
+    rim = [("up", 0), ("right", 90), ("down", 180), ("left", 270)]
+    centre = "normal"
+    if is_level:
+        sign = 1 if forward[2] > 0 else -1
+        rim = [(f"{azimuth}\u00b0", sign * azimuth % 360) for azimuth in range(0, 360, 45)]
+        centre = "zenith" if forward[2] > 0 else "nadir"
+    marks = []
+    if sun:
+        to = cartesian(*sun)
+        ahead = math.acos(max(-1.0, min(1.0, dot(to, forward))))
+        if ahead <= math.pi / 2:
+            place = (dot(to, right), dot(to, up))
+            size = math.hypot(*place) or 1.0
+            share = ahead / (math.pi / 2) / size
+            marks.append(Mark("sun", place[0] * share, place[1] * share))
+    return Disc(title, value, values.tolist(), rim, centre, marks, is_image)
+
+
+def integrand(
+    text: str,
+    unit: str,
+    polar_angles: tuple[float, float],
+    azimuths: tuple[float, float] = ALL_AZIMUTHS,
+) -> Chart:
+    """An expression over the polar angle, at some azimuths, and what of it adds up to its integral.
+
+    Parameters
+    ----------
+    text : str
+        The expression.
+    unit : str
+        In which it is; "" for a number.
+    polar_angles, azimuths : tuple of 2 floats [rad]
+        Between which it is integrated.
+    """
+    expression = Expression(text)
+    theta = numpy.linspace(*polar_angles, POLARS)
+    start, end = azimuths
+    turns = numpy.linspace(start, end, AZIMUTHS, endpoint=False) + (end - start) / AZIMUTHS / 2
+    along, around = numpy.meshgrid(theta, turns)
+
+    def values_at(along: Any, around: Any) -> Any:
+        x, y, z = cartesian(along, around)
+        found = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
+        return numpy.broadcast_to(found, numpy.shape(along)).astype(float)
+
+    weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
+    degrees = numpy.degrees(theta).tolist()
+    shown = [start + (end - start) * k / FEW for k in range(1 if expression.is_axial else FEW)]
+    curves = []
+    for azimuth in shown:
+        name = "f(\u03b8)"
+        if not expression.is_axial:
+            name = f"f(\u03b8, \u03c6 = {format_angle(azimuth)})"
+        curves.append(Series(name, degrees, values_at(theta, azimuth + 0 * theta).tolist()))
+    mean = "f sin \u03b8" if expression.is_axial else "mean of f over \u03c6, times sin \u03b8"
+    curves.append(Series(mean, degrees, weighted.tolist(), REFERENCE))
+    title = f"f = {text}"
+    return Chart(title, Axis("polar angle \u03b8", "deg"), Axis("f", unit), curves)

@@ -1,0 +1,62 @@
+"""Pictures of places: what the points of a grid get, as contours or along a line."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy
+
+from radcalc.answer import Answer
+from radcalc.calculators.results import pick
+from radcalc.distributions.scene import Axis as Coordinates
+from radcalc.errors import UsageError, option
+from radcalc.given import AS_GRID
+from radcalc.plots.data import Axis, Chart, Field, Mark, Picture, Series
+
+NAMES = "xyz"
+
+
+class Surveyed(NamedTuple):
+    """A grid, what its points get in blocks of them, and what stands where."""
+
+    axes: Sequence[Coordinates]
+    blocks: Iterable[Answer]
+    sources: Sequence[tuple[str, tuple[float, float, float]]] = ()
+
+
+def over_grid(found: Surveyed, wanted: str = "irradiance") -> Picture:
+    """What the points of a grid get: contours over a plane, or a curve along a line.
+
+    Parameters
+    ----------
+    found : Surveyed
+    wanted : str, optional
+        The result, NAME[:UNIT].
+
+    Raises
+    ------
+    UsageError
+        If the grid is a point, or of three dimensions.
+    """
+    long = [k for k, axis in enumerate(found.axes) if axis.size > 1]
+    if not 1 <= len(long) <= 2:
+        what = "a single point" if not long else "a grid in x, y and z"
+        problem = f"{what} has no picture"
+        raise UsageError(problem, option("grid", AS_GRID))
+    rows = [pick(block.values, wanted) for block in found.blocks]
+    values = numpy.concatenate([row.value for row in rows])
+    value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
+    lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in found.axes]
+    fixed = [f"{NAMES[k]} = {lines[k][0]:g} m" for k in range(3) if k not in long]
+    title = f"{rows[0].quantity} at {', '.join(fixed)}"
+    if len(long) == 1:
+        (k,) = long
+        return Chart(title, Axis(NAMES[k], "m"), value, [Series("", lines[k], values.tolist())])
+    i, j = long
+    table = values.reshape(len(lines[i]), len(lines[j])).T
+    marks = [
+        Mark(name, place[i], place[j])
+        for name, place in found.sources
+        if lines[i][0] <= place[i] <= lines[i][-1] and lines[j][0] <= place[j] <= lines[j][-1]
+    ]
+    axes = Axis(NAMES[i], "m"), Axis(NAMES[j], "m")
+    return Field(title, *axes, value, lines[i], lines[j], table.tolist(), marks)
