@@ -5,7 +5,7 @@ the commands, nor for Click.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -175,10 +175,9 @@ def results_of(command: SectionedCommand) -> list[str]:
         for one in group
         if isinstance(one, SymbolOption) and not one.hidden
     ]
-    for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
-        words = line.partition("  ")[0].split()
+    for words in examples_of(command):
         try:
-            with commands.make_context("radcalc", protect_negatives([*words, "-g", "?"])) as made:
+            with commands.make_context("radcalc", [*words, "-g", "?"]) as made:
                 commands.invoke(made)
         except UsageError as error:
             found += error.hint.split(", ")
@@ -190,6 +189,12 @@ def results_of(command: SectionedCommand) -> list[str]:
         for name in dict.fromkeys([*found, *kinds])
         if name in SYMBOLS and SYMBOLS[name].dimensions
     ]
+
+
+def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
+    """The words of the examples in a help; those of a shell are left as they are."""
+    for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
+        yield protect_negatives(line.partition("  ")[0].split())
 
 
 def _leaves(name: str) -> bool:

@@ -3,15 +3,18 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from textwrap import dedent
+from typing import Any
 
 import click
 
+from radcalc.answer import Result, Row
 from radcalc.cli import COMMANDS, commands, streams
 from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
-from radcalc.cli.compile import results_of
+from radcalc.cli.compile import examples_of, results_of
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, literal, plain, sentences, text
+from radcalc.errors import RadcalcError
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     LINKS,
@@ -102,15 +105,58 @@ def results(of: str) -> Iterator[str]:
     """The results of a command by the names that --get takes, each with its letter and unit."""
     found = command(of)
     named = [one for one in results_of(found) if of == "photon" or one not in LINKS]
-    kinds = _kinds(found)
+    kinds, rows = _kinds(found), _rows(found)
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for one in named:
         symbol = SYMBOLS[one]
         if symbol.kind and symbol.generic in named:
             continue
         yield f".It Cm {one}"
+        if one in rows and not symbol.generic:
+            symbol = symbol._replace(label=rows[one].quantity, letter=rows[one].symbol)
         yield from sentences(_described(symbol, kinds))
     yield ".El"
+
+
+class Enough(RadcalcError):
+    """An answer was heard, and is not to be written."""
+
+
+class Listener:
+    """What takes the rows of an answer in place of standard output."""
+
+    settings: Mapping[str, Any] = {}
+
+    def __init__(self) -> None:
+        self.rows: dict[str, Row] = {}
+
+    def hear(self, results: Sequence[Result]) -> None:
+        """Keep the rows by their names."""
+        self.rows.update((row.name, row) for result in results for row in result.rows)
+        raise Enough("")
+
+
+def _rows(found: SectionedCommand) -> dict[str, Row]:
+    """What the examples of the help answer, where these can be run and write no file.
+
+    A name such as x is that of several symbols, and only an answer tells which it is.
+    """
+    heard = Listener()
+    writes = {
+        spelling
+        for one in found.params
+        if isinstance(one, click.Option) and "FILE" in (one.metavar or "")
+        for spelling in one.opts
+    }
+    for words in examples_of(found):
+        if writes.intersection(words) or "--list" in words:
+            continue
+        try:
+            with commands.make_context("radcalc", words, obj=heard) as made:
+                commands.invoke(made)
+        except (RadcalcError, click.ClickException):
+            continue
+    return heard.rows
 
 
 def _kinds(found: SectionedCommand) -> list[str]:
@@ -122,6 +168,8 @@ def _kinds(found: SectionedCommand) -> list[str]:
 
 def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
     """What a symbol is, its letter and its units."""
+    if symbol.label == symbol.letter:  # x, y and z
+        return f"{symbol.label}."
     label = f"{symbol.label[0].upper()}{symbol.label[1:]}"
     letter = f" {symbol.letter}" if symbol.letter and not label.endswith(symbol.letter) else ""
     if symbol.geometry is None or symbol.kind:
