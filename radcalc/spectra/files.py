@@ -162,7 +162,7 @@ class _Reader:
         header = self.header(before, delimiter, width) if before else []
         self.preamble = [line[: titles.LONGEST] for _, line in before]
         self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
-        if len(before) > 1:
+        if before:
             self.notes.append(f"the table begins in line {rows[0][0]}")
         try:
             self.count = oceanview.declared_rows(self.preamble)
@@ -179,8 +179,19 @@ class _Reader:
 
         They are taken out.  None are in a line of text, or between blanks, where words are many.
         """
+        while before and not any(map(str.isalnum, before[-1][1])):  # a rule below the titles
+            before.pop()
+        if not before:
+            return []
         number, last = before[-1]
         found = _titles(last, delimiter, width)
+        if not _is_of_units(found) and any(
+            _are_titles(_titles(line, delimiter, width), width) for _, line in before[:-1]
+        ):
+            if len(found) == width:
+                self.number(found[0], delimiter != ",", number)
+            problem = f"'{quote(last.strip())}' stands between the titles and the numbers"
+            raise self.error(number, problem, "a row with a value in every column")
         if len(found) != width:
             if last.startswith(oceanview.MARK):
                 return []
@@ -465,6 +476,18 @@ def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
         if len(parts) == width:
             return [part.strip() for part in parts]
     return found
+
+
+def _are_titles(cells: Sequence[str], width: int) -> bool:
+    """Whether the cells of a line are plainly titles: the first of wavelengths, others of values.
+
+    A preamble may have a line such as `wavelength range,380-780` or `wavelength unit,nm`.
+    """
+    return (
+        len(cells) == width
+        and titles.is_wavelength(columns.plain(cells[0]))
+        and not any(cell[:1].isdigit() or columns.plain(cell) in titles.UNITS for cell in cells[1:])
+    )
 
 
 def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:

@@ -19,6 +19,7 @@ SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives sev
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
+LOOKED_AT = 100  # parts of a list in which something is wrong
 OF_DAY = "D65, daylight:5500K, AM1.5G"
 MEANT = {  # what may be meant by words that are no names of spectra
     "daylight": "D65, daylight:5500K",
@@ -103,18 +104,34 @@ def uncertain_parameter(text: str) -> Parameter | None:
 
 
 def _unknown(text: str) -> RadcalcError:
+    if "," in text and (error := _of_list(text)):
+        return error
     if "/" in text or text.lower().endswith((".csv", ".txt", ".tsv", ".dat")):
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
-    if "," in text and all(map(_is_spectrum, text.split(","))):
-        return ConditionError(f"'{quote(text)}' is a list of spectra", "one of them here")
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     if meant := MEANT.get(text.strip().lower()):
         return ConditionError(problem, meant)
     if fitting := [form for kind in KINDS if _is_spectrum(form := f"{kind}:{text}")]:
         return ConditionError(problem, quote(", ".join(fitting)))
-    known = {comparable(name): name for name in names()}
-    near = [known[f] for f in nearest(comparable(text), known, 3)]
+    known = {_bare(name): name for name in names()}
+    near = [known[f] for f in nearest(_bare(text), known, 3)]
     return ConditionError(problem, ", ".join(near) if near else HINT)
+
+
+def _of_list(text: str) -> RadcalcError | None:
+    """What is wrong with a list of spectra, as one of them is: the first part that is none."""
+    parts = [part.strip() for part in text.split(",", LOOKED_AT)]
+    wrong = [part for part in parts if part in ("", "-") or not _is_spectrum(part)]
+    if len(wrong) == len(parts):
+        return None
+    if not wrong:
+        return ConditionError(f"'{quote(text)}' is a list of spectra", "one of them here")
+    if wrong[0] in ("", "-"):
+        what = "standard input may not stand" if wrong[0] else "a spectrum is missing"
+        right = ",".join(part for part in parts if part not in wrong)
+        return ConditionError(f"{what} in the list '{quote(text)}'", quote(right))
+    error = _unknown(wrong[0])
+    return ConditionError(f"in the list '{quote(text)}': {error.message}", error.hint)
 
 
 def _is_spectrum(text: str) -> bool:
@@ -142,8 +159,15 @@ def read_spectra(text: str) -> list[str]:
     return [text]
 
 
-def comparable(name: str) -> str:
-    """A name without case, blanks and punctuation, as names are compared."""
+def _spelled(name: str) -> str:
+    """A name without case, and blanks and hyphens within it; other signs are part of it."""
+    if not name[:1].isalnum() or not (name[-1].isalnum() or name[-1] == ")"):
+        return name
+    return "".join(c for c in name.upper() if c not in " -_")
+
+
+def _bare(name: str) -> str:
+    """The letters and digits of a name, which need not have more."""
     return "".join(c for c in name.upper() if c.isalnum() or c == ".")
 
 
@@ -156,7 +180,7 @@ def names() -> list[str]:
 
 def find_named(text: str) -> Table | None:
     """A named source, or None; F1 is FL1, and `sun` is AM1.5G and says so."""
-    folded = comparable(text)
+    folded = _spelled(text)
     sun = ALIASES.get(folded, folded)
     if sun in SUNS:
         from radcalc.spectra.data import suns
@@ -173,8 +197,8 @@ def find_named(text: str) -> Table | None:
         )
     from radcalc.spectra.data.sources import SOURCES
 
-    spellings = {comparable(name): name for name in SOURCES}
-    spellings |= {comparable("F" + name[2:]): name for name in SOURCES if name.startswith("FL")}
+    spellings = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
+    spellings |= {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
     name = spellings.get(folded)
     if name is None:
         return None

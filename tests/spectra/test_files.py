@@ -265,6 +265,18 @@ BROKEN = {
         "wavelength,E\nn/a,1\n500,2\n600,3\n",
         "line 2: 'n/a' is not a number",
     ),
+    "a bad first row with another delimiter": (
+        "wavelength (nm),E\nOVER;5\n500,2\n600,3\n",
+        "line 2: 'OVER;5' stands between the titles and the numbers",
+    ),
+    "a bad first row between tabs": (
+        "wavelength\tE\nOVER 5\n500\t2\n600\t3\n",
+        "line 2: 'OVER 5' stands between the titles and the numbers",
+    ),
+    "two bad first rows": (
+        "wavelength;E\nOVER,5\nx;7\n500;2\n600;3\n",
+        "line 3: 'x' is not a number",
+    ),
     "no first wavelength": ("wavelength,E\n,1\n500,2\n600,3\n", "line 2: a value is missing"),
     "a long title": ("nm,E " + "1" * 20_000 + "\n400,1\n500,2\n", "a title of 20002 characters"),
     "an end of lines that Latin-1 has not": (
@@ -283,6 +295,21 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(text, message, tmp_path
         read_file(str(path))
     assert message in caught.value.message
     assert caught.value.hint
+
+
+RULED = {
+    "a rule below the titles": "wavelength (nm),E [W/m2/nm]\n---,---\n500,2\n600,3\n",
+    "units below the titles": "wavelength,E\nnm,W/m2/nm\n500,2\n600,3\n",
+    "a preamble with the range": "wavelength range,380-780\nnm,E [W/m2/nm]\n500,2\n600,3\n",
+    "a preamble with the unit": "wavelength unit,nm\nlambda,E [W/m2/nm]\n500,2\n600,3\n",
+}
+
+
+@pytest.mark.parametrize("text", RULED.values(), ids=RULED.keys())
+def test_titles_hold_whatever_stands_about_them(text, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(text)
+    assert read_file(str(path)).absolute == "irradiance"
 
 
 @pytest.mark.parametrize("titles", ["wavelength,2700", "nm,2700", ",2700", "lamp,2700"])

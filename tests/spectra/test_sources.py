@@ -6,7 +6,7 @@ import pytest
 
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.sources import MEANT, names, spectrum
+from radcalc.spectra.sources import MEANT, names, read_spectra, spectrum
 from radcalc.spectra.spectrum import WHOLE
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
@@ -83,10 +83,36 @@ def test_every_named_source_is_counted_in_watts_lumens_and_photons():
 @pytest.mark.parametrize(
     ("one", "other"),
     [("F1", "FL1"), ("f11", "FL11"), ("led-b3", "LED-B3"), ("ledb3", "LED-B3"), ("hps", "HPS"),
-     ("am1.5g", "AM1.5G"), ("F3.1", "FL3.1"), ("d65", "D65")],
+     ("am1.5g", "AM1.5G"), ("F3.1", "FL3.1"), ("d65", "D65"), ("led_b3", "LED-B3"),
+     ("f34/cw/rs/ew(cool white fl)", "F34/CW/RS/EW (Cool White FL)")],
 )  # fmt: skip
 def test_names_are_found_as_people_type_them(one, other):
     assert spectrum(one).label == spectrum(other).label
+
+
+@pytest.mark.parametrize("text", ["D65!", "D65;", "D65-", "-D65", "D65,", "(D65", "'D65'", "D65/"])
+def test_a_name_with_other_signs_about_it_is_none(text):
+    with pytest.raises(ConditionError):
+        spectrum(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "hint"),
+    [
+        ("D65,-", "standard input may not stand in the list 'D65,-'", "D65"),
+        ("D65,", "a spectrum is missing in the list 'D65,'", "D65"),
+        ("D65,,A", "a spectrum is missing in the list 'D65,,A'", "D65,A"),
+        ("D65,532nm", "in the list 'D65,532nm': '532nm' is no spectrum", "line:532nm"),
+        ("D65,lamp.csv", "there is no file 'lamp.csv'", "path"),
+        ("D65,LED-B33", "'LED-B33' is no spectrum", "LED-B3"),
+    ],
+)
+def test_the_wrong_part_of_a_list_is_named(text, message, hint):
+    (whole,) = read_spectra(text)
+    with pytest.raises(ConditionError) as caught:
+        spectrum(whole)
+    assert message in caught.value.message
+    assert hint in caught.value.hint
 
 
 def test_lines_bands_and_gaussians():
