@@ -42,11 +42,14 @@ def texts_of(texts: Mapping[str, str]) -> tuple[Input, ...]:
     return tuple(Input(name, text=text) for name, text in texts.items() if text)
 
 
+FRACTION = "fraction"  # of a second, as the times of a shutter are marked: 1/60
+
+
 class Row(NamedTuple):
     """One value of an answer; `case` says which of several answers it belongs to.
 
     `name` is what `--get` calls the result.  `given` tells what the user gave from what follows;
-    `uncertainty` is the standard one, in the unit.
+    `uncertainty` is the standard one, in the unit.  The `form` is how people read the number.
     """
 
     quantity: str
@@ -57,6 +60,7 @@ class Row(NamedTuple):
     name: str = ""
     given: bool = False
     uncertainty: float = 0.0
+    form: str = ""
 
 
 class Result(NamedTuple):
@@ -92,6 +96,7 @@ class Value(NamedTuple):
     is the number that the user gave, in the first of the units; `also` is another name of it.
     `exact` is the number in that unit where it is known so, and not by way of SI units.
     Where what was given is uncertain, the numbers are those of the `uncertainties` package.
+    The `form` is how people read them.
     A result that does not follow has no units; `lacking` tells in words what would do, or
     `because` why none would.
     """
@@ -108,6 +113,7 @@ class Value(NamedTuple):
     lacking: Callable[[], str] | None = None
     because: RadcalcError | None = None
     exact: Any = None
+    form: str = ""
 
     @property
     def in_first(self) -> Any:

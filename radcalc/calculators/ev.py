@@ -2,7 +2,7 @@
 
 import math
 
-from radcalc.answer import Answer
+from radcalc.answer import FRACTION, Answer
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
@@ -18,7 +18,6 @@ from radcalc.laws.exposure import (
     STEPS,
 )
 from radcalc.maths import any_true
-from radcalc.quantities.symbols import EXPOSURE_TIME
 from radcalc.units.scales import METER_UNITS, C, K, ScaleUnit, usual
 
 LIGHT = ("ev100", "luminance", "illuminance")
@@ -72,6 +71,8 @@ PAGE = Page(
         "guide-number=40m f-number=8",
     ),
     bare={**METER_UNITS, "time": "s", "unfiltered-time": "s"},
+    labels={"time": "exposure time"},
+    forms={"time": FRACTION, "unfiltered-time": FRACTION},
     remarks="{ev} is that of the f-number and the time, at the ISO speed given; {ev100} is that "
     "of the light.  From {luminance} to {illuminance} it takes an average scene; both of them give "
     "the reflectance of the scene.  {f-number} may be f/2.8, a fraction for {time} is in seconds, "
@@ -97,10 +98,7 @@ def ev(given: Inputs) -> Answer:
             raise ConditionError(
                 problem, mention("a longer {time}, or a shorter {unfiltered-time}")
             )
-    values = [
-        one._replace(label=EXPOSURE_TIME) if one.name == "time" else one for one in answer.values
-    ]
-    return answer._replace(values=values)
+    return answer
 
 
 def _exposed(given: Inputs) -> Answer:

@@ -179,7 +179,8 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
                 number = in_unit(value, unit)
                 if unit.dimension not in value.dimensions and not unit.is_scale:
                     label, letter = _of_kind(value, unit)
-            return _apart(Row(label, letter, number, text, case, name, is_given))
+            row = Row(label, letter, number, text, case, name, is_given, form=value.form)
+            return _apart(row)
     names = names_of(values)
     generic = SPECIFIC.get(name, ("", ""))[0]
     if generic in names:
@@ -234,7 +235,16 @@ def rows(values: Sequence[Value], case: str = "") -> list[Row]:
     Of several answers each begins with what was given, which tells them apart.
     """
     found = [
-        Row(v.label, v.letter, _shown(v, text), text, case, v.name, v.given is not None)
+        Row(
+            v.label,
+            v.letter,
+            _shown(v, text),
+            text,
+            case,
+            v.name,
+            v.given is not None,
+            form=v.form,
+        )
         for v in values
         for text in v.units
     ]

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from radcalc.answer import Answer
+from radcalc.answer import FRACTION, Answer
 from radcalc.calculators import light
 from radcalc.calculators.results import LINKS_HINT
 from radcalc.calculators.worksheet import Page, Worksheet
@@ -126,6 +126,7 @@ PAGE = Page(
         "flux=0.1uW wavelength=800nm quantum-efficiency=1/3 get=current:nA",
     ),
     bare={"time": "s"},
+    forms={"time": FRACTION},
     remarks="{radiance} is the scene's, the rest of the light is on the sensor: the camera "
     "equation stands between.  {f-number} is the marked one, of a lens focused far away, and "
     "{working-f-number} N (1 + m).  The area of a pixel is what collects light, and that of any "

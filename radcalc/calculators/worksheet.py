@@ -54,7 +54,8 @@ class Page(NamedTuple):
     has an `about` is a command of its own: one line that says what it gives, the symbols that
     can be given by the section of its help, examples (NAME=VALUE for each symbol), remarks in
     which {name} is a symbol, and the kinds of light that it takes.  `bare` are the units of what
-    is mostly written without one.
+    is mostly written without one; `labels` are those of symbols that have another meaning here,
+    and `forms` say how people read their numbers.
     """
 
     title: str
@@ -69,6 +70,12 @@ class Page(NamedTuple):
     kinds: tuple[str, ...] = KINDS
     takes_arrays: bool = True
     bare: Mapping[str, str] = MappingProxyType({})
+    labels: Mapping[str, str] = MappingProxyType({})
+    forms: Mapping[str, str] = MappingProxyType({})
+
+    def label_of(self, name: str) -> str:
+        """What a symbol is called here."""
+        return self.labels.get(name, SYMBOLS[name].label)
 
 
 T = TypeVar("T")
@@ -222,9 +229,13 @@ class Worksheet:
         results = [*first, *(row for name in found for row in shown.values[name])]
         for name in self.page.others:
             if name in self.given and self.given[name].symbol.form == QUANTITY:
-                results.append(known(self.given[name]))
+                result = known(self.given[name])
             elif name in values:
-                results.append(value(name, self.at(name)))
+                result = value(name, self.at(name))
+            else:
+                continue
+            form = self.page.forms.get(name, "")
+            results.append(result._replace(label=self.page.label_of(name), form=form))
         results += [value(name, ratio) for name, ratio in light.efficacies(self.lit)]
         results += self._absent(laws)
         before = [*self.lit.steps, *self.placed]
@@ -311,7 +322,7 @@ class Worksheet:
 
             symbol = SYMBOLS[name]
             also = specific_name(name, self.lit.kind) if name == symbol.generic else ""
-            label = symbol.label
+            label = self.page.label_of(name)
             rows.append(
                 Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)
             )

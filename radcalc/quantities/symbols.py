@@ -78,7 +78,6 @@ PAIR = "pair"  # of whole numbers, within the limits
 UNIT, WORD = "unit", "word"
 
 
-EXPOSURE_TIME = "exposure time"  # which people read as a fraction of a second
 NOWHERE: dict[str, tuple[str, str]] = {}
 
 
@@ -397,7 +396,7 @@ _ROWS = (
     _symbol(NUMBER, "stops", "n", "3", "How many stops the filter takes.", FROM_ZERO,
         label="stops of the filter"),
     _symbol(TIME, "unfiltered-time", "t0", "1/60s", "Exposure time without the filter.",
-        label=f"{EXPOSURE_TIME} without the filter", unit="s"),
+        label="exposure time without the filter", unit="s"),
     _length("guide-number", "GN", "40m", "Guide number of a flash, at ISO 100.",
         label="guide number"),
     _symbol(times(LUMINANCE, TIME), "k", "K", "12.5cd.s/m2",

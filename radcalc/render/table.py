@@ -13,16 +13,16 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from radcalc.answer import Result, Row, shows, varying
+from radcalc.answer import FRACTION, Result, Row, shows, varying
 from radcalc.quantities.language import translate
-from radcalc.quantities.symbols import EXPOSURE_TIME
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import derivation, number, uncertain
 from radcalc.stdio import HANGING, fold
 
 DIGITS = 6
-GAP = 3  # columns of the terminal between two of a table
+BLANK = 1  # columns of the terminal between two of a table, which have one at either side
+GAP = BLANK + 2
 LONG = 12  # letters of a word that may be folded
 LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
 KEPT = "\xa0"  # a blank at which no line is folded
@@ -134,8 +134,8 @@ def _wide(
 
 def _number(row: Row, precision: int | None) -> str:
     """The number of a row, with its uncertainty; of a short exposure time 1/60."""
-    is_shutter = row.quantity.startswith(EXPOSURE_TIME) and row.unit == "s"
-    if is_shutter and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
+    is_fraction = row.form == FRACTION and row.unit == "s"
+    if is_fraction and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
         return f"1/{number(1 / row.value, precision or DIGITS)}"
     return uncertain(row.value, row.uncertainty, precision, DIGITS)
 
@@ -171,8 +171,12 @@ def draw(
         whole.remove("unit")
     widths = _widths([header, *rows], whole, width)
     if widths:
-        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
+        # Columns of blanks keep the others apart: before Rich 14 the padding of cells was counted
+        # at the edges as well, where there is none, and a table as wide as its room was squeezed.
+        table = Table(box=box.SIMPLE_HEAD, padding=0, show_edge=False)
         for name, columns in zip(header, widths, strict=True):
+            if table.columns:
+                table.add_column(width=BLANK)
             table.add_column(
                 Text(name),
                 width=columns,
@@ -181,7 +185,8 @@ def draw(
                 overflow="fold",
             )
         for cells in rows:
-            table.add_row(*(Text(cell) for cell in cells))
+            apart = [part for cell in cells for part in (None, Text(cell))]
+            table.add_row(*apart[1:])
         console.print(table)
     else:
         out.write(

@@ -148,3 +148,9 @@ def test_arrays_of_times():
     )  # fmt: skip
     expected = [PHOTONS * 0.5e-3, PHOTONS * 1e-3]
     assert found["electrons"].magnitude == pytest.approx(expected)
+
+
+def test_a_short_exposure_time_is_a_fraction_in_a_table_only():
+    words = ("sensor", "--luminance", "1000cd/m2", "--f-number", "4", "--time", "0.008s")
+    assert "1/125 " in run(*words, "--format", "table").stdout  # 1 / 0.008
+    assert "time\t0.008\ts" in run(*words).stdout

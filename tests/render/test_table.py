@@ -4,6 +4,10 @@ import pytest
 from conftest import run
 from helpers import screen_of
 
+from radcalc.answer import FRACTION, Result, Row
+from radcalc.render import table
+from radcalc.render.formats import Style
+
 
 def test_a_terminal_gets_a_table_with_what_was_assumed_below():
     screen = screen_of("convert", "800", "lm", "cd", "--isotropic", NO_COLOR="1")
@@ -76,3 +80,20 @@ def test_two_answers_with_the_same_rows_are_a_line_each():
     lines = run(*words).stdout.splitlines()
     assert lines[0].split()[:4] == ["I_v", "[cd]", "d", "[m]"]
     assert [line.split()[:2] for line in lines[2:4]] == [["100", "1"], ["100", "2"]]
+
+
+def test_a_row_says_itself_that_its_number_is_read_as_a_fraction():
+    row = Row("quelque durée", "t", 1 / 60, "s", form=FRACTION)
+    assert "1/60 " in table.results([Result((row,))], Style())
+    assert "16.6667 " in table.results(
+        [Result((row._replace(value=1e3 / 60, unit="ms"),))], Style()
+    )
+    assert "1/60" not in table.results([Result((row._replace(form=""),))], Style())
+
+
+def test_a_table_may_be_as_wide_as_its_room():
+    header, cells = ["what", "value"], ["a" * 10, "123"]
+    width = 10 + 3 + 5  # the two columns, and what is between them
+    head, rule, line = table.draw(header, [cells], [], width, False, right=["value"]).splitlines()
+    assert [head.split(), line.split()] == [header, cells]
+    assert len(rule) == width
