@@ -192,9 +192,11 @@ def results_of(command: SectionedCommand) -> list[str]:
 
 
 def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
-    """The words of the examples in a help; those of a shell are left as they are."""
+    """The words of a command's examples in its help, which may have some of others."""
     for line in EXAMPLE.findall((command.help or "").replace("\\\n", " ")):
-        yield protect_negatives(line.partition("  ")[0].split())
+        words = line.partition("  ")[0].split()
+        if words[0] == command.name:
+            yield protect_negatives(words)
 
 
 def _leaves(name: str) -> bool:

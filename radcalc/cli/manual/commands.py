@@ -15,7 +15,7 @@ from radcalc.cli.compile import examples_of, results_of
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, literal, plain, sentences, text
 from radcalc.errors import RadcalcError
-from radcalc.quantities.light import KINDS
+from radcalc.quantities.light import KINDS, RADIANT
 from radcalc.quantities.symbols import (
     LINKS,
     SPECIFIC,
@@ -23,6 +23,7 @@ from radcalc.quantities.symbols import (
     Symbol,
     light_unit,
     names_of_kinds,
+    specific_name,
 )
 
 TOP = click.Context(commands, info_name="radcalc", **commands.context_settings)
@@ -160,10 +161,16 @@ def _rows(found: SectionedCommand) -> dict[str, Row]:
 
 
 def _kinds(found: SectionedCommand) -> list[str]:
-    """The kinds of light that a command takes: those whose names are options of it."""
+    """The kinds of light that a command takes, by the names of its options.
+
+    A name such as irradiance is that of every kind, and of the radiant one.
+    """
     options = {spelling.removeprefix("--") for one in found.params for spelling in one.opts}
-    kinds = [kind for kind in KINDS if any(SPECIFIC.get(one, "  ")[1] == kind for one in options)]
-    return kinds or [*KINDS]
+    kinds = {SPECIFIC[one][1] for one in options if one in SPECIFIC}
+    generic = [one for one in options if one in SYMBOLS and SYMBOLS[one].generic == one]
+    if any(specific_name(one, RADIANT) == one for one in generic):
+        kinds.add(RADIANT)
+    return [kind for kind in KINDS if kind in kinds] or [*KINDS]
 
 
 def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
