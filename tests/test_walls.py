@@ -3,6 +3,7 @@
 import ast
 import json
 import re
+from functools import cache
 
 import pytest
 from conftest import ROOT, python
@@ -57,6 +58,7 @@ LAYERS = [
 ROOMS = [room for row in LAYERS for room in row]
 
 
+@cache
 def tree_of(name: str) -> ast.Module:
     """The source of a module, without what is there for type checkers alone."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
@@ -66,6 +68,7 @@ def tree_of(name: str) -> ast.Module:
     return tree
 
 
+@cache
 def imports(name: str) -> set[str]:
     """Everything a module imports, wherever in it, type checking apart."""
     found = set()
