@@ -1,0 +1,72 @@
+"""Make the pictures of the README from real runs: python docs/pictures.py [FOLDER].
+
+It runs the `radcalc` that is on the PATH, on a terminal, from the project's folder.
+"""
+
+import fcntl
+import io
+import os
+import pty
+import shlex
+import struct
+import subprocess
+import sys
+import termios
+from pathlib import Path
+
+from rich.console import Console
+from rich.text import Text
+
+HERE = Path(__file__).parent
+WIDTH, HEIGHT = 80, 50
+SESSION = (
+    "radcalc 800 lm cd",
+    "radcalc 800 lm lx --isotropic --distance 2m",
+    "radcalc 500 lx ppfd --spectrum LED-B3",
+    "radcalc point-source --flux 500lm --beam-angle 30deg --distance 1m,2m,5m \\\n"
+    "    -g irradiance:lx -g beam-diameter:m --format table",
+)
+DOWNLIGHT = "radcalc point-source --distribution examples/downlight.ies --plot {}"
+
+
+def run(command: str) -> str:
+    """What a command shows on a terminal of its own."""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", HEIGHT, WIDTH, 0, 0))
+    left_out = ("NO_COLOR", "FORCE_COLOR", "COLUMNS")
+    env = {name: value for name, value in os.environ.items() if name not in left_out}
+    words = shlex.split(command.replace("\\\n", ""))
+    env |= {"TERM": "xterm-256color", "LC_ALL": "C.UTF-8"}
+    with subprocess.Popen(
+        words, cwd=HERE.parent, stdin=theirs, stdout=theirs, stderr=theirs, env=env
+    ):
+        os.close(theirs)
+        written = b""
+        try:
+            while data := os.read(ours, 1 << 16):
+                written += data
+        except OSError:  # as Linux tells the end of a terminal
+            pass
+    os.close(ours)
+    return written.decode().replace("\r\n", "\n")
+
+
+def session(path: Path) -> None:
+    """Draw a terminal with the commands of SESSION and what they print."""
+    console = Console(record=True, width=WIDTH, file=io.StringIO(), force_terminal=True)
+    for command in SESSION:
+        console.print(Text.assemble(("$ ", "green"), command))
+        console.print(Text.from_ansi(run(command)))
+    path.write_text(console.export_svg(title="radcalc", unique_id="session"), encoding="utf-8")
+
+
+def main(folder: Path = HERE) -> None:
+    """Write all pictures."""
+    session(folder / "session.svg")
+    path = folder / "downlight.svg"
+    path.unlink(missing_ok=True)
+    run(DOWNLIGHT.format(shlex.quote(str(path.resolve()))))
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

@@ -1,0 +1,80 @@
+"""The README's table of what other calculators answer: each is asked, and radcalc too."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT, run
+
+SECTION = (ROOT / "README.md").read_text("utf-8").partition("## What others answer\n")[2]
+ABOUT, _, TABLE = SECTION.partition("\n\n| question ")
+ROWS = [line.strip("| ").split(" | ") for line in TABLE.split("\n\n")[0].splitlines()[2:]]
+TOOLS = ("units", "qalc", "Pint")  # in the order of the columns
+VERSIONS = dict(re.findall(r"(units|qalc) ([\d.]+\d)", ABOUT))  # those that differ by it
+ASK_PINT = "import pint, sys; print(pint.UnitRegistry()(sys.argv[1]).to(sys.argv[2]))"
+EXPONENTS = str.maketrans({"²": "**2", "µ": "u"})
+PLAIN = str.maketrans({"²": "2", "µ": "u"})
+
+
+def codes(cell):
+    """What a cell has as code."""
+    return re.findall(r"`(.*?)`", cell)
+
+
+def said(*words, home):
+    """What a command prints, on either stream."""
+    env = os.environ | {"HOME": str(home), "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(
+        words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", env=env
+    )
+    return done.stdout.strip()
+
+
+def asked(tool, source, target, home):
+    """What another calculator says, and its version."""
+    if tool == "units":
+        found = said("units", "--version", home=home).split()[3]
+        return found, said("units", "-1", "-t", source, target.translate(PLAIN), home=home)
+    if tool == "qalc":
+        found = said("qalc", "--version", home=home)
+        return found, said("qalc", "-t", f"{source} to {target.translate(PLAIN)}", home=home)
+    words = [text.translate(EXPONENTS) for text in (source, target)]
+    return "", said(sys.executable, "-c", ASK_PINT, *words, home=home)
+
+
+def test_the_table_is_read():
+    assert len(ROWS) == 5
+    assert VERSIONS.keys() == {"units", "qalc"}
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
+@pytest.mark.parametrize("tool", TOOLS)
+def test_another_calculator_answers_what_the_table_says(tool, row, tmp_path):
+    assert tool == "Pint" or shutil.which(tool), f"{tool} is needed here"
+    source, target = codes(row[0])
+    found, answer = asked(tool, source, target, tmp_path)
+    if not found.startswith(VERSIONS.get(tool, "")):
+        pytest.skip(f"the table is about {tool} {VERSIONS[tool]}, and this is {found}")
+    cell = row[1 + TOOLS.index(tool)]
+    (expected,) = codes(cell)
+    if cell.startswith("refused: "):
+        assert expected in answer
+    else:
+        assert answer == expected
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
+def test_radcalc_answers_what_the_table_says(row):
+    words = [text.translate(PLAIN) for text in codes(row[0])]
+    *option, expected = codes(row[4])
+    if option:
+        refused = run(*words[0].split(), words[1])
+        needed = re.findall(r"asks for a ([\w ]+):", row[4])[0]
+        assert refused.returncode == 2
+        assert needed in refused.stderr
+        assert option[0].split()[0] in refused.stderr
+    done = run(*words[0].split(), words[1], *" ".join(option).split(), "-q")
+    assert done.stdout.split() == expected.split()
