@@ -142,7 +142,10 @@ def _draw(
     shown: Output,
     operands: tuple[Input, ...],
 ) -> int:
-    """Draw what the points of a grid get, beside the answer over all of them."""
+    """Draw what the points of a grid get, beside the answer over all of them.
+
+    A result of each point that is asked for is what is drawn.
+    """
     from radcalc.calculators import scene as page
     from radcalc.plots.places import Surveyed
 
@@ -156,7 +159,9 @@ def _draw(
         sources.extend((one.name, one.source.place) for one in own.scene.sources)
         return own.remarks(points.is_grid, with_values=True)
 
-    drawn = Surveyed(points.axes, blocks, sources)
+    of_each = [name for name in asked.wanted if not page.is_of_all(name.partition(":")[0].strip())]
+    drawn = Surveyed(points.axes, blocks, sources, *of_each[:1])
+    asked = asked._replace(wanted=() if of_each else asked.wanted)
     return run([Case(given)], work_out, asked, shown, "scene", operands=operands, drawn=drawn)
 
 

@@ -42,7 +42,7 @@ def picture(
     if along and command not in LISTS:
         return curves(solved, wanted)
     if command not in OF_ONE:
-        raise UsageError("a single answer has nothing to be drawn", mention(RANGE))
+        raise UsageError("there is no picture of a single answer here", mention(RANGE))
     return OF_ONE[command](solved, wanted, operand)
 
 
@@ -74,7 +74,7 @@ def _point_source(solved: Sequence[Solved], wanted: Sequence[str], operand: Any)
 def _scene(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.plots.places import over_grid
 
-    return over_grid(operand, *wanted[:1])
+    return over_grid(operand)
 
 
 def _sky(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:

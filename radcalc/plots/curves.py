@@ -9,10 +9,11 @@ from radcalc.calculators.results import pick
 from radcalc.errors import ConditionError, UsageError, mention, option, quote
 from radcalc.given import Given, Inputs
 from radcalc.maths import is_array
-from radcalc.plots.data import Axis, Chart, Series
+from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
 from radcalc.quantities.symbols import DIRECTION, QUANTITY
 
 MOST = 20_000  # points of a picture
+SMOOTH = 16  # points from which on there is a line between them
 WIDE = 50.0  # from where on the ratio of what is along an axis asks for a logarithmic one
 PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
 RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
@@ -41,7 +42,7 @@ def varied(solved: Sequence[Solved]) -> list[str]:
 
 
 def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
-    """Results over what varies; of several lists the last is along the axis.
+    """Results over what varies; of several lists the last one of numbers is along the axis.
 
     Parameters
     ----------
@@ -55,7 +56,10 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     UsageError
         If there is nothing to draw, or results in different units.
     """
-    *others, along = varied(solved)
+    lists = varied(solved)
+    numbers = [name for name in lists if _is_number(solved[0].given[name])]
+    along = (numbers or lists)[-1]
+    others = [name for name in lists if name != along]
     own = solved[0].given[along]
     wanted = wanted or [_usual(solved, along)]
     lines: dict[str, tuple[list[float], list[float]]] = {}
@@ -82,7 +86,10 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     y_axis = Axis(names[0] if len(names) == 1 else "", rows[0].unit, is_log=is_log)
     fixed = [one for name, one in solved[0].given.items() if name not in (*others, along)]
     title = ", ".join(f"{one.name} {one.text}".strip() for one in fixed)
-    return Chart(title, x_axis, y_axis, [Series(label, x, y) for label, (x, y) in lines.items()])
+    drawn = [
+        Series(label, x, y, LINE if len(x) >= SMOOTH else POINTS) for label, (x, y) in lines.items()
+    ]
+    return Chart(title, x_axis, y_axis, drawn)
 
 
 def _usual(solved: Sequence[Solved], along: str) -> str:
@@ -109,10 +116,16 @@ def _places(given: Given) -> list[float]:
     """Where the answers stand along the axis."""
     if given.symbol.form == DIRECTION:
         return [math.degrees(given.value[0])]
-    if given.symbol.form != QUANTITY or given.number is None:
+    if not _is_number(given):
         problem = f"{option(given.name, quote(given.text))} is no number to be on an axis"
         raise ConditionError(problem, mention(RANGE))
     return [float(x) for x in (given.number if is_array(given.number) else [given.number])]
+
+
+def _is_number(given: Given) -> bool:
+    return given.symbol.form == DIRECTION or (
+        given.symbol.form == QUANTITY and given.number is not None
+    )
 
 
 def _name(given: Given) -> tuple[str, str]:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-LINE, REFERENCE, LINES = "line", "reference", "lines"  # how a series is drawn
+LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # how a series is drawn
 Values = Sequence[float]
 
 
@@ -25,7 +25,8 @@ class Axis(NamedTuple):
 class Series(NamedTuple):
     """Points of a curve, and its name.
 
-    A `REFERENCE` is there to compare with, `LINES` are upright from 0 to each point.
+    A `REFERENCE` is there to compare with, `LINES` are upright from 0 to each point, and `POINTS`
+    are too few for a line between them to tell the truth.
     """
 
     label: str

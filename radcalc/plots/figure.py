@@ -10,6 +10,7 @@ from typing import Any
 from radcalc.errors import ConditionError
 from radcalc.plots.data import (
     LINES,
+    POINTS,
     REFERENCE,
     Axis,
     Chart,
@@ -130,6 +131,8 @@ def _chart(chart: Chart, made: Any) -> None:
     for one in chart.series:
         if one.style == REFERENCE:
             axes.plot(one.x, one.y, color=GREY, linestyle=(0, (2, 2)), lw=1.3, label=one.label)
+        elif one.style == POINTS:
+            axes.plot(one.x, one.y, "o", color=next(colors), ms=6, label=one.label)
         elif one.style == LINES:
             axes.vlines(one.x, 0, one.y, color=next(colors), lw=2, label=one.label)
         else:

@@ -9,6 +9,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.results import pick
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
+from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import AS_GRID
 from radcalc.plots.data import Axis, Chart, Field, Mark, Picture, Series
 
@@ -16,21 +17,21 @@ NAMES = "xyz"
 
 
 class Surveyed(NamedTuple):
-    """A grid, what its points get in blocks of them, and what stands where."""
+    """A grid, what its points get in blocks of them, what stands where, and what is drawn of it."""
 
     axes: Sequence[Coordinates]
     blocks: Iterable[Answer]
-    sources: Sequence[tuple[str, tuple[float, float, float]]] = ()
+    sources: Sequence[tuple[str, Vector]] = ()
+    wanted: str = "irradiance"
 
 
-def over_grid(found: Surveyed, wanted: str = "irradiance") -> Picture:
+def over_grid(found: Surveyed) -> Picture:
     """What the points of a grid get: contours over a plane, or a curve along a line.
 
     Parameters
     ----------
     found : Surveyed
-    wanted : str, optional
-        The result, NAME[:UNIT].
+        The result that is `wanted` of it is NAME[:UNIT].
 
     Raises
     ------
@@ -42,7 +43,7 @@ def over_grid(found: Surveyed, wanted: str = "irradiance") -> Picture:
         what = "a single point" if not long else "a grid in x, y and z"
         problem = f"{what} has no picture"
         raise UsageError(problem, option("grid", AS_GRID))
-    rows = [pick(block.values, wanted) for block in found.blocks]
+    rows = [pick(block.values, found.wanted) for block in found.blocks]
     values = numpy.concatenate([row.value for row in rows])
     value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
     lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in found.axes]

@@ -14,6 +14,7 @@ from plotille import Canvas
 from radcalc.plots.data import (
     LINE,
     LINES,
+    POINTS,
     REFERENCE,
     Axis,
     Chart,
@@ -38,6 +39,7 @@ COLORS = ("32", "35", "36", "31", "34", "33")  # green first: seen on light and 
 DIM, RESET = "\033[2m", "\033[0m"
 MARKS = "*+o#x%@&"  # of curves, in ASCII
 FAINT = "."  # what is behind the curves, in ASCII
+NARROWEST = 40  # columns: no narrower terminal is drawn for
 LEAST, MOST = 10, 24  # rows of a chart
 SHARE = 5  # columns for each row of a chart
 APART = 3  # dots of a dotted line
@@ -144,6 +146,7 @@ def draw(picture: Picture, style: Style) -> str:
         Field: _field,
         Disc: _disc,
     }
+    style = style._replace(width=max(style.width, NARROWEST))
     lines = ways[type(picture)](picture, style)
     text = "".join(f"{line.rstrip()}\n" for line in lines)
     return _in_ascii(text) if style.ascii else text
@@ -217,7 +220,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     lines = [*_title(polar.title, style), *(left + line for line in sheet.lines(style))]
     return [
         *lines,
-        f"{' ' * max((style.width - len(said)) // 2, 0)}{said}",
+        *_caption(said, 0, style.width),
         *_legend(legend, style),
     ]
 
@@ -271,12 +274,13 @@ def _field(field: Field, style: Style) -> list[str]:
     drawn = field.xs, field.ys, field.rows
     _place_marks(sheet, field.marks)
     said = _contours(sheet, drawn, field.value, field.marks)
-    lines = [*_title(field.title, style), f"{' ' * (left - 1)}{field.y.title}"]
+    lines = [*_title(field.title, style), *_upright_title(field.y, left, style)]
     for row, line in enumerate(sheet.lines(style)):
         name = numbered.get(row, "")
         lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
     x_ticks = ticks(*x_ends, max(columns // 10, 2))
-    return [*lines, *_below(field.x, sheet, x_ticks, float, left, style), said]
+    below = _below(field.x, sheet, x_ticks, float, left, style)
+    return [*lines, *below, *fold(said, style.width)]
 
 
 def _disc(disc: Disc, style: Style) -> list[str]:
@@ -304,7 +308,7 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         said = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
     left = " " * max((style.width - columns) // 2, 0)
     lines = [*_title(disc.title, style), *(left + line for line in sheet.lines(style))]
-    return [*lines, said]
+    return [*lines, *_caption(said, 0, style.width)]
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
@@ -439,17 +443,25 @@ def _chart(chart: Chart, style: Style) -> list[str]:
     )
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)
-    legend = []
+    legend, drawn = [], []
     for k, one in enumerate(chart.series):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         if one.style == REFERENCE:
             color, mark = DIM[2:-1], FAINT
         points = [(x_of(x), y_of(y)) for x, y in zip(one.x, one.y, strict=True)]
         _curve(sheet.layer(color, mark), points, one.style, sheet)
+        if one.style in (LINE, POINTS):
+            drawn.append((dict(sheet.place(*point) for point in points), color))
         if one.label:
             legend.append((_sample(one, mark, style), color, one.label))
+    if len(drawn) > 1:
+        _number(sheet, drawn)
+        legend = [
+            (sample if k > len(drawn) else f"{k} {sample}", color, label)
+            for k, (sample, color, label) in enumerate(legend, start=1)
+        ]
     numbered = dict(zip([_row(sheet, y_of(y)) for y in y_ticks], names, strict=True))
-    lines = [*_title(chart.title, style), f"{' ' * (left - 1)}{chart.y.title}"]
+    lines = [*_title(chart.title, style), *_upright_title(chart.y, left, style)]
     for row, line in enumerate(sheet.lines(style)):
         name = numbered.get(row, "")
         lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
@@ -459,6 +471,29 @@ def _chart(chart: Chart, style: Style) -> list[str]:
 def _title(title: str, style: Style) -> list[str]:
     """The title, folded between its words."""
     return fold(title, style.width) if title else []
+
+
+def _upright_title(axis: Axis, left: int, style: Style) -> list[str]:
+    """The title of an axis that stands, over it."""
+    return [" " * (left - 1) + part for part in fold(axis.title, style.width - left)]
+
+
+def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:
+    """Write the number of each curve on it, as high as it is apart from the others.
+
+    A curve is its rows by its columns.
+    """
+    for k, (own, color) in enumerate(drawn):
+        others = [rows for j, (rows, _) in enumerate(drawn) if j != k]
+
+        def room(column: int, own: dict[int, int] = own, others: Any = others) -> tuple[int, int]:
+            apart = [abs(own[column] - rows.get(column, -APART)) for rows in others]
+            return min(APART, *apart), -own[column]
+
+        free = [column for column in own if (column, own[column]) not in sheet.texts]
+        if free:
+            column = max(free, key=room)
+            sheet.write(column, own[column], str(k + 1), color)
 
 
 def _scale(is_log: bool) -> Callable[[float], float]:
@@ -505,10 +540,22 @@ def _curve(canvas: Any, points: list[tuple[float, float]], style: str, sheet: Sh
     if style == REFERENCE:
         _dotted(canvas, points)
         return
-    if len(points) == 1:
-        canvas.point(*points[0])
+    if style == POINTS:
+        for x, y in points:
+            _blot(canvas, x, y, sheet)
+        return
     for (x0, y0), (x1, y1) in pairwise(points):
         canvas.line(x0, y0, x1, y1)
+
+
+def _blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
+    """Three dots by three, as far as they are inside, about a point."""
+    across = (sheet.x[1] - sheet.x[0]) / (2 * sheet.columns)
+    up = (sheet.y[1] - sheet.y[0]) / (4 * sheet.rows)
+    for i in (-1, 0, 1):
+        for j in (-1, 0, 1):
+            if not i or not j:
+                canvas.point(x + i * across, y + j * up)
 
 
 def _dotted(canvas: Any, points: list[tuple[float, float]], apart: int = APART) -> None:
@@ -542,11 +589,18 @@ def _below(
         rule[column] = "┬"
         numbers[start : start + len(text)] = text
         taken = start + len(text) + 1
-    title = axis.title
     return [
         _dim(f"{' ' * (left - 1)}└{''.join(rule)}", style),
         _dim("".join(numbers), style),
-        f"{' ' * max(left + (sheet.columns - len(title)) // 2, 0)}{title}",
+        *_caption(axis.title, left, sheet.columns),
+    ]
+
+
+def _caption(text: str, start: int, room: int) -> list[str]:
+    """A text in the middle of a room, folded where it is longer."""
+    return [
+        " " * (start + (room - len(part)) // 2) + part
+        for part in fold(text, max(room, NARROWEST // 2))
     ]
 
 
@@ -554,7 +608,9 @@ def _sample(one: Series, mark: str, style: Style) -> str:
     """How a curve looks, beside its name."""
     if style.ascii:
         return mark * 2
-    return {REFERENCE: "\u2804\u2804", LINES: "\u28b8\u2847"}.get(one.style, "\u2824\u2824")
+    return {REFERENCE: "\u2804\u2804", LINES: "\u28b8\u2847", POINTS: "\u2822\u2876"}.get(
+        one.style, "\u2824\u2824"
+    )
 
 
 def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
@@ -563,6 +619,7 @@ def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
         return []
     lines, line, size = [], "", 0
     for sample, color, label in entries:
+        label, *rest = fold(label, style.width - len(sample) - 1)
         text = f"{sample} {label}"
         if size and size + GAP + len(text) > style.width:
             lines.append(line)
@@ -571,4 +628,7 @@ def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
             line, size = line + " " * GAP, size + GAP
         shown = f"\033[{color}m{sample}{RESET}" if style.color else sample
         line, size = f"{line}{shown} {label}", size + len(text)
-    return [*lines, line]
+        if rest:
+            lines += [line, *(f"   {part}" for part in rest)]
+            line, size = "", 0
+    return [*lines, *([line] if line else [])]

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
+DIGITS = 6  # of a number, unless more tell it from others
 ROUNDING = 1e-9  # of a step: a tick is not left out for it
 
 
@@ -35,7 +36,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     while first * step <= high + step * ROUNDING:
         found.append(float(f"{first * step:.12g}"))
         first += 1
-    return found if len(found) <= most else ticks(low, high, most - 1)
+    return found if len(found) <= most or most <= 2 else ticks(low, high, most - 1)
 
 
 def round_step(least: float) -> float:
@@ -115,11 +116,15 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
 
 
 def texts(values: list[float]) -> list[str]:
-    """Numbers as an axis has them: as many places as tell them apart.
+    """Different numbers as an axis has them, with as many digits as tell them apart.
 
     Examples
     --------
     >>> texts([0.0, 0.5, 1.0]), texts([0.0, 2e-7])
     (['0', '0.5', '1'], ['0', '2e-07'])
     """
-    return [f"{value + 0.0:.6g}" for value in values]
+    for digits in range(DIGITS, 17):
+        found = [f"{value + 0.0:.{digits}g}" for value in values]
+        if len(set(found)) == len(values):
+            break
+    return found

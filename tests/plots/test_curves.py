@@ -12,6 +12,7 @@ from radcalc.errors import UsageError
 from radcalc.given import read, values_of
 from radcalc.plots.answers import picture
 from radcalc.plots.curves import Solved
+from radcalc.plots.data import LINE, POINTS
 from radcalc.plots.places import Surveyed, over_grid
 
 
@@ -24,7 +25,7 @@ def test_the_fall_off_of_a_point_is_the_inverse_square():
     each = [solved(point_source, intensity="100cd", distance=f"{d}m") for d in (1, 2, 5)]
     chart = picture("point-source", each)
     (curve,) = chart.series
-    assert (curve.x, curve.y) == ([1, 2, 5], [100, 25, 4])
+    assert (curve.x, curve.y, curve.style) == ([1, 2, 5], [100, 25, 4], POINTS)
     assert (chart.x.title, chart.y.title) == ("distance d [m]", "illuminance E_v [lx]")
     assert chart.title == "intensity 100cd"
 
@@ -33,7 +34,7 @@ def test_a_long_range_is_a_curve_of_its_own():
     (places,) = values_of("distance", "100cm:300cm:1mm", arrays=True)
     one = solved(point_source, intensity="100cd", distance=places)
     (curve,) = picture("point-source", [one], ["irradiance:klx"]).series
-    assert len(curve.x) == 2001
+    assert (len(curve.x), curve.style) == (2001, LINE)
     assert (curve.x[0], curve.x[-1]) == (100, 300)
     assert (curve.y[0], curve.y[1000]) == (pytest.approx(0.1), pytest.approx(0.025))
 
@@ -88,7 +89,7 @@ def test_what_cannot_be_on_one_axis_is_refused(wanted, problem):
 
 
 def test_a_number_alone_has_no_picture():
-    with pytest.raises(UsageError, match="nothing to be drawn") as caught:
+    with pytest.raises(UsageError, match="no picture of a single answer") as caught:
         picture("lambertian", [solved(lambda g: lambertian("patch", g), luminance="1cd/m2")])
     assert "distance 1m:10m:0.1m" in str(caught.value)
 
@@ -112,7 +113,8 @@ def test_a_field_has_a_row_for_each_y():
 
 
 def test_a_grid_along_a_line_is_a_curve_and_others_are_refused():
-    chart = over_grid(surveyed((0, 2, 3), (0, 0, 1), (0, 0, 1)), "irradiance:klx")
+    own = surveyed((0, 2, 3), (0, 0, 1), (0, 0, 1))._replace(wanted="irradiance:klx")
+    chart = over_grid(own)
     assert chart.series[0].y[1] == pytest.approx(0.025)
     for axes in (((0, 0, 1),) * 3, ((0, 1, 2),) * 3):
         with pytest.raises(UsageError, match="has no picture"):
