@@ -1,11 +1,11 @@
 """`radcalc typical [SEARCH]`: values for orientation, with their sources."""
 
-from radcalc.answer import texts_of
+from radcalc.answer import Result, texts_of
 from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import translate
 from radcalc.quantities.symbols import CHOICE
-from radcalc.quantities.typical import search
+from radcalc.quantities.typical import how_far, search
 from radcalc.quantities.typical import words as searches
 from radcalc.render.formats import CSV, JSON, Records
 
@@ -25,7 +25,8 @@ def command(words: tuple[str, ...], shown: Output) -> None:
     Where a table of lecture notes is wrong, the corrected value is given, and a note says so.
     """
     refuse_number_options(shown, "typical")
-    found = search(" ".join(words))
+    text = " ".join(words)
+    found = search(text)
     fields: tuple[str, ...] = ("what", "quantity", "value", "unit", "source", "note")
     if shown.format in (JSON, CSV):
         fields = (*fields, "low", "high")
@@ -34,5 +35,7 @@ def command(words: tuple[str, ...], shown: Output) -> None:
     told = [{"what": v.name(language), "quantity": translate(v.quantity, language)} for v in found]
     table = [{**row, **names} for row, names in zip(rows, told, strict=True)]
     notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in found if v.note]
-    inputs = texts_of({"search": " ".join(words)})
+    inputs = texts_of({"search": text})
     shown.records(Records(rows, notes, table, right=("value",), inputs=inputs))
+    if shown.format != JSON and (far := how_far(text, found)):
+        shown.remark([Result((), notes=(far,))])

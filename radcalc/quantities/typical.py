@@ -10,8 +10,9 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, comparable, matching
 from radcalc.quantities.typical_values import VALUES, Typical
-from radcalc.units.amounts import read_amount
+from radcalc.units.amounts import Amount, read_amount
 from radcalc.units.scales import ScaleUnit, resolve_any
+from radcalc.units.table import Unit
 
 THINGS = (
     *("sun", "sky", "overcast", "shade", "twilight", "moon", "starlight", "cloud", "UV"),
@@ -24,6 +25,7 @@ THINGS = (
     *("улица", "свеча", "лампа", "фара", "фонарик", "лазер", "экран", "растения"),
 )
 NEAREST = 7  # values that are shown beside one that is asked about
+FAR = 10.0  # times, from which a value is not near
 ENDING = 2  # letters of a word that its case may change, in Czech and Russian
 STEM = 4  # letters that stay
 
@@ -85,34 +87,74 @@ def _in_unit(text: str) -> list[Typical]:
     return [value for value in VALUES if value.measured.dimension == unit.dimension]
 
 
-def _near(text: str) -> list[Typical]:
-    """What has an amount in its name, and the values of its quantity nearest to it, by their ratio.
+def how_far(text: str, found: list[Typical]) -> str:
+    """What to say where a value that is asked about is far from all that are found."""
+    amount = _amount(text.strip())
+    if not amount or any(_is_named(value, amount) for value in found):
+        return ""
+    away = min(_away(value, amount) for value in found)
+    if away < math.log(FAR):
+        return ""
+    return (
+        f"even the nearest of these differs from {quote(text.strip())} {math.exp(away):.2g} times"
+    )
 
-    None for a word.
-    """
+
+def _amount(text: str) -> Amount | None:
+    """The amount that values are to be near to; None for a word, or a number alone."""
     try:
         amount = read_amount(text)
     except NumberError:
-        if text[0].isdigit():
+        if text[:1].isdigit():
             raise
-        return []
+        return None
     except RadcalcError:
-        return []
-    if amount.unit is None:
+        return None
+    return amount if amount.unit else None
+
+
+def _near(text: str) -> list[Typical]:
+    """What has an amount in its name, and the values of its quantity nearest to it, by their ratio.
+
+    Of values that are as near an exact one comes before a range; sums of a day stand behind what
+    is of a moment, or before it where a sum is asked about.  None for a word.
+    """
+    amount = _amount(text)
+    if amount is None or amount.unit is None:
         return []
     known = [value for value in VALUES if value.measured.dimension == amount.unit.dimension]
-    size = amount.number * float(amount.unit.factor)
-    if known and size <= 0:
+    if known and _size(amount) <= 0:
         raise UsageError(f"no typical value is near '{quote(text)}'", "more than 0")
+    is_of_day = _is_of_day(amount.unit)
 
-    def away(value: Typical) -> float:
-        low, high = (_in_si(value, end) for end in (value.low, value.high))
-        return max(math.log(low / size), math.log(size / high), 0.0)
+    def order(value: Typical) -> tuple[bool, float, bool]:
+        is_range = value.low != value.high
+        return _is_of_day(value.measured) != is_of_day, _away(value, amount), is_range
 
-    typed = f"{amount.number:g} {amount.unit.text}"
-    named = matching(typed, VALUES, lambda value: value.what, str.__eq__)  # a bulb of 60 W
-    near = [value for value in sorted(known, key=away) if value not in named]
+    named = [value for value in VALUES if _is_named(value, amount)]
+    near = [value for value in sorted(known, key=order) if value not in named]
     return [*named, *near[:NEAREST]]
+
+
+def _is_named(value: Typical, amount: Amount) -> bool:
+    """Whether a value has an amount in its name, as a bulb of 60 W has."""
+    typed = f"{amount.number:g} {amount.unit.text if amount.unit else ''}"
+    return bool(matching(typed, (value,), lambda value: value.what, str.__eq__))
+
+
+def _is_of_day(unit: Unit) -> bool:
+    return any(name == "day" for name, _ in unit.atoms)
+
+
+def _size(amount: Amount) -> float:
+    return amount.number * float(amount.unit.factor) if amount.unit else 0.0
+
+
+def _away(value: Typical, amount: Amount) -> float:
+    """How far an amount is outside a value, as the logarithm of their ratio."""
+    size = _size(amount)
+    low, high = (_in_si(value, end) for end in (value.low, value.high))
+    return max(math.log(low / size), math.log(size / high), 0.0)
 
 
 def _in_si(value: Typical, number: float) -> float:

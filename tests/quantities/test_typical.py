@@ -239,13 +239,16 @@ def test_what_completes_finds_something(word):
     [
         ("1cd", "candle"),
         ("30 klx", "overcast day, noon"),
-        ("500lx", "sunset or sunrise, clear"),
+        ("500lx", "office desk, reading and writing"),
         ("70 fc", "kitchen"),  # 753.5 lx
-        ("1600 lm", "street lamp"),
+        ("1600 lm", "incandescent bulb, 100 W"),
+        ("2000 lm", "street lamp"),
         ("4 mW", "laser pointer, class 3R, at most"),
+        ("15 EV", "sunlit scene, ISO 100"),
         ("15.2 EV", "clear sky"),  # 4705 cd/m2
         ("1.3 EV", "main road, classes M6 to M1"),  # 0.31 cd/m2
         ("9 mol/m2/day", "lettuce and herbs, a day"),
+        ("1000 umol/m2/s", "sun at the ground, full, for plants"),
     ],
 )
 def test_the_values_nearest_to_an_amount_come_first(text, first):
@@ -277,6 +280,24 @@ def test_what_is_near_is_sorted_by_the_ratio():
     assert set(found[3:6]) == {
         "residential street, classes P6 to P1", "full moon", "torch, where its beam ends"
     }  # fmt: skip
+
+
+def test_what_is_of_a_day_stands_behind_what_is_of_a_moment_and_before_it_for_a_day():
+    for text, first in (("600 umol/m2/s", "s"), ("30 mol/m2/d", "day")):
+        ends = [value.unit.rpartition("/")[2] for value in search(text)]
+        assert ends[0] == first
+        assert len(set(ends)) == 2
+        assert ends == sorted(ends, key=lambda end: end != first)
+
+
+def test_how_far_the_nearest_is_is_told_where_none_is_near():
+    # the sun outside the atmosphere has 133 klx: 1e30/133e3 = 7.5e24; at night 1e-4 lx: 1e5
+    for text, times in (("1e30lx", "7.5e+24"), ("1e-9 lx", "1e+05")):
+        done = run("typical", text)
+        assert f"the nearest of these differs from {text} {times} times" in done.stderr
+        assert not run("typical", text, "-q").stderr
+    for near in ("500lx", "60W", "1e6lx", "candle", "lx"):
+        assert not run("typical", near).stderr
 
 
 def test_without_a_search_all_are_listed():
