@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import click
@@ -67,6 +68,7 @@ def mandoc(path: Path, *words: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+@cache
 def rendered(name: str, width: int = 500) -> str:
     """A page without overstrikes; by default too wide for a word to be broken."""
     done = mandoc(PAGES[name], "-T", "utf8", "-O", f"width={width}")
@@ -249,6 +251,13 @@ def test_the_pages_have_every_quantity_unit_and_prefix():
 def test_a_quantity_says_what_leads_to_another(quantity, line):
     item = rendered("radcalc-quantities(7)").partition(f"\n     {quantity} (")[2]
     assert f"- {line}\n" in re.sub(r"- +", "- ", item.partition("\n\n")[0] + "\n")
+
+
+def test_what_reaches_a_surface_is_not_one_step_from_what_leaves_another():
+    item = rendered("radcalc-quantities(7)").partition("\n     radiant exposure (")[2]
+    leads = item.partition("\n\n")[0]
+    assert "irradiance" in leads
+    assert "exitance" not in leads
 
 
 TRANSCRIPTS = [

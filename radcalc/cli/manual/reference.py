@@ -16,6 +16,7 @@ from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.scales import SCALES
 from radcalc.units.table import Unit
 
+EXITANCE = "M"  # of its symbol
 LANGUAGE_NAMES = {"cs": "Czech", "ru": "Russian"}
 LIGHT = [names[i] for i in range(len(KINDS)) for names, _ in GEOMETRIES.values()]
 
@@ -64,11 +65,9 @@ def _leads(quantity: Quantity) -> Iterator[str]:
     found: dict[str, list[str]] = {}
     for other in QUANTITIES:
         try:
-            source, target = _unit(quantity), _unit(other)
-            if not _is_another_kind_and_place(source, target):
-                plan(source, target, [])
+            plan(_unit(quantity), _unit(other), [])
         except MissingCondition as error:
-            if len(error.lacking) == 1:
+            if len(error.lacking) == 1 and _is_one_step(quantity, other):
                 found.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
         except RadcalcError:
             continue  # nothing leads there, or a quantity has no unit of its own
@@ -76,12 +75,19 @@ def _leads(quantity: Quantity) -> Iterator[str]:
         yield f"with {what}: {', '.join(names)}"
 
 
-def _is_another_kind_and_place(source: Unit, target: Unit) -> bool:
-    """Whether W/m2, which may leave a surface or reach it, would seem to be one step away."""
+def _is_one_step(quantity: Quantity, other: Quantity) -> bool:
+    """Whether one difference is between them, though W/m2 may reach a surface or leave it."""
+    source, target = _unit(quantity), _unit(other)
     start, end = read(source), read(target)
-    if start is None or end is None or start.kind == end.kind:
-        return False
-    return start.geometry != end.geometry or source.is_exitance != target.is_exitance
+    if start is None or end is None:
+        return True
+    if EXITANCE in (quantity.symbol[0], other.symbol[0]):
+        if start.axis or end.axis:
+            return False  # no density is told to leave a surface
+        if start.geometry != end.geometry:
+            return start.kind == end.kind and start.time == end.time
+        return start.kind == end.kind or source.is_exitance == target.is_exitance
+    return start.kind == end.kind or start.geometry == end.geometry
 
 
 def _unit(quantity: Quantity) -> Unit:
