@@ -253,6 +253,23 @@ def test_a_quantity_says_what_leads_to_another(quantity, line):
     assert f"- {line}\n" in re.sub(r"- +", "- ", item.partition("\n\n")[0] + "\n")
 
 
+# The inverse square law, a cosine-power lobe's flux over its peak, a Gaussian beam's width far
+# from a waist of the diameter D, and the lumen method.
+@pytest.mark.parametrize(
+    ("name", "law"),
+    [
+        ("radcalc-point-source(1)", "E = I cos(theta) Omega0 / d^2 [ISO 80000-7"),
+        ("radcalc-point-source(1)", "Omega = 2 pi Omega0 / (n + 1)"),
+        ("radcalc-laser(1)", "D_s = sqrt(D^2 + (phi d)^2)"),
+        ("radcalc-room(1)", "E = n Phi U MF / A"),
+    ],
+)
+def test_a_page_has_the_laws_of_its_command(name, law):
+    section = re.search(r"^LAWS\n(.*?)^\S", rendered(name), re.M | re.S)
+    assert section
+    assert law in section[1]
+
+
 def test_what_reaches_a_surface_is_not_one_step_from_what_leaves_another():
     item = rendered("radcalc-quantities(7)").partition("\n     radiant exposure (")[2]
     leads = item.partition("\n\n")[0]

@@ -22,6 +22,7 @@ WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
     "help": commands.help_text,
     "options": commands.options,
     "results": commands.results,
+    "laws": commands.laws,
     "list": commands.listed,
     "quantities": reference.quantities,
     "conditions": reference.conditions,

@@ -2,18 +2,19 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from textwrap import dedent
 from typing import Any
 
 import click
 
-from radcalc.answer import Result, Row
+from radcalc.answer import Result, Row, Step
 from radcalc.cli import COMMANDS, commands, streams
 from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
 from radcalc.cli.compile import examples_of, results_of
 from radcalc.cli.help import joined, narrowed
-from radcalc.cli.manual.mdoc import ROOM, literal, plain, sentences, text
+from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import KINDS, RADIANT
 from radcalc.quantities.symbols import (
@@ -106,7 +107,7 @@ def results(of: str) -> Iterator[str]:
     """The results of a command by the names that --get takes, each with its letter and unit."""
     found = command(of)
     named = [one for one in results_of(found) if of == "photon" or one not in LINKS]
-    kinds, rows = _kinds(found), _rows(found)
+    kinds, rows = _kinds(found), _heard(of).rows
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for one in named:
         symbol = SYMBOLS[one]
@@ -119,30 +120,44 @@ def results(of: str) -> Iterator[str]:
     yield ".El"
 
 
+def laws(of: str) -> Iterator[str]:
+    """The laws that the derivations of the help's examples take, each with where it is from."""
+    steps = {step.law: step for step in _heard(of).steps if step.formula}
+    yield from sentences("As --steps writes them, where Omega0 is 1 sr:")
+    yield ".Bl -tag -width Ds -compact"
+    for step in steps.values():
+        yield f".It {argument(step.law)}"
+        reference = f" [{step.reference}]" if step.reference else ""
+        # the initials of authors end no sentence
+        yield from (line.replace(". ", r".\& ") for line in filled([step.formula + reference]))
+    yield ".El"
+
+
 class Enough(RadcalcError):
     """An answer was heard, and is not to be written."""
 
 
 class Listener:
-    """What takes the rows of an answer in place of standard output."""
+    """What takes answers in place of standard output: their rows by name, and their derivations."""
 
     settings: Mapping[str, Any] = {}
 
     def __init__(self) -> None:
         self.rows: dict[str, Row] = {}
+        self.steps: list[Step] = []
 
     def hear(self, results: Sequence[Result]) -> None:
-        """Keep the rows by their names."""
-        self.rows.update((row.name, row) for result in results for row in result.rows)
+        """Keep what is answered, and end the command."""
+        for result in results:
+            self.rows.update((row.name, row) for row in result.rows)
+            self.steps += result.steps
         raise Enough("")
 
 
-def _rows(found: SectionedCommand) -> dict[str, Row]:
-    """What the examples of the help answer, where these can be run and write no file.
-
-    A name such as x is that of several symbols, and only an answer tells which it is.
-    """
-    heard = Listener()
+@cache
+def _heard(of: str) -> Listener:
+    """What the examples of a help answer, where these can be run and write no file."""
+    found, listener = command(of), Listener()
     writes = {
         spelling
         for one in found.params
@@ -153,11 +168,11 @@ def _rows(found: SectionedCommand) -> dict[str, Row]:
         if writes.intersection(words) or "--list" in words:
             continue
         try:
-            with commands.make_context("radcalc", words, obj=heard) as made:
+            with commands.make_context("radcalc", [*words, "--steps"], obj=listener) as made:
                 commands.invoke(made)
         except (RadcalcError, click.ClickException):
             continue
-    return heard.rows
+    return listener
 
 
 def _kinds(found: SectionedCommand) -> list[str]:
