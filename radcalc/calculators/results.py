@@ -83,9 +83,15 @@ def _on_scale(value: Value, unit: ScaleUnit) -> Any:
     return scale.reading(in_unit(value, scale.unit))
 
 
+def measured_in(text: str, *names: str) -> Unit:
+    """The unit or the scale of one of some results; of a difference it may be a degree Celsius."""
+    is_difference = any(name in DIFFERENCES for name in names)
+    return (degree(text) if is_difference else None) or resolve_any(text)
+
+
 def _unit_of(text: str, name: str, values: Sequence[Value]) -> Unit:
     """The unit of a result, or a scale with the constants of the light meter in the answer."""
-    unit = (degree(text) if name in DIFFERENCES else None) or resolve_any(text)
+    unit = measured_in(text, name)
     if not isinstance(unit, ScaleUnit):
         return unit
     return unit.with_constants({v.name: v.amount for v in values if v.name in CONSTANTS})

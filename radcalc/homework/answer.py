@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
-from radcalc.given import read_as
+from radcalc.given import MARKED, read_as
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
@@ -44,7 +44,7 @@ def read_claim(text: str) -> Claim:
             f"{option('check', quote(text))} has no name before =",
             option("check", "illuminance=25lx"),
         )
-    rest, off = rest.strip().replace(MINUS, "-"), 0.0
+    rest, off = rest.strip().replace(MINUS, "-").removeprefix(MARKED.get(name.strip(), "")), 0.0
     try:
         if any(mark in rest for mark in UNCERTAIN):
             from radcalc.units.uncertain import read_uncertain

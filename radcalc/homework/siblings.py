@@ -194,6 +194,22 @@ def _room(at: At) -> Wrong:
     yield "mean-for-sum", at("room-index") * 2
 
 
+def _rounded_down(at: At) -> Wrong:
+    yield "rounded-down", at("luminaires") // 1
+
+
+def _lumen_method(at: At) -> Wrong:
+    yield "maintenance-upside-down", at("luminaires") * at("maintenance") ** 2
+
+
+def _stops_of_filter(at: At) -> Wrong:
+    yield "density-for-stops", at("nd")
+
+
+def _density_of_filter(at: At) -> Wrong:
+    yield "density-for-stops", at("stops")
+
+
 def _off_axis(at: At) -> Wrong:
     for power in (1, 2, 3):
         yield "fewer-cosines", at("irradiance") / at("cosine-off-axis") ** (4 - power)
@@ -227,6 +243,10 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("spread of a gaussian beam", "hazard-distance", _reach_of_gaussian),
     ("spread of a uniform beam", "hazard-distance", _reach_of_uniform),
     ("room index", "room-index", _room),
+    ("luminaires to install", "luminaires-to-install", _rounded_down),
+    ("lumen method", "luminaires", _lumen_method),
+    ("stops of a filter", "stops", _stops_of_filter),
+    ("stops of a filter", "nd", _density_of_filter),
     ("camera equation", "irradiance", _off_axis),
 )
 

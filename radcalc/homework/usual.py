@@ -58,6 +58,11 @@ USUAL: dict[str, tuple[float, str, str]] = {
         "k = w l / (h (w + l)), with the sum of one width and one length"),
     "mean-for-sum": (2, "the mean of the two sides was taken for their sum",
         "k = w l / (h (w + l)), with the sum of one width and one length"),
+    # --- rooms
+    "rounded-down": (1, "the number of luminaires was rounded down",
+        "fewer than follow give less light than is wanted: the next whole number is installed"),
+    "maintenance-upside-down": (1, "it was multiplied by the maintenance factor, not divided",
+        "n = E A / (Phi U MF): what is lost takes more luminaires"),
     # --- cameras
     "fewer-cosines": (1, "the cosine was taken to a lower power than the fourth",
         "off a lens's axis: one cosine each for the pupil and the sensor, two for the distance"),
@@ -125,6 +130,8 @@ USUAL: dict[str, tuple[float, str, str]] = {
     # --- the light meter
     "filter-the-wrong-way": (1, "the filter was counted the wrong way round",
         "behind a filter that takes n stops the time is 2^n times as long"),
+    "density-for-stops": (1, "the density was taken for the number of stops, or the reverse",
+        "n = D / lg 2: a density of 0.3 takes 1 stop"),
     "stops-are-doublings": (1, "the stops were multiplied, and each of them doubles the time",
         "t = t0 2^n"),
     "peak-for-rms": (1, "the peak of the field was taken for its root mean square, or the reverse",

@@ -6,20 +6,21 @@ from itertools import repeat
 from typing import NamedTuple
 
 from radcalc.answer import Step, Value
-from radcalc.calculators.results import in_unit, pick
+from radcalc.calculators.results import in_unit, measured_in, pick
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, option, quote
 from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
-from radcalc.units.scales import CONSTANTS, ScaleUnit, resolve_any
+from radcalc.units.scales import CONSTANTS, ScaleUnit
 from radcalc.units.table import Unit
 
 ROUNDED = "rounded"  # which is no mistake
 TOLERANCE, ONE_PERCENT = "1%", 0.01
 REMARKS = ("error",)  # results that say how good another is
 ASKED = {"sky": ("irradiance",)}  # by a command's plane, before what has the same unit
+MARKED = {"time": "time", "unfiltered-time": "time", "f-number": "f-number"}
 WAYS = 4  # to say an answer clearly, that are shown
 
 
@@ -63,7 +64,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
 def _check(question: Question, claim: str, asked: str | None) -> Verdict:
     said, tolerance = read_claim(claim), asked or TOLERANCE
     target, unit_text, is_of_another = _target(question, said, tolerance)
-    unit = resolve_any(unit_text)
+    unit = measured_in(unit_text, target.name)
     if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
         unit = unit.with_constants(
             {n: k.value for n, k in question.given.items() if n in CONSTANTS}
@@ -86,7 +87,7 @@ def _judged(
     asked: str | None,
 ) -> Verdict:
     """Judge an answer that is meant for one of the results, in a unit."""
-    unit = resolve_any(unit_text)
+    unit = measured_in(unit_text, target.name)
     right = in_unit(target, unit)
     if not isinstance(right, float):
         raise ConditionError(
@@ -121,6 +122,10 @@ def _judged(
         return verdict._replace(is_right=not found, diagnoses=found)
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
+    if marked := _marked(question, said, target, unit):
+        if asked:
+            return verdict._replace(diagnoses=(marked,))
+        return verdict._replace(is_right=True, tolerance=marked.done, diagnoses=(marked,))
     if said.value and abs(right - said.value) <= max(said.half_unit, said.widest):
         rounded = _rounded(said, right)
         if asked or said.digits < LEAST_MEANT:
@@ -188,12 +193,25 @@ def _rounded(said: Claim, right: float) -> Diagnosis:
     return Diagnosis(ROUNDED, f"to {told} given", f"{nearer} is nearer")
 
 
+def _marked(question: Question, said: Claim, target: Value, unit: Unit) -> Diagnosis | None:
+    """That the answer is what a camera is marked with for the right value, as 1/125 for 1/128 s."""
+    name = MARKED.get(target.name)
+    if question.command != "ev" or name is None:
+        return None
+    from radcalc.laws.exposure import mark
+
+    exact = mark(name, float(target.amount))
+    if exact is None or not math.isclose(said.value * unit.factor, exact, rel_tol=1e-9):
+        return None
+    return Diagnosis(ROUNDED, "as cameras are marked, in rounded numbers", "whole stops are exact")
+
+
 def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
     """The answer's unit measures something else than the result."""
     number = "the number would be right" if is_near else "check both"
     return Diagnosis(
         "wrong-unit",
-        f"{describe(resolve_any(said.unit))} is not {target.label}; {number}",
+        f"{describe(measured_in(said.unit, target.name))} is not {target.label}; {number}",
         f"{target.label} is in {unit}",
     )
 
@@ -211,7 +229,7 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
             missing = "in which unit" if said.name else "which result is meant"
             raise ConditionError(f"{told}: say {missing}", _ways(pool, said))
         return pool[0], pool[0].units[0], False
-    unit = resolve_any(said.unit)
+    unit = measured_in(said.unit, *(value.name for value in pool))
     fitting = [value for value in pool if said.unit in value.units] or [
         value for value in pool if unit.dimension in (*value.dimensions, *value.reach)
     ]
@@ -225,7 +243,7 @@ def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str
         return fitting[0], said.unit, False
     for value in pool:  # the one that the number fits, if any
         for text in value.units:
-            if _holds(value, resolve_any(text), said, tolerance):
+            if _holds(value, measured_in(text, value.name), said, tolerance):
                 return value, text, True
     return pool[0], pool[0].units[0], True
 

@@ -13,6 +13,9 @@
 - guide number of a flash, GN = N d sqrt(100 / S) with its distance d, and 2^(n/2) times that with
   a filter
 
+Cameras are marked in whole stops with rounded numbers, which `mark` gives: 1/125 for 2^-7 s, and
+f/11 for the root of 2^7.
+
 For a lens focused far away.  Marked values are rounded, so that what is given twice may differ by
 `STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed), ISO 1230 (guide numbers),
 ISO 5-2 (density).
@@ -27,7 +30,28 @@ from radcalc.maths import log2, sqrt
 from radcalc.units.scales import ILLUMINANCE_EV, LUMINANCE_EV
 
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
+# What is marked for 2^-13 s to 2^5 s, and for f-numbers of 2^(0/2) to 2^(12/2); scantips.com,
+# Charts of Nominal, and Exact Precise Actual camera shutter speed, f/stop and ISO values.
+TIMES = (8000, 4000, 2000, 1000, 500, 250, 125, 60, 30, 15, 8, 4, 2)  # 1/s
+LONG_TIMES = (1, 2, 4, 8, 15, 30)  # s
+F_NUMBERS = (1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64)
+MARKS = {
+    "time": dict(enumerate((*(1 / t for t in TIMES), *LONG_TIMES), -len(TIMES))),
+    "f-number": dict(enumerate(F_NUMBERS)),
+}
+STOPS = {"time": 1.0, "f-number": 2.0}  # in which a number is twice as large
+OFF_MARK = 0.05  # stops by which a value may be off a whole number of them
 STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
+
+
+def mark(name: str, value: float) -> float | None:
+    """What a camera is marked with at a time [s] or an f-number of whole stops; None elsewhere."""
+    if name not in MARKS or value <= 0:
+        return None
+    stops = STOPS[name] * math.log2(value)
+    return MARKS[name].get(round(stops)) if abs(stops - round(stops)) < OFF_MARK else None
+
+
 REFLECTED = relation(
     "reflected light",
     "{luminance} = {k} 2^{ev100} / 100",

@@ -120,6 +120,9 @@ HELD_OUT = [
     Wrong(ROOM, "luminaires", "", 470 * 77 / 3400 / 0.57, "maintenance-forgotten"),
     Wrong(ROOM, "luminaires", "", 470 * 77 * 0.57 / 3400 / 0.83, "utilance-upside-down"),
     Wrong(ROOM, "luminaires", "", 470 / 77 / 3400 / 0.57 / 0.83, "area-upside-down"),
+    # 470 lx over 77 m2 take 470 * 77 / (3400 * 0.57 * 0.83) = 22.498 luminaires
+    Wrong(ROOM, "luminaires-to-install", "", 22, "rounded-down"),
+    Wrong(ROOM, "luminaires", "", 470 * 77 * 0.83 / (3400 * 0.57), "maintenance-upside-down"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 36), "perimeter-for-sum"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 9), "mean-for-sum"),
     # --- off a lens's axis: one cosine, or two, for four
@@ -185,6 +188,10 @@ HELD_OUT = [
     Wrong("ev --unfiltered-time 1/60s --stops 6", "time", "s", 1 / 60 / 2**6,
           "filter-the-wrong-way"),
     Wrong("ev --unfiltered-time 1/60s --stops 6", "time", "s", 6 / 60, "stops-are-doublings"),
+    # a density of 1.8 has 1.8 / 0.30103 = 5.98 stops
+    Wrong("ev --unfiltered-time 1/60s --nd 1.8", "time", "s", 2**1.8 / 60, "density-for-stops"),
+    Wrong("ev --nd 1.8", "stops", "", 1.8, "density-for-stops"),
+    Wrong("ev --stops 6", "nd", "", 6, "density-for-stops"),
     Wrong("ev --ev100 13 --iso 100 --f-number 5.6 --stops 3", "time", "s", 5.6**2 / 2**16,
           "filter-the-wrong-way"),
     Wrong("ev --f-number 8 --time 1/125s --stops 3", "ev100", "", log2(64 * 125) - 3,

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from conftest import python, run
-from homework.questions import RIGHT, TILTED, claim_of, typed, verdict
+from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 
 from radcalc import cli
 from radcalc.calculators.ev import ev
@@ -222,3 +222,47 @@ def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
     metered = of_calculator("ev", "", {"luminance": read("luminance", "100cd/m2"), "k": k}, ev)
     assert check(metered, "luminance=9.48EV").is_right
     assert not check(metered, "luminance=9.64EV").is_right
+
+
+@pytest.mark.parametrize(
+    ("words", "claims"),
+    [
+        # t = N^2 / 2^EV: 256 / 2^15 = 1/128; 1024/2^14 = 1/16; 16 / 2^10 = 1/64, marked so
+        ("ev --ev100 15 --f-number 16", ("time=1/125", "time=1/125s", "time=0.008s")),
+        ("ev --ev100 14 --f-number 32", ("time=1/15",)),
+        ("ev --ev100 10 --f-number 4", ("time=1/60",)),
+        # N = sqrt(t 2^EV): sqrt(2^5), sqrt(2^7), sqrt(2^9)
+        ("ev --ev100 12 --time 1/128s", ("f-number=5.6", "f-number=f/5.6")),
+        ("ev --ev100 14 --time 1/128s", ("f-number=11", "f-number=f/11")),
+        ("ev --ev100 16 --time 1/128s", ("f-number=22",)),
+    ],
+)
+def test_what_cameras_are_marked_with_is_right_and_told(words, claims):
+    for claim in claims:
+        found = check(asked(words, claim.partition("=")[0]), claim)
+        assert found.is_right
+        assert "marked" in found.tolerance
+        assert not verdict(words, claim, "0.5%").is_right
+
+
+@pytest.mark.parametrize(
+    ("words", "claim"),
+    [
+        ("ev --ev100 15 --f-number 16", "time=1/120"),
+        ("ev --ev100 15 --f-number 16", "time=1/60"),
+        ("ev --ev100 12 --time 1/128s", "f-number=5.5"),
+        ("laser --flux 5mW --diameter 11.31mm", "diameter=11mm"),
+    ],
+)
+def test_what_no_camera_is_marked_with_there_is_wrong(words, claim):
+    found = check(asked(words, claim.partition("=")[0]), claim)
+    assert not found.is_right or "marked" not in found.tolerance
+
+
+@pytest.mark.parametrize("claim", ["1.433degC", "1.433K", "2.580 °F", "1.433 °C"])
+def test_a_rise_of_temperature_is_checked_in_degrees(claim):
+    # 100 W for 60 s in 1 kg of 4186 J/(kg K): 6000/4186 = 1.4333 K, 9/5 of that in degrees F
+    words = "calorimeter --mass 1kg --specific-heat 4186J/kg/K --flux 100W --time 60s"
+    assert verdict(words, f"temperature-rise={claim}").is_right
+    assert verdict(words, claim).is_right
+    assert not verdict(words, f"temperature-rise=27{claim}").is_right  # on its scale
