@@ -15,47 +15,89 @@ if TYPE_CHECKING:
 
     from radcalc.api import (
         Quantity,
+        Result,
         calorimeter,
         convert,
+        direction,
         environment,
+        etendue,
         ev,
         explain,
         factor,
         irradiance_map,
         lambertian,
         laser,
+        mesopic,
+        photon,
         point_source,
         reproject,
         room,
         scene,
+        screen,
         sensor,
         sky,
+        solid_angle,
+        spectrum,
         uberlight,
     )
+    from radcalc.errors import (
+        ConditionError,
+        ConversionError,
+        NumberError,
+        RadcalcError,
+        UnitError,
+        UsageError,
+    )
 
+ERRORS = (
+    "ConditionError",
+    "ConversionError",
+    "NumberError",
+    "RadcalcError",
+    "UnitError",
+    "UsageError",
+)
 __all__ = [
+    "ConditionError",
+    "ConversionError",
+    "NumberError",
     "Quantity",
+    "RadcalcError",
+    "Result",
+    "UnitError",
+    "UsageError",
     "__version__",
     "calorimeter",
     "convert",
+    "direction",
     "environment",
+    "etendue",
     "ev",
     "explain",
     "factor",
     "irradiance_map",
     "lambertian",
     "laser",
+    "mesopic",
+    "photon",
     "point_source",
     "reproject",
     "room",
     "scene",
+    "screen",
     "sensor",
     "sky",
+    "solid_angle",
+    "spectrum",
     "uberlight",
 ]
 
 
 def __getattr__(name: str) -> "Any":
+    if name in ERRORS:
+        from radcalc import errors
+
+        return getattr(errors, name)
     if name in __all__:
         from radcalc import api
 

@@ -104,7 +104,7 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
                                        command("solid-angle", "cone", half_angle="1deg")),
         ("no condition links them", "radcalc solid-angle cone --half-angle 1deg"),
         ("no condition links them", "radcalc solid-angle cone half-angle=1deg"),
-        ("no condition links them", "`radcalc solid-angle cone` at a shell")),
+        ("no condition links them", 'radcalc.solid_angle("cone", half_angle="1 deg")')),
     "a condition leads to a function of Python's": (
         lambda: ConditionError("too near", command("lambertian", "disc", radius="1m")),
         ("too near", "radcalc lambertian disc --radius 1m"),

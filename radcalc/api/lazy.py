@@ -11,10 +11,12 @@ import dask.array
 import numpy
 
 from radcalc import api
+from radcalc.api.quantity import Quantity, is_lazy, unit_of
+from radcalc.api.reading import gathered
+from radcalc.api.result import Result
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
-from radcalc.units.registry import from_container
 
 ALONE = ""  # the name of the result of a function that gives one
 
@@ -30,7 +32,7 @@ class Place(NamedTuple):
     parts: int
 
 
-class Result(NamedTuple):
+class Expected(NamedTuple):
     """A result for no elements: its unit, its shape, and its value, which may have no axis."""
 
     unit: str
@@ -49,7 +51,7 @@ class Call(NamedTuple):
     given: dict[str, Any]
     places: tuple[Place, ...]
 
-    def results(self, *blocks: Any) -> dict[str, Any]:
+    def answer(self, *blocks: Any) -> Any:
         """What the function gives for these blocks."""
         arguments = [*enumerate(self.words), *self.given.items()]
         values: dict[Any, Any] = {key: _quantity(*one) for key, one in arguments if one}
@@ -59,15 +61,18 @@ class Call(NamedTuple):
             array = parts[0] if place.parts == 1 else numpy.stack(parts, -1)
             values[place.key] = _quantity(array, place.unit)
         words = [values.pop(key) for key in range(len(self.words))]
-        found = getattr(api, self.function)(*words, **values)
-        return found if isinstance(found, dict) else {ALONE: found}
+        return getattr(api, self.function)(*words, **values)
+
+    def results(self, *blocks: Any) -> dict[str, Any]:
+        """The results for these blocks by all of their names."""
+        return _by_name(self.answer(*blocks))
 
 
 class Rows(NamedTuple):
     """The results of a call that are arrays, one behind the other along a first axis."""
 
     call: Call
-    expected: dict[str, Result]
+    expected: dict[str, Expected]
 
     def __call__(self, *blocks: Any) -> Any:
         """The results for these blocks, which must be those that there are for no elements."""
@@ -99,7 +104,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
 
     Returns
     -------
-    Quantity, dask.array.Array, or dict of str to Quantity
+    Quantity, dask.array.Array, or Result
         As of the function; what depends on an array is a Dask array.
 
     Raises
@@ -108,6 +113,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
         What is wrong whatever the elements are; what is wrong with one of them is raised when the
         results are computed.
     """
+    given = {key: gathered(key, value) for key, value in given.items()}
     rest: dict[Any, Any] = dict([*enumerate(words), *given.items()])
     parts = {key: found for key, value in rest.items() if (found := _arrays(function, key, value))}
     places = [Place(key, _unit(rest[key]), len(found)) for key, found in parts.items()]
@@ -124,9 +130,10 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
     )
     is_single = not any(array.ndim for array in arrays)
     arrays = [array if array.ndim else array.reshape(1) for array in arrays]
-    empty = call.results(*map(_without_elements, arrays))
+    answer = call.answer(*map(_without_elements, arrays))
+    empty = _by_name(answer)
     expected = {
-        name: Result(_unit(value), numpy.shape(_magnitude(value)), _magnitude(value))
+        name: Expected(_unit(value), numpy.shape(_magnitude(value)), _magnitude(value))
         for name, value in empty.items()
     }
     names = [name for name, one in expected.items() if one.shape]
@@ -147,8 +154,13 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
     results = dict(empty)
     for row, name in enumerate(names):
         array = rows[(row, *_index(expected[name].shape, len(axes), is_single))]
-        results[name] = api.Quantity(array, empty[name].units) if expected[name].unit else array
-    return results.get(ALONE, results)
+        results[name] = Quantity(array, empty[name].units) if expected[name].unit else array
+    return answer.waiting(results) if isinstance(answer, Result) else results[ALONE]
+
+
+def _by_name(answer: Any) -> dict[str, Any]:
+    """The results of an answer by all of their names; a single one has none."""
+    return answer.every if isinstance(answer, Result) else {ALONE: answer}
 
 
 def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
@@ -157,19 +169,19 @@ def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
     symbol = SYMBOLS.get(str(key).replace("_", "-"))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):
         array = numpy.asarray(array)
-    is_lazy = api.is_lazy(array)
-    if is_lazy and not isinstance(array, dask.array.Array):
+    waits = is_lazy(array)
+    if waits and not isinstance(array, dask.array.Array):
         problem = f"a {type(array).__name__} of Dask is no array"
         raise ConditionError(problem, "its values: .to_dask_array(), or .values")
-    if is_lazy and symbol and symbol.form != QUANTITY:
-        raise ConditionError(f"{option(symbol.name)} is a Dask array", "one value: .compute()")
     if function == "uberlight" and key in (0, "point"):
-        if not is_lazy and numpy.ndim(array) < 2:
+        if not waits and numpy.ndim(array) < 2:
             return []
         if array.shape[-1:] != (3,):
             raise ConditionError("a point has three coordinates", "an array of the shape (..., 3)")
         return [_lazy(array[..., axis]) for axis in range(3)]
-    return [_lazy(array)] if is_lazy or is_column(array) else []
+    if waits and symbol and symbol.form != QUANTITY:
+        raise ConditionError(f"{option(symbol.name)} is a Dask array", "one value: .compute()")
+    return [_lazy(array)] if waits or is_column(array) else []
 
 
 def _lazy(array: Any) -> Any:
@@ -197,8 +209,8 @@ def _magnitude(value: Any) -> Any:
 
 
 def _unit(value: Any) -> str:
-    return from_container(value._units).text if hasattr(value, "magnitude") else ""
+    return unit_of(value).text if hasattr(value, "magnitude") else ""
 
 
 def _quantity(magnitude: Any, unit: str) -> Any:
-    return api.Quantity(magnitude, unit) if unit else magnitude
+    return Quantity(magnitude, unit) if unit else magnitude

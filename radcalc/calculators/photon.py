@@ -24,6 +24,11 @@ SYMBOL_OF = {
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
+def named(wave: Given) -> Given:
+    """What is given for the wavelength, by the name of what it is."""
+    return wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
+
+
 def photon(given: Inputs) -> Answer:
     """Everything that follows from one wavelength, frequency, wavenumber or photon energy.
 

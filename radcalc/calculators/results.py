@@ -1,14 +1,14 @@
 """Results in the units that are asked for: floats, or arrays where a range was given."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any
 
-from radcalc.answer import Row, Value
+from radcalc.answer import Answer, Row, Value
 from radcalc.conversion.plan import exact_ratio
 from radcalc.errors import MissingInput, NumberError, UsageError, mention, nearest, quote
-from radcalc.given import DIFFERENCES, Given, is_on_scale
+from radcalc.given import DIFFERENCES, Given, Inputs, is_on_scale
 from radcalc.maths import is_array, is_column, is_lost, is_recorded, is_uncertain
 from radcalc.quantities.light import GRID, describe
 from radcalc.quantities.symbols import SPECIFIC, SYMBOLS, specific_name
@@ -19,6 +19,21 @@ from radcalc.units.table import Unit, unit_of
 MOST_OF_A_UNIT = 5  # results that are named in place of their unit
 OF_UNCERTAINTY = "-uncertainty"  # behind the name of a result
 LINKS_HINT = mention("{wavelength}, {spectrum} or {efficacy}")
+
+
+def saying_how_read(work_out: Callable[[Inputs], Answer]) -> Callable[[Inputs], Answer]:
+    """What works an answer out, and says as well how its inputs were read."""
+
+    def told(given: Inputs) -> Answer:
+        answer = work_out(given)
+        read = dict.fromkeys([text for one in given.values() for text in one.assumptions])
+        if not read:
+            return answer
+        answers = (answer, *answer.more)
+        first, *more = (one._replace(assumptions=(*read, *one.assumptions)) for one in answers)
+        return first._replace(more=more)
+
+    return told
 
 
 def value(name: str, si: Any, *units: str, label: str = "", letter: str = "") -> Value:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
-from radcalc.calculators.results import element, pick, rows, scales_of
+from radcalc.calculators.results import element, pick, rows, saying_how_read, scales_of
 from radcalc.cli import check, streams
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
@@ -92,7 +92,7 @@ def run(
     `operands` are what was given beside the options; `samples` are facts of a log that is judged;
     `drawn` is what a picture takes beside the inputs.
     """
-    work_out = _saying_how_read(work_out)
+    work_out = saying_how_read(work_out)
     if asked.plot:
         from radcalc.cli import plot
 
@@ -169,21 +169,6 @@ def _of_lines(
     if len(each) > 1 or case.long:
         raise UsageError(f"{told} stands beside a list", "one value of everything else")
     return streams.calculate(case, work_out, asked.wanted, asked.lines, output, operands)
-
-
-def _saying_how_read(work_out: Callable[[Inputs], Answer]) -> Callable[[Inputs], Answer]:
-    """What works an answer out, and says as well how its inputs were read."""
-
-    def told(given: Inputs) -> Answer:
-        answer = work_out(given)
-        read = dict.fromkeys([text for one in given.values() for text in one.assumptions])
-        if not read:
-            return answer
-        answers = (answer, *answer.more)
-        first, *more = (one._replace(assumptions=(*read, *one.assumptions)) for one in answers)
-        return first._replace(more=more)
-
-    return told
 
 
 def _blocks(case: Case) -> Iterator[Case]:

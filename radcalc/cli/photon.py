@@ -3,15 +3,14 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from radcalc.calculators.photon import SYMBOL_OF, photon
+from radcalc.calculators.photon import named, photon
 from radcalc.cli.calculator import Asked, run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, spell
-from radcalc.given import Given
-from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.quantities.symbols import QUANTITY
 
 T = TypeVar("T")
 
@@ -61,18 +60,13 @@ def _named(case: Case) -> Case:
     """A case in which what is given for the wavelength is called what it is."""
     if case.stream:
         read = case.stream.read
-        stream = case.stream._replace(read=lambda text: _as(_as_operand(lambda: read(text))))
+        stream = case.stream._replace(read=lambda text: named(_as_operand(lambda: read(text))))
         return case._replace(stream=stream)
-    wave = _as(case.given["wavelength"])
+    wave = named(case.given["wavelength"])
     given = {**case.given, "wavelength": wave}
     names = {"wavelength": wave.name}
     varied = tuple(one._replace(name=names.get(one.name, one.name)) for one in case.varied)
     return case._replace(given=given, varied=varied)
-
-
-def _as(wave: Given) -> Given:
-    """What is given for the wavelength, by the name of what it is."""
-    return wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
 
 
 class Operand(Shell):

@@ -1,0 +1,67 @@
+"""What the functions take, as their signatures say it; None is as if it were not given.
+
+An `Amount` is a text with its unit, such as "2 m", a `Quantity`, whose magnitude may be an array,
+a list of these, or a column of pandas, Polars or xarray that tells its unit.  A `Number` may be
+bare as well.
+"""
+
+from collections.abc import Sequence
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, Union
+
+from radcalc.api.quantity import Quantity
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
+
+    Array: TypeAlias = NDArray[numpy.floating[Any] | numpy.integer[Any]]
+
+
+class Column(Protocol):
+    """A column of pandas, Polars or xarray."""
+
+    @property
+    def name(self) -> Any:
+        """What it is called."""
+
+    def to_numpy(self) -> Any:
+        """Its values alone."""
+
+
+# Unions by their names, which a signature then shows, and not what stands behind them.
+Amount: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity] | Column | None
+Number: TypeAlias = Union[Amount, float, Sequence[float], "Array"]
+Direction: TypeAlias = Union[str, Quantity, Sequence[Quantity], Sequence[float], "Array", None]
+Vector: TypeAlias = Union[str, Sequence[float], "Array", None]
+Points: TypeAlias = Union[str, Quantity, Sequence[float], Sequence[Sequence[float]], "Array"]
+Interval: TypeAlias = str | tuple[str, str] | tuple[Quantity, Quantity] | None
+Numbers: TypeAlias = Union[str, Sequence[float], "Array", None]
+Pair: TypeAlias = str | Sequence[int] | None
+Text: TypeAlias = str | None
+Path: TypeAlias = Union[str, "PathLike[str]"]
+Distribution: TypeAlias = Any  # a name, a file, an expression, or an object with its methods
+Surroundings: TypeAlias = Union[Path, Quantity, "Array", Any]
+Diffuse: TypeAlias = Literal["patch", "disc", "sphere", "rectangle", "plane", "hemisphere"]
+Shape: TypeAlias = Literal[
+    "full",
+    "hemisphere",
+    "cone",
+    "zone",
+    "band",
+    "sphere",
+    "disc",
+    "rectangle",
+    "pyramid",
+    "patch",
+    "polygon",
+    "triangle",
+    "pixel",
+]
+Sky: TypeAlias = Literal["overcast", "uniform", "intermediate", "clear", "turbid"] | int | str
+Projection: TypeAlias = Literal["latlong", "mirror-ball", "angular"]
+Observer: TypeAlias = Literal[
+    "photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10"
+]
+Profile: TypeAlias = Literal["gaussian", "uniform"]
+ElectricField: TypeAlias = Literal["peak", "rms"]

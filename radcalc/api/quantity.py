@@ -1,0 +1,48 @@
+"""Pint's quantities of radcalc's own registry, which the functions take and give."""
+
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from radcalc.errors import UnitError, quote
+from radcalc.units.registry import from_container, light_registry
+from radcalc.units.table import Unit
+
+if TYPE_CHECKING:
+    import pint
+
+    Quantity: TypeAlias = pint.Quantity[Any]
+else:
+    Quantity = light_registry().Quantity
+
+
+def is_quantity(value: Any) -> bool:
+    """Whether it is one of them; that of another registry is refused."""
+    if isinstance(value, light_registry().Quantity):
+        return True
+    if hasattr(value, "magnitude"):
+        if getattr(value, "_REGISTRY", None) is light_registry():
+            return True  # a Measurement, of Quantity.plus_minus
+        raise UnitError(
+            f"'{quote(str(value))}' is a quantity of another registry", "radcalc.Quantity"
+        )
+    return False
+
+
+def is_lazy(value: Any) -> bool:
+    """Whether it is a collection of Dask's, or a quantity that has one."""
+    return hasattr(getattr(value, "magnitude", value), "__dask_graph__")
+
+
+def unit_of(quantity: Any) -> Unit:
+    """The unit of a quantity."""
+    return from_container(quantity._units)
+
+
+def plain(value: Any) -> Any:
+    """A quantity as a number (or an array) with its unit; anything else as it is."""
+    return (value.magnitude, unit_of(value)) if is_quantity(value) else value
+
+
+def quantity(magnitude: Any, unit: Unit) -> Quantity:
+    """A number, or an array, in a unit."""
+    made: Quantity = Quantity(magnitude, light_registry().container(unit))
+    return made

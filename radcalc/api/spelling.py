@@ -1,0 +1,123 @@
+"""Errors and remarks in Python's spelling: keywords in place of options."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import ParamSpec, TypeVar
+
+from radcalc.errors import NumberError, RadcalcError, spell
+from radcalc.quantities.light import describe
+from radcalc.quantities.symbols import FLAG, SYMBOLS
+from radcalc.units.numbers import read_number
+from radcalc.units.table import resolve
+
+P = ParamSpec("P")
+T = TypeVar("T")
+FUNCTIONS = (
+    "calorimeter",
+    "check",
+    "convert",
+    "direction",
+    "environment",
+    "etendue",
+    "ev",
+    "explain",
+    "factor",
+    "lambertian",
+    "laser",
+    "mesopic",
+    "photon",
+    "point_source",
+    "room",
+    "scene",
+    "screen",
+    "sensor",
+    "sky",
+    "solid_angle",
+    "spectrum",
+    "uberlight",
+)
+
+
+class Python:
+    """How Python spells the symbols and commands that messages mention."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`height="6 m"`; a value in capitals stands for any, and a flag is set to True."""
+        keyword = name.replace("-", "_")
+        if not value:
+            return keyword
+        if value.isupper() and value.isalpha():
+            return f"{keyword}={value}"
+        return f'{keyword}="{_apart(value)}"'
+
+    @staticmethod
+    def command(*words: str) -> str:
+        """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
+        function = words[0].replace("-", "_")
+        pairs = [word.partition("=") for word in words[1:]]
+        if function not in FUNCTIONS or any(key == "list" for key, *_ in pairs):
+            told = " ".join(word for word in words if "=" not in word)
+            return f"`radcalc {told}` at a shell"
+        arguments = [
+            Python.option(key, value) if eq else f'"{_apart(key)}"'
+            for key, eq, value in pairs
+            if key != "get"
+        ]
+        wanted = "".join(Python.result(value) for key, _, value in pairs if key == "get")
+        return f"radcalc.{function}({', '.join(arguments)}){wanted}"
+
+    @staticmethod
+    def result(text: str) -> str:
+        """`.photon_energy.to("eV")`."""
+        name, _, unit = text.partition(":")
+        return f".{name.replace('-', '_')}" + (f'.to("{unit}")' if unit else "")
+
+    @staticmethod
+    def manual(name: str) -> str:
+        """Where the function is described."""
+        return f"help(radcalc.{name.replace('-', '_')})"
+
+    @staticmethod
+    def measured(unit: str) -> str:
+        """`illuminance (lx)`."""
+        return describe(resolve(unit))
+
+
+class PythonHint(Python):
+    """In a hint a flag is what one types."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`isotropic=True`."""
+        is_flag = name in SYMBOLS and SYMBOLS[name].form == FLAG
+        return f"{Python.option(name, '')}=True" if is_flag else Python.option(name, value)
+
+
+def _apart(value: str) -> str:
+    """A blank between a number and its unit: 6m becomes 6 m."""
+    try:
+        end = read_number(value)[1]
+    except NumberError:
+        return value
+    return f"{value[:end]} {value[end:].strip()}".strip()
+
+
+def in_python(function: Callable[P, T]) -> Callable[P, T]:
+    """Raise errors whose texts name keywords in place of options."""
+
+    @wraps(function)
+    def call(*args: P.args, **kwargs: P.kwargs) -> T:
+        try:
+            return function(*args, **kwargs)
+        except RadcalcError as error:
+            error.message = spell(error.message, Python)
+            error.hint = spell(error.hint, PythonHint)
+            raise
+
+    return call
+
+
+def in_words(text: str) -> str:
+    """A remark with keywords."""
+    return spell(text, Python)

@@ -1,0 +1,109 @@
+"""An answer as Python shows it: as text in an interpreter, as HTML in a notebook.
+
+The HTML has no colours of its own, so that it is read on light and on dark.
+"""
+
+from collections.abc import Iterable, Sequence
+from html import escape
+from typing import Any
+
+from radcalc.answer import Input, Result, Row
+from radcalc.maths import is_column
+from radcalc.render.plain import derivation, number, uncertain
+
+DIGITS = 6
+MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
+QUIET = ' style="opacity: 0.7"'
+STYLE = ' style="border-collapse: collapse"'
+LEFT, RIGHT = ' style="text-align: left"', ' style="text-align: right"'
+
+
+def text(command: str, told: Result) -> str:
+    """A line for each result, then what was assumed and noted."""
+    lines = [(row.name, f"{_value(row)}{_unit(row)}", _given(row)) for row in told.rows]
+    width = max((len(name) for name, *_ in lines), default=0)
+    shown = [f"{name:<{width}}  {value}{given}" for name, value, given in lines]
+    return "\n".join([f"radcalc {command}", *(f"  {one}" for one in (*shown, *_remarks(told)))])
+
+
+def html(command: str, told: Result) -> str:
+    """A table of what was given and what follows, the remarks, and the derivation folded up."""
+    given = [_input(one) for one in told.inputs]
+    rows = [_row(row) for row in told.rows if not row.given]
+    parts = [
+        f"<table{STYLE}><caption{LEFT}>{escape(command)}</caption>",
+        "<thead>" + _cells("th", ("quantity", "symbol", "value", "unit")) + "</thead>",
+        f"<tbody{QUIET}>{''.join(given)}</tbody>" if given else "",
+        f"<tbody>{''.join(rows)}</tbody></table>",
+    ]
+    if remarks := _remarks(told):
+        parts.append(f"<ul>{_items(remarks)}</ul>")
+    if told.steps:
+        steps = escape("\n".join(derivation(told.steps)))
+        parts.append(f"<details><summary>steps</summary><pre>{steps}</pre></details>")
+    return f'<div class="radcalc">{"".join(parts)}</div>'
+
+
+def _remarks(told: Result) -> list[str]:
+    assumed = [f"assumed: {one}" for one in told.assumptions]
+    return [*assumed, *(f"note: {one}" for one in told.notes)]
+
+
+def _items(texts: Iterable[str]) -> str:
+    return "".join(f"<li>{escape(one)}</li>" for one in texts)
+
+
+def _input(one: Input) -> str:
+    name = one.name.replace("-", " ")
+    if one.is_quantity and is_column(one.value):
+        return _cells("td", (f"{name} (given)", "", _number(one.value), _in(one.unit)))
+    said = one.text or ("yes" if one.value is True else f"{one.value:.12g} {one.unit}")
+    return _cells("td", (f"{name} (given)", "", said, ""))
+
+
+def _row(row: Row) -> str:
+    return _cells("td", (row.quantity, row.symbol, _value(row), _in(row.unit)))
+
+
+def _cells(tag: str, texts: Sequence[str]) -> str:
+    """A row of cells, in which the numbers stand to the right."""
+    name, symbol, value, unit = map(escape, texts)
+    return (
+        f"<tr><{tag}{LEFT}>{name}</{tag}><{tag}{LEFT}>{symbol}</{tag}>"
+        f"<{tag}{RIGHT}>{value}</{tag}><{tag}{LEFT}>{unit}</{tag}></tr>"
+    )
+
+
+def _in(unit: str) -> str:
+    return "" if unit == "1" else unit
+
+
+def _unit(row: Row) -> str:
+    return f" {row.unit}" if row.unit != "1" else ""
+
+
+def _given(row: Row) -> str:
+    return " (given)" if row.given else ""
+
+
+def _value(row: Row) -> str:
+    if is_column(row.value):
+        return _number(row.value)
+    return uncertain(float(row.value), row.uncertainty, None, DIGITS)
+
+
+def _number(values: Any) -> str:
+    """An array: its elements, or those at its ends, or its shape where it is not there yet."""
+    if not hasattr(values, "tolist"):
+        return f"an array of the shape {values.shape}, not computed yet"
+    if values.ndim > 1:
+        return f"[{' '.join(map(_number, values))}]" if values.size <= MOST else _shape(values)
+    every = [number(one, DIGITS) for one in values.tolist()]
+    if len(every) > MOST:
+        every = [*every[:ENDS], "...", *every[-ENDS:]]
+    return f"[{' '.join(every)}]"
+
+
+def _shape(values: Any) -> str:
+    least, most = (number(float(one), DIGITS) for one in (values.min(), values.max()))
+    return f"an array of the shape {values.shape}, from {least} to {most}"
