@@ -6,6 +6,7 @@ of Dask's, and what is impossible among their elements raises its error as that 
 
 from radcalc.api.conversion import convert, explain, factor
 from radcalc.api.geometry import direction, etendue, solid_angle
+from radcalc.api.homework import Verdict, check
 from radcalc.api.instruments import calorimeter, ev, laser, room, screen, sensor
 from radcalc.api.quantity import Quantity
 from radcalc.api.result import Result
@@ -16,7 +17,9 @@ from radcalc.api.surroundings import environment, irradiance_map, reproject, sky
 __all__ = [
     "Quantity",
     "Result",
+    "Verdict",
     "calorimeter",
+    "check",
     "convert",
     "direction",
     "environment",

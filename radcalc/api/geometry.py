@@ -141,7 +141,8 @@ def solid_angle(
 
     name = one_of(shape, NAMES, "shape")
     name = ALIASES.get(name, name)
-    points = [read("viewpoint", one).value for one in vertices]
+    corners = [read("viewpoint", one) for one in vertices]
+    points = [one.value for one in corners]
     if points and name != "polygon":
         raise ConditionError(f"vertices have no use with a {name}", "the same without vertices")
 
@@ -152,8 +153,7 @@ def solid_angle(
         "solid-angle",
         given,
         work_out,
-        operands={"shape": name},
-        own=("vertices",),
+        operands={"shape": name, "vertices": " ".join(one.text for one in corners)},
         intervals=("polar", "azimuth"),
         waits=False,
         singly=True,

@@ -7,15 +7,13 @@ bare as well.
 
 from collections.abc import Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, Union
+from typing import Any, Literal, Protocol, TypeAlias
+
+from numpy.typing import NDArray
 
 from radcalc.api.quantity import Quantity
 
-if TYPE_CHECKING:
-    import numpy
-    from numpy.typing import NDArray
-
-    Array: TypeAlias = NDArray[numpy.floating[Any] | numpy.integer[Any]]
+Array: TypeAlias = NDArray[Any]
 
 
 class Column(Protocol):
@@ -31,17 +29,17 @@ class Column(Protocol):
 
 # Unions by their names, which a signature then shows, and not what stands behind them.
 Amount: TypeAlias = str | Quantity | Sequence[str] | Sequence[Quantity] | Column | None
-Number: TypeAlias = Union[Amount, float, Sequence[float], "Array"]
-Direction: TypeAlias = Union[str, Quantity, Sequence[Quantity], Sequence[float], "Array", None]
-Vector: TypeAlias = Union[str, Sequence[float], "Array", None]
-Points: TypeAlias = Union[str, Quantity, Sequence[float], Sequence[Sequence[float]], "Array"]
+Number: TypeAlias = Amount | float | Sequence[float] | Array
+Direction: TypeAlias = str | Quantity | Sequence[Quantity] | Sequence[float] | Array | None
+Vector: TypeAlias = str | Sequence[float] | Array | None
+Points: TypeAlias = str | Quantity | Sequence[float] | Sequence[Sequence[float]] | Array
 Interval: TypeAlias = str | tuple[str, str] | tuple[Quantity, Quantity] | None
-Numbers: TypeAlias = Union[str, Sequence[float], "Array", None]
+Numbers: TypeAlias = str | Sequence[float] | Array | None
 Pair: TypeAlias = str | Sequence[int] | None
 Text: TypeAlias = str | None
-Path: TypeAlias = Union[str, "PathLike[str]"]
+Path: TypeAlias = str | PathLike[str]
 Distribution: TypeAlias = Any  # a name, a file, an expression, or an object with its methods
-Surroundings: TypeAlias = Union[Path, Quantity, "Array", Any]
+Surroundings: TypeAlias = Path | Quantity | Array | Any
 Diffuse: TypeAlias = Literal["patch", "disc", "sphere", "rectangle", "plane", "hemisphere"]
 Shape: TypeAlias = Literal[
     "full",

@@ -53,7 +53,7 @@ def read_keyword(
     if name in intervals:
         return read_interval(name, as_interval(value))
     form = SYMBOLS[name].form
-    value = gathered(keyword, value)
+    value = _gathered(name, value)
     if isinstance(value, (list, tuple)) and any(map(is_quantity, value)):
         if form not in (DIRECTION, POINT, VECTOR, NUMBERS):
             raise ConditionError(f"{keyword} is a list of quantities", "one of them")
@@ -65,23 +65,29 @@ def read_keyword(
 
 def gathered(keyword: str, value: Any) -> Any:
     """A list of texts or quantities as one quantity, in the unit of the first."""
-    symbol = SYMBOLS.get(keyword.replace("_", "-"))
-    if not isinstance(value, (list, tuple)) or not symbol or symbol.form != QUANTITY:
+    name = keyword.replace("_", "-")
+    found = _gathered(name, value) if name in SYMBOLS else value
+    return value if found is value else quantity(*found)
+
+
+def _gathered(name: str, value: Any) -> Any:
+    """The same as an array and its unit; what is no such list as it is."""
+    if not isinstance(value, (list, tuple)) or SYMBOLS[name].form != QUANTITY:
         return value
     if not any(isinstance(one, str) or is_quantity(one) for one in value):
         return value
-    each = [read(symbol.name, plain(one)) for one in value]
+    each = [read(name, plain(one)) for one in value]
     first = each[0]
     if any(is_column(one.value) for one in each):
-        raise ConditionError(f"{keyword} is a list of arrays", "one array")
+        raise ConditionError(f"{option(name)} is a list of arrays", "one array")
     if any(one.dimension != first.dimension for one in each):
-        told = option(symbol.name, quote(", ".join(one.text for one in each)))
+        told = option(name, quote(", ".join(one.text for one in each)))
         raise ConditionError(f"{told} mixes quantities", "one quantity")
     unit = first.unit
     if unit is None or isinstance(unit, ScaleUnit):
         unit = resolve(COHERENT[first.dimension])
     sizes = [one.number if one.unit == unit else one.value / unit.factor for one in each]
-    return quantity(numpy.array(sizes, float), unit)
+    return numpy.array(sizes, float), unit
 
 
 def as_text(value: Any) -> str:

@@ -137,7 +137,9 @@ def sky(
     from radcalc.calculators.sky import sky as work_out
 
     name = str(kind)
-    return calculate("sky", given, lambda inputs: work_out(name, inputs), operands={"kind": name})
+    return calculate(
+        "sky", given, lambda inputs: work_out(name, inputs), operands={"type": name}, own=("kind",)
+    )
 
 
 def environment(

@@ -63,7 +63,11 @@ def from_container(units: Any) -> table.Unit:
     """Turn Pint's units into a unit of the table."""
     if any(power != int(power) for _, power in units.items()):
         raise UnitError(f"'{units}' has an exponent that is not a whole number", "whole powers")
-    text = " ".join(name if power == 1 else f"{name}^{int(power)}" for name, power in units.items())
+    symbol = light_registry().get_symbol
+    text = " ".join(
+        symbol(name) if power == 1 else f"{symbol(name)}^{int(power)}"
+        for name, power in units.items()
+    )
     return table.resolve(text or "1")
 
 

@@ -1,0 +1,81 @@
+"""Judging an answer, and naming the mistake."""
+
+from typing import Any
+
+from radcalc.answer import Row
+from radcalc.api.result import Result
+from radcalc.api.spelling import in_python, in_words
+from radcalc.errors import ConditionError
+from radcalc.homework.verdict import Verdict as Judged
+from radcalc.render.formats import Judgement, Style
+from radcalc.render.plain import verdict as words_of
+
+
+class Verdict(Judged):
+    """What is said of an answer; true where it is right.
+
+    Examples
+    --------
+    >>> import radcalc
+    >>> said = check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
+    >>> bool(said), said.diagnoses[0].done
+    (False, 'pi was forgotten')
+    """
+
+    __slots__ = ()
+
+    def __bool__(self) -> bool:
+        """Whether it is right."""
+        return self.is_right
+
+    def __repr__(self) -> str:
+        """Right or wrong, and the likely mistakes."""
+        row = Row(self.name, "", self.right, self.unit)
+        return words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
+
+
+@in_python
+def check(result: Result, claim: str, tolerance: str | None = None) -> Verdict:
+    """Judge an answer to what a function worked out, and name the mistakes that lead to it.
+
+    Parameters
+    ----------
+    result : Result
+        Of a calculator, or of `explain` for a conversion.
+    claim : str
+        The answer: ``"16 lx"``, ``"illuminance=16 lx"`` where several results have the unit, or
+        a number alone where it is clear what it is.
+    tolerance : str, optional
+        ``"1%"``, which it is by default, ``"0.5 lx"``, or ``"3sf"`` for significant digits.
+
+    Returns
+    -------
+    Verdict
+        True or false, with the `right` value, the `ratio` of the answer to it, and the
+        `diagnoses`: each a `mistake` that reproduces the number, what was `done`, and what would
+        be `right`.
+
+    Raises
+    ------
+    radcalc.RadcalcError
+        An answer that is none, or may be meant for several results; a result of arrays.
+
+    Examples
+    --------
+    >>> import radcalc
+    >>> cone = radcalc.solid_angle("cone", half_angle="30 deg")
+    >>> check(cone, "0.842 sr")
+    right (within 1%): solid-angle is 0.841787214477 sr
+    """
+    from radcalc.homework import check as judge
+
+    if not isinstance(result, Result):
+        problem = f"a {type(result).__name__} is no result to check"
+        raise ConditionError(problem, "radcalc.explain, or a calculator's function")
+    found = judge(result.question, str(claim), tolerance)
+    return Verdict(*found._replace(diagnoses=tuple(map(_in_python, found.diagnoses))))
+
+
+def _in_python(found: Any) -> Any:
+    """A diagnosis with keywords."""
+    return found._replace(done=in_words(found.done), right=in_words(found.right))

@@ -1,0 +1,56 @@
+"""Answers that are judged from Python."""
+
+import pytest
+
+import radcalc
+
+CONE = radcalc.solid_angle("cone", half_angle="30 deg")  # 2 pi (1 - cos 30 deg) = 0.84179 sr
+
+
+def test_a_right_answer_is_true_and_a_wrong_one_false():
+    assert radcalc.check(CONE, "0.842 sr")
+    wrong = radcalc.check(CONE, "3.14 sr")
+    assert not wrong
+    assert wrong.right == pytest.approx(0.841787)
+    assert wrong.ratio == pytest.approx(3.14 / 0.841787)
+    assert repr(wrong).startswith(
+        "wrong (within 1%): solid-angle is 0.841787214477 sr, not 3.14 sr"
+    )
+
+
+def test_the_mistake_is_named_in_pythons_words():
+    """E = 500 lx of a diffuser of 0.8 is 500 * 0.8 / pi = 127.3 cd/m2, and 400 without the pi."""
+    said = radcalc.check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
+    assert [one.done for one in said.diagnoses] == ["pi was forgotten"]
+    assert "--" not in repr(said)
+    far = radcalc.check(
+        radcalc.point_source(intensity="100 cd", distance="2 m"), "irradiance=50 lx"
+    )
+    assert not far
+    assert far.diagnoses
+
+
+def test_a_tolerance_is_a_part_a_size_or_digits():
+    assert radcalc.check(CONE, "0.9 sr", tolerance="10%")
+    assert not radcalc.check(CONE, "0.85 sr", "0.001 sr")
+    assert radcalc.check(CONE, "0.842 sr", "3sf")
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (lambda: radcalc.check(CONE, "zork"), "zork"),
+        (lambda: radcalc.check(CONE, "luminance=3 cd/m2"), "no result 'luminance'"),
+        (lambda: radcalc.check(5, "3 sr"), "no result to check"),
+        (
+            lambda: radcalc.check(
+                radcalc.point_source(flux="1 lm", distance=["1 m", "2 m"]), "3 lx"
+            ),
+            "several answers",
+        ),
+    ],
+)
+def test_what_cannot_be_judged_is_refused(ask, said):
+    with pytest.raises(radcalc.RadcalcError, match=said) as caught:
+        ask()
+    assert caught.value.hint

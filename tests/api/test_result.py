@@ -1,0 +1,225 @@
+"""What a function gives: attributes, aliases, remarks, and how a notebook shows it."""
+
+import json
+import shlex
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from conftest import ROOT, run
+
+import radcalc
+from radcalc.quantities.symbols import SYMBOLS
+
+Q = radcalc.Quantity
+LAMP = radcalc.point_source(flux="800 lm", distance="2 m")
+PER_SR = 800 / (4 * np.pi)  # the intensity of an isotropic source of 800 lm [cd]
+
+
+def test_results_are_attributes_and_items_by_every_name_that_they_have():
+    for name in ("irradiance", "illuminance"):
+        assert getattr(LAMP, name) == LAMP[name]
+        assert getattr(LAMP, name).m_as("lx") == pytest.approx(PER_SR / 4)
+    assert {"irradiance", "illuminance", "luminous_intensity", "steps"} <= {*dir(LAMP)}
+    assert [*LAMP] == ["intensity", "flux", "irradiance", "distance", "incidence"]
+    assert len(LAMP) == 5
+    assert {**LAMP}["flux"] == Q(800, "lm")
+
+
+def test_kinds_of_light_that_are_linked_have_their_own_names():
+    green = radcalc.point_source(flux="5 mW", distance="1 m", wavelength="555 nm")
+    assert green.luminous_flux.m_as("lm") == pytest.approx(0.005 * 683.002)  # CIE 018:2019
+    assert green.radiant_flux.m_as("mW") == pytest.approx(5)
+    assert green.flux.units == green.radiant_flux.units
+
+
+def test_no_result_has_the_name_of_what_every_result_has():
+    own = {name for name in dir(radcalc.Result) if not name.startswith("_")} | vars(LAMP).keys()
+    assert not own & {name.replace("-", "_") for name in SYMBOLS}
+
+
+def test_a_name_of_no_result_is_an_attribute_error_that_names_those_like_it():
+    with pytest.raises(AttributeError, match="there is no result 'iluminance'\ntry: illuminance"):
+        LAMP.iluminance  # noqa: B018
+    assert not hasattr(LAMP, "luminance")
+    with pytest.raises(KeyError):
+        LAMP["radiance"]
+
+
+def test_what_was_assumed_noted_and_derived_is_told_in_pythons_words():
+    assert LAMP.assumptions[0] == "isotropic: the same intensity in all directions"
+    assert [step.law for step in LAMP.steps][-1] == "inverse square law"
+    assert radcalc.photon("300 nm").notes[0].startswith("nothing is seen at 300 nm")
+    ball = radcalc.uberlight((0, 0, 1), intensity="1 cd")
+    assert "a fall-off distance of 1 m (falloff_distance)" in ball.assumptions
+
+
+CALLS = {
+    "a lamp": (
+        lambda: radcalc.point_source(flux="800 lm", distance="2 m"),
+        "point-source --flux '800 lm' --distance '2 m'"),
+    "a disc": (
+        lambda: radcalc.lambertian("disc", luminance="1e4 cd/m2", radius="25 cm", height="75 cm"),
+        "lambertian disc --luminance '1e4 cd/m2' --radius '25 cm' --height '75 cm'"),
+    "an uncertain distance": (
+        lambda: radcalc.point_source(intensity="100 cd", distance="2.00+-0.02 m"),
+        "point-source --intensity '100 cd' --distance '2.00+-0.02 m'"),
+    "a cone": (
+        lambda: radcalc.solid_angle("cone", half_angle="30 deg"),
+        "solid-angle cone --half-angle '30 deg'"),
+    "a polygon": (
+        lambda: radcalc.solid_angle("triangle", ["1,0,0", "0,1,0", "0,0,1"]),
+        "solid-angle triangle 1,0,0 0,1,0 0,0,1"),
+    "a photon": (
+        lambda: radcalc.photon("2.33 eV", observer="scotopic"),
+        "photon '2.33 eV' --observer scotopic"),
+    "a spectrum": (lambda: radcalc.spectrum("D65"), "spectrum D65"),
+    "a vector": (lambda: radcalc.direction("1,1,1"), "direction 1 1 1"),
+    "a beam": (
+        lambda: radcalc.etendue(area="1 mm2", half_angle="30 deg"),
+        "etendue --area '1 mm2' --half-angle '30 deg'"),
+    "a sky": (
+        lambda: radcalc.sky("overcast", zenith_luminance="9000 cd/m2", tilt="90 deg"),
+        "sky overcast --zenith-luminance '9000 cd/m2' --tilt '90 deg'"),
+    "surroundings": (
+        lambda: radcalc.environment("sky:overcast", zenith_luminance="9 kcd/m2", normal="1,0,0"),
+        "environment sky:overcast --zenith-luminance '9 kcd/m2' --normal 1,0,0"),
+    "twilight": (
+        lambda: radcalc.mesopic(luminance="0.1 cd/m2", spectrum="LED-B3"),
+        "mesopic --luminance '0.1 cd/m2' --spectrum LED-B3"),
+    "a picture": (
+        lambda: radcalc.screen(flux="2 klm", width="2 m", aspect="4/3"),
+        "screen --flux '2 klm' --width '2 m' --aspect 4/3"),
+    "a conversion": (
+        lambda: radcalc.explain("800 lm", "cd", half_angle="60 deg"),
+        "convert '800 lm' cd --half-angle '60 deg'"),
+    "an uncertain conversion": (
+        lambda: radcalc.explain("100+-3 lx", "fc"), "convert '100+-3 lx' fc"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
+def test_a_dict_is_what_the_command_writes_as_json(call):
+    ask, words = call
+    expected = json.loads(run(*shlex.split(words), "--json", "--steps").stdout)
+    found = ask().to_dict()
+    for one in (expected, found):  # which the two gates spell in their own ways
+        one.pop("assumptions"), one.pop("notes")
+        for given in one["inputs"].values():
+            given.pop("text", None) if "value" in given else None
+    assert found == expected
+    json.dumps(found, allow_nan=False)
+
+
+def test_the_dict_of_arrays_has_lists():
+    found = radcalc.point_source(flux="800 lm", distance=["1 m", "2 m"]).to_dict()
+    assert found["results"]["irradiance"]["value"] == pytest.approx([PER_SR, PER_SR / 4])
+    assert found["inputs"]["distance"] == {"value": [1.0, 2.0], "unit": "m"}
+
+
+def test_single_numbers_are_asked_for_each_element_of_an_array():
+    """E = h c / lambda; h c is 1239.841984 eV nm by the SI's constants."""
+    found = radcalc.photon(Q(np.array([[500.0, 600.0]]), "nm"))
+    np.testing.assert_allclose(found.photon_energy.m_as("eV"), 1239.841984 / np.array([[500, 600]]))
+    cones = radcalc.solid_angle("cone", half_angle=["60 deg", "90 deg"])
+    np.testing.assert_allclose(cones.solid_angle.m_as("sr"), [np.pi, 2 * np.pi])
+    with pytest.raises(radcalc.ConditionError, match="no elements"):
+        radcalc.photon(Q(np.empty(0), "nm"))
+
+
+def test_several_answers_are_arrays_of_them():
+    found = radcalc.point_source(intensity="100 cd", offset="1 m", illuminance="10 lx")
+    assert found.height.shape == (2,)
+    assert "2 " not in found.command
+    assert len(found.rows[0].value) == 2
+
+
+class Page(HTMLParser):
+    """The cells of the tables, the items of the lists and the tags of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.rows, self.items, self.open, self.tags, self.styles = [], [], [], [], ""
+        self.folded = ""
+        self.feed(text)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag, attributes):
+        self.open.append(tag)
+        self.tags.append(tag)
+        self.styles += " ".join(value or "" for _, value in attributes)
+        if tag == "tr":
+            self.rows.append([])
+        elif tag in ("td", "th"):
+            self.rows[-1].append("")
+        elif tag == "li":
+            self.items.append("")
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open[-1] in ("td", "th"):
+            self.rows[-1][-1] += data
+        elif self.open[-1] == "li":
+            self.items[-1] += data
+        elif self.open[-1] == "pre":
+            self.folded += data
+
+
+def test_a_notebook_shows_what_was_given_what_follows_and_what_was_assumed():
+    page = Page(LAMP._repr_html_())
+    assert page.rows[0] == ["quantity", "symbol", "value", "unit"]
+    assert ["flux (given)", "", "800 lm", ""] in page.rows
+    assert ["illuminance", "E_v", "15.9155", "lx"] in page.rows  # 800 / (16 pi)
+    assert f"assumed: {LAMP.assumptions[1]}" in page.items
+    assert "E = I cos(theta) Omega0 / d^2" in page.folded
+
+
+def test_a_notebook_shows_notes_arrays_uncertainties_and_what_is_no_number():
+    dark = Page(radcalc.photon("300 nm", observer="scotopic")._repr_html_())
+    assert any(one.startswith("note: nothing is seen at 300 nm") for one in dark.items)
+    assert ["observer (given)", "", "scotopic", ""] in dark.rows
+    many = radcalc.point_source(intensity="1 cd", distance=Q(np.arange(1.0, 100.0), "m"))
+    page = Page(many._repr_html_())
+    assert ["distance (given)", "", "[1 2 3 ... 97 98 99]", "m"] in page.rows
+    off = radcalc.point_source(intensity="100 cd", distance="2.00+-0.02 m")
+    assert ["illuminance", "E_v", "25.00 ± 0.50", "lx"] in Page(off._repr_html_()).rows
+
+
+def test_what_a_user_typed_is_text_in_a_notebook():
+    text = "3*(theta<1)*(phi>=0)*1 cd"
+    page = Page(radcalc.point_source(distribution=text)._repr_html_())
+    assert ["distribution (given)", "", text, ""] in page.rows
+
+
+def test_the_page_has_no_colours_scripts_or_links_so_that_it_is_read_on_light_and_dark():
+    page = Page(LAMP._repr_html_())
+    assert not {*page.tags} & {"script", "style", "a", "img", "font"}
+    assert "color" not in page.styles
+    assert "background" not in page.styles
+
+
+def test_an_interpreter_shows_the_results_with_their_units_and_what_was_assumed():
+    lines = repr(LAMP).splitlines()
+    assert lines[0] == "radcalc point-source"
+    assert "  irradiance  15.9155 lx" in lines
+    assert "  flux        800 lm (given)" in lines
+    assert f"  assumed: {LAMP.assumptions[0]}" in lines
+
+
+def test_what_dask_has_not_computed_is_shown_as_such():
+    import dask.array
+
+    array = dask.array.from_array(np.array([1.0, 2.0]))
+    found = radcalc.point_source(intensity="1 cd", distance=Q(array, "m"))
+    assert "irradiance  an array of the shape (2,), not computed yet lx" in repr(found)
+    assert found.assumptions
+    with pytest.raises(radcalc.ConditionError, match="not there yet"):
+        found.to_dict()
+
+
+def test_a_file_is_named_among_what_was_given():
+    found = radcalc.point_source(distribution=ROOT / "examples" / "downlight.ies")
+    assert "downlight.ies" in str(found.inputs) or found.inputs[0].text
