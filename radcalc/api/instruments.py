@@ -51,7 +51,7 @@ def ev(
     guide_number : Amount, optional
         Guide number of a flash, at ISO 100. [m]
     distance : Amount, optional
-        Straight line to the centre of what is seen. [m]
+        Distance from the flash to what it lights. [m]
     k : Amount, optional
         The meter's constant for reflected light (12.5 cd s/m2). [cd s/m2]
     c : Amount, optional
@@ -301,7 +301,7 @@ def sensor(
     responsivity : Amount, optional
         Current that the detector gives per watt of light on it. [A/W]
     electrons : Number, optional
-        Electrons that they set free.
+        Electrons that the photons set free.
     current : Amount, optional
         Current that the light makes in the detector. [A]
     snr : Number, optional
@@ -399,7 +399,7 @@ def laser(
     peak_irradiance, peak_illuminance, peak_photon_irradiance : Amount, optional
         The irradiance on the axis, where it is greatest. [W/m2, lx, umol/m2/s]
     exposure, radiant_exposure, luminous_exposure, photon_exposure : Amount, optional
-        The exposure of the receiver (with `time`). [J/m2, lx s, umol/m2]
+        The exposure of the spot (with `time`). [J/m2, lx s, umol/m2]
     distance : Amount, optional
         Distance from the laser's exit, where the spot is without it. [m]
     spot_diameter : Amount, optional
@@ -409,7 +409,7 @@ def laser(
     receiver_diameter : Amount, optional
         Diameter of a round receiver about the beam's axis: a pupil, a sensor. [m]
     limit, irradiance_limit, illuminance_limit, photon_irradiance_limit : Amount, optional
-        A limit of the irradiance, from the standard (with `hazard_distance`). [W/m2, lx, umol/m2/s]
+        A limit of the peak, from the standard (with `hazard_distance`). [W/m2, lx, umol/m2/s]
     hazard_distance : Amount, optional
         Distance beyond which the peak irradiance is below the limit. [m]
     wavelength : Amount, optional
@@ -492,8 +492,8 @@ def room(
     luminaires : Number, optional
         How many luminaires there are.
     utilance : Number, optional
-        The part of the luminaires' flux that gets to the working plane, once or again; with the
-        flux of bare lamps, the utilization factor.
+        The part of the luminaires' flux that gets to the working plane, at once or reflected; with
+        the flux of bare lamps, the utilization factor.
     maintenance : Number, optional
         Maintenance factor: the part of the light that is left by ageing and dirt (1).
     wavelength : Amount, optional
