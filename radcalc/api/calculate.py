@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import Answer, Value, texts_of
+from radcalc.api.columns import taken
 from radcalc.api.quantity import is_lazy
 from radcalc.api.reading import broadcast, read_inputs, read_points
 from radcalc.api.result import Result, of_answer
@@ -35,7 +36,20 @@ def calculate(
     no symbols; `intervals` are A:B.  It `waits` for Dask's arrays if it works element by element;
     what takes numbers `singly` is asked for each element; `called` gives inputs other names.
     """
-    given = {key: one for key, one in given.items() if one is not None and one is not False}
+    columns, given = taken({k: v for k, v in given.items() if v is not None and v is not False})
+    if columns:
+        made = calculate(
+            command,
+            given,
+            work_out,
+            operands=operands,
+            own=own,
+            intervals=intervals,
+            waits=waits,
+            singly=singly,
+            called=called,
+        )
+        return made.in_columns(columns)
     if waits and any(map(is_lazy, given.values())):
         from radcalc.api.lazy import blockwise
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from radcalc.answer import Input
+from radcalc.api.columns import of_conversion, taken
 from radcalc.api.keywords import Amount, ElectricField, Number, Observer, Text
 from radcalc.api.quantity import Quantity, is_lazy, is_quantity, quantity, unit_of
 from radcalc.api.reading import broadcast, read_keyword, refuse_lazy
@@ -17,6 +18,7 @@ from radcalc.conversion.plan import answer as answer_of
 from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
 from radcalc.given import Given, any_uncertain, inputs_of, refuse_uncertain
 from radcalc.maths import is_array, is_column, is_uncertain
+from radcalc.quantities.light import result_name
 from radcalc.units.amounts import Amount as ReadAmount
 from radcalc.units.amounts import read_amount
 from radcalc.units.ranges import real
@@ -392,6 +394,12 @@ def _is_nothing(value: Any) -> bool:
 
 @in_python
 def _convert(value: Any, target: str, conditions: dict[str, Any]) -> Any:
+    columns, arrays = taken({"value": value, **conditions})
+    if columns:
+        made = _convert(arrays.pop("value"), target, arrays)
+        unit = target_of(target)
+        name = (result_name(unit) or "value").replace("-", "_")
+        return of_conversion(columns, made, unit, name)
     if any(map(is_lazy, (value, *conditions.values()))):
         from radcalc.api.lazy import blockwise
 

@@ -25,6 +25,7 @@ from radcalc.units.scales import ScaleUnit
 from radcalc.units.table import Unit, resolve
 
 T = TypeVar("T")
+LIBRARIES = ("pandas", "polars", "xarray")  # of tables, whose columns `radcalc.api.columns` takes
 KNOWN = [name for name, symbol in SYMBOLS.items() if symbol.help and name not in INNER]
 
 
@@ -107,9 +108,18 @@ def refuse_lazy(value: Any, what: str) -> None:
         raise ConditionError(problem, "an array in memory: .compute() before the call")
 
 
+def refuse_column(value: Any, what: str) -> None:
+    """Refuse an object of a library of tables where it would lose its names."""
+    library = type(value).__module__.partition(".")[0]
+    if library in LIBRARIES:
+        problem = f"{what} is a {type(value).__name__} of {library}"
+        raise ConditionError(problem, ".to_numpy(), for its values alone")
+
+
 def read_points(point: Any) -> Given:
     """Points, as a text, lengths or numbers of metres."""
     refuse_lazy(point, "the array of points")
+    refuse_column(point, "the array of points")
     if isinstance(point, str):
         return read_place("point", point)
     metres, unit = in_metres(point, "a point", "three numbers, [1, 0, 2]")

@@ -15,6 +15,7 @@ from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
+    from radcalc.api.columns import Columns
     from radcalc.homework.question import Question
 
 Told = Callable[[], answer.Result]
@@ -177,6 +178,12 @@ class Result(Mapping[str, Quantity]):
     def every(self) -> dict[str, Any]:
         """The results by all of their names."""
         return {**self._found, **self._others}
+
+    def in_columns(self, columns: "Columns") -> "Result":
+        """The same with columns for the arrays."""
+        found = {name: columns.result(name, one) for name, one in self._found.items()}
+        others = {name: columns.result(name, one) for name, one in self._others.items()}
+        return Result(self.command, self._told, found, others)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
         """The same with other results, as those of which Dask has not computed the values."""

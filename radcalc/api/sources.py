@@ -501,15 +501,12 @@ def _scene(given: dict[str, Any]) -> Result:
     import numpy
 
     from radcalc.calculators import scene as page
-    from radcalc.calculators.worksheet import refuse_foreign
     from radcalc.distributions.scene import blocks
-    from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
     own = ("sources", "points", "normal", "shares")
     sources, points, normal, shares = (given[name] for name in own)
     inputs = read_inputs({name: one for name, one in given.items() if name not in own})
     refuse_uncertain(inputs.values(), "a scene")
-    refuse_foreign(inputs, (*LINKS, *REFINEMENTS), "a scene")
     for one in inputs.values():
         if is_array(one.value):
             raise ConditionError(f"{option(one.name)} is an array", "one value for the whole scene")

@@ -19,7 +19,7 @@ from radcalc.api.keywords import (
     Vector,
 )
 from radcalc.api.quantity import Quantity, is_quantity, quantity, unit_of
-from radcalc.api.reading import one_of, read_inputs
+from radcalc.api.reading import one_of, read_inputs, refuse_column
 from radcalc.api.result import Result
 from radcalc.api.spelling import in_python
 from radcalc.errors import ConditionError
@@ -444,4 +444,5 @@ def _surroundings(given: Mapping[str, Any]) -> tuple[Source, dict[str, Any]]:
             raise ConditionError("unit is given, and the map has its own", "the same without unit")
         given["unit"] = unit_of(source)
         source = source.magnitude
+    refuse_column(source, "the map")
     return Source(picture_of(source)), given

@@ -621,7 +621,7 @@ def test_arrays_make_arrays():
     assert radcalc.reproject("sky:5", "angular").shape == (512, 512, 1)
     with pytest.raises(radcalc.errors.RadcalcError, match="no projection 'cube'"):
         radcalc.reproject(pixels, "cube")
-    with pytest.raises(radcalc.errors.RadcalcError, match="normal has no use"):
+    with pytest.raises(TypeError, match="normal"):
         radcalc.irradiance_map(pixels, normal=(0, 0, 1))
     with pytest.raises(radcalc.errors.RadcalcError, match="order 3"):
         radcalc.irradiance_map(pixels, order=3)

@@ -353,13 +353,12 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both tell where"),
         ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "no use without a receiver"),
-        ({"distribution": "1 cd", "radiance": "3cd/m2"}, "a point source has none"),
         ({"distribution": "1 cd", "irradiance": "3W/m2"}, "what links them is missing"),
         ({"distribution": "1 cd", "illuminance": "3lx", "offset": "9m"}, "no height gives just"),
         ({"distribution": "1 cd", "offset": "9m"}, "height is missing beside offset"),
         ({"distribution": "lamp.ies"}, "there is no file 'lamp.ies'"),
         (
-            {"exponent": "1", "beam-angle": "30deg", "peak-intensity": "9cd"},
+            {"exponent": "1", "beam_angle": "30deg", "peak_intensity": "9cd"},
             "contradicts the rest, which gives 19.9937",
         ),
         ({"distribution": "9*(theta < 0) cd", "distance": "1m"}, "looked at; peaks narrower than"),
@@ -386,6 +385,13 @@ def test_what_does_not_go_together_is_refused(given, said):
         point_source(**given)
     assert said in refused.value.message
     assert refused.value.hint
+
+
+def test_a_radiance_is_none_of_a_point_source():
+    given = {"distribution": "1 cd", "radiance": "3cd/m2"}
+    with pytest.raises(RadcalcError, match="a point source has none") as refused:
+        work_out({name: read(name, one) for name, one in given.items()})
+    assert "lambertian" in refused.value.hint
 
 
 @pytest.mark.parametrize("place", [{"distance": "1m"}, {"height": "1m"}])

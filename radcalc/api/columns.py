@@ -1,0 +1,170 @@
+"""Columns of pandas, Polars and xarray: taken with the unit that they tell, and given back.
+
+A column has its unit in its name (`distance [m]`), as the columns of files have; one of xarray also
+in its attribute `units`, or in its data, which may be a quantity.  A result that depends on columns
+is one like them: of the same index or coordinates, and with its unit told in the same way.
+"""
+
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from typing import Any, NamedTuple
+
+import numpy
+
+from radcalc.api.quantity import is_quantity, quantity, unit_of
+from radcalc.api.reading import LIBRARIES, gathered, refuse_column
+from radcalc.errors import ConditionError, option, quote
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS
+from radcalc.quantities.titles import read_title
+from radcalc.units.table import NUMBER, Unit, resolve
+
+PANDAS, POLARS, XARRAY = LIBRARIES
+COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}
+UNITS = "units"  # the attribute of xarray's arrays, by the CF conventions
+
+
+def library_of(value: Any) -> str:
+    """The library of tables that an object is of; none of others."""
+    root = type(value).__module__.partition(".")[0]
+    return root if root in COLUMNS else ""
+
+
+class Columns(NamedTuple):
+    """The columns that were given to a function, by the first of them.
+
+    With `quantities` the data of xarray's arrays are quantities; else their units stand apart.
+    """
+
+    library: str
+    like: Any
+    quantities: bool = False
+
+    def result(self, name: str, value: Any, title: str = "") -> Any:
+        """A result, or readings on a scale, as a column; what depends on none as it is."""
+        magnitude = getattr(value, "magnitude", value)
+        if not numpy.ndim(magnitude):
+            return value
+        if numpy.shape(magnitude) != self.like.shape:
+            problem = f"{name} has the shape {numpy.shape(magnitude)}, and the columns another"
+            raise ConditionError(problem, "radcalc.Quantity(column.to_numpy(), UNIT)")
+        unit = unit_of(value).text if is_quantity(value) else ""
+        if self.library == XARRAY:
+            made = self.like.copy(data=value if self.quantities else magnitude)
+            made.attrs = {} if self.quantities or not unit else {UNITS: unit}
+            return made.rename(name)
+        title = title or (f"{name} [{unit}]" if unit not in ("", "1") else name)
+        if self.library == POLARS:
+            return type(self.like)(title, magnitude)
+        return type(self.like)(magnitude, index=self.like.index, name=title)
+
+
+def taken(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
+    """What was given with the columns as arrays in their units, and what they are like."""
+    found = {key: one for key, one in given.items() if library_of(_data(one))}
+    if not found:
+        return None, dict(given)
+    for key, one in found.items():
+        column = _data(one)
+        symbol = SYMBOLS.get(key.replace("_", "-"))
+        if type(column).__name__ != COLUMNS[library_of(column)] or (
+            key != "value" and (symbol is None or symbol.form != QUANTITY)
+        ):
+            refuse_column(column, key)
+    units = {key: _unit_of(key, one) for key, one in found.items()}
+    each = _aligned(found)
+    first = each[0]
+    like = Columns(library_of(first), first, library_of(first) == XARRAY and _is_quantity(first))
+    arrays = {
+        key: _array(key, column, unit)
+        for (key, unit), column in zip(units.items(), each, strict=True)
+    }
+    return like, {**given, **arrays}
+
+
+def _data(value: Any) -> Any:
+    """The column in a quantity, as one of Polars may be; anything else as it is."""
+    return getattr(value, "magnitude", value)
+
+
+def _is_quantity(column: Any) -> bool:
+    return is_quantity(column.data)
+
+
+def _unit_of(key: str, given: Any) -> Unit | None:
+    """The unit that a column tells; None for bare numbers."""
+    column = _data(given)
+    if column is not given:
+        return unit_of(given)
+    name = key.replace("_", "-")
+    if library_of(column) == XARRAY:
+        if _is_quantity(column):
+            return unit_of(column.data)
+        if UNITS in column.attrs:
+            return resolve(str(column.attrs[UNITS]))
+    like = resolve(SYMBOLS[name].unit) if name in SYMBOLS and SYMBOLS[name].unit else None
+    unit = read_title(str(column.name), like).unit if column.name is not None else None
+    if unit and unit.is_scale:
+        problem = f"the column '{quote(str(column.name))}' has readings on a scale"
+        raise ConditionError(problem, "what they stand for, in a unit")
+    if unit is None and name in SYMBOLS and NUMBER not in SYMBOLS[name].dimensions:
+        if _is_text(column):
+            return None
+        likely = f"{key} [{SYMBOLS[name].unit}]"
+        problem = f"{option(name)} is a column without a unit, '{quote(str(column.name))}'"
+        way = f'.rename("{likely}"), or radcalc.Quantity(column.to_numpy(), "{SYMBOLS[name].unit}")'
+        raise ConditionError(problem, way)
+    return unit
+
+
+def _is_text(column: Any) -> bool:
+    return bool(column.size if hasattr(column, "size") else len(column)) and isinstance(
+        column.to_numpy().flat[0], str
+    )
+
+
+def _aligned(found: Mapping[str, Any]) -> Sequence[Any]:
+    """The columns with the same rows, or with all of their dimensions."""
+    each = [_data(one) for one in found.values()]
+    first, *others = each
+    library = library_of(first)
+    names = " and ".join(found)
+    if any(library_of(one) != library for one in others):
+        raise ConditionError(f"{names} are columns of two libraries", "columns of one")
+    if library == XARRAY:
+        xarray: Any = import_module(XARRAY)
+        try:
+            return list(xarray.broadcast(*xarray.align(*each, join="exact")))
+        except ValueError:
+            problem = f"{names} have other coordinates"
+            raise ConditionError(problem, "xarray.align before the call") from None
+    for one in others:
+        if len(one) != len(first) or (library == PANDAS and not one.index.equals(first.index)):
+            raise ConditionError(f"{names} have other rows", "columns of one table")
+    return each
+
+
+def _array(key: str, column: Any, unit: Unit | None) -> Any:
+    """The values of a column, with their unit."""
+    if unit is None and _is_text(column):
+        return gathered(key, column.to_numpy().tolist())
+    values = column.data if library_of(column) == XARRAY else column.to_numpy()
+    values = _data(values)
+    if not hasattr(values, "__dask_graph__"):
+        try:
+            values = numpy.asarray(values, float)
+        except (TypeError, ValueError):
+            problem = f"{key} is a column with what is no number, '{quote(str(column.name))}'"
+            raise ConditionError(problem, "a column of numbers") from None
+        if key != "value" and numpy.isnan(values).any():
+            problem = f"{key} is a column with missing values, '{quote(str(column.name))}'"
+            raise ConditionError(problem, "the rows that have one: .dropna(), or .drop_nulls()")
+    return values if unit is None else quantity(values, unit)
+
+
+def of_conversion(like: Columns, value: Any, target: Unit, name: str) -> Any:
+    """What a column is converted to: by its own name, if it stays the same quantity."""
+    own = str(like.like.name) if like.like.name is not None else ""
+    title = read_title(own) if own and like.library != XARRAY else None
+    if title and title.unit and title.unit.dimension == target.dimension:
+        return like.result(name, value, title.with_unit(target.text))
+    return like.result(name, value, f"{name} [{target.text}]")

@@ -1,0 +1,147 @@
+"""Columns of pandas, Polars and xarray: with their unit in, with their index out, or refused."""
+
+import numpy as np
+import pandas as pd
+import polars as pl
+import pytest
+import xarray as xr
+
+import radcalc
+
+Q = radcalc.Quantity
+METRES = [1.0, 2.0, 5.0]
+LUX = [100.0, 25.0, 4.0]  # of 100 cd, by the inverse square law
+FC = [x * 0.3048**2 for x in LUX]  # lm/m2 and lm/ft2
+
+
+def lamp(distance, **given):
+    return radcalc.point_source(intensity="100 cd", distance=distance, **given)
+
+
+def test_a_series_of_pandas_keeps_its_index_and_tells_its_unit():
+    distance = pd.Series(METRES, index=["a", "b", "c"], name="distance [m]")
+    found = lamp(distance)
+    pd.testing.assert_series_equal(
+        found.illuminance, pd.Series(LUX, index=distance.index, name="illuminance [lx]")
+    )
+    pd.testing.assert_series_equal(found.distance, distance)
+    assert found.intensity == Q(100, "cd")
+    again = radcalc.convert(found.illuminance, "fc")
+    assert again.name == "illuminance [fc]"
+    np.testing.assert_allclose(again, FC)
+
+
+def test_a_series_of_polars_keeps_its_kind_and_tells_its_unit():
+    found = lamp(pl.Series("d (cm)", [100.0, 200.0, 500.0])).illuminance
+    assert isinstance(found, pl.Series)
+    assert found.name == "illuminance [lx]"
+    np.testing.assert_allclose(found.to_numpy(), LUX)
+    assert radcalc.convert(found, "fc").name == "illuminance [fc]"
+    wrapped = radcalc.convert(Q(pl.Series("E", LUX), "lx"), "fc")
+    assert wrapped.name == "illuminance [fc]"
+    np.testing.assert_allclose(wrapped.to_numpy(), FC)
+
+
+def test_an_array_of_xarray_keeps_its_coordinates_and_its_units():
+    told = xr.DataArray(METRES, dims="d", coords={"d": [10, 20, 30]}, attrs={"units": "m"})
+    found = lamp(told).illuminance
+    assert found.attrs == {"units": "lx"}
+    assert found.d.values.tolist() == [10, 20, 30]
+    np.testing.assert_allclose(found, LUX)
+    wrapped = xr.DataArray(Q(np.array(METRES), "m"), dims="d", coords={"d": [10, 20, 30]})
+    data = lamp(wrapped).illuminance.data
+    assert data.units == Q(1, "lx").units
+    assert radcalc.convert(lamp(wrapped).illuminance, "fc").data.m == pytest.approx(FC)
+
+
+def test_arrays_of_xarray_are_broadcast_by_the_names_of_their_dimensions():
+    distance = xr.DataArray(METRES, dims="d", attrs={"units": "m"})
+    intensity = xr.DataArray([100.0, 200.0], dims="lamp", attrs={"units": "cd"})
+    found = radcalc.point_source(intensity=intensity, distance=distance).illuminance
+    assert dict(found.sizes) == {"lamp": 2, "d": 3}
+    np.testing.assert_allclose(found.sel(lamp=1), np.multiply(LUX, 2))
+
+
+def test_several_series_are_of_one_table():
+    table = pd.DataFrame({"I [cd]": [100.0, 50.0], "d [m]": [1.0, 5.0]}, index=[7, 9])
+    found = radcalc.point_source(intensity=table["I [cd]"], distance=table["d [m]"])
+    assert found.illuminance.to_dict() == {7: 100.0, 9: 2.0}
+    other = table["d [m]"].sort_index(ascending=False)
+    with pytest.raises(radcalc.ConditionError, match="have other rows"):
+        radcalc.point_source(intensity=table["I [cd]"], distance=other)
+
+
+def test_texts_in_a_column_carry_their_own_units():
+    found = lamp(pd.Series(["1 m", "200 cm", "5 m"], name="distance")).illuminance
+    np.testing.assert_allclose(found, LUX)
+
+
+def test_a_number_needs_no_unit():
+    found = radcalc.lambertian(incident_irradiance="100 lx", reflectance=pd.Series([0.5, 1.0]))
+    np.testing.assert_allclose(found.exitance, [50, 100])
+    share = radcalc.convert(pd.Series([0.5], index=["a"], name="share"), "%")
+    assert share.to_dict() == {"a": 50.0}
+
+
+def test_a_column_is_converted_to_readings_on_a_scale_and_to_another_quantity():
+    power = pd.Series([1.0, 100.0], index=[3, 4], name="P [mW]")
+    assert radcalc.convert(power, "dBm").to_dict() == {3: 0.0, 4: 20.0}
+    lux = pd.Series([54.0], name="E [lx]")
+    ppfd = radcalc.convert(lux, "umol/m2/s", efficacy="54 lm s/umol")
+    assert ppfd.name == "photon_irradiance [umol/m2/s]"
+    assert ppfd.tolist() == pytest.approx([1.0])
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (lambda: lamp(pd.Series(METRES)), "distance is a column without a unit"),
+        (lambda: lamp(pd.Series(METRES, name="d")), "distance is a column without a unit, 'd'"),
+        (lambda: lamp(pl.Series("d", METRES)), "distance is a column without a unit, 'd'"),
+        (lambda: lamp(xr.DataArray(METRES)), "distance is a column without a unit"),
+        (lambda: lamp(pd.Series([1.0, None], name="d [m]")), "missing values"),
+        (lambda: lamp(pl.Series("d [m]", [1.0, None])), "missing values"),
+        (lambda: lamp(pd.Series([True, "x"], name="d [m]")), "with what is no number"),
+        (lambda: lamp(pd.DataFrame({"d [m]": METRES})), "distance is a DataFrame of pandas"),
+        (lambda: lamp(pd.Index(METRES, name="d [m]")), "distance is a Index of pandas"),
+        (lambda: lamp(pl.DataFrame({"d [m]": METRES})), "distance is a DataFrame of polars"),
+        (lambda: lamp(pd.Series(METRES, name="E [lx]")), "takes a length, not illuminance"),
+        (lambda: lamp(pd.Series(METRES, name="P [dBm]")), "readings on a scale"),
+        (
+            lambda: radcalc.point_source(
+                intensity=pl.Series("I [cd]", METRES), distance=pd.Series(METRES, name="d [m]")
+            ),
+            "two libraries",
+        ),
+        (
+            lambda: lamp(
+                xr.DataArray(METRES, dims="d", coords={"d": [1, 2, 3]}, attrs={"units": "m"}),
+                incidence=xr.DataArray(
+                    METRES, dims="d", coords={"d": [1, 2, 4]}, attrs={"units": "deg"}
+                ),
+            ),
+            "have other coordinates",
+        ),
+        (
+            lambda: radcalc.point_source(
+                intensity=Q(np.ones((2, 3)), "cd"), distance=pd.Series(METRES, name="d [m]")
+            ),
+            "and the columns another",
+        ),
+        (lambda: radcalc.uberlight(pd.DataFrame(np.ones((2, 3))), intensity="1 cd"), "DataFrame"),
+        (
+            lambda: radcalc.environment(xr.DataArray(np.ones((4, 8))), unit="cd/m2"),
+            "the map is a DataArray of xarray",
+        ),
+        (
+            lambda: radcalc.explain(pd.Series([1.0], name="E [lx]"), "fc"), "single values"),
+        (
+            lambda: radcalc.factor("cd", "lx", distance=pd.Series(METRES, name="d [m]")),
+            "distance",
+        ),
+    ],
+)  # fmt: skip
+def test_what_would_lose_its_names_or_has_no_unit_is_refused_with_the_way_out(ask, said):
+    with pytest.raises(radcalc.RadcalcError, match=said) as caught:
+        ask()
+    assert caught.value.hint
