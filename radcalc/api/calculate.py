@@ -29,12 +29,14 @@ def calculate(
     waits: bool = True,
     singly: bool = False,
     called: Callable[[Inputs], Inputs] | None = None,
+    drawn: Any = None,
 ) -> Result:
     """Read what a function was given, work out what follows, and give all of it.
 
     `given` are its arguments, of which the `operands`, by their texts, and those of its `own` are
     no symbols; `intervals` are A:B.  It `waits` for Dask's arrays if it works element by element;
-    what takes numbers `singly` is asked for each element; `called` gives inputs other names.
+    what takes numbers `singly` is asked for each element; `called` gives inputs other names;
+    `drawn` is what a picture takes beside the inputs.
     """
     columns, given = taken({k: v for k, v in given.items() if v is not None and v is not False})
     if columns:
@@ -48,6 +50,7 @@ def calculate(
             waits=waits,
             singly=singly,
             called=called,
+            drawn=drawn,
         )
         return made.in_columns(columns)
     if waits and any(map(is_lazy, given.values())):
@@ -75,7 +78,8 @@ def calculate(
 
         return of_calculator(command, operands.get("shape", ""), inputs, work_out, steps=True)
 
-    return of_answer(command, answer, told, None if arrays or point is not None else ask)
+    single = None if arrays or point is not None else ask
+    return of_answer(command, answer, told, single, (inputs, answer, drawn))
 
 
 def _singly(work_out: WorkOut) -> WorkOut:

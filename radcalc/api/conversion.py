@@ -417,6 +417,9 @@ def _explain(value: Any, target: str, conditions: dict[str, Any]) -> Result:
     if any(getattr(one, "shape", ()) for one in (value, *conditions.values())):
         raise ConditionError("explain takes single values, not arrays", "one of each")
     made, magnitude, given = _plan(value, target, conditions)
+    for one in given:
+        if is_column(one.value):
+            raise ConditionError(f"explain takes one value of {option(one.name)}", "one of each")
     number = magnitude.typed[0] if isinstance(magnitude, ReadAmount) else magnitude
     number = float(getattr(number, "nominal_value", number))
     shown = answer_of(made, number, steps=True)

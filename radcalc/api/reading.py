@@ -7,7 +7,7 @@ import numpy
 
 from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, unit_of
 from radcalc.errors import ConditionError, nearest, option, quote
-from radcalc.given import TOO_FAR, Given, Inputs, read, read_interval, read_place
+from radcalc.given import TOO_FAR, Given, Inputs, read, read_interval, read_place, values_of
 from radcalc.maths import LARGEST, is_column
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -65,7 +65,10 @@ def read_keyword(
 
 
 def gathered(keyword: str, value: Any) -> Any:
-    """A list of texts or quantities as one quantity, in the unit of the first."""
+    """A list of texts or quantities as one quantity, in the unit of the first.
+
+    A text may be a list or a range itself: "1m,2m,5m", "1m:5m:1m".
+    """
     name = keyword.replace("_", "-")
     found = _gathered(name, value) if name in SYMBOLS else value
     return value if found is value else quantity(*found)
@@ -73,7 +76,12 @@ def gathered(keyword: str, value: Any) -> Any:
 
 def _gathered(name: str, value: Any) -> Any:
     """The same as an array and its unit; what is no such list as it is."""
-    if not isinstance(value, (list, tuple)) or SYMBOLS[name].form != QUANTITY:
+    if SYMBOLS[name].form != QUANTITY:
+        return value
+    if isinstance(value, str):
+        each_text = values_of(name, value)
+        value = each_text if len(each_text) > 1 else value
+    if not isinstance(value, (list, tuple)):
         return value
     if not any(isinstance(one, str) or is_quantity(one) for one in value):
         return value

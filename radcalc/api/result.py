@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any
 
 from radcalc import answer
 from radcalc.answer import Answer, Input, Row, Step
+from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, quantity, unit_of
-from radcalc.api.spelling import in_words
+from radcalc.api.spelling import in_python, in_words
 from radcalc.calculators.results import in_unit, rows
 from radcalc.errors import ConditionError, nearest
+from radcalc.given import Inputs
 from radcalc.maths import is_column
 from radcalc.units.scales import in_which
 from radcalc.units.table import resolve
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
     from radcalc.homework.question import Question
 
 Told = Callable[[], answer.Result]
+Drawn = tuple[Inputs, Answer, Any]  # with what a picture takes beside the inputs
 
 
 class Result(Mapping[str, Quantity]):
@@ -60,12 +63,14 @@ class Result(Mapping[str, Quantity]):
         found: Mapping[str, Any],
         others: Mapping[str, Any],
         ask: "Callable[[], Question] | None" = None,
+        solved: "Drawn | None" = None,
     ) -> None:
         self.command = command
         self._told = told
         self._found = dict(found)
         self._others = dict(others)
         self._ask = ask
+        self._solved = solved
 
     def __getitem__(self, name: str) -> Quantity:
         """A result by its name, or by another name that it has."""
@@ -166,6 +171,27 @@ class Result(Mapping[str, Quantity]):
         made: dict[str, Any] = json.loads(results([listed], Style(command=self.command)))
         return made
 
+    def plot(self, *wanted: str) -> Drawing:
+        """Draw the answer, or what follows over an array that was given.
+
+        Parameters
+        ----------
+        *wanted : str
+            The results to be drawn over an array, by their names: ``"illuminance:fc"``; the one
+            that the calculator is about by default.
+
+        Returns
+        -------
+        Drawing
+            Which a notebook shows, and which `save` writes; it takes ``radcalc[plot]``.
+
+        Raises
+        ------
+        radcalc.RadcalcError
+            If there is nothing to be drawn.
+        """
+        return _drawing(self.command, self._solved, wanted)
+
     @property
     def question(self) -> "Question":
         """What was asked, which `radcalc.check` judges answers to."""
@@ -183,7 +209,7 @@ class Result(Mapping[str, Quantity]):
         """The same with columns for the arrays."""
         found = {name: columns.result(name, one) for name, one in self._found.items()}
         others = {name: columns.result(name, one) for name, one in self._others.items()}
-        return Result(self.command, self._told, found, others)
+        return Result(self.command, self._told, found, others, solved=self._solved)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
         """The same with other results, as those of which Dask has not computed the values."""
@@ -208,6 +234,18 @@ def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
     return row._replace(value=found.to(row.unit).magnitude)
 
 
+@in_python
+def _drawing(command: str, solved: "Drawn | None", wanted: tuple[str, ...]) -> Drawing:
+    if solved is None:
+        raise ConditionError("there is nothing to be drawn here", "a calculator's answer")
+    from radcalc.plots.answers import picture
+    from radcalc.plots.curves import Solved
+
+    inputs, found, beside = solved
+    names = [name.replace("_", "-") for name in wanted]
+    return Drawing(picture(command, [Solved(inputs, found)], names, beside))
+
+
 def _listed(value: Any) -> Any:
     """An array as lists."""
     if hasattr(value, "__dask_graph__"):
@@ -224,6 +262,7 @@ def of_answer(
     found: Answer,
     inputs: tuple[Input, ...],
     ask: "Callable[[], Question] | None",
+    solved: "Drawn | None" = None,
 ) -> Result:
     """The result of a calculator, each quantity in the first unit it is shown in."""
     answers = (found, *found.more)
@@ -242,7 +281,7 @@ def of_answer(
             inputs,
         ).spelled(in_words)
 
-    return Result(command, told, first, others, ask)
+    return Result(command, told, first, others, ask, solved)
 
 
 def _together(each: Sequence[Sequence[Row]]) -> tuple[Row, ...]:

@@ -138,7 +138,12 @@ def sky(
 
     name = str(kind)
     return calculate(
-        "sky", given, lambda inputs: work_out(name, inputs), operands={"type": name}, own=("kind",)
+        "sky",
+        given,
+        lambda inputs: work_out(name, inputs),
+        operands={"type": name},
+        own=("kind",),
+        drawn=name,
     )
 
 
@@ -415,6 +420,7 @@ def _environment(given: dict[str, Any]) -> Result:
         lambda inputs: work_out(source, inputs),
         operands={"source": name},
         waits=False,
+        drawn=source,
     )
 
 

@@ -63,6 +63,8 @@ def show_beside(
         for one in answers:  # before anything is written
             for name in asked.wanted:
                 pick(one.answer.values, name, one.case)
+        from radcalc.plots.figure import write
+
         write(asked.plot, made)
         show(answers, asked, output, told)
         return
@@ -82,13 +84,3 @@ def draw(made: "Picture", output: Output) -> None:
     is_ascii = not terminal.has_braille(getattr(sys.stdout, "encoding", None))
     style = terminal.Style(width_of_terminal(), output.style.color, is_ascii)
     stdio.write(terminal.draw(made, style))
-
-
-def write(path: str, made: "Picture") -> None:
-    """Write a picture into a file, whole or not at all."""
-    from radcalc.distributions.contents import written
-    from radcalc.plots.figure import data, extension_of
-
-    drawn = data(made, extension_of(path))
-    with written(path) as name, open(name, "wb") as file:
-        file.write(drawn)

@@ -103,6 +103,22 @@ def data(picture: Picture, extension: str) -> bytes:
     return out.getvalue()
 
 
+def write(path: str, picture: Picture) -> None:
+    """Write a picture into a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : str
+        With one of the extensions of `FORMATS`.
+    picture : Picture
+    """
+    from radcalc.distributions.contents import written
+
+    drawn = data(picture, extension_of(path))
+    with written(path) as name, open(name, "wb") as file:
+        file.write(drawn)
+
+
 def require() -> None:
     """Refuse to go on where Matplotlib is not installed.
 

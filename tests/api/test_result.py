@@ -223,3 +223,52 @@ def test_what_dask_has_not_computed_is_shown_as_such():
 def test_a_file_is_named_among_what_was_given():
     found = radcalc.point_source(distribution=ROOT / "examples" / "downlight.ies")
     assert "downlight.ies" in str(found.inputs) or found.inputs[0].text
+
+
+def test_a_text_may_be_a_list_or_a_range_as_on_the_command_line():
+    for text in ("1m,2m,5m", ["1 m", "200 cm", Q(5, "m")]):
+        found = radcalc.point_source(intensity="100 cd", distance=text)
+        np.testing.assert_allclose(found.illuminance.m_as("lx"), [100, 25, 4])
+    steps = radcalc.point_source(intensity="100 cd", distance="1m:5m:1m").distance
+    assert steps.m_as("m").tolist() == [1, 2, 3, 4, 5]
+    shares = radcalc.lambertian(incident_irradiance="100 lx", reflectance=["50 %", 0.25]).exitance
+    np.testing.assert_allclose(shares.m, [50, 25])
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"distance": ["1 m", "2 lm"]}, "takes a length"),
+        ({"wavelength": ["500 nm", "2 eV"]}, "mixes quantities"),
+        ({"distance": ["1 m", "2"]}, "has no unit"),
+        ({"distance": [Q([1, 2], "m")]}, "a list of arrays"),
+        ({"distance": ["1+-0.1 m", "2 m"]}, "cannot be uncertain here"),
+    ],
+)
+def test_a_list_that_is_no_array_is_refused(given, said):
+    with pytest.raises(radcalc.RadcalcError, match=said) as caught:
+        radcalc.point_source(flux="800 lm", **given)
+    assert caught.value.hint
+
+
+def test_a_list_is_no_single_value_of_explain():
+    with pytest.raises(radcalc.ConditionError, match="one value of"):
+        radcalc.explain("100 cd", "lx", distance=["1 m", "2 m"])
+
+
+def test_a_picture_is_shown_by_a_notebook_and_written_to_a_file(tmp_path):
+    drawn = radcalc.point_source(flux="800 lm", distance="1m:5m:1m").plot("illuminance:fc")
+    assert "<svg" in drawn._repr_svg_()
+    assert drawn.figure.axes
+    drawn.save(tmp_path / "fall-off.png")
+    assert (tmp_path / "fall-off.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(radcalc.RadcalcError, match="fall-off"):
+        drawn.save(tmp_path / "fall-off.txt")
+    with pytest.raises(radcalc.RadcalcError, match="nothing to be drawn"):
+        radcalc.explain("800 lm", "cd", isotropic=True).plot()
+
+
+def test_the_errors_are_at_the_top():
+    assert issubclass(radcalc.UnitError, radcalc.RadcalcError)
+    with pytest.raises(radcalc.UnitError):
+        radcalc.convert("1 zork", "lx")
