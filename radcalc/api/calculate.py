@@ -67,7 +67,7 @@ def calculate(
         inputs = called(inputs)
     work_out = saying_how_read(work_out)
     told = (*texts_of(operands), *inputs_of(inputs))
-    arrays = any(is_column(one.value) for one in inputs.values())
+    arrays = any(map(_has_elements, inputs.values()))
     every = _singly(work_out) if singly and arrays else work_out
     from radcalc.calculators.uncertainty import with_uncertainties
 
@@ -76,10 +76,16 @@ def calculate(
     def ask() -> Any:
         from radcalc.homework.question import of_calculator
 
-        return of_calculator(command, operands.get("shape", ""), inputs, work_out, steps=True)
+        shape = operands.get("shape") or operands.get("type", "")
+        return of_calculator(command, shape, inputs, work_out, steps=True)
 
-    single = None if arrays or point is not None else ask
-    return of_answer(command, answer, told, single, (inputs, answer, drawn))
+    return of_answer(command, answer, told, None if arrays else ask, (inputs, answer, drawn))
+
+
+def _has_elements(given: Given) -> bool:
+    """Whether it is an array, or points that are."""
+    values = given.value if isinstance(given.value, tuple) else (given.value,)
+    return any(map(is_column, values))
 
 
 def _singly(work_out: WorkOut) -> WorkOut:

@@ -102,6 +102,10 @@ class Result(Mapping[str, Quantity]):
         """The results, by all of their names, among the rest."""
         return [*super().__dir__(), *self._found, *self._others]
 
+    def _ipython_key_completions_(self) -> list[str]:
+        """What IPython completes behind a bracket."""
+        return [*self.every]
+
     def __repr__(self) -> str:
         """The results, what was assumed and noted."""
         from radcalc.render.notebook import text

@@ -30,6 +30,13 @@ def test_the_mistake_is_named_in_pythons_words():
     assert far.diagnoses
 
 
+def test_an_answer_at_one_point_is_judged_and_at_several_is_not():
+    """100 cd at 2 m are 100/4 lx."""
+    assert radcalc.check(radcalc.uberlight((0, 0, 2), intensity="100 cd"), "irradiance=25 lx")
+    with pytest.raises(radcalc.ConditionError, match="several answers"):
+        radcalc.check(radcalc.uberlight([(0, 0, 2), (0, 0, 3)], intensity="100 cd"), "25 lx")
+
+
 def test_a_tolerance_is_a_part_a_size_or_digits():
     assert radcalc.check(CONE, "0.9 sr", tolerance="10%")
     assert not radcalc.check(CONE, "0.85 sr", "0.001 sr")

@@ -23,6 +23,7 @@ def test_results_are_attributes_and_items_by_every_name_that_they_have():
     assert {"irradiance", "illuminance", "luminous_intensity", "steps"} <= {*dir(LAMP)}
     assert [*LAMP] == ["intensity", "flux", "irradiance", "distance", "incidence"]
     assert len(LAMP) == 5
+    assert "illuminance" in LAMP._ipython_key_completions_()
     assert {**LAMP}["flux"] == Q(800, "lm")
 
 
