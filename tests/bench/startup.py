@@ -2,11 +2,24 @@
 
 import shutil
 import sys
+import tempfile
+from pathlib import Path
 
 from measure import RADCALC, command, report
 
 RUNS = 60
 PASS, CLICK = (sys.executable, "-c", "pass"), (sys.executable, "-c", "import click")
+FILE = str(Path(tempfile.gettempdir()) / "radcalc-bench.svg")
+LINE = """
+import click
+from matplotlib.figure import Figure
+made = Figure(figsize=(7.2, 4.5), layout="constrained")
+axes = made.subplots()
+axes.plot(range(471))
+axes.set_xlabel("x")
+made.savefig({!r})
+"""
+FIGURE = (sys.executable, "-c", LINE.format(FILE))
 QALC = ("qalc", "-t", "100 lux to fc")
 CALCULATORS = [
     "solid-angle cone --half-angle 30deg",
@@ -30,6 +43,8 @@ CASES = [
     ("refusal / import click", "convert 800 lm cd", CLICK, 1.2),
     *((f"{words} / import click", words, CLICK, 1.2) for words in CALCULATORS),
     ("--help / import click", "--help", CLICK, 1.3),
+    ("--plot / the same without", "spectrum LED-B3 --plot", (RADCALC, "spectrum", "LED-B3"), 1.3),
+    ("--plot FILE / a line of Matplotlib", f"spectrum LED-B3 --plot {FILE}", FIGURE, 1.3),
 ]
 
 
