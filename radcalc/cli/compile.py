@@ -13,7 +13,7 @@ import click
 
 import radcalc
 from radcalc.cli import COMMANDS, HELP, check, commands, protect_negatives
-from radcalc.cli.command import FILE, GET, MAPS, SectionedCommand, SymbolOption
+from radcalc.cli.command import FILE, GET, MAPS, PLOT, SectionedCommand, SymbolOption
 from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.quantities.light import GEOMETRIES
@@ -118,7 +118,7 @@ class Compiler:
 
     def _takes(self, option: click.Option, results: Results) -> tuple[str, Any]:
         example = option.metavar or ""
-        if option.is_flag:
+        if option.is_flag or option is PLOT:  # behind which an operand may follow
             return FLAG, ()
         if isinstance(option.type, click.Choice):
             return CHOICE, tuple(option.type.choices)

@@ -35,14 +35,27 @@ class Series(NamedTuple):
     style: str = LINE
 
 
+class Hue(NamedTuple):
+    """The colour that stands for a place on an axis, in sRGB from 0 to 1."""
+
+    place: float
+    red: float
+    green: float
+    blue: float
+
+
 class Chart(NamedTuple):
-    """Curves over an axis; `marks` are names and places on it that are marked."""
+    """Curves over an axis; `marks` are names and places on it that are marked.
+
+    `hues` are colours along it, evenly apart.
+    """
 
     title: str
     x: Axis
     y: Axis
     series: Sequence[Series]
     marks: Sequence[tuple[str, float]] = ()
+    hues: Sequence[Hue] = ()
 
 
 class Plane(NamedTuple):

@@ -9,6 +9,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.plots.data import (
+    LINE,
     LINES,
     POINTS,
     REFERENCE,
@@ -34,6 +35,7 @@ GREY, DARK, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 RIGHT = 90.0
 RINGS = 6  # circles of a polar diagram, with the point in its middle
+STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
 COLORMAP = "viridis"
 SPAN = 1000.0  # between the darkest and the brightest of an image
 CLIPPED = 99.5  # percent: what is brighter is as bright as that
@@ -165,9 +167,38 @@ def _chart(chart: Chart, made: Any) -> None:
         axes.set_ylim(bottom=0)
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
+    if chart.hues:
+        _hues(chart, axes)
     if any(one.label for one in chart.series):
         axes.legend()
     axes.set_title(chart.title)
+
+
+def _hues(chart: Chart, axes: Any) -> None:
+    """Colours along the axis: below a curve that is alone, else in a strip above the axis."""
+    import numpy
+
+    curves = [one for one in chart.series if one.style != REFERENCE]
+    ends, heights = axes.get_xlim(), axes.get_ylim()
+    places = numpy.array([hue.place for hue in chart.hues])
+    if len(curves) == 1 and curves[0].style == LINE:
+        x, y = curves[0].x, curves[0].y
+        filled, shade, top = axes.fill_between(x, 0, y, lw=0, color="none"), 0.5, max(y)
+        clipped = {"clip_path": (filled.get_paths()[0], axes.transData)}
+    else:
+        shade, top, clipped = 0.8, heights[1] * STRIP, {}
+    half = (places[1] - places[0]) / 2
+    axes.imshow(
+        numpy.array([[hue[1:] for hue in chart.hues]]),
+        extent=(places[0] - half, places[-1] + half, 0, top),
+        aspect="auto",
+        alpha=shade,
+        interpolation="bilinear",
+        zorder=1,
+        **clipped,
+    )
+    axes.set_xlim(*ends)
+    axes.set_ylim(*heights)
 
 
 def _axis(own: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:

@@ -2,17 +2,23 @@
 
 import math
 from collections.abc import Sequence
+from operator import mul
 
 from radcalc.errors import ConditionError, option
-from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Series
+from radcalc.plots.data import LINE, LINES, REFERENCE, Axis, Chart, Hue, Series
 from radcalc.quantities.light import RADIANT
 from radcalc.quantities.symbols import light_unit, specific_name
 from radcalc.spectra import planck
+from radcalc.spectra.colorimetry import START, Y
+from radcalc.spectra.data.colours import X, Z
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import VISIBLE, WHOLE, BlackBody, Lines, Range, Spectrum, Table
 
 WAVELENGTH = Axis("wavelength \u03bb", "nm")
 RELATIVE = Axis("relative spectral power")
+# Linear sRGB of X, Y, Z, as IEC 61966-2-1 has it.
+SRGB = (3.2406, -1.5372, -0.4986), (-0.9689, 1.8758, 0.0415), (0.0557, -0.2040, 1.0570)
+APART = 2  # nm between two hues
 POINTS = 400  # of a black body
 WIDEST = 4  # times the wavelength of its peak, to which a black body is drawn
 EACH = "each over its own peak"
@@ -52,7 +58,7 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
         reference = reference._replace(label=name)
     ends = _ends([one.x for one in drawn], limits)
     axis = axis._replace(limits=(0.0, most))
-    return Chart("", WAVELENGTH._replace(limits=ends), axis, [*drawn, reference])
+    return Chart("", WAVELENGTH._replace(limits=ends), axis, [*drawn, reference], hues=hues())
 
 
 def efficiency(eye: Observer, most: float = 1.0) -> Series:
@@ -60,6 +66,26 @@ def efficiency(eye: Observer, most: float = 1.0) -> Series:
     x = [float(nm) for nm in range(eye.start, eye.end + 1)]
     label = eye.label.replace("lambda", "\u03bb")
     return Series(label, x, [most * value for value in eye.values], REFERENCE)
+
+
+def hues() -> list[Hue]:
+    """How wavelengths look, as nearly as a screen can show that, all as bright as it can.
+
+    No single wavelength is within sRGB (IEC 61966-2-1): parts below 0 are left out.
+    """
+    found = []
+    for k in range(0, len(X), APART):
+        nm = START + k
+        inside = [max(sum(map(mul, row, (X[k], Y[k], Z[k]))), 0.0) for row in SRGB]
+        if VISIBLE[0] <= nm <= VISIBLE[1]:
+            red, green, blue = (_encoded(part / max(inside)) for part in inside)
+            found.append(Hue(float(nm), red, green, blue))
+    return found
+
+
+def _encoded(part: float) -> float:
+    """A linear part of a colour as sRGB has it."""
+    return 12.92 * part if part <= 0.0031308 else 1.055 * part ** (1 / 2.4) - 0.055
 
 
 def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
@@ -71,7 +97,8 @@ def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
         places = [nm for _, nm in wavelengths]
         ends = min(VISIBLE[0], *places), max(VISIBLE[1], *places)
     axis = Axis("relative luminous efficiency", limits=(0.0, 1.0))
-    return Chart("", WAVELENGTH._replace(limits=ends), axis, curves, wavelengths)
+    x = WAVELENGTH._replace(limits=ends)
+    return Chart("", x, axis, curves, wavelengths, hues())
 
 
 def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:

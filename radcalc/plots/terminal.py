@@ -5,8 +5,9 @@ other, with texts on top.  The only module that imports plotille.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from plotille import Canvas
@@ -29,6 +30,7 @@ from radcalc.plots.data import (
 from radcalc.plots.ticks import levels, limits, log_ticks, texts, ticks
 from radcalc.stdio import fold
 
+PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
 EMPTY = 0x2800  # the Braille letter without dots
 ASCII = {
     "λ": "lambda", "θ": "theta", "φ": "phi", "γ": "gamma", "°": " deg", "\u2032": "'", "²": "2",
@@ -50,6 +52,7 @@ SMALLEST, LARGEST = 22, 32  # rows of a circle
 RIGHT = 90.0
 ROUND = 360  # pieces of a circle
 RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # of contours
+DARKEST, BRIGHTEST = 1, 4  # of the 5 steps of red, green and blue that a hue has
 SPAN = 1000.0  # between the darkest and the brightest of what is shaded
 CLIPPED = 0.99  # of all: what is brighter is as bright as that
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
@@ -57,11 +60,15 @@ GAP = 2  # columns between two texts
 
 
 class Layer(NamedTuple):
-    """Dots of one colour, and the character that stands for them in ASCII."""
+    """Dots of one colour, and the character that stands for them in ASCII.
+
+    Columns that have a colour of their own are in `colors`.
+    """
 
     canvas: Any
     color: str
     mark: str
+    colors: Mapping[int, str]
 
 
 class Sheet:
@@ -74,10 +81,10 @@ class Sheet:
         self.layers: list[Layer] = []
         self.texts: dict[tuple[int, int], tuple[str, str]] = {}
 
-    def layer(self, color: str, mark: str) -> Any:
+    def layer(self, color: str, mark: str, colors: Mapping[int, str] = PLAIN) -> Any:
         """A new canvas, on top of those that there are."""
         canvas = Canvas(self.columns, self.rows, self.x[0], self.y[0], self.x[1], self.y[1])
-        self.layers.append(Layer(canvas, color, mark))
+        self.layers.append(Layer(canvas, color, mark, colors))
         return canvas
 
     def write(self, column: int, row: int, text: str, color: str = "") -> None:
@@ -104,12 +111,12 @@ class Sheet:
             for column in range(self.columns):
                 letter, color = self.texts.get((column, row), ("", ""))
                 if not letter:
-                    letter, color = self._dots([rows[row][column] for rows in drawn], style)
+                    letter, color = self._dots([rows[row][column] for rows in drawn], column, style)
                 cells.append((letter, color))
             found.append(_joined(cells, style))
         return found
 
-    def _dots(self, letters: Sequence[str], style: "Style") -> tuple[str, str]:
+    def _dots(self, letters: Sequence[str], column: int, style: "Style") -> tuple[str, str]:
         """What layers have in one cell: all their dots, in the colour of the topmost."""
         dots, top = 0, None
         for letter, layer in zip(letters, self.layers, strict=True):
@@ -118,7 +125,8 @@ class Sheet:
                 top = layer
         if top is None:
             return " ", ""
-        return (top.mark if style.ascii else chr(EMPTY + dots)), top.color
+        color = top.colors.get(column, top.color)
+        return (top.mark if style.ascii else chr(EMPTY + dots)), color
 
 
 class Style(NamedTuple):
@@ -444,12 +452,16 @@ def _chart(chart: Chart, style: Style) -> list[str]:
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)
     legend, drawn = [], []
+    is_alone = len([one for one in chart.series if one.style != REFERENCE]) == 1
+    colors = _hues(chart, sheet) if is_alone else PLAIN
     for k, one in enumerate(chart.series):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         if one.style == REFERENCE:
-            color, mark = DIM[2:-1], FAINT
+            color, mark, colors = DIM[2:-1], FAINT, PLAIN
+        elif colors:
+            color = ""
         points = [(x_of(x), y_of(y)) for x, y in zip(one.x, one.y, strict=True)]
-        _curve(sheet.layer(color, mark), points, one.style, sheet)
+        _curve(sheet.layer(color, mark, colors), points, one.style, sheet)
         if one.style in (LINE, POINTS):
             drawn.append((dict(sheet.place(*point) for point in points), color))
         if one.label:
@@ -476,6 +488,17 @@ def _title(title: str, style: Style) -> list[str]:
 def _upright_title(axis: Axis, left: int, style: Style) -> list[str]:
     """The title of an axis that stands, over it."""
     return [" " * (left - 1) + part for part in fold(axis.title, style.width - left)]
+
+
+def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
+    """The colours of columns, in the palette of 256: neither white nor black hides them."""
+    found = {}
+    for hue in chart.hues:
+        if sheet.x[0] <= hue.place <= sheet.x[1]:
+            red, green, blue = (round(DARKEST + (BRIGHTEST - DARKEST) * part) for part in hue[1:])
+            column = sheet.place(hue.place, sheet.y[0])[0]
+            found[column] = f"38;5;{16 + 36 * red + 6 * green + blue}"
+    return found
 
 
 def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:
@@ -626,7 +649,7 @@ def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
             line, size = "", 0
         if size:
             line, size = line + " " * GAP, size + GAP
-        shown = f"\033[{color}m{sample}{RESET}" if style.color else sample
+        shown = f"\033[{color}m{sample}{RESET}" if style.color and color else sample
         line, size = f"{line}{shown} {label}", size + len(text)
         if rest:
             lines += [line, *(f"   {part}" for part in rest)]

@@ -59,3 +59,19 @@ def test_a_wavelength_is_marked_below_both_eyes():
     assert at(night, 507.0) == 1.0
     assert 0.4073 < at(day, 507.0) < 0.503
     assert chart.marks == [("507nm", 507.0)]
+
+
+def test_hues_are_those_of_a_screen():
+    hues = {hue.place: hue[1:] for hue in spectra([spectrum("D65")], DAY).hues}
+    # By hand, of the CIE 1931 observer at 600 nm, 1.0622, 0.6310, 0.0008 (CIE 15): the matrix of
+    # IEC 61966-2-1 gives 2.472, 0.154 and below 0
+    red = 3.2406 * 1.0622 - 1.5372 * 0.6310 - 0.4986 * 0.0008
+    green = -0.9689 * 1.0622 + 1.8758 * 0.6310 + 0.0415 * 0.0008
+    assert hues[600.0][0] == pytest.approx(1.0)
+    assert hues[600.0][1] == pytest.approx(1.055 * (green / red) ** (1 / 2.4) - 0.055, abs=1e-3)
+    assert hues[600.0][2] == 0.0
+    assert (min(hues), max(hues)) == (380.0, 780.0)
+    red, green, blue = hues[540.0]
+    assert green == pytest.approx(1.0)
+    assert red < 0.5
+    assert blue == 0.0
