@@ -8,18 +8,18 @@ from radcalc.calculators.results import LINKS_HINT
 from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.errors import ConditionError, MissingInput, mention, option
 from radcalc.geometry import cones
-from radcalc.given import Given, Inputs, angle_of, hold, require
+from radcalc.given import Given, Inputs, angle_of, require
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, law, relation
 from radcalc.maths import any_true, cos, sqrt
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
-from radcalc.quantities.symbols import LINKS, OFF_AXIS, REFINEMENTS, SYMBOLS
+from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.spectra.spectrum import range_text
 from radcalc.units.table import resolve
 
 CHARGE = resolve("eV").factor  # of an electron, in ampere seconds
 SI = "SI Brochure: exact e"
-LENS = ("f-number", "working-f-number", "magnification", "field-angle", "transmittance")
+LENS = ("f-number", "working-f-number", "magnification", "off-axis-angle", "transmittance")
 PIXEL = ("pixel-pitch", "pixel-area", "time")
 DETECTOR = ("quantum-efficiency", "responsivity", "electrons", "current", "snr")
 ON_SENSOR = ("irradiance", "exposure", "flux", "energy")
@@ -120,7 +120,7 @@ PAGE = Page(
         "irradiance=1W/m2 wavelength=525nm pixel-pitch=5um quantum-efficiency=50% snr=100 "
         "get=time:ms",
         "radiance=10W/m2/sr f-number=4 magnification=1 get=irradiance",
-        "luminance=1000cd/m2 f-number=2 field-angle=0deg:40deg:10deg get=illuminance:lx",
+        "luminance=1000cd/m2 f-number=2 off-axis-angle=0deg:40deg:10deg get=illuminance:lx",
         "illuminance=5lx spectrum=D65 range=400nm:700nm time=20ms pixel-pitch=3um "
         "quantum-efficiency=0.55 get=electrons",
         "flux=0.1uW wavelength=800nm quantum-efficiency=1/3 get=current:nA",
@@ -147,6 +147,8 @@ def sensor(given: Inputs) -> Answer:
         hint = mention("{luminance} and {f-number}, or {irradiance} and {pixel-pitch}")
         raise MissingInput("the light is missing", hint)
     goal = next((name for name, by in GOALS.items() if given.keys() & {*by}), PAGE.goal)
+    if given.keys() >= {"f-number", "working-f-number"}:
+        goal = "magnification"
     page = PAGE._replace(goal=goal)
     sheet = Worksheet(page, _counted(given), preferred=_kind(given))
     kind = sheet.lit.kind
@@ -167,7 +169,7 @@ def sensor(given: Inputs) -> Answer:
             "less light on the sensor, or more of the scene's",
         )
     if sheet.has("working-f-number") and sheet.has("radiance", "etendue"):
-        sheet.use("field-angle")
+        sheet.use("off-axis-angle")
     if sheet.has("electrons", "current"):
         sheet.assume("the whole area of a pixel collects light, as much everywhere")
         if "spectrum" in sheet.lit.links:
@@ -234,8 +236,7 @@ def _say_lens(sheet: Worksheet, laws: list[AnyLaw]) -> None:
     for name in ("f-number", "working-f-number"):
         if name in given:
             require(given[name], not any_true(given[name].value < FASTEST), "0.5 or more, in air")
-    if "field-angle" in given:
-        hold(given["field-angle"], OFF_AXIS)
+    if "off-axis-angle" in given:
         sheet.assume("off the axis by the fourth power of the cosine; no vignetting")
     sheet.place(_know_cosine)
     sheet.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
@@ -249,4 +250,4 @@ def _say_lens(sheet: Worksheet, laws: list[AnyLaw]) -> None:
 
 
 def _know_cosine(sheet: Worksheet) -> None:
-    sheet.know("cosine-off-axis", cos(angle_of(sheet.given, "field-angle")))
+    sheet.know("cosine-off-axis", cos(angle_of(sheet.given, "off-axis-angle")))

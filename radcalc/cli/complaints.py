@@ -40,6 +40,7 @@ MEANT_OPTIONS = {
     "half-angle": "angle beam cone",
     "apex-angle": "angle cone",
     "beam-angle": "angle beam spread",
+    "off-axis-angle": "field-angle off-axis angle",
     "reflectance": "albedo reflectivity",
     "wavelength": "lambda color colour",
     "spectrum": "illuminant lamp",
@@ -127,13 +128,14 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
         known = [o for p in _parameters(called) for o in p.opts if o.startswith("--")]
         near = [o for o in known if o.startswith(error.option_name)]
         is_named = called and not near and error.option_name.startswith("--")
-        others = _takers(error.option_name) if is_named else []
+        name = error.option_name.removeprefix("--").lower()
+        also = [f"--{one}" for one, others in MEANT_OPTIONS.items() if name in others.split()]
+        meant_here = [one for one in also if one in known]
+        others = _takers(error.option_name) if is_named and not meant_here else []
         if others:
             said = f"there is no option '{quote(error.option_name)}' in {called}"
             return RadcalcError(said, f"{help_of(others[0])}; it is of {', '.join(others)}")
-        name = error.option_name.removeprefix("--").lower()
-        also = [f"--{one}" for one, others in MEANT_OPTIONS.items() if name in others.split()]
-        near = near or [one for one in also if one in known]
+        near = near or meant_here
         near = near or nearest(f"--{name}", known, cutoff=0.7)
         hint = f"{', '.join(near)} (see {help_})" if near else help_
         return RadcalcError(f"there is no option '{quote(error.option_name)}'", hint)

@@ -21,7 +21,10 @@ from radcalc.units.table import COUNT_AT, FIELD_STRENGTH, resolve
 
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside another mistake
-CONES = ("half-angle", "apex-angle", "beam-angle", "field-angle", "within", "divergence")
+CONES = (
+    *("half-angle", "apex-angle", "beam-angle", "field-angle"),
+    *("off-axis-angle", "within", "divergence"),
+)
 PAIRS = (("horizontal", "vertical"), ("width", "length"))  # which are misread together
 SIZES = ("radius", "diameter", "receiver-radius", "receiver-diameter", "pupil")
 FROM_NORMAL = ("incidence", "tilt", "polar", "elevation", "sun-elevation", "half-angle")

@@ -18,7 +18,7 @@ LONG = [
     ("calorimeter --mass 45g:90g:0.03g --specific-heat 450J/kg/K --temperature-rise 3K", "energy"),
     ("screen --flux 2000lm --width 1m:3m:0.001m --aspect 4/3", "illuminance:lx"),
     ("sensor --luminance 9cd/m2 --f-number 1:3:0.001 --wavelength 550nm", "irradiance:W/m2"),
-    ("sensor --luminance 9cd/m2 --f-number 4 --field-angle 0deg:60deg:0.05deg", "illuminance"),
+    ("sensor --luminance 9cd/m2 --f-number 4 --off-axis-angle 0deg:60deg:0.05deg", "illuminance"),
     ("laser --flux 5mW --diameter 1mm --divergence 1mrad --distance 1m:3m:0.001m", "irradiance"),
     (
         "laser --flux 5mW --diameter 1mm:3mm:1um --limit 1kW/m2 --divergence 1mrad",

@@ -41,8 +41,9 @@ LIT = math.pi * 10 / (4 * 16)  # W/m2
         (LENS, "irradiance", LIT, 1e-12),
         (f"{LENS} --magnification 1", "irradiance", LIT / 4, 1e-12),
         (f"{LENS} --magnification 1", "working-f-number", 8, 1e-12),
-        (f"{LENS} --field-angle 30deg", "irradiance", LIT * 9 / 16, 1e-12),
-        (f"{LENS} --field-angle 0deg", "irradiance", LIT, 1e-12),
+        ("--f-number 4 --working-f-number 8", "magnification", 1, 1e-12),  # 8 = 4 (1 + m)
+        (f"{LENS} --off-axis-angle 30deg", "irradiance", LIT * 9 / 16, 1e-12),
+        (f"{LENS} --off-axis-angle 0deg", "irradiance", LIT, 1e-12),
         (f"{LENS} --transmittance 80%", "irradiance", LIT * 0.8, 1e-12),
         # the widest cone there is fills a hemisphere: E = pi L
         ("--radiance 10W/m2/sr --f-number 0.5", "irradiance", 10 * math.pi, 1e-12),
@@ -107,7 +108,7 @@ def test_what_is_not_given_is_assumed_and_said():
     done = run("sensor", *LENS.split())
     for said in ("corrected for coma", "focused far away", "without losses"):
         assert said in done.stderr
-    done = run("sensor", *LENS.split(), "--magnification", "1", "--field-angle", "20deg")
+    done = run("sensor", *LENS.split(), "--magnification", "1", "--off-axis-angle", "20deg")
     for said in ("pupils of one size", "N (1 + m)", "no vignetting"):
         assert said in done.stderr
     done = run("sensor", "--irradiance", "1W/m2", "--pixel-pitch", "5um")
@@ -122,7 +123,10 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--radiance 10W/m2/sr --irradiance 40W/m2", "an f-number of 0.44"),
         (f"{LENS} --irradiance 5W/m2", "a transmittance of 10"),
         (f"{LENS} --irradiance 5W/m2 --transmittance 1", "not below the lens's"),
-        (f"{LENS} --field-angle 95deg", "less than 90 deg"),
+        (f"{LENS} --off-axis-angle 95deg", "try: from 0, less than 90 deg"),
+        (f"{LENS} --off-axis-angle -20deg", "try: from 0, less than 90 deg"),
+        (f"{LENS} --field-angle 20deg", "try: --off-axis-angle"),
+        ("--f-number 8 --working-f-number 4", "not below the lens's"),
         (f"{LENS} --transmittance 1.2", "not possible"),
         (f"{PIXEL} --responsivity 0.4A/W", "--responsivity 0.4A/W contradicts the rest"),
         ("--responsivity 0.6A/W --wavelength 400nm", "a quantum efficiency of 1.8"),

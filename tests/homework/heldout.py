@@ -126,9 +126,9 @@ HELD_OUT = [
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 36), "perimeter-for-sum"),
     Wrong(ROOM, "room-index", "", 77 / (2.3 * 9), "mean-for-sum"),
     # --- off a lens's axis: one cosine, or two, for four
-    Wrong(f"{CAMERA} --field-angle 23deg", "illuminance", "lx",
+    Wrong(f"{CAMERA} --off-axis-angle 23deg", "illuminance", "lx",
           pi * 370 * 0.87 * cos(radians(23)) / (4 * (3.4 * 1.3) ** 2), "fewer-cosines"),
-    Wrong(f"{CAMERA} --field-angle 23deg", "illuminance", "lx",
+    Wrong(f"{CAMERA} --off-axis-angle 23deg", "illuminance", "lx",
           pi * 370 * 0.87 * cos(radians(23)) ** 2 / (4 * (3.4 * 1.3) ** 2), "fewer-cosines"),
     # --- the cinematographer's light: the cosine, the fall-off
     Wrong("uberlight 0,0,2.3 --intensity 730cd --incidence 50deg", "illuminance", "lx",
