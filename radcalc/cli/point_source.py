@@ -57,7 +57,7 @@ def command(typed: dict[str, str], asked: Asked, shown: Output) -> int:
       radcalc point-source --luminous-flux 800lm --radiant-flux 3W  (the efficacy)
       radcalc point-source --intensity 100cd --exponent 3 --within 45deg -g flux-within:lm
       radcalc point-source --flux 500lm --intensity 900cd --distribution cone
-      radcalc point-source --flux 5mW --distance 1m --wavelength 632.8nm
+      radcalc point-source --flux 5mW --distance 1m --receiver-area 1cm2 --wavelength 632.8nm
       radcalc point-source --distribution lamp.ies --height 3m --offset 1m
       radcalc point-source --distribution lamp.ies --plot                 (polar diagram)
       radcalc point-source --flux 800lm --distance 1m:10m:0.1m --plot fall-off.svg

@@ -58,6 +58,7 @@ def command(
     Examples:
       radcalc spectrum LED-B3
       radcalc spectrum blackbody:5772K -g luminance:cd/m2
+      radcalc spectrum AM1.5G -g irradiance:W/m2
       radcalc spectrum measured.csv --range 380nm:780nm
       radcalc spectrum D65 LED-B3 HPS -g cct -g cri -g lux-per-ppfd
       radcalc spectrum blackbody:3000K:6000K:1000K -g temperature:K -g luminous-efficacy:lm/W
