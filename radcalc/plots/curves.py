@@ -11,6 +11,7 @@ from radcalc.given import Given, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
 from radcalc.quantities.symbols import DIRECTION, QUANTITY
+from radcalc.units.scales import ScaleUnit
 
 MOST = 20_000  # points of a picture
 SMOOTH = 16  # points from which on there is a line between them
@@ -65,7 +66,7 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     lines: dict[str, tuple[list[float], list[float]]] = {}
     rows: list[Row] = []
     for one in solved:
-        places = _places(one.given[along])
+        places = _places(one.given[along], own)
         told = [f"{name} {one.given[name].text}".strip() for name in others]
         for k, answer in enumerate(one.each, start=1):
             case = [*told, *([f"answer {k}"] if len(one.each) > 1 else [])]
@@ -87,7 +88,8 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     fixed = [one for name, one in solved[0].given.items() if name not in (*others, along)]
     title = ", ".join(f"{one.name} {one.text}".strip() for one in fixed)
     drawn = [
-        Series(label, x, y, LINE if len(x) >= SMOOTH else POINTS) for label, (x, y) in lines.items()
+        Series(label, *_in_order(*line), LINE if len(line[0]) >= SMOOTH else POINTS)
+        for label, line in lines.items()
     ]
     return Chart(title, x_axis, y_axis, drawn)
 
@@ -112,14 +114,26 @@ def _has(one: Solved, name: str) -> bool:
     return any(value.name == name and not value.is_absent for value in one.answer.values)
 
 
-def _places(given: Given) -> list[float]:
-    """Where the answers stand along the axis."""
+def _places(given: Given, first: Given) -> list[float]:
+    """Where the answers stand along the axis, in the unit of the first."""
     if given.symbol.form == DIRECTION:
         return [math.degrees(given.value[0])]
     if not _is_number(given):
         problem = f"{option(given.name, quote(given.text))} is no number to be on an axis"
         raise ConditionError(problem, mention(RANGE))
-    return [float(x) for x in (given.number if is_array(given.number) else [given.number])]
+    number = given.number
+    if given.unit_text != first.unit_text:
+        if isinstance(given.unit, ScaleUnit) or isinstance(first.unit, ScaleUnit):
+            problem = f"{option(given.name)} is in {given.unit_text} and in {first.unit_text}"
+            raise UsageError(f"{problem}: an axis has one unit", "all in the same")
+        number = given.value / float(first.unit.factor if first.unit else 1)
+    return [float(x) for x in (number if is_array(number) else [number])]
+
+
+def _in_order(x: list[float], y: list[float]) -> tuple[list[float], list[float]]:
+    """Points from left to right."""
+    places = sorted(range(len(x)), key=x.__getitem__)
+    return [x[k] for k in places], [y[k] for k in places]
 
 
 def _is_number(given: Given) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # how a series is drawn
+RIGHT = 90.0  # deg
 Values = Sequence[float]
 
 
@@ -75,6 +76,21 @@ class Polar(NamedTuple):
     title: str
     radius: Axis
     planes: Sequence[Plane]
+
+    @property
+    def is_half(self) -> bool:
+        """Whether there is nothing in the upper half."""
+        return not any(
+            value
+            for plane in self.planes
+            for angle, value in zip(plane.angles, plane.values, strict=True)
+            if abs(angle) > RIGHT
+        )
+
+    @property
+    def most(self) -> float:
+        """The greatest value."""
+        return max(value for plane in self.planes for value in plane.values)
 
 
 class Mark(NamedTuple):

@@ -13,6 +13,7 @@ from radcalc.plots.data import (
     LINES,
     POINTS,
     REFERENCE,
+    RIGHT,
     Axis,
     Chart,
     Disc,
@@ -21,7 +22,7 @@ from radcalc.plots.data import (
     Picture,
     Polar,
 )
-from radcalc.plots.ticks import levels, limits, ticks
+from radcalc.plots.ticks import levels, rings
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
@@ -33,8 +34,6 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
 GREY, DARK, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
-RIGHT = 90.0
-RINGS = 6  # circles of a polar diagram, with the point in its middle
 STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
 COLORMAP = "viridis"
 SPAN = 1000.0  # between the darkest and the brightest of an image
@@ -214,12 +213,7 @@ def _axis(own: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
 
 def _polar(polar: Polar, made: Any) -> None:
     """The axis points down; only the lower half is drawn where there is nothing in the upper."""
-    is_half = not any(
-        value
-        for plane in polar.planes
-        for angle, value in zip(plane.angles, plane.values, strict=True)
-        if abs(angle) > RIGHT
-    )
+    is_half, circles = polar.is_half, rings(polar.most)
     made.set_layout_engine("none")
     made.set_size_inches(*(HALF if is_half else SQUARE))
     axes = made.add_axes(WEDGE if is_half else CIRCLE, projection="polar")
@@ -235,10 +229,8 @@ def _polar(polar: Polar, made: Any) -> None:
         rays = range(-90, 91, 30)
     places = [math.radians(angle if is_half else angle % 360) for angle in rays]
     axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
-    most = max(value for plane in polar.planes for value in plane.values)
-    circles = ticks(0.0, limits([0.0, most], RINGS)[1], RINGS)
     axes.set_ylim(0.0, circles[-1])
-    axes.set_yticks(circles[1:])
+    axes.set_yticks(circles)
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
     made.legend(title=_text(polar.radius), loc="lower center", ncols=2)

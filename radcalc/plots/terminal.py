@@ -12,11 +12,13 @@ from typing import Any, NamedTuple
 
 from plotille import Canvas
 
+from radcalc.errors import printable
 from radcalc.plots.data import (
     LINE,
     LINES,
     POINTS,
     REFERENCE,
+    RIGHT,
     Axis,
     Chart,
     Disc,
@@ -27,7 +29,7 @@ from radcalc.plots.data import (
     Series,
     Values,
 )
-from radcalc.plots.ticks import levels, limits, log_ticks, texts, ticks
+from radcalc.plots.ticks import levels, limits, log_ticks, rings, texts, ticks
 from radcalc.stdio import fold
 
 PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
@@ -46,10 +48,8 @@ LEAST, MOST = 10, 24  # rows of a chart
 SHARE = 5  # columns for each row of a chart
 APART = 3  # dots of a dotted line
 GRID = 4  # dots of the circles and rays of a polar diagram
-RINGS = 6  # circles of a polar diagram, with the point in its middle
 RIM = 6  # columns beside a circle, for what is written there
 SMALLEST, LARGEST = 22, 32  # rows of a circle
-RIGHT = 90.0
 ROUND = 360  # pieces of a circle
 RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # of contours
 DARKEST, BRIGHTEST = 1, 4  # of the 5 steps of red, green and blue that a hue has
@@ -57,6 +57,8 @@ SPAN = 1000.0  # between the darkest and the brightest of what is shaded
 CLIPPED = 0.99  # of all: what is brighter is as bright as that
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
 GAP = 2  # columns between two texts
+Point = tuple[float, float]
+Piece = tuple[Point, Point]
 
 
 class Layer(NamedTuple):
@@ -89,17 +91,17 @@ class Sheet:
 
     def write(self, column: int, row: int, text: str, color: str = "") -> None:
         """Write a text from a column on, rows from the top; what stands outside is left out."""
-        for k, letter in enumerate(text):
+        for k, letter in enumerate(printable(text)):
             if 0 <= column + k < self.columns and 0 <= row < self.rows:
                 self.texts[column + k, row] = letter, color
 
     def place(self, x: float, y: float) -> tuple[int, int]:
-        """The column and the row of a place."""
-        across = (x - self.x[0]) / (self.x[1] - self.x[0])
-        up = (y - self.y[0]) / (self.y[1] - self.y[0])
+        """The column of a place, and its row from the top: where its dot is."""
+        across = round(2 * self.columns * (x - self.x[0]) / (self.x[1] - self.x[0])) // 2
+        up = round(4 * self.rows * (y - self.y[0]) / (self.y[1] - self.y[0])) // 4
         return (
-            min(max(int(across * self.columns), 0), self.columns - 1),
-            min(max(int((1 - up) * self.rows), 0), self.rows - 1),
+            min(max(across, 0), self.columns - 1),
+            min(max(self.rows - 1 - up, 0), self.rows - 1),
         )
 
     def lines(self, style: "Style") -> list[str]:
@@ -184,15 +186,8 @@ def _dim(text: str, style: Style) -> str:
 
 def _polar(polar: Polar, style: Style) -> list[str]:
     """The axis points down; only the lower half is drawn where there is nothing in the upper."""
-    most = max(value for plane in polar.planes for value in plane.values)
-    circles = [x for x in ticks(0.0, limits([0.0, most], RINGS)[1], RINGS) if x]
+    circles, is_half = rings(polar.most), polar.is_half
     names, outer = texts(circles), circles[-1]
-    is_half = not any(
-        value
-        for plane in polar.planes
-        for angle, value in zip(plane.angles, plane.values, strict=True)
-        if abs(angle) > RIGHT
-    )
     radius = min(style.width - 2 * RIM, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
     columns, rows = radius + 2 * RIM, -(-radius // (4 if is_half else 2)) + 2
     dot = outer / (radius - 1)
@@ -206,10 +201,11 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     grid = sheet.layer(DIM[2:-1], FAINT)
     reach = RIGHT if is_half else 180.0
     for size in circles:
-        _dotted(grid, [_turned(size, angle) for angle in _degrees(-reach, reach)], GRID)
+        circle = [_turned(size, angle) for angle in _degrees(-reach, reach)]
+        _dotted(grid, pairwise(circle), GRID)
     for angle in range(-180, 180, 30):
         if abs(angle) <= reach:
-            _dotted(grid, [(0.0, 0.0), _turned(outer, angle)], GRID)
+            _dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
             _write_at_rim(sheet, f"{abs(angle)}°", *_turned(outer, angle), dot)
     for size, name in zip(circles, names, strict=True):
         column, row = sheet.place(size, 0.0)
@@ -220,7 +216,10 @@ def _polar(polar: Polar, style: Style) -> list[str]:
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         canvas = sheet.layer(color, mark)
         points = [_turned(v, a) for a, v in zip(plane.angles, plane.values, strict=True)]
-        _curve(canvas, points, LINE if k == 0 else REFERENCE, sheet)
+        if k == 0:
+            _line(canvas, pairwise(points))
+        else:
+            _dotted(canvas, pairwise(points))
         own = Series("", (), (), LINE if k == 0 else REFERENCE)
         legend.append((_sample(own, mark, style), color, plane.label))
     left = " " * ((style.width - columns) // 2)
@@ -304,7 +303,8 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         for y, row in zip(places, disc.rows, strict=True)
     ]
     grid = sheet.layer(DIM[2:-1], FAINT)
-    _curve(grid, [_turned(1.0, angle) for angle in _degrees(-180, 180)], LINE, sheet)
+    rim = [_turned(1.0, angle) for angle in _degrees(-180, 180)]
+    _line(grid, pairwise(rim))
     for label, angle in disc.rim:
         x, y = _turned(1.0, 180 - angle)
         _write_at_rim(sheet, label, x, y, 1 / radius)
@@ -312,7 +312,7 @@ def _disc(disc: Disc, style: Style) -> list[str]:
     if disc.is_image:
         said = _shaded(sheet, places, inside, disc.value, style)
     else:
-        taken = {sheet.place(*_turned(1.0, angle)) for angle in _degrees(-180, 180)}
+        taken = {sheet.place(*place) for place in rim}
         said = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
     left = " " * max((style.width - columns) // 2, 0)
     lines = [*_title(disc.title, style), *(left + line for line in sheet.lines(style))]
@@ -379,9 +379,7 @@ def _name_contour(
         sheet.write(column - half, row, name, color)
 
 
-def _segments(
-    xs: Values, ys: Values, rows: Sequence[Values], level: float
-) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> Iterator[Piece]:
     """The straight pieces of a contour, each across a triangle that is half of a cell."""
     for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
         for i in range(len(xs) - 1):
@@ -482,7 +480,7 @@ def _chart(chart: Chart, style: Style) -> list[str]:
 
 def _title(title: str, style: Style) -> list[str]:
     """The title, folded between its words."""
-    return fold(title, style.width) if title else []
+    return fold(printable(title), style.width) if title else []
 
 
 def _upright_title(axis: Axis, left: int, style: Style) -> list[str]:
@@ -561,14 +559,33 @@ def _curve(canvas: Any, points: list[tuple[float, float]], style: str, sheet: Sh
             canvas.line(x, sheet.y[0], x, y)
         return
     if style == REFERENCE:
-        _dotted(canvas, points)
+        _dotted(canvas, _inside(points, sheet))
         return
     if style == POINTS:
         for x, y in points:
             _blot(canvas, x, y, sheet)
         return
+    _line(canvas, _inside(points, sheet))
+
+
+def _line(canvas: Any, pieces: Iterable[Piece]) -> None:
+    for start, end in pieces:
+        canvas.line(*start, *end)
+
+
+def _inside(points: list[tuple[float, float]], sheet: Sheet) -> Iterator[Piece]:
+    """The pieces of a line that runs to the right or upright, cut at the ends of x."""
+    low, high = sheet.x
     for (x0, y0), (x1, y1) in pairwise(points):
-        canvas.line(x0, y0, x1, y1)
+        if x0 <= high and x1 >= low:
+            yield (
+                _at(low, x0, y0, x1, y1) if x0 < low else (x0, y0),
+                _at(high, x0, y0, x1, y1) if x1 > high else (x1, y1),
+            )
+
+
+def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> tuple[float, float]:
+    return x, y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 
 
 def _blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
@@ -581,10 +598,14 @@ def _blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
                 canvas.point(x + i * across, y + j * up)
 
 
-def _dotted(canvas: Any, points: list[tuple[float, float]], apart: int = APART) -> None:
-    """Dots along a line."""
+def _dotted(
+    canvas: Any,
+    pieces: Iterable[Piece],
+    apart: int = APART,
+) -> None:
+    """Dots along the pieces of a line."""
     due = 0
-    for (x0, y0), (x1, y1) in pairwise(points):
+    for (x0, y0), (x1, y1) in pieces:
         steps = max(map(abs, canvas.dots_between(x0, y0, x1, y1)))
         while due < steps:
             canvas.point(x0 + (x1 - x0) * due / steps, y0 + (y1 - y0) * due / steps)
@@ -621,6 +642,7 @@ def _below(
 
 def _caption(text: str, start: int, room: int) -> list[str]:
     """A text in the middle of a room, folded where it is longer."""
+    text = printable(text)
     return [
         " " * (start + (room - len(part)) // 2) + part
         for part in fold(text, max(room, NARROWEST // 2))
@@ -642,7 +664,7 @@ def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
         return []
     lines, line, size = [], "", 0
     for sample, color, label in entries:
-        label, *rest = fold(label, style.width - len(sample) - 1)
+        label, *rest = fold(printable(label), style.width - len(sample) - 1)
         text = f"{sample} {label}"
         if size and size + GAP + len(text) > style.width:
             lines.append(line)

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
+RINGS = 6  # circles of a polar diagram at most, with the point in its middle
 DIGITS = 6  # of a number, unless more tell it from others
 ROUNDING = 1e-9  # of a step: a tick is not left out for it
 
@@ -92,6 +93,17 @@ def limits(values: list[float], most: int) -> tuple[float, float]:
         low, high = (low - 1, high + 1) if not low else sorted((0.0, 2 * low))
     step = round_step((high - low) / max(most - 1, 1))
     return math.floor(low / step + ROUNDING) * step, math.ceil(high / step - ROUNDING) * step
+
+
+def rings(most: float) -> list[float]:
+    """Radii of the circles of a polar diagram that shows values up to one.
+
+    Examples
+    --------
+    >>> rings(420.0)
+    [100.0, 200.0, 300.0, 400.0, 500.0]
+    """
+    return ticks(0.0, limits([0.0, most], RINGS)[1], RINGS)[1:]
 
 
 def levels(values: Iterable[float], most: int = 10) -> list[float]:

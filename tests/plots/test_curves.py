@@ -119,3 +119,10 @@ def test_a_grid_along_a_line_is_a_curve_and_others_are_refused():
     for axes in (((0, 0, 1),) * 3, ((0, 1, 2),) * 3):
         with pytest.raises(UsageError, match="has no picture"):
             over_grid(surveyed(*axes))
+
+
+def test_values_in_other_units_stand_where_they_are_and_in_order():
+    each = [solved(point_source, intensity="100cd", distance=d) for d in ("5m", "100cm", "2m")]
+    chart = picture("point-source", each)
+    assert (chart.series[0].x, chart.series[0].y) == ([1, 2, 5], [100, 25, 4])
+    assert chart.x.unit == "m"

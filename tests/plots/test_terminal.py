@@ -191,3 +191,16 @@ def test_an_even_field_has_no_contours():
 )
 def test_braille_is_where_the_encoding_has_it(encoding, has):
     assert has_braille(encoding) is has
+
+
+def test_what_a_user_named_does_not_steer_the_terminal():
+    named = SLOPE._replace(title="a\033[31mb", marks=[Mark("\033]0;x\a", 1.0, 1.0)])
+    text = draw(named, Style(80))
+    assert "\033" not in text
+    assert "a\\x1b[31mb" in text
+
+
+def test_a_curve_far_beyond_the_axis_is_cut_and_takes_no_time():
+    far = Chart("", Axis("x", limits=(0.0, 1.0)), Axis("y"), [Series("", [-1e9, 1e9], [0.0, 1.0])])
+    rows = {r for r, _ in cells(draw(far, Style(80)))}
+    assert len(rows) == 1  # level, in the middle
