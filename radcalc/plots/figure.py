@@ -4,10 +4,11 @@ import io
 import math
 import os
 import re
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, printable
 from radcalc.plots.data import (
     LINE,
     LINES,
@@ -99,7 +100,8 @@ def data(picture: Picture, extension: str) -> bytes:
     out = io.BytesIO()
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
     made = figure(picture)
-    with matplotlib.rc_context(SETTINGS):
+    with matplotlib.rc_context(SETTINGS), warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of letters that the font has not
         made.savefig(out, format=extension[1:], dpi=DOTS, metadata=metadata)
     return out.getvalue()
 
@@ -145,19 +147,21 @@ def _matplotlib() -> Any:
 def _chart(chart: Chart, made: Any) -> None:
     axes = made.subplots()
     colors = iter(COLORS * len(chart.series))
+    drawn = []
     for one in chart.series:
         if one.style == REFERENCE:
-            axes.plot(one.x, one.y, color=GREY, linestyle=(0, (2, 2)), lw=1.3, label=one.label)
-        elif one.style == POINTS:
-            axes.plot(one.x, one.y, "o", color=next(colors), ms=6, label=one.label)
+            dashes: Any = (0, (2, 2))
+            artist = axes.plot(one.x, one.y, color=GREY, linestyle=dashes, lw=1.3)[0]
         elif one.style == LINES:
-            axes.vlines(one.x, 0, one.y, color=next(colors), lw=2, label=one.label)
+            artist = axes.vlines(one.x, 0, one.y, color=next(colors), lw=2)
         else:
-            axes.plot(one.x, one.y, color=next(colors), label=one.label)
+            look = {"marker": "o", "ls": "", "ms": 6} if one.style == POINTS else {}
+            artist = axes.plot(one.x, one.y, color=next(colors), **look)[0]
+        drawn.append(artist)
     for label, place in chart.marks:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
-            label, (place, 1), (4, -4), xycoords=("data", "axes fraction"),
+            _safe(label), (place, 1), (4, -4), xycoords=("data", "axes fraction"),
             textcoords="offset points", va="top", color="#374151",
         )  # fmt: skip
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
@@ -169,8 +173,8 @@ def _chart(chart: Chart, made: Any) -> None:
     if chart.hues:
         _hues(chart, axes)
     if any(one.label for one in chart.series):
-        axes.legend()
-    axes.set_title(chart.title)
+        axes.legend(drawn, [_safe(one.label) for one in chart.series])
+    axes.set_title(_safe(chart.title))
 
 
 def _hues(chart: Chart, axes: Any) -> None:
@@ -234,7 +238,7 @@ def _polar(polar: Polar, made: Any) -> None:
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
     made.legend(title=_text(polar.radius), loc="lower center", ncols=2)
-    made.suptitle(polar.title, fontsize=11)
+    made.suptitle(_safe(polar.title), fontsize=11)
 
 
 # -- fields and discs ------------------------------------------------------------------------------
@@ -248,7 +252,7 @@ def _field(field: Field, made: Any) -> None:
     _marks(axes, field.marks)
     axes.set_xlabel(_text(field.x))
     axes.set_ylabel(_text(field.y))
-    axes.set_title(field.title)
+    axes.set_title(_safe(field.title))
 
 
 def _disc(disc: Disc, made: Any) -> None:
@@ -282,7 +286,7 @@ def _disc(disc: Disc, made: Any) -> None:
             ha="center", va="center",
         )  # fmt: skip
     _marks(axes, disc.marks)
-    axes.set_title(disc.title, pad=16)
+    axes.set_title(_safe(disc.title), pad=16)
 
 
 def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> None:
@@ -303,6 +307,11 @@ def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> N
     made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), ticks=found, spacing="uniform")
 
 
+def _safe(text: str) -> str:
+    """A user's text as it stands, of which Matplotlib reads nothing as a formula."""
+    return printable(text).replace("$", r"\$")
+
+
 def _text(axis: Axis) -> str:
     """The title of an axis, with indices and powers as print has them."""
     unit = POWER.sub(lambda found: found[0].translate(SUPERSCRIPTS), axis.unit)
@@ -315,7 +324,7 @@ def _marks(axes: Any, marks: Sequence[Mark]) -> None:
     for mark in marks:
         axes.plot(mark.x, mark.y, "o", color="white", mec=DARK, ms=6)
         axes.annotate(
-            mark.label,
+            _safe(mark.label),
             (mark.x, mark.y),
             (6, 5),
             textcoords="offset points",

@@ -116,3 +116,12 @@ def test_json_and_csv_stand_beside_a_figure(tmp_path):
     for form in ("json", "csv"):
         plain = run(*words, "--format", form)
         assert run(*words, "--format", form, "--plot", path).stdout == plain.stdout
+
+
+def test_what_a_user_named_is_no_formula():
+    names = ["$\\frac$", "_hidden", "a\x1bb", "光"]
+    series = [Series(name, [0.0, 1.0], [0.0, float(k)]) for k, name in enumerate(names)]
+    chart = Chart("$x", Axis("x"), Axis("y"), series)
+    text = figure.data(chart, ".svg").decode()
+    for said in ("$x", "_hidden", "a\\x1bb", "光"):
+        assert f"<!-- {said} -->" in text or f"<!-- {said.replace('$', chr(92) + '$')} -->" in text
