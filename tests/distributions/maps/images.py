@@ -1,6 +1,7 @@
 """Images for tests: what pixels show by the definitions of the projections, not by radcalc."""
 
 import math
+from functools import lru_cache
 
 import numpy
 
@@ -18,6 +19,7 @@ TILTS = [
 ]
 
 
+@lru_cache(4)  # large, and the same for many tests
 def directions(projection, width, height, count=1):
     """What pixels show, in the map's axes; NaN outside of the circle.
 
@@ -39,6 +41,7 @@ def directions(projection, width, height, count=1):
     return inside * numpy.array([numpy.cos(math.pi * r), -share * u, share * v])
 
 
+@lru_cache(4)
 def solid_angles(projection, width, height):
     """Solid angle by area at the pixels' middles, times their areas; 0 outside."""
     x, _, z = directions(projection, width, height)
