@@ -119,21 +119,17 @@ def run(
 
         work_out = partial(with_uncertainties, work_out)
     told = [(*operands, *inputs_of(case.given)) for case in each]
-    solved: Iterable[tuple[Inputs, Answer]] = (
-        (case.given, _noted(case, work_out(case.given))) for case in each
-    )
-    picture: Any = None
     if asked.plot:
-        solved = list(solved)
-        picture = plot.picture(command, solved, asked, drawn)
+        solved = [_noted(case, work_out(case.given)) for case in each]
+        picture = plot.picture(command, [case.given for case in each], solved, asked, drawn)
+        every = [_every(*one) for one in zip(each, told, solved, strict=True)]
+        plot.show_beside(picture, [one for some in every for one in some], asked, output, told)
+        return stdio.ANSWERED
     answers = (
         one
-        for case, inputs, (_, answer) in zip(each, told, solved, strict=True)
-        for one in _every(case, inputs, answer)
+        for case, inputs in zip(each, told, strict=True)
+        for one in _every(case, inputs, _noted(case, work_out(case.given)))
     )
-    if picture:
-        plot.show_beside(picture, list(answers), asked, output, told)
-        return stdio.ANSWERED
     show(answers, asked, output, told)
     return stdio.ANSWERED
 

@@ -1,7 +1,7 @@
 """`--plot`: a picture below the answer, or as a figure in a file."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from radcalc import stdio
@@ -39,13 +39,14 @@ def refuse(asked: Asked, output: Output) -> None:
 
 
 def picture(
-    command: str, solved: Iterable[tuple[Inputs, Answer]], asked: Asked, drawn: Any
+    command: str, given: Sequence[Inputs], answers: Sequence[Answer], asked: Asked, drawn: Any
 ) -> "Picture":
     """What the answers of a command look like; `drawn` is what it works on beside its inputs."""
-    from radcalc.plots import answers
+    from radcalc.plots import answers as pictures
     from radcalc.plots.curves import Solved
 
-    return answers.picture(command, [Solved(*one) for one in solved], asked.wanted, drawn)
+    solved = [Solved(*one) for one in zip(given, answers, strict=True)]
+    return pictures.picture(command, solved, asked.wanted, drawn)
 
 
 def show_beside(

@@ -23,7 +23,7 @@ from radcalc.plots.data import (
     Picture,
     Polar,
 )
-from radcalc.plots.ticks import levels, rings
+from radcalc.plots.ticks import levels, limits, rings
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
@@ -36,6 +36,7 @@ POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
 GREY, DARK, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
+TICKS = 6  # of an axis whose ends are round
 COLORMAP = "viridis"
 SPAN = 1000.0  # between the darkest and the brightest of an image
 CLIPPED = 99.5  # percent: what is brighter is as bright as that
@@ -166,8 +167,8 @@ def _chart(chart: Chart, made: Any) -> None:
         )  # fmt: skip
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
-    if not chart.y.is_log and chart.y.limits is None and axes.get_ylim()[0] > 0:
-        axes.set_ylim(bottom=0)
+    if not chart.y.is_log and chart.y.limits is None:
+        axes.set_ylim(*limits([y for one in chart.series for y in one.y], TICKS))
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
