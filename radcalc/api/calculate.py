@@ -39,24 +39,11 @@ def calculate(
     `drawn` is what a picture takes beside the inputs.
     """
     columns, given = taken({k: v for k, v in given.items() if v is not None and v is not False})
-    if columns:
-        made = calculate(
-            command,
-            given,
-            work_out,
-            operands=operands,
-            own=own,
-            intervals=intervals,
-            waits=waits,
-            singly=singly,
-            called=called,
-            drawn=drawn,
-        )
-        return made.in_columns(columns)
     if waits and any(map(is_lazy, given.values())):
         from radcalc.api.lazy import blockwise
 
-        return blockwise(command.replace("-", "_"), (), given)  # type: ignore[no-any-return]
+        waiting: Result = blockwise(command.replace("-", "_"), (), given)
+        return waiting.in_columns(columns)
     operands = operands or {}
     symbols = {key: one for key, one in given.items() if key not in operands and key not in own}
     point = symbols.pop("point", None)
@@ -79,7 +66,8 @@ def calculate(
         shape = operands.get("shape") or operands.get("type", "")
         return of_calculator(command, shape, inputs, work_out, steps=True)
 
-    return of_answer(command, answer, told, None if arrays else ask, (inputs, answer, drawn))
+    found = of_answer(command, answer, told, None if arrays else ask, (inputs, answer, drawn))
+    return found.in_columns(columns)
 
 
 def _has_elements(given: Given) -> bool:

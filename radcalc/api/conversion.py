@@ -131,7 +131,8 @@ def convert(
         In the unit `target`, of the shape of the magnitude of `value` (broadcast with those of
         the conditions).  On a scale the bare readings, a float or an array: they are no
         quantity, which could be multiplied.
-        Where something is uncertain the magnitude is, correlated with that.
+        Where something is uncertain the magnitude is, correlated with that.  For a column a
+        column like it.
 
     Raises
     ------

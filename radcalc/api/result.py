@@ -209,8 +209,10 @@ class Result(Mapping[str, Quantity]):
         """The results by all of their names."""
         return {**self._found, **self._others}
 
-    def in_columns(self, columns: "Columns") -> "Result":
-        """The same with columns for the arrays."""
+    def in_columns(self, columns: "Columns | None") -> "Result":
+        """The same with columns for the arrays, where some were given."""
+        if columns is None:
+            return self
         found = {name: columns.result(name, one) for name, one in self._found.items()}
         others = {name: columns.result(name, one) for name, one in self._others.items()}
         return Result(self.command, self._told, found, others, solved=self._solved)
