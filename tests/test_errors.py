@@ -11,7 +11,8 @@ from helpers import shell
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from radcalc import api, errors
+from radcalc import errors
+from radcalc.api.spelling import in_python as of_function
 from radcalc.calculators.integrate import integrate
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
@@ -66,7 +67,7 @@ def plainly(error: RadcalcError) -> tuple[str, str]:
 def in_python(error: RadcalcError) -> tuple[str, str]:
     """As a function of `radcalc.api` raises it."""
 
-    @api.in_python
+    @of_function
     def call() -> None:
         raise error
 

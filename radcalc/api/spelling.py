@@ -4,6 +4,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
+from radcalc import __all__ as PUBLIC
 from radcalc.errors import NumberError, RadcalcError, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
@@ -12,30 +13,6 @@ from radcalc.units.table import resolve
 
 P = ParamSpec("P")
 T = TypeVar("T")
-FUNCTIONS = (
-    "calorimeter",
-    "check",
-    "convert",
-    "direction",
-    "environment",
-    "etendue",
-    "ev",
-    "explain",
-    "factor",
-    "lambertian",
-    "laser",
-    "mesopic",
-    "photon",
-    "point_source",
-    "room",
-    "scene",
-    "screen",
-    "sensor",
-    "sky",
-    "solid_angle",
-    "spectrum",
-    "uberlight",
-)
 
 
 class Python:
@@ -56,7 +33,7 @@ class Python:
         """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
         function = words[0].replace("-", "_")
         pairs = [word.partition("=") for word in words[1:]]
-        if function not in FUNCTIONS or any(key == "list" for key, *_ in pairs):
+        if function not in PUBLIC or any(key == "list" for key, *_ in pairs):
             told = " ".join(word for word in words if "=" not in word)
             return f"`radcalc {told}` at a shell"
         arguments = [
