@@ -32,7 +32,8 @@ WHOLE = (3600, 86400)  # seconds of an hour and of a day without a change of clo
 NOISE = 0.05  # of the peak: negative readings within it are a meter's offset
 LONG = 10  # times the mean of the others: a step that is told
 MOST = 100_000  # periods: 11 years of hours
-SLACK = 1e-9  # of a gap's limit
+SLACK = 1e-9  # of a number of units
+ROUNDED = 1e-3  # of a gap's limit: times in a log are rounded, as 600.05 s for 10 min in days
 
 MEAN = {
     IRRADIANCE: law("mean irradiance", "{exposure} = {mean-irradiance} {covered-time}"),
@@ -136,7 +137,7 @@ class Dose:
 
         It `bridges` a sample that was left out, where somebody said how long a step may be.
         """
-        self.longest = longest * (1 + SLACK)
+        self.longest = longest * (1 + ROUNDED)
         self.bridges = bridges
         self.spans = spans
         self.periods: list[Period] = []

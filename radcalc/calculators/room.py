@@ -9,7 +9,7 @@ from radcalc.geometry import cones
 from radcalc.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import RECTANGLE
-from radcalc.maths import any_true
+from radcalc.maths import any_true, sqrt
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 from radcalc.units.numbers import EXACT
 
@@ -23,6 +23,14 @@ def _side(other: Any, height: Any, index: Any) -> Any:
     problem = "no room of that side and height has that room index"
     cones.refuse(other <= least, problem, "less height, or a smaller index")
     return least * other / (other - least)
+
+
+def _shorter(area: Any, both: Any) -> Any:
+    """The shorter side of a room, by its area and the sum of two sides."""
+    problem = "no room of that area and height has that room index: a square one has less"
+    cones.refuse(both < 2 * sqrt(area), problem, "less height, or a smaller index")
+    # without the difference of nearly equal numbers that a long room has
+    return 2 * area / (both + sqrt(both * both - 4 * area))
 
 
 def _rounded_up(number: Any) -> Any:
@@ -52,6 +60,11 @@ LIT: list[AnyLaw] = [
         },
     ),
 ]
+SIDES = relation(
+    "sides of a room, by its area and index",
+    "{width} = (s - sqrt(s^2 - 4 {area})) / 2, s = {area} / ({room-index} {height})",
+    {"width": lambda at: _shorter(at("area"), at("area") / (at("room-index") * at("height")))},
+)
 INSTALLED: list[AnyLaw] = [
     relation(
         "luminaires to install",
@@ -95,6 +108,9 @@ def room(given: Inputs) -> Answer:
         hint = mention("{width}, {length}, {illuminance}, {flux} and {utilance}")
         raise MissingInput("nothing is given", hint)
     laws = LIT if "luminaires" in given else LAWS
+    if given.keys() >= {"area", "room-index", "height"} and not given.keys() & {"width", "length"}:
+        laws = [*laws, SIDES]
+        sheet.assume("a rectangular room, whose width is the shorter side")
     if "luminaires" in given and any_true(given["luminaires"].value % 1 != 0):
         raise ConditionError(
             f"{sheet.told('luminaires')} is no whole number of luminaires",

@@ -166,7 +166,7 @@ def sensor(given: Inputs) -> Answer:
     if sheet.has("f-number") and any_true(sheet.at("f-number") < FASTEST * (1 - 1e-9)):
         raise ConditionError(
             f"{sheet.told('f-number')} is not possible: it is 0.5 or more, in air",
-            "less light on the sensor, or more of the scene's",
+            sheet.another(),
         )
     if sheet.has("working-f-number") and sheet.has("radiance", "etendue"):
         sheet.use("off-axis-angle")

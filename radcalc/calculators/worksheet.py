@@ -171,8 +171,13 @@ class Worksheet:
                 told = self.told(name)
                 raise ConditionError(
                     f"{told} follows from the rest, and is not possible: it is {limits.said}",
-                    "other values",
+                    self.another(),
                 )
+
+    def another(self) -> str:
+        """The hint where what is given leads to what is impossible."""
+        every = {**self._quantities(), **self.lit.links}
+        return f"another value of {options(one.name for one in every.values())}"
 
     def assume(self, *texts: str) -> None:
         """Say what is assumed."""

@@ -115,8 +115,9 @@ def command(
     --time-unit tells.  A local time has no offset: --time-zone says whose it is, and knows the
     days of 23 and of 25 hours.  Dates that may be read in two ways are refused: --time-format.
 
-    Between two samples the light runs straight.  Steps longer than --max-gap are not bridged, nor
-    is, without it, a step in which a line was left out; they are told, and counted by coverage.
+    Between two samples the light runs straight.  Steps longer than --max-gap, by more than the
+    0.1 % that rounded times may be off, are not bridged, nor is, without it, a step in which a line
+    was left out; they are told, and counted by coverage.
     A day or an hour in a gap has an exposure of 0, no mean, and coverage 0.
     """
     path = _path(words, typed)

@@ -537,7 +537,14 @@ def _detector(bridge: Bridge) -> Links:
     if given is None:
         bridge.want(RESPONSIVITY)
         return []
-    return [(geometric.responsivity(given), -1 if from_current else 1)]
+    factor = geometric.responsivity(given)
+    link = bridge.conditions.given.get(LINK)
+    if link and link.name == "wavelength":
+        from radcalc.conversion import spectral
+
+        energy = spectral.light(link, None).photon_energy
+        factor = factor._replace(notes=geometric.yield_of(given.value, energy))
+    return [(factor, -1 if from_current else 1)]
 
 
 def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:

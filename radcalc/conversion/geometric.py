@@ -14,6 +14,7 @@ from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, HorizonCuts, TooNear, command, option, quote
 from radcalc.geometry import cones, far_field, lobes
 from radcalc.given import Given, half_angle_of, radius_of, require
+from radcalc.units.table import resolve
 
 INVERSE_SQUARE = Formula(
     "inverse square law", "q = Omega0 / {distance}^2", "ISO 80000-7, intensity and irradiance"
@@ -291,6 +292,15 @@ def responsivity(given: Given) -> Factor:
     """Amperes per watt of light on a detector."""
     assumption = f"a detector of {given.text} for all of that light, and no dark current"
     return Factor("s", given.value, "A/W", assumption)
+
+
+def yield_of(responsivity: Any, photon_energy: Any) -> tuple[str, ...]:
+    """What to say of a detector that gives more than one electron for a photon."""
+    electrons = responsivity * photon_energy / resolve("eV").factor  # 1 eV is e times 1 V
+    if not maths.any_true(electrons > 1):
+        return ()
+    number = format_number(electrons) if isinstance(electrons, float) else "more than one"
+    return (f"{number} electrons for a photon: only a detector that multiplies them gives so many",)
 
 
 def pupil(given: Given) -> Factor:

@@ -43,6 +43,7 @@ MARKED = re.compile(r"-(?:9{3,}|6999)(?:\.[09]*)?")  # as loggers mark what is m
 SECONDS = resolve("s")
 LEAST = -999.0  # such marks are no greater
 PPFD_UNIT = "umol/m2/s"
+PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
 
 Row = tuple[int, str]  # the number of a line and its text
@@ -362,7 +363,8 @@ class Log:
             return units[0]
         for title in own:
             if _is_ppfd(title):
-                self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}")
+                also = PAR_ALSO if "par" in _words(title) else ""
+                self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
                 return resolve(PPFD_UNIT)
         return None
 
@@ -622,4 +624,8 @@ def _may_be_light(title: str) -> bool:
 
 
 def _is_ppfd(title: str) -> bool:
-    return bool({*columns.plain(title).replace("_", " ").split()} & {*PPFD})
+    return not _words(title).isdisjoint(PPFD)
+
+
+def _words(title: str) -> set[str]:
+    return {*columns.plain(title).replace("_", " ").split()}

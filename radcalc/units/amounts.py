@@ -269,7 +269,9 @@ def read_operands(words: list[str]) -> tuple[Amount, str]:
     try:
         return _read_operands(words)
     except RadcalcError:
-        for end in range(len(words), 3, -1):  # 5 ft 3 in m
+        for end in range(len(words), 1, -1):  # 5 ft 3 in m, 5ft 3in m
+            if not (end > 3 or all(word[:1].isdigit() for word in words[:end])):
+                continue
             if meant := sum_meant(" ".join(words[:end])):
                 typed = quote(" ".join(words[:end]))
                 hint = command("convert", meant, *words[end:])

@@ -74,7 +74,7 @@ def read_number(text: str) -> tuple[float, int]:
 def is_sentence(words: list[str]) -> bool:
     """Whether a call begins with a value in place of a command: `100 lx fc`, `-pi/2 rad deg`.
 
-    It then is a conversion; so is one that begins with the `-` of a stream.
+    It then is a conversion; so is one that begins with the `-` or `- UNIT` of a stream.
     """
     first = words[0] if words else ""
     start = 1 if first[:1] and first[0] in SIGNS else 0
@@ -83,7 +83,8 @@ def is_sentence(words: list[str]) -> bool:
         begun = first[start + 1 : start + 2]
     is_function = first[start:].startswith(CALLS)
     is_number = begun.isnumeric() or _pi_ends(first, start) > start
-    return first == "-" or is_number or begun in ("(", "±") or is_function
+    is_stream = first == "-" or first.lstrip()[:2] == "- "
+    return is_stream or is_number or begun in ("(", "±") or is_function
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:

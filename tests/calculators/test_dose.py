@@ -121,6 +121,14 @@ def test_a_sample_left_out_is_a_gap_unless_the_longest_step_is_told():
         assert (dose.gaps, float(total(dose))) == (gaps, 10 if gaps else 30)
 
 
+def test_a_step_that_rounding_made_longer_is_no_gap():
+    """Every 10 min in days of 6 decimals: 0.006944 and 0.006945 d are 599.96 and 600.05 s."""
+    times = [round(k / 144, 6) * 86400 for k in range(11)]
+    assert max(b - a for a, b in pairwise(times)) > 600.04
+    assert summed(times, [1.0] * 11, longest=600).gaps == 0
+    assert summed([0, 600, 1201], [1.0] * 3, longest=600).gaps == 1
+
+
 def test_what_is_below_0_is_kept_and_told():
     """From -1 to 3 in 4: below 0 for 1, a triangle of 1/2."""
     dose = summed([0, 4, 8, 10], [-1.0, 3.0, 99.0, 99.0])

@@ -29,6 +29,10 @@ CLASSROOM = "--width 6m --length 8m --height 2m --flux 3200lm --utilance 0.5 --m
         ("--width 6m --length 12m --room-index 2", "height", 2),
         ("--width 6m --height 2m --room-index 2", "length", 12),
         ("--length 12m --height 2m --room-index 2", "width", 6),
+        # 54 / (1.8 2) = 15 = 6 + 9, and 6 9 = 54; a square of 6 m at 2 m has k = 36 / (2 12) = 1.5
+        ("--area 54m2 --room-index 1.8 --height 2m", "width", 6),
+        ("--area 54m2 --room-index 1.8 --height 2m", "length", 9),
+        ("--area 36m2 --room-index 1.5 --height 2m", "length", 6),
         # 500 lx on 54 m2 are 27 klm, of which 12 luminaires of 3750 lm send 60 %
         ("--area 54m2 --illuminance 500lx --luminaires 12 --utilance 60%", "flux:lm", 3750),
         ("--area 54m2 --illuminance 500lx --luminaires 12 --flux 3750lm", "utilance", 0.6),
@@ -76,6 +80,10 @@ def test_what_is_not_given_is_assumed_and_said():
          "a maintenance factor of 1.5 follows"),
         ("--width 6m --length 9m --area 50m2 --height 2m", "contradicts the rest"),
         ("--width 6m --height 4m --room-index 1.5", "no room of that side"),
+        # of all rooms of 54 m2 at 2 m a square one has the highest index, sqrt(54) / 4 = 1.84
+        ("--area 54m2 --room-index 2 --height 2m", "a square one has less"),
+        ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx",
+         "another value of --flux or --illuminance"),
         ("--width 6m --length 9m --illuminance 500lx", "nothing follows from --illuminance"),
         ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "what links them"),
     ],

@@ -37,6 +37,14 @@ def test_a_current_goes_through_the_other_conditions_as_its_watts_do():
     assert back.magnitude == pytest.approx(100, rel=1e-12)
 
 
+@pytest.mark.parametrize(("responsivity", "is_told"), [("4A/W", True), ("0.4A/W", False)])
+def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
+    # of 500 nm, h c / lambda = 1239.842 eV nm / 500 nm = 2.479684 eV: 4 A/W are 9.91874 electrons
+    for call in ("1 lm mA", "1 mA lm"):
+        words = (*call.split(), "--responsivity", responsivity, "--wavelength", "500nm")
+        assert ("9.91874 electrons for a photon" in run("convert", *words).stderr) == is_told
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -171,6 +171,13 @@ def test_the_clock_to_a_date_is_the_next_column_or_has_a_title_of_time(text, sec
     assert len(said) == (seconds != 86400)
 
 
+@pytest.mark.parametrize(("title", "is_doubtful"), [("PAR", True), ("ppfd", False)])
+def test_that_par_may_be_in_another_unit_is_told(title, is_doubtful):
+    _, _, log = read(f"time_s,{title}\n0,1\n1,2\n")
+    (said,) = [one for one in log.assumptions if "umol/m2/s" in one]
+    assert ("W/m2" in said) == is_doubtful
+
+
 @pytest.mark.parametrize("size", [1 << 20, 20])
 def test_of_times_that_come_twice_those_are_left_out_that_no_order_tells(size):
     """01:30 is 23:30 UTC, 03:30 is 02:30 UTC, and 02:00 to 02:59 may be of two hours."""
