@@ -243,7 +243,7 @@ def sensor(
     f_number: Number = None,
     working_f_number: Number = None,
     magnification: Number = None,
-    field_angle: Amount = None,
+    off_axis_angle: Amount = None,
     transmittance: Number = None,
     etendue: Amount = None,
     pixel_pitch: Amount = None,
@@ -282,7 +282,7 @@ def sensor(
         The f-number at the magnification.
     magnification : Number, optional
         Size of the image over that of the scene (0).
-    field_angle : Amount, optional
+    off_axis_angle : Amount, optional
         Angle between the lens's axis and what is seen (0). [deg]
     transmittance : Number, optional
         The part of the light that the lens lets through (1).
