@@ -146,3 +146,7 @@ def test_an_integrand_and_what_of_it_adds_up():
     assert weighted.style == REFERENCE
     assert own.y[0] == 1.0
     assert (chart.x.title, chart.y.title) == ("polar angle θ [deg]", "f [cd]")
+
+
+def test_a_result_that_is_none_leaves_the_picture_as_it_is():
+    assert diagram(("speed",), flux="800lm").radius.unit == "cd"  # the answer refuses it
