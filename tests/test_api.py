@@ -174,6 +174,17 @@ def _lamp(**cells):
         lambda: radcalc.explain(Q([1, 2], "lm"), "cd", isotropic=True),
         lambda: radcalc.lambertian([1]),
         lambda: radcalc.ev(ev100={}),
+        lambda: radcalc.photon(None),
+        lambda: radcalc.photon({}),
+        lambda: radcalc.spectrum(5),
+        lambda: radcalc.spectrum("nope"),
+        lambda: radcalc.direction(5),
+        lambda: radcalc.direction((1, 2)),
+        lambda: radcalc.direction("a,b,c"),
+        lambda: radcalc.solid_angle(5),
+        lambda: radcalc.solid_angle("polygon", 5),
+        lambda: radcalc.solid_angle("polygon", [(1, 2)]),
+        lambda: radcalc.solid_angle("cone", [(1, 2, 3)], half_angle="3 deg"),
     ],
 )
 def test_python_objects_that_are_no_input_are_refused(call):

@@ -26,7 +26,7 @@ from radcalc.api.reading import in_metres, one_of
 from radcalc.api.result import Result
 from radcalc.api.spelling import in_python
 from radcalc.errors import ConditionError
-from radcalc.given import Inputs, read, read_coordinates
+from radcalc.given import Inputs, read_coordinates, read_point
 
 
 def solid_angle(
@@ -141,8 +141,8 @@ def solid_angle(
 
     name = one_of(shape, NAMES, "shape")
     name = ALIASES.get(name, name)
-    corners = [read("viewpoint", one) for one in vertices]
-    points = [one.value for one in corners]
+    corners = _corners(vertices)
+    points = [read_point(one, "the vertex") for one in corners]
     if points and name != "polygon":
         raise ConditionError(f"vertices have no use with a {name}", "the same without vertices")
 
@@ -153,7 +153,7 @@ def solid_angle(
         "solid-angle",
         given,
         work_out,
-        operands={"shape": name, "vertices": " ".join(one.text for one in corners)},
+        operands={"shape": name, "vertices": " ".join(corners)},
         intervals=("polar", "azimuth"),
         waits=False,
         singly=True,
@@ -320,6 +320,15 @@ def etendue(
     return calculate("etendue", given, work_out)
 
 
+def _corners(vertices: Any) -> list[str]:
+    """The vertices of a polygon as texts."""
+    try:
+        return [one if isinstance(one, str) else ",".join(map(str, one)) for one in vertices]
+    except TypeError:
+        problem = f"the vertices are of the type {type(vertices).__name__}"
+        raise ConditionError(problem, "[(1, 0, 0), (0, 1, 0), (0, 0, 1)]") from None
+
+
 @in_python
 def _direction(given: dict[str, Any]) -> Result:
     from radcalc.calculators.direction import direction as work_out
@@ -329,7 +338,7 @@ def _direction(given: dict[str, Any]) -> Result:
         place, unit = read_coordinates(vector.split(","))
     elif vector is not None:
         metres, of = in_metres(vector, "a vector", "three numbers, [1, 0, 2]")
-        place, unit = tuple(numpy.asarray(metres).tolist()), of.text if of else ""
+        place, unit = tuple(numpy.atleast_1d(metres).tolist()), of.text if of else ""
     if place is not None and len(place) != 3:
         raise ConditionError("a vector has three coordinates", "[1, 0, 2]")
     others = ("polar", "azimuth", "elevation", "mirror_ball")

@@ -9,7 +9,8 @@ from radcalc.api.calculate import calculate
 from radcalc.api.keywords import Amount, Number, Observer, Path, Text
 from radcalc.api.result import Result
 from radcalc.api.spelling import in_python
-from radcalc.given import read
+from radcalc.errors import ConditionError, MissingInput, mention
+from radcalc.given import Given, Inputs, read
 
 
 def photon(
@@ -52,7 +53,7 @@ def photon(
         work_out,
         waits=False,
         singly=True,
-        called=lambda inputs: {**inputs, "wavelength": named(inputs["wavelength"])},
+        called=lambda inputs: {**inputs, "wavelength": named(_wave_of(inputs))},
     )
 
 
@@ -143,12 +144,22 @@ def mesopic(
     return calculate("mesopic", given, work_out, waits=False, singly=True)
 
 
+def _wave_of(inputs: Inputs) -> Given:
+    """What was given for the wavelength, which has to be there."""
+    if "wavelength" not in inputs:
+        raise MissingInput("the wavelength is missing", mention("{wavelength=555nm}"))
+    return inputs["wavelength"]
+
+
 @in_python
 def _spectrum(given: dict[str, Any]) -> Result:
     from radcalc.calculators.spectrum import spectrum as work_out
     from radcalc.spectra.sources import spectrum as read_source
 
-    text, column = os.fspath(given["source"]), given["column"]
+    text, column = given["source"], given["column"]
+    if not isinstance(text, (str, os.PathLike)):
+        raise ConditionError(f"a spectrum is a text, not a {type(text).__name__}", '"D65"')
+    text = os.fspath(text)
     source = read("spectrum", text, uncertain=True)
     if column is not None:
         source = source._replace(value=read_source(text, str(column)))
