@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from numbers import Real
 from typing import Any, NamedTuple
 
-from radcalc import columns
+from radcalc import columns, texts
 from radcalc.calculators import light
 from radcalc.calculators.point_source import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT
@@ -117,14 +117,14 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise ConditionError(
-            f"{name}, line {number}: there is one column only", "a header such as x,y,z,flux"
+            f"{texts.where(name, number)}: there is one column only", "a header such as x,y,z,flux"
         )
-    titles, units = _header(columns.cells(header, delimiter), f"{name}, line {number}")
+    titles, units = _header(columns.cells(header, delimiter), texts.where(name, number))
     rows = []
     decimals = columns.Decimals()
     for number, line in lines[1:]:
         cells = columns.cells(line, delimiter)
-        where = f"{name}, line {number}"
+        where = texts.where(name, number)
         if len(cells) != len(titles):
             problem = f"{len(cells)} cells under {len(titles)} titles"
             hint = "a cell under each title; one with a comma stands in quotation marks"

@@ -39,6 +39,7 @@ from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
+from radcalc.texts import refusal
 
 KILOLUMEN = 1000.0  # [lm]
 MOST = 10_000  # angles, planes, lamps
@@ -109,7 +110,7 @@ class _Reader:
         self.notes: list[str] = []
 
     def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
-        raise ConditionError(f"{self.name}, line {number}: {problem}", hint)
+        raise refusal(self.name, number, problem, hint)
 
     def text(self, what: str) -> str:
         """The next line."""

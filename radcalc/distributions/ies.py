@@ -23,10 +23,11 @@ from typing import Any, NamedTuple, NoReturn
 import numpy
 
 from radcalc.distributions.grid import Grid
-from radcalc.distributions.ies_numbers import Numbers, error_of
+from radcalc.distributions.ies_numbers import Numbers
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
+from radcalc.texts import refusal
 
 NEAR = 0.01  # [deg] by which an angle is taken for another
 # kind of light and SI value of the units that intensities are met in
@@ -157,7 +158,7 @@ class _Label:
             self.title = "" if self.keywords or _TAG.search(first) else first.strip()
 
     def error(self, line: int, problem: str, hint: str) -> ConditionError:
-        return error_of(self.name, line, problem, hint)
+        return refusal(self.name, line, problem, hint)
 
 
 def _unit(label: _Label) -> tuple[str, float, list[str]]:

@@ -9,14 +9,10 @@ import numpy
 
 from radcalc.columns import is_number
 from radcalc.errors import ConditionError, quote
+from radcalc.texts import refusal
 
 LARGEST = 1e18  # of any number, so that products of them can be held
 END_IN_DOS = "\x1a"  # of a file
-
-
-def error_of(name: str, line: int, problem: str, hint: str) -> ConditionError:
-    """The error of a line of a file."""
-    return ConditionError(f"{name}, line {line}: {problem}", hint)
 
 
 class Numbers:
@@ -52,15 +48,15 @@ class Numbers:
                 pass
         words = line.split()
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
-            raise error_of(
+            raise refusal(
                 self.name, number, "a decimal comma", "decimal points: commas separate numbers"
             )
         if re.search(r",\s*,", line):
-            raise error_of(self.name, number, "nothing between two commas", "a number")
+            raise refusal(self.name, number, "nothing between two commas", "a number")
         words = " ".join(words).replace(",", " ").split()
         for word in words:
             if not is_number(word, False):
-                raise error_of(
+                raise refusal(
                     self.name,
                     number,
                     f"'{quote(word)}' is not a number",
@@ -71,9 +67,7 @@ class Numbers:
     def error(self, place: int, problem: str, hint: str) -> ConditionError:
         """The error of the number in a place."""
         line = bisect_right(self.ends, min(place, len(self.values) - 1))
-        return error_of(
-            self.name, self.start + line + (1 if len(self.values) else 0), problem, hint
-        )
+        return refusal(self.name, self.start + line + (1 if len(self.values) else 0), problem, hint)
 
     def take(self, count: int) -> Any:
         """The next numbers, of which there are enough."""

@@ -34,6 +34,7 @@ from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
 from radcalc.quantities.light import read as facts_of
+from radcalc.texts import refusal
 
 FLAT = 180.0  # [deg]
 AS_RADIANS = 3.15  # up to which an angle of no declared unit may be in radians
@@ -90,8 +91,7 @@ class _Reader:
                 self.rows.append((number, line))
 
     def refuse(self, number: int, problem: str, hint: str) -> NoReturn:
-        where = f", line {number}" if number else ""
-        raise ConditionError(f"{self.name}{where}: {problem}", hint)
+        raise refusal(self.name, number, problem, hint)
 
     def photometry(self) -> Photometry:
         titles, head = self.titles()

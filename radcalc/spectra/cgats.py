@@ -8,9 +8,9 @@ from collections.abc import Sequence
 
 from radcalc import columns
 from radcalc.errors import listed, nearest, option, quote
-from radcalc.spectra.lines import refusal
 from radcalc.spectra.rows import Rows
 from radcalc.spectra.titles import Meaning
+from radcalc.texts import refusal
 
 FORMAT, DATA = "BEGIN_DATA_FORMAT", "BEGIN_DATA"
 SEARCHED = 1000  # lines in which the format begins

@@ -15,10 +15,10 @@ from radcalc import columns, stdio
 from radcalc.errors import ConditionError, UsageError, listed, option, quote, quote_path
 from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
-from radcalc.spectra.lines import Lines, Text, refusal
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.rows import NO_FIGURES, Figure, Rows
 from radcalc.spectra.spectrum import VISIBLE, Table
+from radcalc.texts import Lines, Text, refusal
 from radcalc.units.table import unit_of
 
 FORMATS = (spdx, cgats, meters)
@@ -65,7 +65,7 @@ class _Reader:
 
     def __init__(self, name: str, read: Callable[[int], bytes], column: str) -> None:
         self.name = name
-        self.text = Text(name, read)
+        self.text = Text(name, read, "a wavelength and a value")
         self.column = column
         self.notes: list[str] = []
         self.comments: list[str] = []

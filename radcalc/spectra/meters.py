@@ -14,9 +14,9 @@ from itertools import pairwise
 
 from radcalc import columns
 from radcalc.errors import option
-from radcalc.spectra.lines import refusal
 from radcalc.spectra.rows import Figure, Row, Rows
 from radcalc.spectra.titles import Meaning
+from radcalc.texts import refusal
 
 SEARCHED = 500  # lines in which the spectrum begins
 BAND = re.compile(

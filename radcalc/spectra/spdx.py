@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from xml.parsers import expat
 
 from radcalc.errors import quote
-from radcalc.spectra.lines import refusal
 from radcalc.spectra.rows import Row, Rows
 from radcalc.spectra.titles import Meaning
+from radcalc.texts import refusal
 
 ROOT = "IESTM2714"
 LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",

@@ -27,8 +27,8 @@ from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
-from radcalc.spectra.lines import Text
 from radcalc.streams import ABORT, FAIL, IGNORE
+from radcalc.texts import Text, where
 from radcalc.units import timestamps
 from radcalc.units.dimensions import TIME
 from radcalc.units.numbers import parse_number
@@ -113,8 +113,7 @@ class Log:
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
         """What is wrong, with the line."""
-        where = f", line {number}" if number else ""
-        return LineError(f"{self.name}{where}: {problem}", hint)
+        return LineError(f"{where(self.name, number)}: {problem}", hint)
 
     def samples(self) -> Iterator[Samples | None]:
         """Times and values, many at a time; None where a line was left out."""

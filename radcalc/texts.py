@@ -1,4 +1,7 @@
-"""The lines of a file of numbers, a block at a time, whatever their encoding and their ends."""
+"""The lines of a file of numbers, a block at a time, whatever their encoding and their ends.
+
+And where in it something is wrong: its name and the line.
+"""
 
 import codecs
 from collections.abc import Callable, Iterator
@@ -15,8 +18,12 @@ Lines = list[str]
 
 def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
     """The error of a file, with the line (0: of none) that is wrong."""
-    where = f", line {number}" if number else ""
-    return ConditionError(f"{name}{where}: {problem}", hint)
+    return ConditionError(f"{where(name, number)}: {problem}", hint)
+
+
+def where(name: str, number: int) -> str:
+    """How a line of a file is told (0: of none)."""
+    return f"{name}, line {number}" if number else name
 
 
 def _lines(text: str) -> Lines:
@@ -36,7 +43,7 @@ class Text:
         self,
         name: str,
         read: Callable[[int], bytes],
-        row: str = "a wavelength and a value",
+        row: str,
         largest: float = LARGEST,
     ) -> None:
         """Hold what reads so many bytes of the file, none at its end.
