@@ -248,12 +248,12 @@ def test_a_call_can_be_sent_to_another_process():
     import pickle
 
     call = Call("convert", (None, ("lx", "")), {"distance": (2.0, "m")}, (Place(0, "cd", 1),))
-    rows = pickle.loads(pickle.dumps(Rows(call, {"": Expected("lux", (0,), np.empty(0))})))
+    rows = pickle.loads(pickle.dumps(Rows(call, {"": Expected("lx", (0,), np.empty(0))})))
     assert rows(np.array([4.0])).tolist() == [[1.0]]
 
 
 def test_results_that_not_all_elements_have_are_refused():
     call = Call("convert", (None, ("lx", "")), {"distance": (2.0, "m")}, (Place(0, "cd", 1),))
-    for known in (Expected("footcandle", (0,), np.empty(0)), Expected("lux", (), 5.0)):
+    for known in (Expected("fc", (0,), np.empty(0)), Expected("lx", (), 5.0)):
         with pytest.raises(ConditionError, match="not all elements have the same results"):
             Rows(call, {"": known})(np.array([4.0]))
