@@ -19,10 +19,9 @@ from radcalc.cli.streams import refuse_second_reader
 from radcalc.errors import ConditionError, RadcalcError, UsageError, quote_path
 from radcalc.errors import command as call_of
 from radcalc.given import Inputs, inputs_of, refuse_uncertain
-from radcalc.streams import ABORT, INVALID
+from radcalc.streams import ABORT, INVALID, timestamps
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.samples import Log, Settings
-from radcalc.units import timestamps
 
 TIME_COLUMN = click.Option(
     ["--time-column"],

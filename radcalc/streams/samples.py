@@ -27,9 +27,8 @@ from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
-from radcalc.streams import ABORT, FAIL, IGNORE
+from radcalc.streams import ABORT, FAIL, IGNORE, timestamps
 from radcalc.texts import Text, where
-from radcalc.units import timestamps
 from radcalc.units.dimensions import TIME
 from radcalc.units.numbers import parse_number
 from radcalc.units.scales import resolve_any

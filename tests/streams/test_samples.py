@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from radcalc import texts
 from radcalc.errors import RadcalcError
+from radcalc.streams import timestamps
 from radcalc.streams.samples import Log, Settings
-from radcalc.units import timestamps
 
 
 def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Log]:

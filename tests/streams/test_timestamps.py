@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import RadcalcError
+from radcalc.streams.timestamps import PER_DAY, PER_HOUR, SECOND, Settings, clock_for
 from radcalc.units.table import resolve
-from radcalc.units.timestamps import PER_DAY, PER_HOUR, SECOND, Settings, clock_for
 
 PRAGUE = "Europe/Prague"
 
