@@ -11,7 +11,7 @@ from radcalc.conversion.plan import Plan, are_reciprocal, between
 from radcalc.errors import ConversionError, MissingCondition, RadcalcError, Unused, option, quote
 from radcalc.given import Given
 from radcalc.quantities.light import describe
-from radcalc.units.fields import PEAK, RMS, FieldUnit, plane_wave
+from radcalc.units.electric_fields import PEAK, RMS, FieldUnit, plane_wave
 from radcalc.units.scales import CONSTANTS, ScaleUnit, reciprocal
 from radcalc.units.table import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
 

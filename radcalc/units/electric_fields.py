@@ -16,7 +16,7 @@ IMPEDANCE = 376.730313412  # ohm, CODATA 2022
 PEAK, RMS = "peak", "rms"
 
 
-class Field(Scale):
+class ElectricField(Scale):
     """The irradiance of a field: a reading of 1 stands for `size` W/m2."""
 
     __slots__ = ()
@@ -84,7 +84,7 @@ def plane_wave(unit: Unit, kind: str) -> FieldUnit:
     """A unit of field strength as the irradiances that a plane wave of such fields has."""
     divisor = PER_PEAK if kind == PEAK else PER_RMS
     strength = unit.top / unit.bottom
-    row = Field(
+    row = ElectricField(
         (unit.text,),
         "S",
         "W/m2",
