@@ -247,7 +247,7 @@ class Dose:
         return self.periods[-1]
 
 
-class Log(NamedTuple):
+class SummedLog(NamedTuple):
     """Samples added up: the unit they are in, a tick as a ratio of seconds, how a time is said."""
 
     dose: Dose

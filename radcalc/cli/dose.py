@@ -212,7 +212,7 @@ def _reader(path: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
         raise ConditionError(problem, "a file with a time and a value in each line") from None
 
 
-def _summed(log: Log, longest: float, by: str) -> page.Log:
+def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
     """A log added up, with no step bridged that is longer than so many seconds."""
     clock = log.clock
     page.check_unit(log.layout.unit)
@@ -227,7 +227,7 @@ def _summed(log: Log, longest: float, by: str) -> page.Log:
             dose.add(*samples)
         else:
             dose.interrupt()
-    return page.Log(dose, log.layout.unit, clock.tick, clock.say)
+    return page.SummedLog(dose, log.layout.unit, clock.tick, clock.say)
 
 
 def _complain(error: RadcalcError) -> None:

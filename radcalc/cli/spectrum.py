@@ -17,7 +17,7 @@ from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.symbols import SPECTRUM, SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE, Records
 from radcalc.render.plain import number
-from radcalc.spectra.kinds import KINDS
+from radcalc.spectra.kinds import FORMS
 from radcalc.spectra.sources import read_spectra, spectrum
 
 STDIN = "-"
@@ -123,7 +123,7 @@ def _show_list(text: str, shown: Output) -> None:
             said = one.name, one.kind_in(ENGLISH), *cells[2:]
         rows.append(dict(zip(fields, said, strict=True)))
     if not text:
-        others = {f"{kind}:{row[0]}": row[1] for kind, row in KINDS.items()} | FILES
+        others = {f"{kind}:{row[0]}": row[1] for kind, row in FORMS.items()} | FILES
         for form, what in others.items():
             rows.append(dict(zip(fields, (form, what, none, none), strict=True)))
             table.append(dict(zip(TITLES, (form, what, "", ""), strict=True)))

@@ -4,7 +4,7 @@ import os
 
 from radcalc.completion import DIGITS, Completion
 from radcalc.completion.table import NAMES, SPECTRA, UNITS
-from radcalc.spectra.kinds import KINDS
+from radcalc.spectra.kinds import FORMS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -105,16 +105,16 @@ def _claims(results: Results, incomplete: str) -> list[Completion]:
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     """The kinds that take parameters, the names of sources, files."""
     kind, colon, parameters = incomplete.partition(":")
-    if colon and kind in KINDS:
+    if colon and kind in FORMS:
         head, number, typed = split_number(parameters)
-        units = [text for text in KINDS[kind][3] if number and text.startswith(typed)]
+        units = [text for text in FORMS[kind][3] if number and text.startswith(typed)]
         return [Completion(f"{kind}:{head}{number}{text}") for text in units]
     named = [
         Completion(name, said) for name, said in SPECTRA.items() if name.startswith(incomplete)
     ]
     forms = [
         Completion(f"{name}:", f"{said}, {example}", False)
-        for name, (_, said, example, _) in KINDS.items()
+        for name, (_, said, example, _) in FORMS.items()
         if name.startswith(incomplete)
     ]
     return [*named, *forms, *files(TABLES, incomplete)]

@@ -2,7 +2,7 @@
 
 LENGTHS = ("nm", "um")
 # The parameters, what they make of it, an example, and the usual units of the parameters.
-KINDS = {
+FORMS = {
     "blackbody": ("T", "a black body of a temperature", "blackbody:2856K", ("K",)),
     "daylight": ("T", "daylight of a colour temperature", "daylight:6500K", ("K",)),
     "line": (
@@ -18,9 +18,9 @@ KINDS = {
 
 def forms() -> list[str]:
     """The kinds with the names of their parameters."""
-    return [f"{kind}:{parameters}" for kind, (parameters, *_) in KINDS.items()]
+    return [f"{kind}:{parameters}" for kind, (parameters, *_) in FORMS.items()]
 
 
 def example(kind: str) -> str:
     """A spectrum of a kind."""
-    return KINDS[kind][2]
+    return FORMS[kind][2]

@@ -16,7 +16,7 @@ from radcalc.spectra.sources import ALIASES, find_named, names
 
 # The kinds by the names (CIE 15:2018, and the codes of lamps), in English, Czech and Russian; the
 # first that fits.  A name that says nothing has none.
-KINDS = (
+LAMPS = (
     (r"AM\d.*", "sun", "slunce", "солнце"),
     (r"B", "direct sunlight, obsolete", "přímé sluneční světlo, zastaralé",
      "прямой солнечный свет, устаревший"),
@@ -49,7 +49,7 @@ KINDS = (
     (r"FL\d.*|.* FL\)?|F\d+.*|T8 .*|Philips TL.*|Thorn Kolor.*", "fluorescent", "zářivka",
      "люминесцентная лампа"),
 )  # fmt: skip
-PATTERNS = [re.compile(row[0]) for row in KINDS]
+PATTERNS = [re.compile(row[0]) for row in LAMPS]
 
 
 class Named(NamedTuple):
@@ -60,7 +60,7 @@ class Named(NamedTuple):
     name : str
         As it is given.
     kind : int or None
-        The row of `KINDS`.
+        The row of `LAMPS`.
     """
 
     name: str
@@ -69,7 +69,7 @@ class Named(NamedTuple):
     def kind_in(self, language: str) -> str:
         """What kind it is of; '' where the name does not say."""
         place = 1 + LANGUAGES.index(language)
-        return "" if self.kind is None else KINDS[self.kind][place]
+        return "" if self.kind is None else LAMPS[self.kind][place]
 
     @property
     def words(self) -> str:
@@ -106,7 +106,7 @@ def listed(text: str = "") -> list[Named]:
 
 
 def kind_of(name: str) -> int | None:
-    """The row of `KINDS` that a name says."""
+    """The row of `LAMPS` that a name says."""
     return next((k for k, pattern in enumerate(PATTERNS) if pattern.fullmatch(name)), None)
 
 

@@ -5,7 +5,7 @@ import os
 from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
-from radcalc.spectra.kinds import KINDS, example
+from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
@@ -52,10 +52,10 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     `column`, or FILE:COLUMN, chooses the values of a file with several.
     """
     text = text.strip()
-    if column and (find_named(text) or (text.partition(":")[0].lower() in KINDS and ":" in text)):
+    if column and (find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)):
         raise ConditionError(f"{option('column')} has no use with {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
-    if colon and kind.lower() in KINDS:
+    if colon and kind.lower() in FORMS:
         return _of_kind(kind.lower(), parameters, " ".join(text.split()))
     named = find_named(text)
     if named:
@@ -88,7 +88,7 @@ class Parameter(NamedTuple):
 def uncertain_parameter(text: str) -> Parameter | None:
     """The first parameter with an uncertainty: of `blackbody:2856+-20K` the temperature."""
     kind, colon, parameters = text.strip().partition(":")
-    if not colon or kind.lower() not in KINDS:
+    if not colon or kind.lower() not in FORMS:
         return None
     parts = parameters.split(",")
     for k, part in enumerate(parts):
@@ -111,7 +111,7 @@ def _unknown(text: str) -> RadcalcError:
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     if meant := MEANT.get(text.strip().lower()):
         return ConditionError(problem, meant)
-    if fitting := [form for kind in KINDS if _is_spectrum(form := f"{kind}:{text}")]:
+    if fitting := [form for kind in FORMS if _is_spectrum(form := f"{kind}:{text}")]:
         return ConditionError(problem, quote(", ".join(fitting)))
     known = {_bare(name): name for name in names()}
     near = [known[f] for f in nearest(_bare(text), known, 3)]
@@ -249,7 +249,7 @@ def _in_lengths(centre: str, fwhm: str) -> str:
 
 
 def _form(kind: str) -> str:
-    return f"{kind}:{KINDS[kind][0]} as in {example(kind)}"
+    return f"{kind}:{FORMS[kind][0]} as in {example(kind)}"
 
 
 def _malformed(text: str, form: str) -> ConditionError:

@@ -9,7 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from radcalc.calculators import dose as module
-from radcalc.calculators.dose import Dose, Log, check_unit
+from radcalc.calculators.dose import Dose, SummedLog, check_unit
 from radcalc.errors import RadcalcError
 from radcalc.given import read
 from radcalc.units.table import resolve
@@ -91,7 +91,7 @@ def test_a_day_is_told_though_nothing_of_it_is_covered(steps, size, longest):
     # from the first sample to the last; a bridge that ends at midnight ends the day before
     told = {days(time)[2] for time in range(times[0], times[-1] + (not joined[-1]))}
     dose = summed(times, values, size, longest=longest, spans=days)
-    found = [label for label, _ in Log(dose, resolve("lx"), (1, 1), str).of_periods({})]
+    found = [label for label, _ in SummedLog(dose, resolve("lx"), (1, 1), str).of_periods({})]
     assert sorted(found) == sorted(told)
 
 
@@ -155,7 +155,7 @@ def test_what_adds_up_to_no_dose_is_refused(unit, said):
 
 
 def answer(dose, unit="lx", **inputs):
-    log = Log(dose, resolve(unit), (1, 1), str)
+    log = SummedLog(dose, resolve(unit), (1, 1), str)
     log.check()
     given = {name: read(name, text) for name, text in inputs.items()}
     return {value.name: value for value in log.of_all(given).values}

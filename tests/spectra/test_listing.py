@@ -4,7 +4,7 @@ import pytest
 
 from radcalc.errors import UsageError
 from radcalc.quantities.language import LANGUAGES
-from radcalc.spectra.listing import KINDS, PATTERNS, described, figures, listed
+from radcalc.spectra.listing import LAMPS, PATTERNS, described, figures, listed
 from radcalc.spectra.sources import names
 
 # Correlated colour temperatures [K] of CIE 15:2018, tables T.3 to T.12, and of the black body that
@@ -32,9 +32,9 @@ def test_what_has_no_colour_temperature_has_none():
 
 def test_every_kind_is_that_of_a_spectrum_and_told_in_every_language():
     used = {one.kind for one in listed()}
-    assert used - {None} == set(range(len(KINDS)))
-    assert all(len(row) == 1 + len(LANGUAGES) and all(row) for row in KINDS)
-    assert len(PATTERNS) == len(KINDS)
+    assert used - {None} == set(range(len(LAMPS)))
+    assert all(len(row) == 1 + len(LANGUAGES) and all(row) for row in LAMPS)
+    assert len(PATTERNS) == len(LAMPS)
     without = [one.name for one in listed() if one.kind is None]
     assert without == ["ISO 7589 Sensitometric Printer", "Natural", "Kinoton 75P"]
 
