@@ -11,8 +11,12 @@ from radcalc.units.dimensions import COHERENT
 
 # What derivations write in other than coherent units, and how many of these are in one.
 CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01, "mrad": 1e3}
-GREEK = {
+ASCII = {
     "2α": "2 alpha",
+    "∫": "int ",
+    "²": "^2",
+    "π": "pi",
+    "ψ": "psi",
     "Φ": "Phi",
     "Δ": "d",
     "Ω": "Omega",
@@ -69,9 +73,13 @@ def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
 
 def letter_of(name: str) -> str:
     """How a formula in ASCII writes a symbol."""
-    letter = SYMBOLS[name].letter or name
-    for greek, word in GREEK.items():
-        letter = letter.replace(greek, word)
+    return in_ascii(SYMBOLS[name].letter or name)
+
+
+def in_ascii(letter: str) -> str:
+    """The letter of a symbol without Greek and signs."""
+    for sign, word in ASCII.items():
+        letter = letter.replace(sign, word)
     return letter
 
 

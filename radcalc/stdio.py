@@ -12,6 +12,22 @@ if TYPE_CHECKING:
 
 HANGING = 4  # columns that what follows the first part of a folded line stands in
 ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
+AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
+BOLD, FAINT, RESET = "\033[1m", "\033[2m", "\033[0m"
+RED, GREEN, MAGENTA, CYAN = "\033[1;31m", "\033[1;32m", "\033[35m", "\033[36m"
+# What a line is, by its first word.  That alone is coloured: a colour that cannot be seen well on
+# the background of a terminal takes nothing from what is said.
+KINDS = {
+    "radcalc:": RED,
+    "try:": GREEN,
+    "assumed:": CYAN,
+    "note:": MAGENTA,
+    "right": GREEN,
+    "wrong": RED,
+    "likely:": MAGENTA,
+    "or:": MAGENTA,
+}
+_chosen = AUTO
 
 
 def is_terminal() -> bool:
@@ -20,6 +36,52 @@ def is_terminal() -> bool:
         return os.isatty(1)
     except OSError:
         return False
+
+
+def error_is_terminal() -> bool:
+    """Whether standard error is a terminal."""
+    try:
+        return sys.stderr is not None and os.isatty(2)
+    except OSError:
+        return False
+
+
+def choose_color(choice: str) -> None:
+    """Take what is chosen for colours in all that is said on standard error from now on."""
+    global _chosen
+    _chosen = choice
+
+
+def chosen_color() -> str:
+    """What is chosen for colours."""
+    return _chosen
+
+
+def wants_color(choice: str, terminal: bool) -> bool:
+    """What was chosen, then NO_COLOR, then FORCE_COLOR, then whether this is a terminal."""
+    if choice != AUTO:
+        return choice == ALWAYS
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return terminal and os.environ.get("TERM", "") not in ("", "dumb") and sys.stdout is not None
+
+
+def colored(line: str) -> str:
+    """A line with its first word in the colour of what it is."""
+    word = line.partition(" ")[0]
+    color = KINDS.get(word)
+    return f"{color}{word}{RESET}{line[len(word) :]}" if color else line
+
+
+def has(text: str) -> bool:
+    """Whether the encoding of standard output has all letters of a text."""
+    try:
+        text.encode(getattr(sys.stdout, "encoding", None) or "ascii")
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def write(text: str) -> None:
@@ -110,11 +172,17 @@ def _wait(raw: "Any", reading: bool) -> None:
 
 
 def say(lines: "Iterable[str]") -> None:
-    """Write lines to standard error, on a terminal folded; nobody listening there is no failure."""
+    """Write lines to standard error, on a terminal folded and coloured.
+
+    Nobody listening there is no failure.
+    """
     try:
         width = _width_of_terminal(2)
-        shown = [part for line in lines for part in fold(printable(line), width, HANGING)]
-        text = "".join([line + "\n" for line in shown])
+        paint = colored if error_is_terminal() and wants_color(_chosen, True) else str
+        text = ""
+        for line in lines:
+            first, *more = fold(printable(line), width, HANGING) or [""]
+            text += "\n".join([paint(first), *more, ""])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass

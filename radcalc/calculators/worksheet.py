@@ -239,8 +239,10 @@ class Worksheet:
                 result = value(name, self.at(name))
             else:
                 continue
-            form = self.page.forms.get(name, "")
-            results.append(result._replace(label=self.page.label_of(name), form=form))
+            if name in self.page.labels or name in self.page.forms:
+                form = self.page.forms.get(name, "")
+                result = result._replace(label=self.page.label_of(name), form=form)
+            results.append(result)
         results += [value(name, ratio) for name, ratio in light.efficacies(self.lit)]
         results += self._absent(laws)
         before = [*self.lit.steps, *self.placed]

@@ -61,6 +61,7 @@ SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
     if wanted and not ctx.resilient_parsing:
+        ctx.color = stdio.wants_color(stdio.chosen_color(), stdio.is_terminal())
         stdio.write(ctx.get_help() + "\n")
         ctx.exit()
 
@@ -88,6 +89,7 @@ class Helped(click.Command):
         from radcalc.cli.help import HelpFormatter
 
         formatter = HelpFormatter(width=ctx.terminal_width, max_width=ctx.max_content_width)
+        formatter.is_colored = bool(ctx.color)
         self.format_help(ctx, formatter)
         return formatter.getvalue().rstrip("\n")
 
@@ -246,6 +248,7 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
             stdio.say(commands.get_help(context).splitlines())
         return stdio.FAILED
     words = protect_negatives(of_help(words))
+    stdio.choose_color(_color_in(words, listener))
     settings = dict.fromkeys(COMMANDS, listener.settings) if listener else None
     try:
         with commands.make_context("radcalc", words, obj=listener, default_map=settings) as context:
@@ -253,6 +256,17 @@ def answered(words: list[str], listener: "Listener | None" = None) -> int:
     except click.exceptions.Exit as left:
         status = left.exit_code
     return status if isinstance(status, int) else stdio.ANSWERED
+
+
+def _color_in(words: list[str], listener: "Listener | None") -> str:
+    """What --color says, which help and refusals follow before Click has read it."""
+    chosen: str = listener.settings.get("color", stdio.AUTO) if listener else stdio.AUTO
+    for word, following in zip(words, [*words[1:], ""], strict=True):
+        name, is_joined, value = word.partition("=")
+        value = value if is_joined else following
+        if name == "--color" and value in stdio.COLORING:
+            chosen = value
+    return chosen
 
 
 def _alone() -> list[str]:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 import click
 
-from radcalc.stdio import fold
+from radcalc.stdio import BOLD, RESET, fold
 
 BETWEEN_COLUMNS = re.compile(r"(?<=\S) {2,}(?=\S)")
 AT_OPTIONS = re.compile(r" (?=-[a-z-]|\| |< )")  # where an example may go on in the next line
@@ -13,7 +13,20 @@ DEEPER = 4  # columns
 
 
 class HelpFormatter(click.HelpFormatter):
-    """Click's, but for how it folds."""
+    """Click's, but for how it folds, and for headings that stand out where it is coloured."""
+
+    is_colored = False
+
+    def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
+        """Write how the command is called."""
+        super().write_usage(prog, args, self._heading(prefix or "Usage:") + " ")
+
+    def write_heading(self, heading: str) -> None:
+        """Write the title of a section."""
+        self.write(f"{'':{self.current_indent}}{self._heading(f'{heading}:')}\n")
+
+    def _heading(self, text: str) -> str:
+        return f"{BOLD}{text}{RESET}" if self.is_colored else text
 
     def write_text(self, text: str) -> None:
         """Write paragraphs; one that begins with a line of `\\b` keeps its own lines."""
@@ -26,6 +39,8 @@ class HelpFormatter(click.HelpFormatter):
                 folded = fold(" ".join([first, *lines]), room)
             else:
                 folded = [line for whole in joined(lines) for line in narrowed(whole, room)]
+                if folded[:1] == [folded[0].rstrip(":") + ":"]:
+                    folded[0] = self._heading(folded[0])
             blocks.append("\n".join(indent + line for line in folded))
         self.write("\n\n".join(blocks) + "\n")
 

@@ -1,7 +1,5 @@
 """The options of output that every command shares, and what they decide."""
 
-import os
-import sys
 from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol
 
@@ -160,9 +158,9 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
         ),
         click.Option(
             ["--color"],
-            type=click.Choice(["auto", "always", "never"]),
-            default="auto",
-            help="Colour in tables (NO_COLOR and FORCE_COLOR are heeded).",
+            type=click.Choice(stdio.COLORING),
+            default=stdio.AUTO,
+            help="Colour on a terminal (NO_COLOR and FORCE_COLOR are heeded).",
         ),
         click.Option(
             ["--auto"],
@@ -210,23 +208,12 @@ def decide(
     terminal = stdio.is_terminal()
     chosen = asked or (TABLE if terminal else PLAIN)
     spoken = language() if chosen == TABLE else ENGLISH
-    colored = wants_color(color, terminal)
+    colored = stdio.wants_color(color, terminal)
     context = click.get_current_context(silent=True)
     listener: Listener | None = context.find_root().obj if context else None
     brief = listener is not None and asked is None
     style = Style(precision, number, 80, colored, spoken, not quiet, command, brief, auto)
     return Output(chosen, style, asked is not None, listener)
-
-
-def wants_color(color: str, terminal: bool) -> bool:
-    """--color, then NO_COLOR, then FORCE_COLOR, then whether this is a terminal."""
-    if color != "auto":
-        return color == "always"
-    if os.environ.get("NO_COLOR"):
-        return False
-    if os.environ.get("FORCE_COLOR"):
-        return True
-    return terminal and os.environ.get("TERM", "") not in ("", "dumb") and sys.stdout is not None
 
 
 def refuse_number_options(shown: Output, command: str) -> None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from radcalc import stdio
 from radcalc._version import __version__
 from radcalc.cli.command import SectionedCommand
-from radcalc.cli.options import OPTIONS, decide, defaults, wants_color
+from radcalc.cli.options import OPTIONS, decide, defaults
 from radcalc.cli.session import ASSIGNMENT, Session
 from radcalc.completion import Completion as Word
 from radcalc.completion import completions as words_behind
@@ -163,7 +163,7 @@ def _asking(session: Session) -> "PromptSession[str]":
             keep_line(path, string)
 
     path = history_path()
-    color = wants_color("auto", True)
+    color = stdio.wants_color(stdio.AUTO, True)
     return PromptSession(
         history=Kept(),
         completer=Words(),

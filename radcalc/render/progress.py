@@ -1,11 +1,11 @@
 """How far a long piece of work is: a bar on a terminal, drawn by Rich once it lasts a second."""
 
-import os
-import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
+
+from radcalc.stdio import error_is_terminal
 
 PATIENCE = 1.0  # [s] before anything is shown
 
@@ -17,7 +17,7 @@ def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int],
     Nothing is drawn where standard error is no terminal, nor is Rich loaded; at the end the bar is
     wiped away.
     """
-    if not (is_wanted and _is_terminal()):
+    if not (is_wanted and error_is_terminal()):
         yield lambda done, whole: None
         return
     bar = _Bar(task)
@@ -25,13 +25,6 @@ def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int],
         yield bar
     finally:
         bar.stop()
-
-
-def _is_terminal() -> bool:
-    try:
-        return sys.stderr is not None and os.isatty(2)
-    except OSError:
-        return False
 
 
 class _Bar:

@@ -5,7 +5,8 @@ Where a number, a unit or a word does not fit, there is no table but a line for 
 """
 
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
+from typing import NamedTuple
 
 from rich import box
 from rich.cells import cell_len
@@ -18,7 +19,7 @@ from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import derivation, number, uncertain
-from radcalc.stdio import HANGING, fold
+from radcalc.stdio import BOLD, FAINT, HANGING, RESET, colored, fold, has, remarks
 
 DIGITS = 6
 BLANK = 1  # columns of the terminal between two of a table, which have one at either side
@@ -26,72 +27,150 @@ GAP = BLANK + 2
 LONG = 12  # letters of a word that may be folded
 LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
 KEPT = "\xa0"  # a blank at which no line is folded
+ASIDE = ("given: ", "    [")  # begins what is told faintly: what was given, a reference
 REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """The rows of all results in one table, what was assumed below, then the steps.
+    """What all results have alike, their other rows in one table, what was assumed, the steps.
 
     The quantities' names are in the language, as far as it has them.
     """
-    precision, language, width, color = style.precision, style.language, style.width, style.color
-    below = list(dict.fromkeys(f"assumed: {a}" for r in results for a in r.assumptions))
-    below += list(dict.fromkeys(f"note: {n}" for r in results for n in r.notes))
-    if not style.remarks:
-        below = []
+    precision, language = style.precision, style.language
+    below: list[str] = []
+    if style.remarks:
+        below = remarks(
+            dict.fromkeys(a for r in results for a in r.assumptions),
+            dict.fromkeys(n for r in results for n in r.notes),
+        )
     below += [line for result in results for line in derivation(result.steps)]
+    alike = _alike(results)
+    above = _told(alike, precision, language)
+    if alike:
+        results = [one._replace(rows=_others(one.rows, alike)) for one in results]
     wide = _wide(results, precision, language)
-    if wide and _widths(wide, wide[0], width):
+    if wide and _widths(wide, wide[0], style.width):
         head, *lines = wide
-        said = [
-            f"{row.symbol}: {_quantity(row, language)}" for row in results[0].rows if row.symbol
-        ]
+        rows = results[0].rows
+        said = [f"{_letter(row)}: {_quantity(row, language)}" for row in rows if row.symbol]
         legend = ", ".join(dict.fromkeys(said))
-        return draw(head, lines, [legend, *below], width, color, right=head)
-    rows = [row for result in results for row in result.rows]
+        count = len(head) - len(rows)  # of inputs that no row has
+        pairs = zip(head[count:], rows, strict=True)
+        given = [*head[:count], *(title for title, row in pairs if row.given)]
+        drawn = Drawn(head, lines, above, [legend, *below], right=head, faint=given)
+        return draw(drawn, style)
+    rows = tuple(row for result in results for row in result.rows)
     if style.brief and len(rows) == 1:
-        return _line(rows[0], precision, language) + draw([], [], below, width, color)
+        return _line(rows[0], style) + draw(Drawn([], [], [], below), style)
     names, cases = _cases(results)
     header = [*names, "quantity", "symbol", "value", "unit"]
     lines = [
         [
             *case,
             _quantity(row, language),
-            row.symbol,
+            _letter(row),
             _number(row, precision),
             row.unit,
         ]
         for result, case in zip(results, cases, strict=True)
         for row in result.rows
     ]
-    return draw(header, lines, below, width, color, right=("value",), whole=names)
+    faint: list[str | int] = [*names, *(number for number, row in enumerate(rows) if row.given)]
+    if len(rows) > 1 and len({(row.quantity, row.symbol, row.given) for row in rows}) == 1:
+        quantity = _quantity(rows[0], language)
+        above = [f"{quantity} ({_letter(rows[0])})" if rows[0].symbol else quantity]
+        header, lines = _without(header, lines, ("quantity", "symbol"))
+    return draw(Drawn(header, lines, above, below, ("value",), names, faint), style)
 
 
 def records(records: Records, style: Style) -> str:
-    """A table of a list's own columns, and its notes below."""
-    notes = [f"note: {note}" for note in dict.fromkeys(records.notes)]
+    """A table of a list's own columns, and its notes below.
+
+    A column that says the same in all rows is told above it, but for what the rows are about, for
+    numbers and for their units.
+    """
+    notes = remarks((), dict.fromkeys(records.notes)) if style.remarks else []
     header = [name for name in records.table[0] if name != "note"]
     lines = [[row[name] for name in header] for row in records.table]
-    below = notes if style.remarks else []
-    return draw(header, lines, below, style.width, style.color, records.right)
+    alike = {
+        name: texts[0]
+        for name, texts in zip(header[1:], list(zip(*lines, strict=True))[1:], strict=True)
+        if name not in (*records.right, "unit") and len({*texts}) == 1 < len(texts)
+    }
+    above = [f"{name}: {text}" for name, text in alike.items() if text]
+    header, lines = _without(header, lines, alike)
+    return draw(Drawn(header, lines, above, notes, records.right), style)
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
     """The words of plain text, with the digits of a table, folded."""
     lines = plain.verdict(judgement, style, DIGITS).splitlines()
-    return "".join(f"{part}\n" for line in lines for part in fold(line, style.width, HANGING))
+    return _folded(lines, style)
 
 
-def _line(row: Row, precision: int | None, language: str) -> str:
+def _line(row: Row, style: Style) -> str:
     """A single value in one line, with the name of its quantity."""
     unit = "" if row.unit == "1" else f" {row.unit}"
-    name = _quantity(row, language)
-    return f"{_number(row, precision)}{unit}{f'   ({name})' if name else ''}\n"
+    name = _quantity(row, style.language)
+    number = _number(row, style.precision)
+    if style.color:
+        number, name = f"{BOLD}{number}{RESET}", name and f"{FAINT}({name}){RESET}"
+    elif name:
+        name = f"({name})"
+    return f"{number}{unit}{f'   {name}' if name else ''}\n"
 
 
 def _quantity(row: Row, language: str) -> str:
     """The name of a row's quantity, and whether it was given."""
     return translate(row.quantity, language) + (" (given)" if row.given else "")
+
+
+def _letter(row: Row) -> str:
+    """The symbol of a row, as the encoding of standard output can have it."""
+    if has(row.symbol):
+        return row.symbol
+    from radcalc.derivation import in_ascii
+
+    return in_ascii(row.symbol)
+
+
+def _alike(results: Sequence[Result]) -> list[Row]:
+    """The rows that several answers have alike, if they have others too."""
+    if len(results) < 2 or not results[0].named:
+        return []
+    each = [{row._replace(case="") for row in result.rows} for result in results]
+    shared = set.intersection(*each)
+    if any(len(rows) == len(shared) for rows in each):
+        return []
+    return [row for row in (row._replace(case="") for row in results[0].rows) if row in shared]
+
+
+def _others(rows: Sequence[Row], alike: Sequence[Row]) -> tuple[Row, ...]:
+    return tuple(row for row in rows if row._replace(case="") not in alike)
+
+
+def _told(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
+    """Rows in a line for those that were given, and in a line for the others."""
+    mark = f"{KEPT}· " if has("·") else ", "
+    lines = []
+    for word, is_given in (("given", True), ("in each", False)):
+        texts = [
+            f"{translate(row.quantity, language)} {_number(row, precision)} "
+            f"{row.unit if row.unit != '1' else ''}".strip().replace(" ", KEPT)
+            for row in rows
+            if row.given == is_given
+        ]
+        if texts:
+            lines.append(f"{word}: {mark.join(texts)}")
+    return lines
+
+
+def _without(
+    header: Sequence[str], lines: Sequence[Sequence[str]], names: Container[str]
+) -> tuple[list[str], list[list[str]]]:
+    """A table without some of its columns."""
+    kept = [place for place, name in enumerate(header) if name not in names]
+    return [header[k] for k in kept], [[line[k] for k in kept] for line in lines]
 
 
 def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
@@ -140,63 +219,93 @@ def _number(row: Row, precision: int | None) -> str:
     return uncertain(row.value, row.uncertainty, precision, DIGITS)
 
 
-def draw(
-    header: Sequence[str],
-    lines: Iterable[Sequence[str]],
-    below: Iterable[str],
-    width: int,
-    color: bool,
-    right: Sequence[str] = (),
-    whole: Sequence[str] = (),
-) -> str:
-    """Draw a table and the lines below it, in a given width.
+class Drawn(NamedTuple):
+    """A table, and the lines above and below it.
 
-    The columns that are `right` stand there, and are `whole`: not folded.
+    The columns that are `right` stand there, and are `whole`: not folded.  What is `faint` are
+    columns by their names, and rows by their numbers.
     """
+
+    header: Sequence[str]
+    lines: Sequence[Sequence[str]]
+    above: Sequence[str] = ()
+    below: Sequence[str] = ()
+    right: Sequence[str] = ()
+    whole: Sequence[str] = ()
+    faint: Sequence[str | int] = ()
+
+    def style(self, row: int, name: str) -> str:
+        """How a cell is drawn: what follows stands out, and what was given does not."""
+        if name in self.faint or row in self.faint:
+            return "dim"
+        return "bold" if name in self.right else ""
+
+
+def draw(drawn: Drawn, style: Style) -> str:
+    """Draw a table and the lines above and below it, in the width of a style."""
+    header, rows, width = drawn.header, drawn.lines, style.width
     out = io.StringIO()
-    console = Console(
-        file=out,
-        width=width,
-        force_terminal=color,
-        no_color=not color,
-        color_system="standard" if color else None,
-        highlight=False,
-        markup=False,
-        emoji=False,
-        legacy_windows=False,
-    )
-    rows = list(lines)
-    whole = [name for name in header if name in (*right, *whole, "unit")]
+    out.write(_folded(drawn.above, style))
+    whole = [name for name in header if name in (*drawn.right, *drawn.whole, "unit")]
     if "unit" in header[:1]:  # the name of what the row is about
         whole.remove("unit")
     widths = _widths([header, *rows], whole, width)
     if widths:
+        console = Console(
+            file=out,
+            width=width,
+            force_terminal=style.color,
+            no_color=not style.color,
+            color_system="standard" if style.color else None,
+            highlight=False,
+            markup=False,
+            emoji=False,
+            legacy_windows=False,
+        )
         # Columns of blanks keep the others apart: before Rich 14 the padding of cells was counted
         # at the edges as well, where there is none, and a table as wide as its room was squeezed.
-        table = Table(box=box.SIMPLE_HEAD, padding=0, show_edge=False)
+        table = Table(box=_box(), padding=0, show_edge=False, header_style="")
         for name, columns in zip(header, widths, strict=True):
             if table.columns:
                 table.add_column(width=BLANK)
             table.add_column(
-                Text(name),
+                Text(name, "bold"),
                 width=columns,
-                justify="right" if name in right else "left",
-                style="bold" if name in right else "",
+                justify="right" if name in drawn.right else "left",
                 overflow="fold",
             )
-        for cells in rows:
-            apart = [part for cell in cells for part in (None, Text(cell))]
+        for number, cells in enumerate(rows):
+            texts = [  # styled in themselves, and not the blanks that fill a cell
+                Text.assemble((cell, drawn.style(number, name)))
+                for name, cell in zip(header, cells, strict=True)
+            ]
+            apart = [part for text in texts for part in (None, text)]
             table.add_row(*apart[1:])
         console.print(table)
     else:
         out.write(
             "".join(f"{line}\n" for row in rows for line in _lines(header, row, whole, width))
         )
-    for line in below:
-        console.print(
-            Text("\n".join(fold(line, width)), style="dim"), overflow="ignore", crop=False
-        )
+    out.write(_folded(drawn.below, style))
     return "\n".join(line.rstrip() for line in out.getvalue().split("\n"))
+
+
+def _box() -> box.Box:
+    """The rule below the names of the columns, as the encoding of standard output can have it."""
+    if has(str(box.SIMPLE_HEAD)):
+        return box.SIMPLE_HEAD
+    return box.Box(str(box.SIMPLE_HEAD).replace("─", "-"), ascii=True)
+
+
+def _folded(lines: Iterable[str], style: Style) -> str:
+    """Lines in a width; what they are, if a remark or a verdict, and references in colour."""
+    text = ""
+    for line in lines:
+        first, *more = fold(line, style.width, HANGING) or [""]
+        whole = "\n".join([colored(first) if style.color else first, *more])
+        is_faint = style.color and line.startswith(ASIDE)
+        text += f"{FAINT}{whole}{RESET}\n" if is_faint else f"{whole}\n"
+    return text.replace(KEPT, " ")
 
 
 def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> list[int] | None:

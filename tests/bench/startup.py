@@ -20,6 +20,7 @@ axes.set_xlabel("x")
 made.savefig({!r})
 """
 FIGURE = (sys.executable, "-c", LINE.format(FILE))
+RICH = (sys.executable, "-c", "import click, rich.console, rich.table")
 QALC = ("qalc", "-t", "100 lux to fc")
 CALCULATORS = [
     "solid-angle cone --half-angle 30deg",
@@ -32,6 +33,7 @@ CALCULATORS = [
     "calorimeter --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K --time 30s",
     "photon 555nm",
 ]
+LIST = "point-source --flux 800lm --distance 1m:20m:1m"
 CASES = [
     ("plain conversion / python -c pass", "convert 100 lx fc", PASS, 1.2),
     ("plain conversion / qalc", "convert 100 lx fc", QALC, 0.4),
@@ -45,6 +47,9 @@ CASES = [
     ("--help / import click", "--help", CLICK, 1.3),
     ("--plot / the same without", "spectrum LED-B3 --plot", (RADCALC, "spectrum", "LED-B3"), 1.3),
     ("--plot FILE / a line of Matplotlib", f"spectrum LED-B3 --plot {FILE}", FIGURE, 1.3),
+    ("convert --help / import click", "convert --help", CLICK, 1.4),
+    ("a table / import click, rich.table", "100 lx fc --format table", RICH, 1.3),
+    ("a list's table / import click, rich.table", f"{LIST} --format table", RICH, 1.3),
 ]
 
 

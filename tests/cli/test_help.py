@@ -81,7 +81,8 @@ MESSAGES = [
 @pytest.mark.parametrize("width", [24, 60])
 @pytest.mark.parametrize("typed", MESSAGES)
 def test_a_message_on_a_terminal_is_folded_between_its_words(typed, width):
-    wide, narrow = (screen_of(*shlex.split(typed), columns=columns) for columns in (500, width))
+    words = shlex.split(typed)
+    wide, narrow = (screen_of(*words, columns=columns, NO_COLOR="1") for columns in (500, width))
     assert narrow.split() == wide.split()
     lines = [line for line in narrow.split("\n") if len(line) > width]
     assert all(len(line.split()) == 1 for line in lines)  # a word is not cut

@@ -10,7 +10,7 @@ from radcalc.render.progress import progress
 def terminal(monkeypatch):
     """A terminal whose clock is turned by hand: the list has the seconds."""
     now = [100.0]
-    monkeypatch.setattr(module, "_is_terminal", lambda: True)
+    monkeypatch.setattr(module, "error_is_terminal", lambda: True)
     monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
     monkeypatch.setenv("FORCE_COLOR", "1")  # by which Rich takes what is captured for a terminal
     return now
@@ -53,7 +53,7 @@ def test_a_bar_stops_where_the_work_is_interrupted(terminal, capsys):
 def test_there_is_none_in_a_pipe_or_where_it_is_not_wanted(
     terminal, monkeypatch, capsys, on_terminal, is_wanted
 ):
-    monkeypatch.setattr(module, "_is_terminal", lambda: on_terminal)
+    monkeypatch.setattr(module, "error_is_terminal", lambda: on_terminal)
     with progress("a map", is_wanted) as tick:
         terminal[0] += 9.0
         tick(1, 4)

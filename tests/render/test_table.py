@@ -1,8 +1,11 @@
 """Tables on a terminal: their width, their colours, and what stands below them."""
 
+import os
+import re
+
 import pytest
 from conftest import run
-from helpers import screen_of
+from helpers import answers, screen_of
 
 from radcalc.answer import FRACTION, Result, Row
 from radcalc.render import table
@@ -77,9 +80,105 @@ def test_no_word_is_folded_where_all_fit():
 
 def test_two_answers_with_the_same_rows_are_a_line_each():
     words = ("point-source", "--intensity", "100cd", "--distance", "1m,2m", "--format", "table")
-    lines = run(*words).stdout.splitlines()
-    assert lines[0].split()[:4] == ["I_v", "[cd]", "d", "[m]"]
-    assert [line.split()[:2] for line in lines[2:4]] == [["100", "1"], ["100", "2"]]
+    given, each, head, _, *lines = run(*words).stdout.splitlines()
+    assert given == "given: luminous intensity 100 cd"
+    assert "luminous flux 1256.64 lm · incidence 0 deg" in each  # 400 pi
+    assert head.split() == ["d", "[m]", "E_v", "[lx]"]
+    assert [line.split() for line in lines[:2]] == [["1", "100"], ["2", "25"]]
+
+
+def test_what_all_answers_have_alike_is_told_once_and_only_in_tables():
+    words = ("point-source", "--intensity", "100cd", "--exponent", "2", "--distance", "1m,2m")
+    drawn = run(*words, "--format", "table").stdout
+    assert "given: luminous intensity 100 cd · exponent 2\n" in drawn
+    assert drawn.count("exponent") == 1
+    assert [
+        one["results"]["exponent"]["value"] for one in answers(run(*words, "--json").stdout)
+    ] == [
+        2.0,
+        2.0,
+    ]
+    alike = run("convert", "1lx,1lx", "fc", "--format", "table").stdout  # in all they have
+    assert alike.count("0.092903") == 2
+    asked = ("-g", "illuminance", "-g", "flux", "--format", "table", "-q")
+    assert run(*words[:-2], "--distance", "1m,1m", *asked).stdout.count("100") == 2
+
+
+def test_a_column_that_says_the_same_in_all_rows_of_a_list_is_told_above_it():
+    drawn = run("units", "lambert", "--format", "table").stdout
+    told, head, *_ = drawn.splitlines()
+    assert told == "quantity: luminance"
+    assert head.split() == ["unit", "symbols", "definition", "source"]
+
+
+PIPED = [
+    ("convert", "800", "lm", "cd", "--isotropic", "--format", "table"),
+    ("convert", "800", "lm", "cd"),
+    ("lambertian", "--luminance", "100cd/m2", "--check", "exitance=628lm/m2", "--format", "table"),
+    ("point-source", "--flux", "800lm", "--distance", "1m,2m", "--format", "table", "--steps"),
+    ("units", "lambert", "--format", "table"),
+    ("ev", "--help"),
+    ("--help",),
+    (),
+]
+
+
+@pytest.mark.parametrize("words", PIPED, ids=" ".join)
+def test_no_escape_comes_into_a_pipe_nor_where_colour_is_not_wanted(words):
+    done = run(*words, env=os.environ | {"TERM": "xterm"})
+    assert "\x1b" not in done.stdout + done.stderr
+    if words:
+        assert "\x1b[" in screen_of(*words)
+        assert "\x1b" not in screen_of(*words, NO_COLOR="1")
+    assert "\x1b" not in run(*words, env=os.environ | {"FORCE_COLOR": "1"}).stderr
+
+
+COLORS = {
+    ("convert", "800", "lm", "cd", "--isotropic"): ["\x1b[36massumed:\x1b[0m uniform", "[1m63.662"],
+    ("convert", "800", "lm", "cd"): ["\x1b[1;31mradcalc:\x1b[0m cannot", "\x1b[1;32mtry:\x1b[0m "],
+    ("lambertian", "--luminance", "1cd/m2", "--check", "exitance=3.14lm/m2"): [
+        "\x1b[1;32mright\x1b[0m (within"
+    ],
+    ("lambertian", "--luminance", "1cd/m2", "--check", "exitance=6.28lm/m2"): [
+        "\x1b[1;31mwrong\x1b[0m (within", "\x1b[35mlikely:\x1b[0m 2 pi",
+    ],
+    ("point-source", "--flux", "800lm", "--distance", "2m"): [
+        "\x1b[2mluminous flux (given)", "\x1b[1m15.9155",
+    ],
+    ("ev", "--help"): ["\x1b[1mUsage:\x1b[0m", "\x1b[1mExamples:\x1b[0m", "\x1b[1mCamera:\x1b[0m"],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", COLORS, ids=" ".join)
+def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
+    screen = screen_of(*words)
+    assert all(text in screen for text in COLORS[words])
+    assert re.sub(r"\x1b\[[\d;]*m", "", screen) == screen_of(*words, NO_COLOR="1")
+    assert set(re.findall(r"\x1b\[([\d;]*)m", screen)) <= {
+        "0",
+        "1",
+        "2",
+        "31",
+        "1;31",
+        "1;32",
+        "35",
+        "36",
+    }
+    assert "\x1b" not in screen_of(*words, "--color", "never")
+    assert "\x1b" not in screen_of(*words, "--color=never")
+
+
+def test_rules_and_symbols_are_ascii_where_the_encoding_has_no_others():
+    words = ("point-source", "--flux", "800lm", "--exponent", "2", "--distance", "1m,2m")
+    env = os.environ | {"PYTHONIOENCODING": "ascii"}
+    drawn = run(*words, "--format", "table", env=env).stdout
+    assert "given: luminous flux 800 lm, exponent 2\n" in drawn
+    assert "\n----------" in drawn
+    photon = run("photon", "555nm", "--format", "table", env=env).stdout
+    assert [line.split()[-3] for line in photon.splitlines()[2:5]] == ["lambda", "nu", "sigma"]
+    for text in (drawn, photon):
+        assert text.isascii()
+        assert "\\u" not in text
 
 
 def test_a_row_says_itself_that_its_number_is_read_as_a_fraction():
@@ -94,6 +193,8 @@ def test_a_row_says_itself_that_its_number_is_read_as_a_fraction():
 def test_a_table_may_be_as_wide_as_its_room():
     header, cells = ["what", "value"], ["a" * 10, "123"]
     width = 10 + 3 + 5  # the two columns, and what is between them
-    head, rule, line = table.draw(header, [cells], [], width, False, right=["value"]).splitlines()
+    head, rule, line = table.draw(
+        table.Drawn(header, [cells], right=["value"]), Style(width=width)
+    ).splitlines()
     assert [head.split(), line.split()] == [header, cells]
     assert len(rule) == width
