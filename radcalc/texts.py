@@ -5,8 +5,12 @@ And where in it something is wrong: its name and the line.
 
 import codecs
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
-from radcalc.errors import ConditionError
+from radcalc import stdio
+from radcalc.errors import ConditionError, quote_path
+
+ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # of files of columns
 
 BLOCK = 1 << 20  # bytes read at a time
 LONGEST = 1 << 22  # bytes of a line
@@ -34,6 +38,23 @@ def _lines(text: str) -> Lines:
     if not lines[-1]:
         lines.pop()
     return lines
+
+
+@contextmanager
+def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
+    """The name of a file, of a pipe or (-) of standard input, and what reads it piece by piece.
+
+    Raises ConditionError where it cannot be read; `expected` is what it should be.
+    """
+    if path == "-":
+        yield "stdin", stdio.read
+        return
+    name = quote_path(path)
+    try:
+        with open(path, "rb", buffering=0) as file:
+            yield name, file.read
+    except OSError as error:
+        raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
 
 
 class Text:

@@ -1,7 +1,6 @@
 """`radcalc dose FILE|-`."""
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from math import inf
 
 import click
@@ -16,12 +15,13 @@ from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
 from radcalc.cli.spelling import spelled
 from radcalc.cli.streams import refuse_second_reader
-from radcalc.errors import ConditionError, RadcalcError, UsageError, quote_path
+from radcalc.errors import RadcalcError, UsageError
 from radcalc.errors import command as call_of
 from radcalc.given import Inputs, inputs_of, refuse_uncertain
 from radcalc.streams import ABORT, INVALID, timestamps
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.samples import Log, Settings
+from radcalc.texts import ENDINGS, reading
 
 TIME_COLUMN = click.Option(
     ["--time-column"],
@@ -75,7 +75,7 @@ BY = click.Option(
         "Light": ("receiver-area", *LIGHT),
     },
     words="FILE|-",
-    operands=(FILE, (".csv", ".tsv", ".txt", ".dat")),
+    operands=(FILE, ENDINGS),
     takes_lines=False,
 )
 def command(
@@ -127,7 +127,7 @@ def command(
     clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
     settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
-    with _reader(path) as (name, read):
+    with reading(path, "a file with a time and a value in each line") as (name, read):
         log = Log(name, read, settings, _complain)
         summed = _summed(log, gap, by or "")
     summed.check()
@@ -195,21 +195,6 @@ def _told(log: Log, answer: Answer) -> Answer:
     return answer._replace(
         assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]
     )
-
-
-@contextmanager
-def _reader(path: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
-    """The name of a file or of standard input, and what reads it."""
-    if path == "-":
-        yield "stdin", stdio.read
-        return
-    name = quote_path(path)
-    try:
-        with open(path, "rb", buffering=0) as file:
-            yield name, file.read
-    except OSError as error:
-        problem = f"cannot read {name}: {error.strerror}"
-        raise ConditionError(problem, "a file with a time and a value in each line") from None
 
 
 def _summed(log: Log, longest: float, by: str) -> page.SummedLog:

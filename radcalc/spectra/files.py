@@ -11,14 +11,14 @@ from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc import columns, stdio
-from radcalc.errors import ConditionError, UsageError, listed, option, quote, quote_path
+from radcalc import columns
+from radcalc.errors import ConditionError, UsageError, listed, option, quote
 from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.rows import NO_FIGURES, Figure, Rows
 from radcalc.spectra.spectrum import VISIBLE, Table
-from radcalc.texts import Lines, Text, refusal
+from radcalc.texts import Lines, Text, reading, refusal
 from radcalc.units.table import unit_of
 
 FORMATS = (spdx, cgats, meters)
@@ -38,16 +38,8 @@ ENERGY = PLANCK * LIGHT * 1e9  # of a photon, times its wavelength in nm [J nm]
 
 def read_file(path: str, column: str = "") -> Table:
     """Read a spectrum from a file, or from standard input where the path is '-'."""
-    if path == "-":
-        return _Reader("stdin", stdio.read, column).table()
-    name = quote_path(path)
-    try:
-        with open(path, "rb", buffering=0) as file:
-            return _Reader(name, file.read, column).table()
-    except OSError as error:
-        raise ConditionError(
-            f"cannot read {name}: {error.strerror}", "a file with a spectrum"
-        ) from None
+    with reading(path, "a file with a spectrum") as (name, read):
+        return _Reader(name, read, column).table()
 
 
 class _Layout(NamedTuple):

@@ -9,6 +9,7 @@ from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
+from radcalc.texts import ENDINGS
 from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.ranges import MOST, read_series
@@ -106,7 +107,7 @@ def uncertain_parameter(text: str) -> Parameter | None:
 def _unknown(text: str) -> RadcalcError:
     if "," in text and (error := _of_list(text)):
         return error
-    if "/" in text or text.lower().endswith((".csv", ".txt", ".tsv", ".dat")):
+    if "/" in text or text.lower().endswith(ENDINGS):
         return ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
     problem = f"'{quote(text)}' is no spectrum that radcalc knows, and no file"
     if meant := MEANT.get(text.strip().lower()):
