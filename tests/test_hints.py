@@ -1,12 +1,15 @@
 """Every hint of a refusal, typed as it says, is answered."""
 
 import shlex
+from pathlib import Path
 
 import pytest
 from following import call, liars
 from helpers import shell
 from test_cases import FILES, transcripts
 from test_refusals import COMMANDS, CONVERSIONS, STREAMS
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
 
 
 def conversion(source, target, conditions):
@@ -23,6 +26,13 @@ def corpus():
         for command, output in transcripts(path):
             if "\ntry: " in output and not set("|<>;$") & set(command):
                 yield shlex.split(command)[1:]
+
+
+@pytest.fixture(autouse=True)
+def _aside(tmp_path, monkeypatch):
+    """A place for the files that hints write, with those that the calls read."""
+    (tmp_path / "examples").symlink_to(EXAMPLES)
+    monkeypatch.chdir(tmp_path)
 
 
 CALLS = {" ".join(words)[:90]: words for words in corpus()}

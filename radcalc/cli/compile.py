@@ -16,6 +16,7 @@ from radcalc.cli import COMMANDS, HELP, check, commands, protect_negatives
 from radcalc.cli.command import FILE, GET, MAPS, PLOT, SectionedCommand, SymbolOption
 from radcalc.conversion.plan import target_of
 from radcalc.errors import RadcalcError, UsageError
+from radcalc.plots.figure import FORMATS
 from radcalc.quantities.light import GEOMETRIES
 from radcalc.quantities.symbols import (
     CHOICE,
@@ -31,6 +32,7 @@ from radcalc.quantities.symbols import (
     WAVELENGTHS,
     WORD,
     Symbol,
+    as_result,
     names_of_kinds,
 )
 from radcalc.quantities.targets import GENERIC, names_starting
@@ -48,6 +50,7 @@ HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do no
 '''
 EXAMPLE = re.compile(r"^ +radcalc (.*)$", re.MULTILINE)
 RESULT, CLAIM = "result", "claim"
+FIGURE = "figure"  # of an option that takes a file, or nothing
 Row = tuple[Any, ...]
 Results = Mapping[str, tuple[bool, tuple[str, ...]]]  # of one kind of light; what it measures
 
@@ -104,10 +107,8 @@ class Compiler:
     def _options(self, command: SectionedCommand) -> list[Row]:
         results = {}
         if GET in command.params:
-            results = {
-                name: (bool(SYMBOLS[name].kind), self.quantities(SYMBOLS[name]))
-                for name in results_of(command)
-            }
+            symbols = [as_result(name, command.name or "") for name in results_of(command)]
+            results = {one.name: (bool(one.kind), self.quantities(one)) for one in symbols}
         listed = [one for group in command.sections.values() for one in group]
         return [self._option(one, results) for one in (*listed, HELP)]
 
@@ -118,8 +119,10 @@ class Compiler:
 
     def _takes(self, option: click.Option, results: Results) -> tuple[str, Any]:
         example = option.metavar or ""
-        if option.is_flag or option is PLOT:  # behind which an operand may follow
+        if option.is_flag:
             return FLAG, ()
+        if option is PLOT:
+            return FIGURE, tuple(FORMATS)
         if isinstance(option.type, click.Choice):
             return CHOICE, tuple(option.type.choices)
         if option is GET:

@@ -22,7 +22,7 @@ def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
     if asked.check is not None:
         raise UsageError("--check has no use where a map is written", "the same without --check")
     if asked.plot:
-        raise UsageError("--plot has no use where a map is written", "one call for each")
+        raise UsageError("--plot has no use where a map is written", "the same without --plot")
     each = cases(typed)
     if len(each) > 1 or each[0].stream:
         raise UsageError("one map is written at a time", "one value of everything")

@@ -48,7 +48,8 @@ class Line:
     """The words of a command before the one that is being typed.
 
     `given` are the texts of the options by their longest names; `waiting` is the option whose value
-    comes next; behind `--` everything is an operand.
+    comes next, and `offering` one whose file may, or an operand; behind `--` everything is an
+    operand.
     """
 
     def __init__(self, command: str, words: "Iterable[str]") -> None:
@@ -59,14 +60,18 @@ class Line:
         self.given: dict[str, str] = {}
         self.operands: list[str] = []
         self.waiting: Option | None = None
+        self.offering: Option | None = None
         self.is_closed = False
         for word in words:
             self._read(word)
 
     def _read(self, word: str) -> None:
+        offered, self.offering = self.offering, None
         if self.waiting:
             self.given[self.waiting.names[-1]] = word
             self.waiting = None
+        elif offered and word.lower().endswith(offered.values):
+            self.given[offered.names[-1]] = word
         elif word == "--" and not self.is_closed:
             self.is_closed = True
         elif self.is_closed or not is_option(word):
@@ -76,7 +81,10 @@ class Line:
             option = self.option(name)
             if option:
                 self.given[option.names[-1]] = text
-                self.waiting = option if option.form != "flag" and not equals else None
+                if option.form == "figure":
+                    self.offering = None if equals else option
+                elif option.form != "flag" and not equals:
+                    self.waiting = option
 
     def option(self, name: str) -> Option | None:
         """The option of that name."""
@@ -153,6 +161,8 @@ def _in_command(line: Line, incomplete: str) -> list[Completion]:
         from radcalc.completion.values import values_of
 
         found = values_of(form, values, incomplete)
+    if line.offering:
+        found = [*_values(line.offering, incomplete), *found]
     if not found and not incomplete:
         return _fitting_options(line, "" if not line.is_closed else "?")
     return found

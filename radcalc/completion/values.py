@@ -147,6 +147,15 @@ def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
     return files(endings, incomplete)
 
 
+def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
+    """Folders and figures: another word is none of these."""
+    return [
+        one
+        for one in files(endings, incomplete)
+        if not one.closes or one.text.lower().endswith(tuple(endings))
+    ]
+
+
 def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
     """Folders, and the files with such an ending; every file where none has."""
     folder, name = os.path.split(incomplete)
@@ -180,6 +189,7 @@ READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {
     "distribution": _distributions,
     "environment": _environments,
     "file": _files,
+    "figure": _figures,
     "search": _searches,
     "unit": _units,
 }

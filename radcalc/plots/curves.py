@@ -79,7 +79,7 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
                 y += _numbers(row.value, len(places))
     if len({row.unit for row in rows}) > 1:
         several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
-        raise UsageError(f"{several}: an axis has one unit", "a picture of each")
+        raise UsageError(f"{several}: an axis has one unit", "one of them")
     _refuse_many(lines)
     is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
     x_axis = Axis(*_name(own), is_log=is_log)

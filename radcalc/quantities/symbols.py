@@ -741,7 +741,20 @@ EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
+# Results of a command that measure what another does: how far that may be off.
+ALIKE = {("environment", "error"): "irradiance", ("point-source", "error"): "flux"}
 REFINEMENTS = ("observer", "range", "photon-range")  # what only refines a link
+
+
+def as_result(name: str, command: str) -> Symbol:
+    """The symbol of a result, as a command measures it."""
+    symbol = SYMBOLS[name]
+    if alike := ALIKE.get((command, name)):
+        other = SYMBOLS[alike]
+        return symbol._replace(
+            dimensions=other.dimensions, geometry=other.geometry, generic=other.generic
+        )
+    return symbol
 
 
 def names_of_kinds(generic: str) -> tuple[str, ...]:

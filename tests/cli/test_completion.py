@@ -261,6 +261,24 @@ def test_files_of_the_kind_come_alone_and_else_all(tmp_path, monkeypatch):
     assert texts("scene nosuch/") == []
 
 
+def test_behind_plot_come_figures_folders_and_operands(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("day.svg", "day.png", "D65.txt", "notes.md"):
+        (tmp_path / name).touch()
+    (tmp_path / "figures").mkdir()
+    assert texts("spectrum D65 --plot ")[:3] == ["day.png", "day.svg", "figures/"]
+    assert texts("spectrum D65 --plot=da") == ["--plot=day.png", "--plot=day.svg"]
+    assert texts("photon 555nm --plot no") == []
+    assert texts("spectrum --plot D65") == ["D65", "D65.txt"]
+    assert texts("spectrum --plot day.svg D65") == ["D65", "D65.txt"]
+    assert "--json" in texts("spectrum D65 --plot -")
+
+
+def test_the_error_of_an_irradiance_has_its_units():
+    assert "error:lx" in texts("environment room.hdr -g error:")
+    assert "error:sr" not in texts("environment room.hdr -g error:")
+
+
 def test_every_form_has_a_reader():
     forms = {option[1] for _, _, listed in COMMANDS.values() for option in listed}
     forms |= {operands[0] for _, operands, _ in COMMANDS.values()}

@@ -22,6 +22,7 @@ from radcalc.quantities.symbols import (
     SPECIFIC,
     SYMBOLS,
     Symbol,
+    as_result,
     light_unit,
     names_of_kinds,
     specific_name,
@@ -110,7 +111,7 @@ def results(of: str) -> Iterator[str]:
     kinds, rows = _kinds(found), _heard(of).rows
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
     for one in named:
-        symbol = SYMBOLS[one]
+        symbol = as_result(one, of)
         if symbol.kind and symbol.generic in named:
             continue
         yield f".It Cm {one}"
@@ -197,7 +198,7 @@ def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
     if symbol.geometry is None or symbol.kind:
         unit = f", in {symbol.unit}" if symbol.unit not in ("", "1") else ""
         return f"{label}{letter}{unit}."
-    units = _either([light_unit(symbol.name, kind) for kind in kinds])
+    units = _either([light_unit(symbol.generic, kind) for kind in kinds])
     names = [one for one in names_of_kinds(symbol.name) if SPECIFIC[one][1] in kinds]
     own = f"; of one kind: {', '.join(names)}" if names else ""
     return f"{label}{letter}, in {units}{own}."
