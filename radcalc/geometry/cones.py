@@ -43,7 +43,7 @@ def refuse(bad: Any, message: str, hint: str) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.solid import refuse
+    >>> from radcalc.geometry.cones import refuse
     >>> refuse(2.0 < 0, "a negative radius is not possible", "0 or more")
     >>> refuse(-1.0 < 0, "a negative radius is not possible", "0 or more")
     Traceback (most recent call last):
@@ -300,7 +300,7 @@ def check_tilt(tilt: Number) -> None:
 
     Examples
     --------
-    >>> from radcalc.geometry.solid import check_tilt
+    >>> from radcalc.geometry.cones import check_tilt
     >>> check_tilt(-1.0)
     >>> check_tilt(45.0)
     Traceback (most recent call last):
@@ -336,7 +336,7 @@ def facing(tilt: Number) -> Number:
     Examples
     --------
     >>> import math
-    >>> from radcalc.geometry.solid import facing
+    >>> from radcalc.geometry.cones import facing
     >>> round(facing(math.radians(60)), 12), facing(math.radians(120))
     (0.5, 0.0)
     """

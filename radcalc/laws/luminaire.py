@@ -128,7 +128,7 @@ def relative_intensity(distribution: "Distribution") -> Relation:
     Returns
     -------
     Relation
-        Of `share`, `off-axis` and `azimuth`.
+        Of `relative-intensity`, `off-axis` and `azimuth`.
 
     Examples
     --------

@@ -35,8 +35,7 @@ All (`ANY_LAWS`), for a source that is small beside its distance d (five times i
   where f is what is left of I at the angle gamma off the axis
 - `COSINE`: cosine of the incidence, 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
 - flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
-
-- the same of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
+- the inverse square of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
 
 And of a place on the floor under a source at the height h, x from the foot of its axis:
 
