@@ -79,7 +79,7 @@ def search(text: str) -> list[Entry]:
         return scales(one.scale for one in (found, *found.others))
     if text.lower().replace("-", "_") in NAMES:
         return _of_name(text)
-    return _of_quantities(text) or _of_name(text) or _fellows(text)
+    return _of_quantities(text) or _of_name(text) or _of_unit(text)
 
 
 def _of_quantities(text: str) -> list[Entry]:
@@ -128,7 +128,7 @@ def _of_name(text: str) -> list[Entry]:
     return [entry(name) for name in exact + part] + scales(read)
 
 
-def _fellows(text: str) -> list[Entry]:
+def _of_unit(text: str) -> list[Entry]:
     """Read the search as a unit, and list the units of its quantity; raise where it is none."""
     try:
         unit = resolve(text)

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from radcalc.quantities.light import (
     EXITANCES,
     GEOMETRIES,
+    KIND_NAMES,
     KINDS,
     LUMINOUS,
     OTHERS,
@@ -715,12 +716,11 @@ def specific_name(generic: str, kind: str) -> str:
     """The name of a light quantity in one kind: flux and luminous give luminous-flux."""
     _, geometry, _, _, pattern = _LIGHT_ROWS[generic]
     if not pattern:
-        return generic if kind == RADIANT else f"{_KIND_WORDS[kind]}-{generic}"
+        return generic if kind == RADIANT else f"{KIND_NAMES[kind]}-{generic}"
     names = EXITANCES if generic == "exitance" else GEOMETRIES[geometry][0]
     return pattern.format(names[KINDS.index(kind)].replace(" ", "-"))
 
 
-_KIND_WORDS = {RADIANT: "radiant", LUMINOUS: "luminous", PHOTON: "photon"}
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
 SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
 # The intensity that a 1 of a distribution stands for.

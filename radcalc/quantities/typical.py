@@ -5,7 +5,7 @@ Orientation for a reader who wonders whether an answer can be right.
 
 import math
 
-from radcalc.errors import NumberError, RadcalcError, UsageError, nearest, quote
+from radcalc.errors import NumberError, RadcalcError, UsageError, command, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, comparable, matching
@@ -56,7 +56,7 @@ def search(text: str) -> list[Typical]:
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
         f"there is no typical value for '{quote(text)}'",
-        ", ".join(near) or "radcalc typical, which lists them all",
+        ", ".join(near) or f"{command('typical')}, which lists them all",
     )
 
 

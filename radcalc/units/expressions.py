@@ -18,10 +18,10 @@ from radcalc.units.compiled import NAMES, UNITS
 from radcalc.units.grammar import (
     MAX_DEPTH,
     NAMED,
-    SAME,
     SUPERSCRIPTS,
     Scanner,
     parse_unit,
+    plain,
 )
 from radcalc.units.numbers import (
     CALLS,
@@ -32,16 +32,16 @@ from radcalc.units.numbers import (
     MINUSES,
     OTHER_FUNCTIONS,
     SIGNS,
+    SMALLEST,
     read_term,
     refuse_lookalikes,
     relative_rounding,
     typed_digits,
 )
-from radcalc.units.table import BASES, NUMBER, PARTS, Dimension, Unit, lookup, resolve
+from radcalc.units.table import BASES, NUMBER, PARTS, Dimension, Unit, divide, lookup, resolve
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
-SMALLEST = 2.2250738585072014e-308  # below it a float loses digits
 PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
 ANGLE: Dimension = UNITS["degree"][2]
@@ -110,8 +110,8 @@ class Value:
         rounding = blur = 0.0
         if a + b:
             for part, value in ((a, self), (b, other)):
-                rounding += abs(_divide(part, a + b)) * value.rounding if value.rounding else 0.0
-                blur += abs(_divide(part, a + b)) * value.blur if value.blur else 0.0
+                rounding += abs(divide(part, a + b)) * value.rounding if value.rounding else 0.0
+                blur += abs(divide(part, a + b)) * value.blur if value.blur else 0.0
         if blur >= 1:  # sqrt(2)^2 - 2, which is 0 in all the digits that there are
             a, b, rounding, blur = 0, 0, 0.0, 0.0
         if blur > KEPT:
@@ -145,13 +145,6 @@ class Value:
 def _is_part(name: str) -> bool:
     found = lookup(name)
     return found is not None and found[1] in PARTS
-
-
-def _divide(over: int, under: int) -> float:
-    try:
-        return over / under
-    except OverflowError:
-        return math.inf
 
 
 def _unit_text(units: dict[str, int]) -> str:
@@ -300,7 +293,7 @@ class Calculator(Scanner):
         """Refuse 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
         if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
             plus = "+" if sign > 0 else "-"
-            number = f"{_divide(other.top, other.bottom):.12g}"
+            number = f"{divide(other.top, other.bottom):.12g}"
             raise self.two_ways(f"{left} * (1 {plus} {part})", f"{left} {plus} {number}")
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
@@ -381,7 +374,6 @@ class Calculator(Scanner):
         self.skip_blanks()
         begun = self.at
         while self.begins_unit(has_number and not count):
-            end = self.at
             self.factor(0)
             count += 1
             end = self.at
@@ -466,7 +458,7 @@ class Calculator(Scanner):
             if scale is None or not (self.is_arithmetic or rest):
                 raise
             self.is_arithmetic = True
-            shown = f"{_divide(number.top, number.bottom):.12g}" if number else "1"
+            shown = f"{divide(number.top, number.bottom):.12g}" if number else "1"
             hint = f"{'-' * self.text[:start].count('-')}{shown} {quote(text)}"
             if rest:
                 hint = command("convert", shown, quote(text), scale.unit.text)
@@ -670,11 +662,6 @@ class Calculator(Scanner):
         return Value(top, bottom, dimension, units, value.rounding / 2, value.had_units, blur)
 
 
-def plain(text: str) -> str:
-    """The text with one character for each that looks like it, and no blanks around it."""
-    return "".join([SAME.get(c, c) for c in text]).strip()
-
-
 def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
     """The value of an expression; None where the text is a number and a unit, or neither.
 
@@ -710,7 +697,7 @@ def read_expression(
     top, bottom = value.top, value.bottom
     if unit:
         top, bottom = top * unit.bottom, bottom * unit.top
-    number = _divide(top, bottom)
+    number = divide(top, bottom)
     if math.isinf(number):
         raise ExpressionError(f"'{quote(text)}' is too large for a number", "less than 1.8e308")
     if abs(number) < SMALLEST and top:

@@ -17,7 +17,7 @@ MAX_EXPONENT = 12
 PRODUCTS = "*.·⋅∙×"
 SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
 # Characters with more than one code point, or that cannot be part of a Python identifier.
-SAME = {
+SAME = str.maketrans({
     "\u00b5": "u",  # micro sign
     "\u03bc": "u",  # Greek mu
     "\u212b": "\u00c5",  # angstrom sign
@@ -27,11 +27,16 @@ SAME = {
     "\t": " ",
     "\u2103": "°C",
     "\u2109": "°F",
-}
+})  # fmt: skip
 NAMED = {"%": "percent", "‰": "permille", "°": "degree", "′": "arcminute", "″": "arcsecond"}
 POWERS = {"square": 2, "sq": 2, "cubic": 3, "cu": 3}
 
 Atom = tuple[str, int, bool]
+
+
+def plain(text: str) -> str:
+    """The text with one character for each that looks like it, and no blanks around it."""
+    return text.translate(SAME).strip()
 
 
 def parse_unit(text: str) -> list[Atom]:
@@ -46,13 +51,13 @@ def parse_unit(text: str) -> list[Atom]:
             f"a text of {len(text)} characters is not a unit",
             f"at most {MAX_LENGTH} characters are read",
         )
-    plain = "".join([SAME.get(c, c) for c in text]).strip()
-    plain = plain.replace("sq.", "sq ")  # W/sq.cm
-    if not plain:
+    folded = text.translate(SAME).strip()  # as `plain` does, without the call
+    folded = folded.replace("sq.", "sq ")  # W/sq.cm
+    if not folded:
         raise UnitError("a unit is missing", "a unit such as lx, cd/m2 or W/(m2 sr)")
-    scanner = Scanner(plain)
+    scanner = Scanner(folded)
     atoms = scanner.group(0)
-    if scanner.at < len(plain):
+    if scanner.at < len(folded):
         raise scanner.error("has a closing bracket too many")
     return [(name, n, inverse and n == 1) for name, n, inverse in atoms]
 

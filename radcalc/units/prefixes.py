@@ -1,7 +1,7 @@
 """SI prefixes that put numbers from 1 to below 1000: 0.0021 lx are 2.1 mlx."""
 
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS
-from radcalc.units.grammar import SAME, parse_unit
+from radcalc.units.grammar import parse_unit, plain
 from radcalc.units.table import lookup, unit_of
 
 LEAST, MOST = 1.0, 1000.0
@@ -15,10 +15,10 @@ def prefixed(text: str, size: float) -> str:
     """
     if not size or _fits(size) or unit_of(text) is None:
         return text
-    plain = "".join([SAME.get(c, c) for c in text]).strip()
-    spelling, exponent, _ = parse_unit(plain)[0]
+    folded = plain(text)
+    spelling, exponent, _ = parse_unit(folded)[0]
     read = lookup(spelling)
-    if read is None or exponent != 1 or not plain.startswith(spelling):
+    if read is None or exponent != 1 or not folded.startswith(spelling):
         return text
     own = PREFIX_NAMES.get(read[0], 0)
     others = _spellings(spelling, *read)
@@ -26,7 +26,7 @@ def prefixed(text: str, size: float) -> str:
     if not suited:  # beyond the last of them
         suited = [max([own, *others]) if abs(size) >= MOST else min([own, *others])]
     text_of_first = others.get(suited[0], spelling)
-    return text if suited[0] == own else text_of_first + plain[len(spelling) :]
+    return text if suited[0] == own else text_of_first + folded[len(spelling) :]
 
 
 def _fits(size: float) -> bool:

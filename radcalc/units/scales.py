@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from radcalc import maths
 from radcalc.errors import ConversionError, NumberError, RadcalcError, UnitError, mention, quote
 from radcalc.units.amounts import Amount
-from radcalc.units.grammar import SAME, parse_unit
+from radcalc.units.grammar import parse_unit, plain
 from radcalc.units.numbers import read_number
 from radcalc.units.table import CELSIUS, TEMPERATURE_ALONE, Dimension, Unit, lookup, resolve
 
@@ -263,8 +263,7 @@ def usual(constant: str, settable: bool = False) -> str:
 def find(text: str) -> ScaleUnit | None:
     """Read the text of a scale; None where it is none."""
     text = " ".join(text.split())
-    plain = "".join([SAME.get(c, c) for c in text])
-    rows = _named(plain)
+    rows = _named(plain(text))
     if not rows:
         return None
     others = tuple([ScaleUnit(text, row) for row in rows[1:]])
@@ -345,7 +344,7 @@ FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit",
 
 def degree(text: str) -> Unit | None:
     """A degree Celsius or Fahrenheit, where a difference is meant; None for what is neither."""
-    name = "".join([SAME.get(c, c) for c in text]).strip().lower().replace("° ", "°")
+    name = plain(text).lower().replace("° ", "°")
     name = name.replace(" ", "_").replace("-", "_")
     if name in CELSIUS:
         return Unit(text, 1, 1, TEMPERATURE_ALONE, ((name, 1),))

@@ -214,7 +214,8 @@ def _with_expression(text: str) -> Reading | None:
     """
     import re
 
-    from radcalc.units.expressions import Calculator, Leaves, Value, plain, read_expression
+    from radcalc.units.expressions import Calculator, Leaves, Value, read_expression
+    from radcalc.units.grammar import plain
 
     if "," in text:
         return None  # a list, of which each value is read by itself
