@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from radcalc.answer import Input
@@ -18,7 +18,7 @@ from radcalc.conversion.plan import answer as answer_of
 from radcalc.errors import ConditionError, ConversionError, UnitError, option, quote
 from radcalc.given import Given, any_uncertain, inputs_of, refuse_uncertain
 from radcalc.maths import is_array, is_column, is_uncertain
-from radcalc.quantities.light import result_name
+from radcalc.quantities.light import describe, result_name
 from radcalc.units.amounts import Amount as ReadAmount
 from radcalc.units.amounts import read_amount
 from radcalc.units.ranges import real
@@ -26,6 +26,7 @@ from radcalc.units.scales import resolve_any
 from radcalc.units.table import Unit, resolve
 
 ONE_EACH = "one value of each, or without the uncertainty"
+WITH_UNIT = 'radcalc.Quantity(numbers, "lx")'
 
 
 def convert(
@@ -415,7 +416,9 @@ def _convert(value: Any, target: str, conditions: dict[str, Any]) -> Any:
 
 @in_python
 def _explain(value: Any, target: str, conditions: dict[str, Any]) -> Result:
-    if any(getattr(one, "shape", ()) for one in (value, *conditions.values())):
+    if isinstance(value, (list, tuple)) or any(
+        getattr(one, "shape", ()) for one in (value, *conditions.values())
+    ):
         raise ConditionError("explain takes single values, not arrays", "one of each")
     made, magnitude, given = _plan(value, target, conditions)
     for one in given:
@@ -507,6 +510,8 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         )
     magnitude: Any
     source: Unit | None
+    if isinstance(value, (list, tuple)):
+        value = _as_array(value)
     if isinstance(value, str):
         amount = read_amount(value)
         magnitude, source = amount.typed
@@ -516,8 +521,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     else:
         magnitude, source = value, None
     given = _conditions(conditions)
-    source = source or resolve("1")
-    made = plan(source, target_of(target, source), given)
+    made = _plan_of(source, target, given)
     if _has_uncertainty(magnitude):
         return made, magnitude, given
     kind = getattr(getattr(magnitude, "dtype", None), "kind", "")
@@ -525,6 +529,46 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
         hint = "real numbers" if is_quantity(value) else "a text, a quantity or numbers"
         magnitude = real(magnitude, "the value", hint)
     return made, magnitude, given
+
+
+def _plan_of(source: Unit | None, target: str, given: list[Given]) -> Plan:
+    """The plan from a unit, or from numbers without one."""
+    start = source or resolve("1")
+    wanted = target_of(target, start)
+    if source is None and wanted.dimension != start.dimension and not wanted.is_scale:
+        problem = f"the value has no unit, and {describe(wanted)} is wanted"
+        raise ConversionError(problem, f'a text such as "100 lx", or {WITH_UNIT}')
+    return plan(start, wanted, given)
+
+
+def _as_array(value: Sequence[Any]) -> Any:
+    """A list of texts or quantities as one array, in the unit of the first; another as it is."""
+    if not any(isinstance(one, str) or is_quantity(one) for one in value):
+        return value
+    amounts = [read_amount(one) if isinstance(one, str) else None for one in value]
+    if any(one and one.is_uncertain for one in amounts) or any(map(is_uncertain, value)):
+        raise ConditionError("a list has an uncertain value", ONE_EACH)
+    each = [
+        amount.typed
+        if amount
+        else (one.magnitude, unit_of(one))
+        if is_quantity(one)
+        else (one, None)
+        for one, amount in zip(value, amounts, strict=True)
+    ]
+    units = [unit or resolve("1") for _, unit in each]
+    first = units[0]
+    if any(unit.is_scale for unit in units):
+        problem = "a list has readings on a scale"
+        raise ConditionError(problem, "one text a call, or what they stand for, in a unit")
+    if any(unit.dimension != first.dimension for unit in units):
+        several = " and ".join(dict.fromkeys(map(describe, units)))
+        raise ConditionError(f"a list mixes quantities: {several}", "one quantity")
+    sizes = [
+        number if unit == first else number * (unit.factor / first.factor)
+        for (number, _), unit in zip(each, units, strict=True)
+    ]
+    return quantity(real(sizes, "the list", "single values"), first)
 
 
 def _conditions(conditions: dict[str, Any]) -> list[Given]:

@@ -1,6 +1,7 @@
 """A picture of a result, which a notebook shows."""
 
 import os
+import sys
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,13 @@ class Drawing:
 
     def __init__(self, picture: "Picture") -> None:
         self.picture = picture
+
+    def __repr__(self) -> str:
+        """The picture in characters, as an interpreter shows it."""
+        from radcalc.plots.terminal import Style, draw, has_braille
+
+        is_ascii = not has_braille(getattr(sys.stdout, "encoding", None))
+        return draw(self.picture, Style(ascii=is_ascii)).rstrip("\n")
 
     @cached_property
     def figure(self) -> Any:

@@ -7,6 +7,7 @@ from radcalc.api.result import Result
 from radcalc.api.spelling import in_python, in_words
 from radcalc.errors import ConditionError
 from radcalc.homework.verdict import Verdict as Judged
+from radcalc.quantities.symbols import article
 from radcalc.render.formats import Judgement, Style
 from radcalc.render.plain import verdict as words_of
 
@@ -70,7 +71,7 @@ def check(result: Result, claim: str, tolerance: str | None = None) -> Verdict:
     from radcalc.homework import check as judge
 
     if not isinstance(result, Result):
-        problem = f"a {type(result).__name__} is no result to check"
+        problem = f"{article(type(result).__name__)} is no result to check"
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
     found = judge(result.question, str(claim), tolerance)
     return Verdict(*found._replace(diagnoses=tuple(map(_in_python, found.diagnoses))))

@@ -145,3 +145,35 @@ def test_what_would_lose_its_names_or_has_no_unit_is_refused_with_the_way_out(as
     with pytest.raises(radcalc.RadcalcError, match=said) as caught:
         ask()
     assert caught.value.hint
+
+
+def test_a_list_or_column_of_texts_is_converted_in_the_unit_of_the_first():
+    """A footcandle is 1/0.3048^2 lx."""
+    found = radcalc.convert(["1 lx", "2 fc", Q(5, "klx")], "lx")
+    np.testing.assert_allclose(found.to("lx").magnitude, [1, 2 / 0.3048**2, 5000])
+    texts = pd.Series(["1 lx", "2 lx"], name="E", index=["a", "b"])
+    given = radcalc.convert(texts, "klx")
+    pd.testing.assert_series_equal(
+        given, pd.Series([0.001, 0.002], name="illuminance [klx]", index=["a", "b"])
+    )
+    # I/d^2, each element with its own distance
+    lit = radcalc.convert(["100 cd", "400 cd"], "lx", distance=["1 m", "2 m"])
+    np.testing.assert_allclose(lit.magnitude, [100, 100])
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        (["1 lx", "2 cd"], "a list mixes quantities: illuminance (lx) and luminous intensity (cd)"),
+        (["1 lx", 2], "a list mixes quantities"),
+        (["10 dBm", "1 mW"], "a list has readings on a scale"),
+        (["1+-0.1 lx", "2 lx"], "a list has an uncertain value"),
+        (["1 lx", "2 lux of"], "unknown unit 'of'"),
+        (100, "the value has no unit, and illuminance (klx) is wanted"),
+        (pd.Series([1.0], name="E"), "the value has no unit"),
+    ],
+)
+def test_what_is_no_list_of_one_quantity_is_refused(value, said):
+    with pytest.raises(radcalc.RadcalcError) as refused:
+        radcalc.convert(value, "klx")
+    assert said in str(refused.value)

@@ -253,6 +253,8 @@ def test_a_list_that_is_no_array_is_refused(given, said):
 
 
 def test_a_list_is_no_single_value_of_explain():
+    with pytest.raises(radcalc.RadcalcError, match="single values"):
+        radcalc.explain(["1 lx", "2 lx"], "fc")
     with pytest.raises(radcalc.ConditionError, match="one value of"):
         radcalc.explain("100 cd", "lx", distance=["1 m", "2 m"])
 
@@ -261,6 +263,7 @@ def test_a_picture_is_shown_by_a_notebook_and_written_to_a_file(tmp_path):
     drawn = radcalc.point_source(flux="800 lm", distance="1m:5m:1m").plot("illuminance:fc")
     assert "<svg" in drawn._repr_svg_()
     assert drawn.figure.axes
+    assert "distance" in repr(drawn)  # the name of an axis
     drawn.save(tmp_path / "fall-off.png")
     assert (tmp_path / "fall-off.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(radcalc.RadcalcError, match="fall-off"):
