@@ -9,24 +9,17 @@ from radcalc.derivation import format_number
 from radcalc.given import Given, Inputs
 from radcalc.laws.photon import LAWS
 from radcalc.laws.solver import Derivation, Known, solve
+from radcalc.quantities.light import PHOTON_NAMES
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
-from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, PHOTON_ENERGY, WAVENUMBER
+from radcalc.units.dimensions import LENGTH
 
-# A wavelength may be given as any of these.
-SYMBOL_OF = {
-    LENGTH: "wavelength",
-    FREQUENCY: "frequency",
-    WAVENUMBER: "wavenumber",
-    ENERGY: "photon-energy",
-    PHOTON_ENERGY: "photon-energy",
-}
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
 def named(wave: Given) -> Given:
     """What is given for the wavelength, by the name of what it is."""
-    return wave._replace(symbol=SYMBOLS[SYMBOL_OF[wave.dimension]])
+    return wave._replace(symbol=SYMBOLS[PHOTON_NAMES[wave.dimension]])
 
 
 def photon(given: Inputs) -> Answer:
@@ -36,10 +29,10 @@ def photon(given: Inputs) -> Answer:
     wavenumber and energy are those in vacuum; the eye's tables are in standard air.
     """
     wave = given["wavelength"]
-    solution = solve(LAWS, {SYMBOL_OF[wave.dimension]: Known(wave.value)})
+    solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
     light = spectral.light(wave, given.get("observer"))
-    names = dict.fromkeys(SYMBOL_OF.values())
-    own = SYMBOL_OF[wave.dimension]
+    names = dict.fromkeys(PHOTON_NAMES.values())
+    own = PHOTON_NAMES[wave.dimension]
     units = {name: UNITS.get(name, (SYMBOLS[name].unit,)) for name in names}
     values = [
         known(wave._replace(symbol=SYMBOLS[name]), *units[name])

@@ -40,6 +40,7 @@ from radcalc.maths import any_true
 from radcalc.quantities.light import (
     NONE,
     PHOTON,
+    PHOTON_NAMES,
     RADIANT,
     Reading,
     coherent_text,
@@ -51,13 +52,8 @@ from radcalc.units.dimensions import (
     ANGLE,
     CHARGE,
     CURRENT,
-    ENERGY,
-    FREQUENCY,
-    LENGTH,
     PER_TIME,
-    PHOTON_ENERGY,
     SOLID_ANGLE,
-    WAVENUMBER,
 )
 from radcalc.units.table import Unit
 
@@ -460,15 +456,6 @@ def _width(bridge: Bridge) -> Links:
         if factor is not None:
             return [(factor, -1)]
     raise _unlike(bridge)
-
-
-PHOTON_NAMES = {
-    LENGTH: "wavelength",
-    FREQUENCY: "frequency",
-    WAVENUMBER: "wavenumber",
-    ENERGY: "photon-energy",
-    PHOTON_ENERGY: "photon-energy",
-}
 
 
 def _unlike(bridge: Bridge) -> RadcalcError:

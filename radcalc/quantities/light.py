@@ -15,6 +15,7 @@ from radcalc.units.dimensions import (
     COHERENT,
     CURRENT,
     CYCLES,
+    ENERGY,
     ETENDUE,
     FREQUENCY,
     LENGTH,
@@ -118,6 +119,15 @@ OTHERS = {
     RESPONSIVITY: ("responsivity", "s"),
     SPEED: ("speed", "v"),
     SPECIFIC_HEAT: ("specific heat capacity", "c"),
+}
+
+# The symbols of what tells of a photon, each of which gives the others.
+PHOTON_NAMES = {
+    LENGTH: "wavelength",
+    FREQUENCY: "frequency",
+    WAVENUMBER: "wavenumber",
+    ENERGY: "photon-energy",
+    PHOTON_ENERGY: "photon-energy",
 }
 
 

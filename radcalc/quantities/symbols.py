@@ -426,7 +426,7 @@ _ROWS = (
     _symbol(NUMBER, "utilance", "U", "0.6",
         "The part of the luminaires' flux that gets to the working plane, at once or reflected; "
         "with the flux of bare lamps, the utilization factor.", REFLECTED,
-        takes="a number from 0 to 1"),
+        takes="a number up to 1.5"),
     _symbol(NUMBER, "maintenance", "MF", "0.8",
         "Maintenance factor: the part of the light that is left by ageing and dirt (1).", FRACTION,
         label="maintenance factor", takes="a number from 0 to 1"),

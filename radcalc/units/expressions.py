@@ -15,6 +15,7 @@ import math
 
 from radcalc.errors import ExpressionError, NumberError, UnitError, command, measured, quote
 from radcalc.units.compiled import NAMES, UNITS
+from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import (
     MAX_DEPTH,
     NAMED,
@@ -42,9 +43,8 @@ from radcalc.units.table import BASES, NUMBER, PARTS, Dimension, Unit, divide, l
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
-PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])
+PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])  # as `functions.HALF_TURN`
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
-ANGLE: Dimension = UNITS["degree"][2]
 KEPT = 1e-12  # how far a sum may be off by the digits that its terms took away from each other
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 
