@@ -1,5 +1,7 @@
 """What is said of a wrong command line: loaded when one is met."""
 
+from itertools import pairwise
+
 import click
 
 from radcalc.cli import COMMANDS, commands
@@ -144,6 +146,8 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
     if "unexpected extra argument" in message:
         word = message.partition("(")[2].rstrip(")")
         hint = "a value and its unit are one word, as in --distance 2m"
+        if ("--plot", word) in pairwise(words):
+            hint = "--plot FILE.svg or --plot FILE.png, or --plot without a file"
         return RadcalcError(f"there is a word too many: '{word}'", hint)
     return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
 
