@@ -10,6 +10,7 @@ from radcalc.errors import ConditionError, Impossible, command, option, quote
 from radcalc.given import Given, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
+    DENSITY_NAMES,
     KIND_NAMES,
     LUMINOUS,
     NONE,
@@ -32,7 +33,7 @@ from radcalc.spectra.observers import (
     standard_air_wavelength,
 )
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
-from radcalc.units.dimensions import FREQUENCY, LENGTH, WAVENUMBER
+from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
 from radcalc.units.numbers import parse_number
 from radcalc.units.table import Photosynthetic
 
@@ -254,7 +255,7 @@ def given_ratio(given: Given, over: str, under: str, observer: Given | None) -> 
     return None
 
 
-AXIS_UNITS = {PER_WAVELENGTH: "m", PER_FREQUENCY: "Hz", PER_WAVENUMBER: "cycle/m"}
+AXIS_UNITS = {axis: COHERENT[AXIS[axis]] for axis in DENSITY_NAMES}
 
 
 def jacobian(of: Light | None, start: str, end: str) -> Factor:

@@ -5,7 +5,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators.uncertainty import value_of
+from radcalc.calculators.uncertainty import value_of, with_uncertainties
 from radcalc.conversion.plan import Plan, plan
 from radcalc.given import Given, Inputs, any_uncertain
 from radcalc.quantities.light import name_of, result_name, symbol_of
@@ -50,8 +50,6 @@ def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Quest
     """The question with its steps, and with the uncertainties that what was given leads to."""
     answer = question.answer
     if any_uncertain(given.values()):
-        from radcalc.calculators.uncertainty import with_uncertainties
-
         told = with_uncertainties(question.work_out, given)
         # the mistakes are found along the steps of the numbers
         answer = told._replace(values=answer.values, more=answer.more, steps=answer.steps)
