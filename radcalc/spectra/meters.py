@@ -14,6 +14,7 @@ from itertools import pairwise
 
 from radcalc import columns
 from radcalc.errors import option
+from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.rows import Figure, Row, Rows
 from radcalc.spectra.titles import Meaning
 from radcalc.texts import refusal
@@ -36,7 +37,7 @@ UNITS = tuple(
         ("W/m2/nm", False, 1.0),
         ("mW/m2/nm", False, 1e-3),
         ("uW/cm2/nm", False, 1e-2),
-        ("umol/m2/s/nm", True, 1e-6 * 6.02214076e23),
+        ("umol/m2/s/nm", True, 1e-6 * AVOGADRO),
     )
 )
 RELATIVE = Meaning("its values taken as relative watts per wavelength")

@@ -143,7 +143,7 @@ def standard_air_wavelength(vacuum: Number) -> Number:
 def _by_the_candela(label: str, table: tuple[int, tuple[float, ...]]) -> Observer:
     """An observer whose K follows from the candela: 683 lm/W at 540 THz, in standard air."""
     relative = Observer(label, "K", 1.0, *table)
-    at_540_thz = luminous_efficiency(standard_air_wavelength(299792458.0 / 540e12), relative)
+    at_540_thz = luminous_efficiency(standard_air_wavelength(LIGHT / 540e12), relative)
     return relative._replace(maximum=683 / at_540_thz)
 
 
