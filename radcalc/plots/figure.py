@@ -287,7 +287,7 @@ def _disc(disc: Disc, made: Any) -> None:
             ha="center", va="center",
         )  # fmt: skip
     _marks(axes, disc.marks)
-    axes.set_title(_safe(disc.title), pad=16)
+    axes.figure.suptitle(_safe(disc.title), fontsize=11, wrap=True)
 
 
 def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
+ROUNDING = 1e-12  # of the greatest: what is left there of a 0
 RINGS = 6  # circles of a polar diagram at most, with the point in its middle
 DIGITS = 6  # of a number, unless more tell it from others
 ROUNDING = 1e-9  # of a step: a tick is not left out for it
@@ -109,7 +110,8 @@ def rings(most: float) -> list[float]:
 def levels(values: Iterable[float], most: int = 10) -> list[float]:
     """Round numbers between the least and the greatest of many, for contours.
 
-    Where these are far apart, they are 1, 2 and 5 times powers of ten.
+    Where these are far apart, they are 1, 2 and 5 times powers of ten; what is left of a 0 by
+    rounding, as at the horizon of a cosine, is none of them.
 
     Examples
     --------
@@ -117,12 +119,14 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
     [250.0, 300.0, 350.0, 400.0, 450.0, 500.0]
     >>> levels([0.4, 210.0])
     [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0]
+    >>> levels([6e-17, 210.0])
+    [25.0, 50.0, 75.0, 100.0, 125.0, 150.0, 175.0, 200.0]
     """
     every = sorted(values)
     low, high = every[0], every[-1]
     if not low < high * (1 - 1e-6):
         return []
-    is_far = low > 0 and high > FAR * low
+    is_far = low > ROUNDING * high and high > FAR * low
     found = log_ticks(low, high, most) if is_far else ticks(low, high, most)
     return [x for x in found if low < x < high]
 
