@@ -42,7 +42,7 @@ def over_grid(found: Surveyed) -> Picture:
     if not 1 <= len(long) <= 2:
         what = "a single point" if not long else "a grid in x, y and z"
         problem = f"{what} has no picture"
-        raise UsageError(problem, option("grid", AS_GRID))
+        raise UsageError(problem, f"{option('grid')} {AS_GRID}")
     rows = [pick(block.values, found.wanted) for block in found.blocks]
     values = numpy.concatenate([row.value for row in rows])
     value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
