@@ -45,7 +45,25 @@ STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact on
 
 
 def mark(name: str, value: float) -> float | None:
-    """What a camera is marked with at a time [s] or an f-number of whole stops; None elsewhere."""
+    """What a camera is marked with at a time or an f-number of whole stops.
+
+    Parameters
+    ----------
+    name : str
+        The symbol: ``"time"`` or ``"f-number"``.
+    value : float
+        The exact time [s] or f-number [1].
+
+    Returns
+    -------
+    float or None
+        The number that the mark says, in the same unit; None where there is no mark.
+
+    Examples
+    --------
+    >>> mark("f-number", 2**2.5)
+    5.6
+    """
     if name not in MARKS or value <= 0:
         return None
     stops = STOPS[name] * math.log2(value)

@@ -224,6 +224,7 @@ LABELS = {
     ),
     "half angle of the part": ("poloviční vrcholový úhel části", "половина угла при вершине части"),
     "angle off the axis": ("úhel od osy", "угол от оси"),
+    "angle off the lens's axis": ("úhel od osy objektivu", "угол от оси объектива"),
     "beam diameter": ("průměr svazku", "диаметр пучка"),
     "polar angle of the peak": ("polární úhel maxima", "полярный угол максимума"),
     "azimuth of the peak": ("azimut maxima", "азимут максимума"),

@@ -31,6 +31,7 @@ OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
 ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
 UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
 SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
+LONGEST_SUM = 100  # characters of a text whose sum a hint tells
 EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
 STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
@@ -139,6 +140,8 @@ def sum_meant(text: str) -> str:
     """`5 ft + 3 in` for `5 ft 3 in`: numbers with units of one quantity; '' for anything else."""
     import re  # only when something is wrong already
 
+    if len(text) > LONGEST_SUM:
+        return ""
     pairs = re.findall(r"([\d.]+)\s*([^\d\s.]+)", text)
     if len(pairs) < 2 or "".join(map("".join, pairs)) != "".join(text.split()):
         return ""

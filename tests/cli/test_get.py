@@ -10,7 +10,19 @@ from radcalc.__main__ import run
 from radcalc.units.numbers import is_sentence
 
 OTHERS = {"convert", "units", "quantities", "typical"}
-ENDS = {"--auto", "-n", "--number", "--json", "--help", "-h", "--check", "--steps", "--list", "-"}
+ENDS = {
+    "--auto",
+    "--plot",
+    "-n",
+    "--number",
+    "--json",
+    "--help",
+    "-h",
+    "--check",
+    "--steps",
+    "--list",
+    "-",
+}
 TAKING = {"-g", "--get", "--format", "--precision", "--tolerance", "--color"}
 
 

@@ -73,7 +73,7 @@ ON_PAGES = {
     key(law)
     for module in MODULES
     if module.__name__.startswith(calculators.__name__)
-    for law in laws_in({n: v for n, v in vars(module).items() if n == "LAWS"})
+    for law in laws_in({n: v for n, v in vars(module).items() if n in ("LAWS", "SIDES")})
 }
 IN_LAWS = {
     key(law)
