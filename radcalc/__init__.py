@@ -97,16 +97,18 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> "Any":
-    if name in ERRORS:
-        from radcalc import errors
+if not TYPE_CHECKING:  # which knows every name, and no others
 
-        return getattr(errors, name)
-    if name in __all__:
-        from radcalc import api
+    def __getattr__(name: str) -> "Any":
+        if name in ERRORS:
+            from radcalc import errors
 
-        return getattr(api, name)
-    raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
+            return getattr(errors, name)
+        if name in __all__:
+            from radcalc import api
+
+            return getattr(api, name)
+        raise AttributeError(f"module 'radcalc' has no attribute '{name}'")
 
 
 def __dir__() -> "list[str]":

@@ -123,7 +123,8 @@ def _places(given: Given, first: Given) -> list[float]:
         raise ConditionError(problem, mention(RANGE))
     number = given.number
     if given.unit_text != first.unit_text:
-        if isinstance(given.unit, ScaleUnit) or isinstance(first.unit, ScaleUnit):
+        is_on_scale = isinstance(given.unit, ScaleUnit) or isinstance(first.unit, ScaleUnit)
+        if is_on_scale or given.dimension != first.dimension:
             problem = f"{option(given.name)} is in {given.unit_text} and in {first.unit_text}"
             raise UsageError(f"{problem}: an axis has one unit", "all in the same")
         number = given.value / float(first.unit.factor if first.unit else 1)

@@ -21,7 +21,7 @@ from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, from_components
 from radcalc.geometry.sky import sky_type
 from radcalc.plots.curves import Solved
-from radcalc.plots.data import REFERENCE, Axis, Chart, Disc, Mark, Plane, Polar, Series
+from radcalc.plots.data import LINE, REFERENCE, Axis, Chart, Disc, Mark, Plane, Polar, Series
 from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
 from radcalc.units.table import resolve
 
@@ -202,19 +202,26 @@ def integrand(
 
     def values_at(along: Any, around: Any) -> Any:
         x, y, z = cartesian(along, around)
-        found = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
+        with numpy.errstate(all="ignore"):  # at a pole
+            found = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
         return numpy.broadcast_to(found, numpy.shape(along)).astype(float)
 
-    weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
-    degrees = numpy.degrees(theta).tolist()
+    with numpy.errstate(all="ignore"):
+        weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
+
+    def series(name: str, values: Any, style: str = LINE) -> Series:
+        """Without poles, which are drawn as far as they are sampled."""
+        finite = numpy.isfinite(values)
+        return Series(name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style)
+
     shown = [start + (end - start) * k / FEW for k in range(1 if expression.is_axial else FEW)]
     curves = []
     for azimuth in shown:
         name = "f(\u03b8)"
         if not expression.is_axial:
             name = f"f(\u03b8, \u03c6 = {format_angle(azimuth)})"
-        curves.append(Series(name, degrees, values_at(theta, azimuth + 0 * theta).tolist()))
+        curves.append(series(name, values_at(theta, azimuth + 0 * theta)))
     mean = "f sin \u03b8" if expression.is_axial else "mean of f over \u03c6, times sin \u03b8"
-    curves.append(Series(mean, degrees, weighted.tolist(), REFERENCE))
+    curves.append(series(mean, weighted, REFERENCE))
     title = f"f = {text}"
     return Chart(title, Axis("polar angle \u03b8", "deg"), Axis("f", unit), curves)

@@ -23,7 +23,7 @@ from radcalc.plots.data import (
     Picture,
     Polar,
 )
-from radcalc.plots.ticks import levels, limits, rings
+from radcalc.plots.ticks import levels, limits, rings, texts
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
@@ -39,6 +39,7 @@ STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
 TICKS = 6  # of an axis whose ends are round
 COLORMAP = "viridis"
 SPAN = 1000.0  # between the darkest and the brightest of an image
+WHOLE = 0.9  # of the radius of a disc: the numbers of contours within are not cut by its rim
 CLIPPED = 99.5  # percent: what is brighter is as bright as that
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
 SETTINGS = {
@@ -175,7 +176,7 @@ def _chart(chart: Chart, made: Any) -> None:
         _hues(chart, axes)
     if any(one.label for one in chart.series):
         axes.legend(drawn, [_safe(one.label) for one in chart.series])
-    axes.set_title(_safe(chart.title))
+    axes.set_title(_safe(chart.title), wrap=True)
 
 
 def _hues(chart: Chart, axes: Any) -> None:
@@ -235,11 +236,11 @@ def _polar(polar: Polar, made: Any) -> None:
     places = [math.radians(angle if is_half else angle % 360) for angle in rays]
     axes.set_xticks(places, [f"{abs(angle)}\u00b0" for angle in rays])
     axes.set_ylim(0.0, circles[-1])
-    axes.set_yticks(circles)
+    axes.set_yticks(circles, texts(circles))
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
     made.legend(title=_text(polar.radius), loc="lower center", ncols=2)
-    made.suptitle(_safe(polar.title), fontsize=11)
+    made.suptitle(_safe(polar.title), fontsize=11, wrap=True)
 
 
 # -- fields and discs ------------------------------------------------------------------------------
@@ -253,7 +254,7 @@ def _field(field: Field, made: Any) -> None:
     _marks(axes, field.marks)
     axes.set_xlabel(_text(field.x))
     axes.set_ylabel(_text(field.y))
-    axes.set_title(_safe(field.title))
+    axes.set_title(_safe(field.title), wrap=True)
 
 
 def _disc(disc: Disc, made: Any) -> None:
@@ -276,7 +277,7 @@ def _disc(disc: Disc, made: Any) -> None:
         drawn = axes.pcolormesh(places, places, rows, cmap=COLORMAP, norm=norm, rasterized=True)
         made.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
     else:
-        _filled(made, axes, places, places, rows, disc.value)
+        _filled(made, axes, places, places, rows, disc.value, numpy.hypot(x, y) < WHOLE)
     for drawn in axes.collections:
         drawn.set_clip_path(Circle((0, 0), 1, transform=axes.transData))
     axes.add_patch(Circle((0, 0), 1, fill=False, color=GREY))
@@ -290,8 +291,10 @@ def _disc(disc: Disc, made: Any) -> None:
     axes.figure.suptitle(_safe(disc.title), fontsize=11, wrap=True)
 
 
-def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> None:
-    """Contours with their numbers, and colours between them."""
+def _filled(
+    made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
+) -> None:
+    """Contours with their numbers, where it is inside, and colours between them everywhere."""
     import matplotlib
     import numpy
 
@@ -303,9 +306,11 @@ def _filled(made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis) -> N
     bounds = [min(float(every.min()), found[0]), *found, max(float(every.max()), found[-1])]
     shades = matplotlib.colormaps[COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
     shown = axes.contourf(xs, ys, every, bounds, colors=shades)
-    lines = axes.contour(xs, ys, every, found, colors="white", linewidths=0.9)
+    seen = every if inside is None else numpy.where(inside, every, math.nan)
+    lines = axes.contour(xs, ys, seen, found, colors="white", linewidths=0.9)
     axes.clabel(lines, fmt=lambda level: f"{level:.6g}", fontsize=8.5)
-    made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), ticks=found, spacing="uniform")
+    bar = made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
+    bar.set_ticks(found, labels=texts(found))
 
 
 def _safe(text: str) -> str:

@@ -45,13 +45,20 @@ def over_grid(found: Surveyed) -> Picture:
         raise UsageError(problem, f"{option('grid')} {AS_GRID}")
     rows = [pick(block.values, found.wanted) for block in found.blocks]
     values = numpy.concatenate([row.value for row in rows])
+    values = values.reshape([axis.size for axis in found.axes])
     value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
     lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in found.axes]
+    for k, axis in enumerate(found.axes):
+        if axis.start > axis.end:
+            lines[k].reverse()
+            values = numpy.flip(values, k)
     fixed = [f"{NAMES[k]} = {lines[k][0]:g} m" for k in range(3) if k not in long]
     title = f"{rows[0].quantity} at {', '.join(fixed)}"
     if len(long) == 1:
         (k,) = long
-        return Chart(title, Axis(NAMES[k], "m"), value, [Series("", lines[k], values.tolist())])
+        return Chart(
+            title, Axis(NAMES[k], "m"), value, [Series("", lines[k], values.ravel().tolist())]
+        )
     i, j = long
     table = values.reshape(len(lines[i]), len(lines[j])).T
     marks = [

@@ -43,6 +43,8 @@ class LightRegistry(Registry):
         """Read the text of a unit with radcalc's grammar, into Pint's container."""
         if not self.closed:
             return super().parse_units_as_container(input_string, *args, **kwargs)
+        if not input_string:  # NumPy's functions ask Pint for the unit of a bare number
+            return self.UnitsContainer()
         return self.container(table.resolve(input_string))
 
     def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
