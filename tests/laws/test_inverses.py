@@ -6,12 +6,11 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given, reject, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from laws.every_law import BEARING, EXPONENT, LAWS, OF_PAGES, RELATIONS, ROTATE
 from mpmath import mpf
 
-from radcalc.errors import ConditionError
 from radcalc.laws.law import Several
 
 PI = math.pi
@@ -334,16 +333,17 @@ def test_every_symbol_of_a_relation_comes_back(law, data):
         assert found == pytest.approx(values[target], rel=rel, abs=1e-10), target
 
 
-@pytest.mark.parametrize("law", OF_PAGES, ids=lambda law: f"{law.name}: {law.names}")
+@pytest.mark.parametrize(
+    "law",
+    [law for law in OF_PAGES if len(law.targets) > 1],  # which lead back to others
+    ids=lambda law: f"{law.name}: {law.names}",
+)
 @given(data=st.data())
 @settings(max_examples=60)
 def test_every_symbol_of_a_pages_relation_comes_back(law, data):
     first, *others = law.targets[:1] + tuple(n for n in law.names if n != law.targets[0])
     values = {name: data.draw(st.floats(0.1, 10), name) for name in others}
-    try:
-        values[first] = law.solve(first, values.__getitem__)
-    except ConditionError:  # no room has that area, height and index
-        reject()
+    values[first] = law.solve(first, values.__getitem__)
     for target in law.targets:
         rest = {name: value for name, value in values.items() if name != target}
         found = law.solve(target, rest.__getitem__)
