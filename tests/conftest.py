@@ -4,7 +4,10 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import tempfile
+from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -17,6 +20,13 @@ settings.load_profile("untimed")
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = Path(__file__).parent.parent
+# The standard streams as a process under C.UTF-8 has them: what they are for, and what becomes of
+# letters that there are not.
+STREAMS = (
+    ("stdin", "r", "surrogateescape"),
+    ("stdout", "w", "surrogateescape"),
+    ("stderr", "w", "backslashreplace"),
+)
 
 
 def entry_point() -> str:
@@ -30,6 +40,33 @@ def run(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
     """Run the installed command with both streams captured."""
     kwargs = {"capture_output": True, "text": True, "encoding": "utf-8", "timeout": 60} | kwargs
     return subprocess.run([entry_point(), *words], **kwargs)
+
+
+def call(*words: str, input: str = "", together: bool = False) -> subprocess.CompletedProcess[str]:
+    """What `run` gives, by a call in this process: where a new one would show nothing more.
+
+    The three descriptors are files meanwhile; with `together`, errors stand in the output.  As a
+    process leaves without flushing, what is in a buffer at the end is lost here as well.
+    """
+    from radcalc.__main__ import run as answer
+
+    how: dict[str, Any] = {"encoding": "utf-8", "newline": "", "closefd": False}
+    with tempfile.TemporaryFile() as fed, tempfile.TemporaryFile() as out, ExitStack() as stack:
+        fed.write(input.encode("utf-8", "surrogateescape"))
+        fed.seek(0)
+        err = stack.enter_context(tempfile.TemporaryFile())
+        for k, file in enumerate((fed, out, out if together else err)):
+            kept = os.dup(k)
+            stack.callback(os.close, kept)
+            stack.callback(os.dup2, kept, k)
+            os.dup2(file.fileno(), k)
+        for k, (name, mode, errors) in enumerate(STREAMS):
+            stack.callback(setattr, sys, name, getattr(sys, name))
+            setattr(sys, name, stack.enter_context(open(k, mode, errors=errors, **how)))
+        status = answer(list(words))
+        for file in (out, err):
+            file.seek(0)
+        return subprocess.CompletedProcess(words, status, out.read().decode(), err.read().decode())
 
 
 def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:
