@@ -15,9 +15,9 @@ ANSWERED, WRONG, FAILED, BUG, INTERRUPTED = 0, 1, 2, 3, 130
 AUTO, ALWAYS, NEVER = COLORING = "auto", "always", "never"
 BOLD, FAINT, RESET = "\033[1m", "\033[2m", "\033[0m"
 RED, GREEN, MAGENTA, CYAN = "\033[1;31m", "\033[1;32m", "\033[35m", "\033[36m"
-# What a line is, by its first word.  That alone is coloured: a colour that cannot be seen well on
-# the background of a terminal takes nothing from what is said.
-KINDS = {
+# The colour of a line's first word, which says what the line is.  That word alone is coloured: a
+# colour that cannot be seen well on the background of a terminal takes nothing from what is said.
+COLORS = {
     "radcalc:": RED,
     "try:": GREEN,
     "assumed:": CYAN,
@@ -32,18 +32,17 @@ _chosen = AUTO
 
 def is_terminal() -> bool:
     """Whether standard output is a terminal."""
-    try:
-        return os.isatty(1)
-    except OSError:
-        return False
+    return os.isatty(1)
 
 
 def error_is_terminal() -> bool:
     """Whether standard error is a terminal."""
-    try:
-        return sys.stderr is not None and os.isatty(2)
-    except OSError:
-        return False
+    return sys.stderr is not None and os.isatty(2)
+
+
+def error_is_colored() -> bool:
+    """Whether what is said on standard error is coloured."""
+    return error_is_terminal() and wants_color(_chosen, True)
 
 
 def choose_color(choice: str) -> None:
@@ -68,14 +67,7 @@ def wants_color(choice: str, terminal: bool) -> bool:
     return terminal and os.environ.get("TERM", "") not in ("", "dumb") and sys.stdout is not None
 
 
-def colored(line: str) -> str:
-    """A line with its first word in the colour of what it is."""
-    word = line.partition(" ")[0]
-    color = KINDS.get(word)
-    return f"{color}{word}{RESET}{line[len(word) :]}" if color else line
-
-
-def has(text: str) -> bool:
+def can_show(text: str) -> bool:
     """Whether the encoding of standard output has all letters of a text."""
     try:
         text.encode(getattr(sys.stdout, "encoding", None) or "ascii")
@@ -177,12 +169,8 @@ def say(lines: "Iterable[str]") -> None:
     Nobody listening there is no failure.
     """
     try:
-        width = _width_of_terminal(2)
-        paint = colored if error_is_terminal() and wants_color(_chosen, True) else str
-        text = ""
-        for line in lines:
-            first, *more = fold(printable(line), width, HANGING) or [""]
-            text += "\n".join([paint(first), *more, ""])
+        width, is_colored = _width_of_terminal(2), error_is_colored()
+        text = "".join([message(printable(line), width, is_colored) for line in lines])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass
@@ -205,7 +193,16 @@ def fold(line: str, width: int, deeper: int = 0) -> list[str]:
     indent = " " * (len(line) - len(line.lstrip()) + deeper)
     return wrap(
         line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
-    )
+    ) or [""]
+
+
+def message(line: str, width: int, is_colored: bool) -> str:
+    """A line folded in a width, its end included, its first word in the colour of what it is."""
+    first, *more = fold(line, width, HANGING)
+    word = first.partition(" ")[0]
+    if is_colored and word in COLORS:
+        first = f"{COLORS[word]}{word}{RESET}{first[len(word) :]}"
+    return "\n".join([first, *more, ""])
 
 
 def remarks(assumptions: "Iterable[str]", notes: "Iterable[str]") -> list[str]:

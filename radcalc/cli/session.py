@@ -32,6 +32,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
+from radcalc.render.plain import unit_behind
 from radcalc.units import scales
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
 from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
@@ -341,7 +342,7 @@ def _exact(number: float, unit: str, uncertainty: float) -> str:
     digits = repr(float(number)).removesuffix(".0")
     if uncertainty:
         digits += f"{SIGN}{repr(float(uncertainty)).removesuffix('.0')}"
-    return digits if unit == "1" else f"{digits} {unit}"
+    return digits + unit_behind(unit)
 
 
 def _takers(called: str) -> set[str]:

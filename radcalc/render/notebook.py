@@ -9,7 +9,8 @@ from typing import Any
 
 from radcalc.answer import Input, Result, Row
 from radcalc.maths import is_column
-from radcalc.render.plain import derivation, number, uncertain
+from radcalc.render.plain import derivation, number, uncertain, unit_behind
+from radcalc.stdio import remarks
 
 DIGITS = 6
 MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
@@ -20,10 +21,11 @@ LEFT, RIGHT = ' style="text-align: left"', ' style="text-align: right"'
 
 def text(command: str, told: Result) -> str:
     """A line for each result, then what was assumed and noted."""
-    lines = [(row.name, f"{_value(row)}{_unit(row)}", _given(row)) for row in told.rows]
+    lines = [(row.name, f"{_value(row)}{unit_behind(row.unit)}", _given(row)) for row in told.rows]
     width = max((len(name) for name, *_ in lines), default=0)
     shown = [f"{name:<{width}}  {value}{given}" for name, value, given in lines]
-    return "\n".join([f"radcalc {command}", *(f"  {one}" for one in (*shown, *_remarks(told)))])
+    shown += remarks(told.assumptions, told.notes)
+    return "\n".join([f"radcalc {command}", *(f"  {one}" for one in shown)])
 
 
 def html(command: str, told: Result) -> str:
@@ -36,17 +38,12 @@ def html(command: str, told: Result) -> str:
         f"<tbody{QUIET}>{''.join(given)}</tbody>" if given else "",
         f"<tbody>{''.join(rows)}</tbody></table>",
     ]
-    if remarks := _remarks(told):
-        parts.append(f"<ul>{_items(remarks)}</ul>")
+    if said := remarks(told.assumptions, told.notes):
+        parts.append(f"<ul>{_items(said)}</ul>")
     if told.steps:
         steps = escape("\n".join(derivation(told.steps)))
         parts.append(f"<details><summary>steps</summary><pre>{steps}</pre></details>")
     return f'<div class="radcalc">{"".join(parts)}</div>'
-
-
-def _remarks(told: Result) -> list[str]:
-    assumed = [f"assumed: {one}" for one in told.assumptions]
-    return [*assumed, *(f"note: {one}" for one in told.notes)]
 
 
 def _items(texts: Iterable[str]) -> str:
@@ -56,30 +53,23 @@ def _items(texts: Iterable[str]) -> str:
 def _input(one: Input) -> str:
     name = one.name.replace("-", " ")
     if one.is_quantity and is_column(one.value):
-        return _cells("td", (f"{name} (given)", "", _number(one.value), _in(one.unit)))
+        return _cells("td", (f"{name} (given)", "", _number(one.value), one.unit))
     said = one.text or ("yes" if one.value is True else f"{one.value:.12g} {one.unit}")
     return _cells("td", (f"{name} (given)", "", said, ""))
 
 
 def _row(row: Row) -> str:
-    return _cells("td", (row.quantity, row.symbol, _value(row), _in(row.unit)))
+    return _cells("td", (row.quantity, row.symbol, _value(row), row.unit))
 
 
 def _cells(tag: str, texts: Sequence[str]) -> str:
     """A row of cells, in which the numbers stand to the right."""
-    name, symbol, value, unit = map(escape, texts)
+    *others, unit = texts
+    name, symbol, value, unit = map(escape, (*others, unit_behind(unit).strip()))
     return (
         f"<tr><{tag}{LEFT}>{name}</{tag}><{tag}{LEFT}>{symbol}</{tag}>"
         f"<{tag}{RIGHT}>{value}</{tag}><{tag}{LEFT}>{unit}</{tag}></tr>"
     )
-
-
-def _in(unit: str) -> str:
-    return "" if unit == "1" else unit
-
-
-def _unit(row: Row) -> str:
-    return f" {row.unit}" if row.unit != "1" else ""
 
 
 def _given(row: Row) -> str:

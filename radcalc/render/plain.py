@@ -43,6 +43,11 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
     )
 
 
+def unit_behind(unit: str) -> str:
+    """A unit as it stands behind a number, with a blank: none is behind a plain number."""
+    return "" if unit == "1" else f" {unit}"
+
+
 def line(
     value: float, unit: str, precision: int | None = None, bare: bool = False, off: float = 0.0
 ) -> str:
@@ -87,16 +92,15 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         refuse_verdict()
     said = judgement.verdict
     digits = style.precision or digits
-    unit = "" if said.unit == "1" else f" {said.unit}"
-    other = "" if said.claimed_unit == "1" else f" {said.claimed_unit}"
     size = uncertain(said.right, said.uncertainty, style.precision, digits)
-    right = f"{said.name} is {size}{unit}"
+    right = f"{said.name} is {size}{unit_behind(said.unit)}"
     if said.is_right:
         nearer = "".join(f"; {diagnosis.right}" for diagnosis in said.diagnoses)
         return f"right ({said.tolerance}): {right}{nearer}\n"
     times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times that)" if times != "1" else ""
-    claimed = uncertain(said.claimed, said.claimed_uncertainty, digits) + other  # as typed
+    claimed = uncertain(said.claimed, said.claimed_uncertainty, digits)  # as typed
+    claimed += unit_behind(said.claimed_unit)
     lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"
     for diagnosis in said.diagnoses:

@@ -18,8 +18,8 @@ from radcalc.answer import FRACTION, Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import derivation, number, uncertain
-from radcalc.stdio import BOLD, FAINT, HANGING, RESET, colored, fold, has, remarks
+from radcalc.render.plain import derivation, number, uncertain, unit_behind
+from radcalc.stdio import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
 
 DIGITS = 6
 BLANK = 1  # columns of the terminal between two of a table, which have one at either side
@@ -110,14 +110,13 @@ def verdict(judgement: Judgement, style: Style) -> str:
 
 def _line(row: Row, style: Style) -> str:
     """A single value in one line, with the name of its quantity."""
-    unit = "" if row.unit == "1" else f" {row.unit}"
     name = _quantity(row, style.language)
     number = _number(row, style.precision)
     if style.color:
         number, name = f"{BOLD}{number}{RESET}", name and f"{FAINT}({name}){RESET}"
     elif name:
         name = f"({name})"
-    return f"{number}{unit}{f'   {name}' if name else ''}\n"
+    return f"{number}{unit_behind(row.unit)}{f'   {name}' if name else ''}\n"
 
 
 def _quantity(row: Row, language: str) -> str:
@@ -127,7 +126,7 @@ def _quantity(row: Row, language: str) -> str:
 
 def _letter(row: Row) -> str:
     """The symbol of a row, as the encoding of standard output can have it."""
-    if has(row.symbol):
+    if can_show(row.symbol):
         return row.symbol
     from radcalc.derivation import in_ascii
 
@@ -151,17 +150,17 @@ def _others(rows: Sequence[Row], alike: Sequence[Row]) -> tuple[Row, ...]:
 
 def _told(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
     """Rows in a line for those that were given, and in a line for the others."""
-    mark = f"{KEPT}· " if has("·") else ", "
+    mark = f"{KEPT}· " if can_show("·") else ", "
     lines = []
     for word, is_given in (("given", True), ("in each", False)):
         texts = [
-            f"{translate(row.quantity, language)} {_number(row, precision)} "
-            f"{row.unit if row.unit != '1' else ''}".strip().replace(" ", KEPT)
+            f"{translate(row.quantity, language)} {_number(row, precision)}{unit_behind(row.unit)}"
             for row in rows
             if row.given == is_given
         ]
         if texts:
-            lines.append(f"{word}: {mark.join(texts)}")
+            kept = [text.replace(" ", KEPT) for text in texts]
+            lines.append(f"{word}: {mark.join(kept)}")
     return lines
 
 
@@ -292,7 +291,7 @@ def draw(drawn: Drawn, style: Style) -> str:
 
 def _box() -> box.Box:
     """The rule below the names of the columns, as the encoding of standard output can have it."""
-    if has(str(box.SIMPLE_HEAD)):
+    if can_show(str(box.SIMPLE_HEAD)):
         return box.SIMPLE_HEAD
     return box.Box(str(box.SIMPLE_HEAD).replace("─", "-"), ascii=True)
 
@@ -301,10 +300,9 @@ def _folded(lines: Iterable[str], style: Style) -> str:
     """Lines in a width; what they are, if a remark or a verdict, and references in colour."""
     text = ""
     for line in lines:
-        first, *more = fold(line, style.width, HANGING) or [""]
-        whole = "\n".join([colored(first) if style.color else first, *more])
+        whole = message(line, style.width, style.color)
         is_faint = style.color and line.startswith(ASIDE)
-        text += f"{FAINT}{whole}{RESET}\n" if is_faint else f"{whole}\n"
+        text += f"{FAINT}{whole[:-1]}{RESET}\n" if is_faint else whole
     return text.replace(KEPT, " ")
 
 
