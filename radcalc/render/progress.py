@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from radcalc.stdio import error_is_terminal
+from radcalc import stdio
 
 PATIENCE = 1.0  # [s] before anything is shown
 
@@ -17,7 +17,7 @@ def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int],
     Nothing is drawn where standard error is no terminal, nor is Rich loaded; at the end the bar is
     wiped away.
     """
-    if not (is_wanted and error_is_terminal()):
+    if not (is_wanted and stdio.error_is_terminal()):
         yield lambda done, whole: None
         return
     bar = _Bar(task)
@@ -42,7 +42,9 @@ class _Bar:
             from rich.console import Console
             from rich.progress import Progress
 
-            self.drawn = Progress(console=Console(stderr=True), transient=True)
+            colors: Any = "auto" if stdio.error_is_colored() else None
+            console = Console(stderr=True, no_color=False, color_system=colors)
+            self.drawn = Progress(console=console, transient=True)
             self.row = self.drawn.add_task(self.task)
             self.drawn.start()
         self.drawn.update(self.row, completed=done, total=whole)
