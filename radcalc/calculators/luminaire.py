@@ -21,7 +21,7 @@ from radcalc.calculators.point_source import (
     SHAPED,
     compare_mean,
     know_hemisphere,
-    refuse_foreign,
+    refuse_light_of_surfaces,
     require_height,
     solve,
     spread,
@@ -144,7 +144,7 @@ class _Luminaire:
         self.sheet = Worksheet(page, given, preferred=kind)
         self.sheet.takes = (*SCALING, *shaped, *POSITION, *RECEIVER)
         self.sheet.defaults.add("incidence")
-        refuse_foreign(self.sheet.lit, SCALING)
+        refuse_light_of_surfaces(self.sheet.lit, SCALING)
         know_hemisphere(self.sheet)
         self.photometry: Photometry = self._shaped(shape) if self.of_shape else chosen
         source: Any = self.photometry.distribution

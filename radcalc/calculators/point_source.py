@@ -126,7 +126,7 @@ def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
     )
     sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
     sheet.defaults.add("incidence")
-    refuse_foreign(sheet.lit)
+    refuse_light_of_surfaces(sheet.lit)
     know_hemisphere(sheet)
     laws = [*LAWS[shape], *ANY_LAWS]
     if not sheet.lit.values:
@@ -230,7 +230,7 @@ def _with_incidence(sheet: Worksheet, laws: list[AnyLaw], error: ConditionError)
     return error
 
 
-def refuse_foreign(lit: Lit, takes: Sequence[str] = QUANTITIES) -> None:
+def refuse_light_of_surfaces(lit: Lit, takes: Sequence[str] = QUANTITIES) -> None:
     """Refuse what a point has not: a radiance, an exitance."""
     for name, one in lit.values.items():
         if name not in takes:

@@ -478,7 +478,9 @@ def _are_titles(cells: Sequence[str], width: int) -> bool:
     return (
         len(cells) == width
         and titles.is_wavelength(columns.plain(cells[0]))
-        and not any(cell[:1].isdigit() or columns.plain(cell) in titles.UNITS for cell in cells[1:])
+        and not any(
+            cell[:1].isdigit() or columns.plain(cell) in titles.NANOMETRES for cell in cells[1:]
+        )
     )
 
 
@@ -498,7 +500,7 @@ def _is_of_units(cells: Sequence[str]) -> bool:
     """Whether cells have units alone, as a row below the titles has."""
     inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
-        not text or cell != text or columns.plain(text) in titles.UNITS or unit_of(text)
+        not text or cell != text or columns.plain(text) in titles.NANOMETRES or unit_of(text)
         for cell, text in zip(cells, inner, strict=True)
     )
 

@@ -31,7 +31,7 @@ FIGURES = {
     "cct": ("cct", "tcp [k]"),
 }
 # In which units spectra are written, told apart by powers of ten.
-UNITS = tuple(
+ABSOLUTE = tuple(
     Meaning(f"in {unit}, as the meter's own illuminance tells", photons, "irradiance", factor)
     for unit, photons, factor in (
         ("W/m2/nm", False, 1.0),
@@ -71,7 +71,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
     if len(tables) > 1:
         notes = (f"of its {len(tables)} tables the one of {len(finest)} rows is taken",)
     figures = _figures(lines)
-    meanings = (RELATIVE, *UNITS) if "illuminance" in figures else (RELATIVE,)
+    meanings = (RELATIVE, *ABSOLUTE) if "illuminance" in figures else (RELATIVE,)
     return Rows(finest, meanings, notes, figures, has_commas=not is_exact)
 
 

@@ -11,7 +11,7 @@ from radcalc.quantities.titles import read_title, refuse_altered
 from radcalc.units.dimensions import RESPONSIVITY
 from radcalc.units.table import NUMBER, unit_of
 
-UNITS = {
+NANOMETRES = {  # in a unit, by its name in small letters
     "nm": 1.0,
     "nanometre": 1.0,
     "nanometer": 1.0,
@@ -101,13 +101,15 @@ def wavelengths(
         word = found.group(1) if found else ""
         if text in own:
             bracket = BRACKETED.search(text)
-            bare = text if text.rstrip("s") in UNITS else word
+            bare = text if text.rstrip("s") in NANOMETRES else word
             word = bracket.group(1) if bracket else bare
-            if bracket and word.rstrip("s") not in UNITS:
+            if bracket and word.rstrip("s") not in NANOMETRES:
                 problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
                 raise ConditionError(problem, "nm, um, angstrom, mm or m")
-        if word and word.rstrip("s") in UNITS:
-            return UNITS[word.rstrip("s")], f"the wavelengths are in {quote(word)}, as declared"
+        if word and word.rstrip("s") in NANOMETRES:
+            return NANOMETRES[
+                word.rstrip("s")
+            ], f"the wavelengths are in {quote(word)}, as declared"
     for unit, factor, fits in (
         ("nanometres", 1.0, 100 <= low < 2000 and high <= 20000),
         ("micrometres", 1e3, 0.1 <= low < 2.5 and high <= 100),

@@ -18,7 +18,7 @@ from radcalc.stdio import remarks
 from radcalc.streams import MARK, Source
 from radcalc.streams.blocks import numbers
 from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, NUMBER, POINT, decoded, pointed
-from radcalc.streams.traces import REFUSALS, Record, Trace, Unknown, Untraceable
+from radcalc.streams.traces import REFUSALS, Recording, Trace, Unknown, Untraceable
 from radcalc.units.numbers import parse_number
 
 MOST_RECORDS = 12  # of one unit; a calculation of more ways is worked out text by text
@@ -159,7 +159,7 @@ class Calculated:
 class _Recorded(NamedTuple):
     """A record, and what is to be said of its results, with MARK for numbers that vary."""
 
-    record: Record
+    record: Recording
     remarks: list[str]
 
 

@@ -1,7 +1,7 @@
 """Standard input converted line by line: one line out for every line in.
 
 Everything is bytes, and only the numbers change.  A block of lines in which every number is a
-plain decimal is converted at once (`bulk.py`); any other goes line by line through the grammar.
+plain decimal is converted at once (`blocks.py`); any other goes line by line through the grammar.
 """
 
 from collections.abc import Callable, Iterator

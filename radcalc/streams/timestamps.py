@@ -81,7 +81,7 @@ class Settings(NamedTuple):
     declared: Unit | None = None
 
 
-class Period(NamedTuple):
+class Interval(NamedTuple):
     """A day or an hour: from one tick up to another, and what it is called."""
 
     start: int
@@ -124,7 +124,7 @@ class Elapsed:
         """A time for people."""
         return f"{tick:.12g} {self.unit.text}"
 
-    def period(self, tick: float, by: str) -> Period:
+    def period(self, tick: float, by: str) -> Interval:
         """What has no date is in no day."""
         raise ConditionError(
             f"the times have no date, and no {by} to add up by",
@@ -271,7 +271,7 @@ class Calendar:
             text += f".{rest:09}".rstrip("0")
         return text + self._told(_offset_at(self.shown_in, int(tick)))
 
-    def period(self, tick: float, by: str) -> Period:
+    def period(self, tick: float, by: str) -> Interval:
         """The local day or hour of a time, which may be a day of 23 hours or of 25."""
         if self.zone is None and len(self.offsets) > 1:
             raise MissingInput(f"the offset changes: which zone has the {by}s is missing", ZONE)
@@ -281,10 +281,10 @@ class Calendar:
         if by == PER_DAY:
             today = local.replace(hour=0, minute=0, second=0, tzinfo=None)
             start, end = (_tick(zone, today + timedelta(days=n)) for n in (0, 1))
-            return Period(start, end, f"{today:%Y-%m-%d}")
+            return Interval(start, end, f"{today:%Y-%m-%d}")
         offset = _offset_at(zone, int(tick))
         start = (int(tick) + offset) // HOUR * HOUR - offset
-        return Period(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._told(offset)}")
+        return Interval(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._told(offset)}")
 
     def _told(self, offset: int) -> str:
         return _said(offset) if self.is_told else ""

@@ -103,11 +103,11 @@ class Trace:
         lowest, highest = self.bounds.get(one.step, FINITE)
         self.bounds[one.step] = max(low, lowest), min(high, highest)
 
-    def record(self, results: Sequence[Any]) -> "Record":
+    def record(self, results: Sequence[Any]) -> "Recording":
         """What is to be repeated for these results; Untraceable where that cannot be."""
         if self._is_broken or any(isinstance(one, Unknown) for one in results):
             raise Untraceable
-        return Record(self, results)
+        return Recording(self, results)
 
 
 def _key(constant: Any) -> Any:
@@ -262,7 +262,7 @@ def _is_sure(how: Function, one: int, other: int, outcome: bool, ranges: dict[in
     return (high < least or most < low) and how(low, least) is outcome
 
 
-class Record:
+class Recording:
     """The steps that lead to results, repeated for many numbers at a time."""
 
     def __init__(self, trace: Trace, results: Sequence[Any]) -> None:

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc import maths
-from radcalc.streams.traces import MARK, Record, Trace, Unknown, Untraceable
+from radcalc.streams.traces import MARK, Recording, Trace, Unknown, Untraceable
 
 
-def recorded(function, value) -> Record:
+def recorded(function, value) -> Recording:
     trace = Trace(value)
     return trace.record([function(trace.start)])
 
