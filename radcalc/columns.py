@@ -1,6 +1,7 @@
 """Columns of numbers in text: what separates them, decimal commas, the units in their titles."""
 
 import re
+from collections.abc import Sequence
 
 DELIMITERS = ("\t", ";", "|", ",")
 COMMENTS = ("#", "%", "//", ";;")
@@ -38,9 +39,23 @@ def cells(line: str, delimiter: str | None) -> list[str]:
     return [cell.strip().strip('"').strip() for cell in parts]
 
 
+def has_odd_digits(text: str) -> bool:
+    """Whether float() might read in a text what no file means: 5_50, and other scripts' digits."""
+    return not text.isascii() or "_" in text
+
+
+def finite_numbers(texts: Sequence[str]) -> list[float]:
+    """The numbers that many texts are; ValueError where any is none, NaN or infinity."""
+    values = list(map(float, texts))
+    total = sum(values)
+    if total - total:
+        raise ValueError
+    return values
+
+
 def is_number(cell: str, comma: bool) -> bool:
     """Whether a cell is a number, NaN and infinity among them."""
-    if not cell.isascii() or "_" in cell:  # float() would read 5_50 and other scripts' digits
+    if has_odd_digits(cell):
         return False
     try:
         float(cell.replace(",", ".") if comma else cell)

@@ -18,9 +18,11 @@ from radcalc.cli.streams import refuse_second_reader
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.errors import command as call_of
 from radcalc.given import Inputs, inputs_of, refuse_uncertain
-from radcalc.streams import ABORT, INVALID, timestamps
+from radcalc.streams import ABORT, INVALID
+from radcalc.streams.clocks import PERIODS, TimeSettings
 from radcalc.streams.fields import read_delimiter
-from radcalc.streams.samples import Log, Settings
+from radcalc.streams.log_layout import LogSettings
+from radcalc.streams.samples import Log
 from radcalc.texts import ENDINGS, reading
 
 TIME_COLUMN = click.Option(
@@ -62,7 +64,7 @@ TIME_FORMAT = click.Option(
 )
 BY = click.Option(
     ["--by"],
-    type=click.Choice(timestamps.PERIODS),
+    type=click.Choice(PERIODS),
     help="An answer for each local day, or each hour.",
 )
 
@@ -124,9 +126,9 @@ def command(
     gap = _gap(each)
     if by and len(each) > 1:
         raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
-    clock = timestamps.Settings(time_zone or "", time_unit or "", time_format or "")
+    clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
-    settings = Settings(time_column, column or "", unit or "", cut, invalid, clock)
+    settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
     with reading(path, "a file with a time and a value in each line") as (name, read):
         log = Log(name, read, settings, _complain)
         summed = _summed(log, gap, by or "")

@@ -219,14 +219,14 @@ class _Reader:
         marks = self.decimals
         if marks.comma or marks.doubtful:
             return False
-        columns = _columns(lines, layout, len(self.grid) > MANY)
-        if columns is None:
+        found = _columns(lines, layout, len(self.grid) > MANY)
+        if found is None:
             return False
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
-        self.grid.extend(columns[0])
-        self.values.extend(columns[1])
+        self.grid.extend(found[0])
+        self.values.extend(found[1])
         self.lines.extend(range(number, number + len(lines)))
         return True
 
@@ -417,13 +417,11 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
             return None
         texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
         for text in map(" ".join, texts):
-            if not text.isascii() or "_" in text:  # float() would read 5_50, and other digits
+            if columns.has_odd_digits(text):
                 return None
-        columns = [list(map(float, column)) for column in texts]
+        return [columns.finite_numbers(column) for column in texts]
     except ValueError:
         return None
-    total = sum(map(sum, columns))
-    return columns if total - total == 0 else None
 
 
 def _before(rows: Sequence[tuple[int, str]]) -> int:

@@ -1,32 +1,19 @@
-"""Times as logs write them: dates and clocks, Unix time, or what has passed since the start.
+"""How logs write dates and the time of the day, with an offset from UTC or without.
 
-A clock turns texts into ticks, which are whole nanoseconds since 1970 in UTC for dates, and
-numbers in the log's own unit for what has passed.  A local time that comes twice, as clocks are
-put back, is told by the order; one that is left out, as they are put forward, is refused.
+A day and a time of it are ticks: whole nanoseconds since 1970, and since midnight.
 """
 
 import re
-from collections.abc import Callable
-from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
-from typing import NamedTuple, TypeVar
+from datetime import date, datetime
+from typing import NamedTuple
 
-from radcalc import columns
-from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
-from radcalc.units.dimensions import TIME
-from radcalc.units.table import Unit, resolve
+from radcalc.errors import ConditionError, NumberError, mention, option, quote
 
-SECOND = 10**9  # ticks of a calendar
+SECOND = 10**9  # ticks
 HOUR, DAY = 3600 * SECOND, 86400 * SECOND
-PERIODS = PER_DAY, PER_HOUR = "day", "hour"
 EPOCH = datetime(1970, 1, 1)
 FIRST_DAY = EPOCH.toordinal()
 FIRST_YEAR, LAST_YEAR = 1000, 9000
-LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
-MOST_KNOWN = 200_000  # texts of dates or clocks that are remembered
-# Unix time from 2001 to 2286: ticks by the digits before the point.
-OF_UNIX = re.compile(r"[0-9]{1,19}(?:[.,][0-9]{0,30})?")
-UNIX = {10: SECOND, 13: 10**6, 16: 10**3, 19: 1}
-
 YEAR_FIRST = r"(?P<Y>\d{4})(?P<x>[-/.])(?P<m>\d\d?)(?P=x)(?P<d>\d\d?)|"
 YEAR_FIRST += r"(?P<Y2>\d{4})(?P<m2>\d\d)(?P<d2>\d\d)"
 DAY_FIRST = r"(?P<d>\d\d?)(?P<x>[-/.]) ?(?P<m>\d\d?)(?P=x) ?(?P<Y>\d{4})"
@@ -65,272 +52,6 @@ MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", 
 OF_DATES, OF_CLOCKS = "YymdjbB", "HIMSfpz"
 FORMATS = mention("{time-format=%d/%m/%Y %H:%M} or {time-format=%m/%d/%Y %H:%M}")
 KNOWN = "2024-06-01T12:35:00, with Z, an offset or {time-zone}; or {time-format=%d.%m.%Y %H:%M}"
-ZONE = option("time-zone", "Europe/Prague")
-
-
-class Settings(NamedTuple):
-    """What is told of the times: the zone, the unit of numbers, the format of dates.
-
-    The title of their column may have told something, and the unit `declared` there.
-    """
-
-    zone: str = ""
-    unit: str = ""
-    format: str = ""
-    title: str = ""
-    declared: Unit | None = None
-
-
-class Interval(NamedTuple):
-    """A day or an hour: from one tick up to another, and what it is called."""
-
-    start: int
-    end: int
-    label: str
-
-
-class Undecided(NumberError):
-    """A local time before this one came twice, and no order tells which of both it is."""
-
-
-class Elapsed:
-    """Numbers of a unit that have passed since some start."""
-
-    has_numbers = True  # whose decimals have marks
-    doubtful = ""
-
-    def __init__(self, unit: Unit) -> None:
-        self.unit = unit
-        self.tick = unit.top, unit.bottom  # a tick in seconds
-        self.assumptions: tuple[str, ...] = ()
-
-    def many(self, texts: list[str]) -> list[float]:
-        """The ticks of many texts; ValueError where any is unusual."""
-        _refuse_unusual(texts)
-        values = list(map(float, texts))
-        total = sum(values)
-        if total - total:
-            raise ValueError
-        return values
-
-    def one(self, text: str) -> float:
-        """The ticks of a text."""
-        value = columns.finite(text, comma=True)
-        if value is None:
-            raise NumberError(f"'{quote(text)}' is not a number of {self.unit.text}", "a number")
-        return value
-
-    def say(self, tick: float) -> str:
-        """A time for people."""
-        return f"{tick:.12g} {self.unit.text}"
-
-    def period(self, tick: float, by: str) -> Interval:
-        """What has no date is in no day."""
-        raise ConditionError(
-            f"the times have no date, and no {by} to add up by",
-            "times with dates: 2024-06-01T12:35, or Unix time",
-        )
-
-
-class Calendar:
-    """Dates with the time of the day, in one zone or with offsets of their own."""
-
-    tick = 1, SECOND
-    has_numbers = False
-
-    def __init__(
-        self, zone: tzinfo | None, pattern: "Pattern", first: str = "", of_title: int | None = None
-    ) -> None:
-        """Read by a pattern; the first stamp shows whether there are offsets.
-
-        A title may have told the offset of all the stamps [ticks].
-        """
-        self.zone = zone
-        self.pattern = pattern
-        self.has_offsets = bool(first) and pattern.clock(pattern.parts(first)[1])[1] is not None
-        self.of_title = 0 if self.has_offsets else of_title
-        self.is_local = zone is not None and self.of_title is None
-        self.offsets: set[int] = set()
-        if of_title is not None and not self.has_offsets:
-            self.offsets.add(of_title)
-        self.days = _Known(self._day)
-        self.clocks = _Known(self._clock)
-        self.last: int | None = None  # tick, of what is local
-        self.doubtful = ""  # a text that may be the first or the second of two
-        self.resolved = ""
-        self.by = ""  # what was added up by
-
-    def many(self, texts: list[str]) -> list[int]:
-        """The ticks of texts, of which there is one; any error where one of them is unusual."""
-        days, clocks = self.days, self.clocks
-        if self.doubtful or not self.pattern.mark:
-            raise ValueError
-        mark = self.pattern.mark
-        day = texts[0].partition(mark)[0]
-        text = "\n" + "\n".join(texts)
-        if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, as most of a log is
-            midnight = days[day]
-            rest = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
-            ticks = [midnight + clocks[time] for time in rest]  # type: ignore[operator]
-        else:
-            parts = [text.partition(mark) for text in texts]
-            # a day on which the clocks change is None, and adds to nothing
-            ticks = [days[day] + clocks[time] for day, _, time in parts]  # type: ignore[operator]
-        self.last = ticks[-1]
-        return ticks
-
-    def one(self, text: str) -> int:
-        """The ticks of a text."""
-        day, clock = self.pattern.parts(text)
-        local = self.pattern.day(day) + self.clocks[clock]
-        if not self.is_local:
-            return local - (self.of_title or 0)
-        self.last = self._local(local, text)
-        return self.last
-
-    def _day(self, text: str) -> int | None:
-        """The tick of a day's midnight; None where the zone changes its clocks on that day."""
-        day = self.pattern.day(text)
-        if not self.is_local:
-            return day - (self.of_title or 0)
-        ends = (day, day + DAY)
-        offsets = {_offset(self.shown_in, at, fold) for at in ends for fold in (0, 1)}
-        return day - offsets.pop() if len(offsets) == 1 else None
-
-    def _clock(self, text: str) -> int:
-        """Ticks since midnight, less the offset."""
-        ticks, offset = self.pattern.clock(text)
-        if (offset is not None) != self.has_offsets:
-            problem = "an offset" if offset is not None else "no offset"
-            raise NumberError(f"'{quote(text)}' has {problem}, unlike those before", "one way")
-        if offset is not None:
-            self.offsets.add(offset)
-        return ticks - (offset or 0)
-
-    def _local(self, local: int, text: str) -> int:
-        """The tick of a local time: which of two it is, its order tells."""
-        assert self.zone is not None
-        both = {local - _offset(self.zone, local, fold) for fold in (0, 1)}
-        ticks = sorted(t for t in both if t + _offset_at(self.zone, t) == local)
-        if not ticks:
-            raise NumberError(
-                f"'{quote(text)}' does not exist in {self.zone}: clocks are put forward there",
-                _without_change(self.zone, local),
-            )
-        if len(ticks) == 1:
-            if self.doubtful:
-                raise Undecided(*_comes_twice(self.doubtful, self.zone, ticks[0]))
-            return ticks[0]
-        if self.last is None:
-            raise NumberError(*_comes_twice(text, self.zone, local))
-        if ticks[0] > self.last:
-            self.doubtful = text
-            return ticks[0]
-        self.doubtful = ""
-        self.resolved = self.resolved or text
-        return ticks[1]
-
-    def comes_twice(self, text: str, tick: int) -> NumberError:
-        """What is wrong with a time of which no order tells which of two it is."""
-        assert self.zone is not None
-        return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
-
-    @property
-    def shown_in(self) -> tzinfo:
-        """The zone of days, hours and messages."""
-        if self.zone:
-            return self.zone
-        return _fixed(next(iter(self.offsets))) if len(self.offsets) == 1 else UTC
-
-    @property
-    def is_told(self) -> bool:
-        """Whether it is known how far the times are from UTC."""
-        return bool(self.zone or self.offsets)
-
-    @property
-    def assumptions(self) -> tuple[str, ...]:
-        """How the stamps were read, where they do not say so."""
-        said = (self.pattern.said,) if self.pattern.said else ()
-        if not self.is_told:
-            zone = f"the times are of a zone without changes of daylight saving time ({ZONE})"
-            said = (*said, zone)
-        elif self.by and not self.zone:
-            zone = _said(_offset_at(self.shown_in, 0))
-            said = (*said, f"the {self.by}s are those of the offset {zone} ({ZONE})")
-        if self.resolved:
-            said = (*said, f"the hour that comes twice is told by the order ('{self.resolved}')")
-        if self.doubtful:
-            said = (*said, f"'{self.doubtful}', which comes twice, is taken as the first")
-        return said
-
-    def say(self, tick: float) -> str:
-        """A time for people."""
-        seconds, rest = divmod(int(tick), SECOND)
-        text = _at(self.shown_in, seconds).strftime("%Y-%m-%d %H:%M:%S")
-        if rest:
-            text += f".{rest:09}".rstrip("0")
-        return text + self._told(_offset_at(self.shown_in, int(tick)))
-
-    def period(self, tick: float, by: str) -> Interval:
-        """The local day or hour of a time, which may be a day of 23 hours or of 25."""
-        if self.zone is None and len(self.offsets) > 1:
-            raise MissingInput(f"the offset changes: which zone has the {by}s is missing", ZONE)
-        self.by = by
-        zone = self.shown_in
-        local = _at(zone, int(tick) // SECOND)
-        if by == PER_DAY:
-            today = local.replace(hour=0, minute=0, second=0, tzinfo=None)
-            start, end = (_tick(zone, today + timedelta(days=n)) for n in (0, 1))
-            return Interval(start, end, f"{today:%Y-%m-%d}")
-        offset = _offset_at(zone, int(tick))
-        start = (int(tick) + offset) // HOUR * HOUR - offset
-        return Interval(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._told(offset)}")
-
-    def _told(self, offset: int) -> str:
-        return _said(offset) if self.is_told else ""
-
-
-class Unix(Calendar):
-    """Seconds since 1970, or thousandths of them and so on."""
-
-    has_numbers = True
-
-    def __init__(self, zone: tzinfo | None, ticks: int) -> None:
-        super().__init__(zone or UTC, Pattern(None, None, "", ""))
-        self.ticks = ticks
-        self.is_utc = zone is None
-
-    def many(self, texts: list[str]) -> list[int]:
-        """The ticks of many texts, which are in order."""
-        _refuse_unusual(texts)
-        try:
-            ticks = [int(text) * self.ticks for text in texts]
-        except ValueError:
-            return [self.one(text) for text in texts]
-        if not (0 < ticks[0] < LATEST and 0 < ticks[-1] < LATEST):
-            raise ValueError
-        return ticks
-
-    def one(self, text: str) -> int:
-        """The ticks of a text."""
-        from decimal import Decimal
-
-        if not OF_UNIX.fullmatch(text):
-            raise NumberError(f"'{quote(text)}' is no Unix time", "seconds since 1970")
-        tick = round(Decimal(text.replace(",", ".")) * self.ticks)
-        if not 0 < tick < LATEST:
-            raise NumberError(f"'{quote(text)}' is no Unix time", f"up to the year {LAST_YEAR}")
-        return tick
-
-    @property
-    def assumptions(self) -> tuple[str, ...]:
-        """In which unit they are."""
-        names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
-        said = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
-        return (f"{said}; days and hours are those of UTC ({ZONE})" if self.is_utc else said,)
-
-
-Clock = Elapsed | Calendar
 
 
 class Pattern(NamedTuple):
@@ -397,30 +118,12 @@ class Pattern(NamedTuple):
         if (hour > 23 or minute > 59 or second > 59) and not is_end:
             raise NumberError(f"'{quote(text)}' is no time of the day", "from 00:00 to 24:00")
         ticks = hour * HOUR + (minute * 60 + second) * SECOND + fraction
-        return ticks, _read_offset(has["z"]) if "z" in has else None
-
-
-T = TypeVar("T")
-
-
-class _Known(dict[str, T]):
-    """What texts stand for, each read once; a bounded number of them is remembered."""
-
-    def __init__(self, read: Callable[[str], T]) -> None:
-        super().__init__()
-        self.read = read
-
-    def __missing__(self, text: str) -> T:
-        value = self.read(text)
-        if len(self) >= MOST_KNOWN:
-            self.clear()
-        self[text] = value
-        return value
+        return ticks, read_offset(has["z"]) if "z" in has else None
 
 
 def looks_like_stamp(text: str, format_: str = "") -> bool:
     """Whether a cell begins with a date, or has that format."""
-    return _of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
+    return pattern_of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
 
 
 def looks_like_clock(text: str) -> bool:
@@ -428,54 +131,7 @@ def looks_like_clock(text: str) -> bool:
     return bool(TIME_ALONE.fullmatch(text))
 
 
-def clock_for(first: str, settings: Settings) -> Clock:
-    """What reads the times of a log, of which the first is known."""
-    zone = zone_of(settings.zone) if settings.zone else None
-    if settings.format:
-        if settings.unit:
-            raise ConditionError(
-                mention("{time-unit} and {time-format} contradict each other"), "one of them"
-            )
-        return Calendar(zone, _of_format(settings.format), first, _title_offset(settings.title))
-    if columns.is_number(first, comma=True):
-        return _of_numbers(first, settings, zone)
-    if settings.unit:
-        problem = f"{option('time-unit', quote(settings.unit))} is of numbers, not of"
-        raise ConditionError(f"{problem} '{quote(first)}'", "the same without it")
-    pattern = _of_stamp(first, settings.title)
-    return Calendar(zone, pattern, first, _title_offset(settings.title))
-
-
-def _of_numbers(first: str, settings: Settings, zone: tzinfo | None) -> Clock:
-    """Unix time, a date in digits alone, or what has passed in a unit."""
-    whole = first.replace(",", ".").partition(".")[0]
-    unit = settings.declared
-    if settings.unit:
-        told = resolve(settings.unit)
-        if told.dimension != TIME:
-            problem = f"{option('time-unit', quote(settings.unit))} is no unit of time"
-            raise ConditionError(problem, "s, ms, min, h")
-        if unit and (unit.top, unit.bottom) != (told.top, told.bottom):
-            problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
-            raise ConditionError(f"{problem} '{quote(settings.title)}'", "the same without it")
-        unit = told
-    ticks = UNIX.get(len(whole)) if whole.isdigit() and whole[0] != "0" else None
-    if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
-        return Unix(zone, ticks)
-    if unit:
-        if zone:
-            problem = f"{option('time-zone')} has no use: the times have no date"
-            raise ConditionError(problem, "the same without it")
-        return Elapsed(unit)
-    if re.fullmatch(r"(?:19|20)\d{6}", first):
-        return Calendar(zone, Pattern(re.compile(YEAR_FIRST, re.ASCII), None, " ", ""))
-    raise MissingInput(
-        f"the unit of the times is missing: '{quote(first)}'",
-        mention("{time-unit=s}, or a title such as t [s]"),
-    )
-
-
-def _of_stamp(text: str, title: str) -> Pattern:
+def pattern_of(text: str, title: str) -> Pattern:
     """How a stamp is written, from one of them."""
     mark = "T" if "T" in text and ":" not in text.partition("T")[0] else " "
     day = text.partition(mark)[0]
@@ -511,7 +167,7 @@ def _reading(year: str, month: str, day: str) -> str:
     return f"{year}-{month:>02}-{day:>02}"
 
 
-def _of_format(text: str) -> Pattern:
+def pattern_of_format(text: str) -> Pattern:
     """A format as strptime has it; its date and its clock apart, where a blank or T parts them."""
     _check_format(text)
     for mark in (" ", "T"):
@@ -556,38 +212,15 @@ def _compiled(part: str, text: str) -> re.Pattern[str]:
         raise ConditionError(problem, "each part once") from None
 
 
-def zone_of(text: str) -> tzinfo:
-    """A zone by its name, or one with a fixed offset."""
-    if re.fullmatch(OFFSET, text):
-        return _fixed(_read_offset(text))
-    from zoneinfo import ZoneInfo, available_timezones
-
-    try:
-        return ZoneInfo(text)
-    except (KeyError, ValueError, OSError):
-        pass
-    names = available_timezones()
-    if not names:
-        raise ConditionError(
-            f"this system has no data of time zones, and {option('time-zone', quote(text))} "
-            "is not known",
-            mention("the package tzdata, or a fixed offset: {time-zone=+02:00}"),
-        )
-    from radcalc.errors import nearest
-
-    near = nearest(text, names) or ["Europe/Prague, +02:00 or UTC"]
-    raise ConditionError(f"there is no time zone '{quote(text)}'", ", ".join(near))
-
-
-def _title_offset(title: str) -> int | None:
+def offset_in(title: str) -> int | None:
     """The offset that a title tells: Date Time, GMT-05:00."""
     found = IN_TITLE.search(title.replace("_", " "))
     if not found:
         return None
-    return _read_offset(found["z"]) if found["z"] else 0
+    return read_offset(found["z"]) if found["z"] else 0
 
 
-def _read_offset(text: str) -> int:
+def read_offset(text: str) -> int:
     """An offset from UTC, in ticks."""
     if not text[1:2].isdigit():
         return 0
@@ -601,61 +234,5 @@ def _read_offset(text: str) -> int:
     return ticks if text[0] == "+" else -ticks
 
 
-def _fixed(offset: int) -> tzinfo:
-    return timezone(timedelta(seconds=offset // SECOND))
-
-
-def _said(offset: int) -> str:
-    """An offset as a stamp has it."""
-    minutes = abs(offset) // (60 * SECOND)
-    return f"{'-' if offset < 0 else '+'}{minutes // 60:02}:{minutes % 60:02}"
-
-
-def _offset(zone: tzinfo, local: int, fold: int) -> int:
-    """How far a local time [ticks] is from UTC, in ticks; of two, the first or the second."""
-    when = (EPOCH + timedelta(seconds=local // SECOND)).replace(fold=fold)
-    offset = zone.utcoffset(when)
-    assert offset is not None
-    return round(offset.total_seconds()) * SECOND
-
-
-def _at(zone: tzinfo, seconds: int) -> datetime:
-    """The local time, seconds after 1970 in UTC."""
-    return (EPOCH + timedelta(seconds=seconds)).replace(tzinfo=UTC).astimezone(zone)
-
-
-def _offset_at(zone: tzinfo, tick: int) -> int:
-    offset = _at(zone, tick // SECOND).utcoffset()
-    assert offset is not None
-    return round(offset.total_seconds()) * SECOND
-
-
-def _tick(zone: tzinfo, local: datetime) -> int:
-    """The tick of a local time."""
-    naive = (local.toordinal() - FIRST_DAY) * DAY
-    return naive - _offset(zone, naive, 0)
-
-
-def _comes_twice(text: str, zone: tzinfo, local: int) -> tuple[str, str]:
-    return (
-        f"'{quote(text)}' comes twice in {zone}, as clocks are put back, and the log has no order "
-        "that tells which it is",
-        f"times with offsets, or {_without_change(zone, local)}",
-    )
-
-
-def _without_change(zone: tzinfo, local: int) -> str:
-    """What helps where a clock shows the same time all the year, that of the winter."""
-    offset = min(_offset(zone, local, fold) for fold in (0, 1))
-    return f"{option('time-zone', _said(offset))}, where the clock was not changed"
-
-
 def _no_stamp(text: str) -> NumberError:
     return NumberError(f"'{quote(text)}' is no date and time", mention(KNOWN))
-
-
-def _refuse_unusual(texts: list[str]) -> None:
-    """Refuse digits that float() and int() would read, and no others: 1_000, other scripts."""
-    joined = " ".join(texts)
-    if not joined.isascii() or "_" in joined:
-        raise ValueError

@@ -8,8 +8,9 @@ from hypothesis import strategies as st
 
 from radcalc import texts
 from radcalc.errors import RadcalcError
-from radcalc.streams import timestamps
-from radcalc.streams.samples import Log, Settings
+from radcalc.streams.clocks import TimeSettings
+from radcalc.streams.log_layout import LogSettings
+from radcalc.streams.samples import Log
 
 
 def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Log]:
@@ -18,7 +19,7 @@ def read(data: bytes | str, size: int = 1 << 20, **told) -> tuple[list, list, Lo
     clock = {key: told.pop(key) for key in ("zone", "format") if key in told}
     if "time_unit" in told:
         clock["unit"] = told.pop("time_unit")
-    settings = Settings(**told, clock=timestamps.Settings(**clock))
+    settings = LogSettings(**told, clock=TimeSettings(**clock))
     log = Log("log", lambda count: raw.read(min(count, size)), settings, lambda error: None)
     times, values = [], []
     top, bottom = log.clock.tick

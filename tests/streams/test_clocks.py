@@ -12,7 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import RadcalcError
-from radcalc.streams.timestamps import PER_DAY, PER_HOUR, SECOND, Settings, clock_for
+from radcalc.streams.clocks import PER_DAY, PER_HOUR, TimeSettings, clock_for
+from radcalc.streams.timestamps import SECOND
 from radcalc.units.table import resolve
 
 PRAGUE = "Europe/Prague"
@@ -65,7 +66,7 @@ READ = [
 
 @pytest.mark.parametrize(("text", "told", "expected"), READ)
 def test_a_time_is_the_same_alone_and_among_many(text, told, expected):
-    clock = clock_for(text, Settings(**told))
+    clock = clock_for(text, TimeSettings(**told))
     assert clock.one(text) == utc(expected)
     try:
         assert clock.many([text]) == [utc(expected)]
@@ -74,10 +75,10 @@ def test_a_time_is_the_same_alone_and_among_many(text, told, expected):
 
 
 def test_fractions_of_a_second_are_whole_nanoseconds():
-    clock = clock_for("2024-06-01 12:35:00.5", Settings())
+    clock = clock_for("2024-06-01 12:35:00.5", TimeSettings())
     texts = ["2024-06-01 12:35:00.5", "2024-06-01 12:35:00,000000001", "2024-06-01 12:35:00"]
     assert [clock.one(text) - utc("2024-06-01T12:35") for text in texts] == [SECOND // 2, 1, 0]
-    unix = clock_for("1717245300.25", Settings())
+    unix = clock_for("1717245300.25", TimeSettings())
     assert unix.one("1717245300.25") - utc("2024-06-01T12:35") == SECOND // 4
 
 
@@ -93,7 +94,7 @@ def test_fractions_of_a_second_are_whole_nanoseconds():
     ],
 )
 def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
-    clock = clock_for(text, Settings(**told))
+    clock = clock_for(text, TimeSettings(**told))
     assert Fraction(str(clock.one(text))) * Fraction(*clock.tick) == seconds
 
 
@@ -133,13 +134,13 @@ def test_what_has_passed_is_in_the_unit_told(text, told, seconds):
 )
 def test_what_is_no_time_or_may_be_two_is_refused(text, told, said):
     with pytest.raises(RadcalcError) as refused:
-        clock_for(text, Settings(**told)).one(text)
+        clock_for(text, TimeSettings(**told)).one(text)
     assert said in refused.value.message
     assert refused.value.hint
 
 
 def test_an_offset_stands_in_all_stamps_or_in_none():
-    clock = clock_for("2024-06-01T12:35Z", Settings())
+    clock = clock_for("2024-06-01T12:35Z", TimeSettings())
     with pytest.raises(RadcalcError, match="no offset"):
         clock.one("2024-06-01T12:36")
 
@@ -150,13 +151,13 @@ def test_no_zone_data_is_told_with_what_helps(monkeypatch):
     monkeypatch.setattr(zoneinfo, "ZoneInfo", lambda name: {}[name])
     monkeypatch.setattr(zoneinfo, "available_timezones", set)
     with pytest.raises(RadcalcError, match="no data of time zones") as refused:
-        clock_for("2024-06-01", Settings(zone=PRAGUE))
+        clock_for("2024-06-01", TimeSettings(zone=PRAGUE))
     assert "tzdata" in refused.value.hint
 
 
 def test_an_hour_that_comes_twice_is_told_by_the_order():
     """01:30 is the last before the hour, in summer time; 02:00 CET is 01:00 UTC."""
-    clock = clock_for("2024-10-27 01:30", Settings(zone=PRAGUE))
+    clock = clock_for("2024-10-27 01:30", TimeSettings(zone=PRAGUE))
     texts = ["01:30", "02:00", "02:30", "02:00", "02:30", "03:00"]
     ticks = [clock.one(f"2024-10-27 {text}") for text in texts]
     first = utc("2024-10-26T23:30")
@@ -165,7 +166,7 @@ def test_an_hour_that_comes_twice_is_told_by_the_order():
 
 
 def test_a_log_that_ends_in_such_an_hour_is_taken_as_the_first():
-    clock = clock_for("2024-10-27 01:30", Settings(zone=PRAGUE))
+    clock = clock_for("2024-10-27 01:30", TimeSettings(zone=PRAGUE))
     assert clock.one("2024-10-27 01:30") < clock.one("2024-10-27 02:30")
     assert "taken as the first" in " ".join(clock.assumptions)
 
@@ -181,13 +182,13 @@ def test_a_log_that_ends_in_such_an_hour_is_taken_as_the_first():
     ],
 )
 def test_a_day_is_as_long_as_it_is_by_the_clock(zone, day, hours):
-    clock = clock_for(f"{day} 12:00", Settings(zone=zone))
+    clock = clock_for(f"{day} 12:00", TimeSettings(zone=zone))
     period = clock.period(clock.one(f"{day} 12:00"), PER_DAY)
     assert (period.label, (period.end - period.start) / 3600 / SECOND) == (day, hours)
 
 
 def test_days_of_stamps_with_changing_offsets_need_a_zone():
-    clock = clock_for("2024-10-26T12:00+02:00", Settings())
+    clock = clock_for("2024-10-26T12:00+02:00", TimeSettings())
     for text in ("2024-10-26T12:00+02:00", "2024-10-28T12:00+01:00"):
         tick = clock.one(text)
     with pytest.raises(RadcalcError, match="the offset changes"):
@@ -196,7 +197,7 @@ def test_days_of_stamps_with_changing_offsets_need_a_zone():
 
 @given(st.integers(utc("1990-01-01T00:00") // SECOND, utc("2037-12-31T00:00") // SECOND))
 def test_periods_hold_their_time_and_follow_each_other(seconds):
-    clock = clock_for("2024-06-01 12:00", Settings(zone=PRAGUE))
+    clock = clock_for("2024-06-01 12:00", TimeSettings(zone=PRAGUE))
     tick = seconds * SECOND
     for by in (PER_DAY, PER_HOUR):
         period = clock.period(tick, by)

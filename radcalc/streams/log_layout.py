@@ -1,0 +1,370 @@
+"""How a log is laid out, which its first lines show.
+
+What parts its cells, which lines are its header, which columns have its times and its values, how
+the times are written, and in which unit the values are.
+"""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from radcalc import columns
+from radcalc.errors import (
+    LineError,
+    MissingInput,
+    NumberError,
+    UnitError,
+    UsageError,
+    listed,
+    mention,
+    option,
+    quote,
+)
+from radcalc.quantities.light import describe
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.names import PPFD
+from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
+from radcalc.streams import ABORT
+from radcalc.streams.clocks import Clock, TimeSettings, clock_for
+from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
+from radcalc.texts import where
+from radcalc.units.dimensions import TIME
+from radcalc.units.scales import resolve_any
+from radcalc.units.table import Unit, resolve
+
+HEAD = 100  # lines in which the data begin, without comments and blank lines
+MOST_REMARKS = 10_000  # lines that are looked through for them
+MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
+SECONDS = resolve("s")
+PPFD_UNIT = "umol/m2/s"
+PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
+OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
+
+NumberedLine = tuple[int, str]
+
+
+class LogSettings(NamedTuple):
+    """What is told of a log: its columns, its unit, what parts its cells, how its times are."""
+
+    times: tuple[str, ...] = ()
+    column: str = ""
+    unit: str = ""
+    delimiter: str = ""
+    invalid: str = ABORT
+    clock: TimeSettings = TimeSettings()
+
+
+class LogLayout(NamedTuple):
+    """Where the times and the values of a log stand, and how they are read."""
+
+    delimiter: str | None
+    width: int
+    times: tuple[int, ...]
+    place: int
+    clock: Clock
+    unit: Unit
+
+
+def error(name: str, number: int, problem: str, hint: str) -> LineError:
+    """What is wrong with a log, and in which line (0: in none)."""
+    return LineError(f"{where(name, number)}: {problem}", hint)
+
+
+def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
+    """The lines that show how a log is laid out, and what comes in one block with them."""
+    head: list[NumberedLine] = []
+    count = 0
+    for number, lines in blocks:
+        head += enumerate(lines, number)
+        count += sum(not is_remark(line) for line in lines)
+        if count >= HEAD or len(head) >= MOST_REMARKS:
+            break
+    return head
+
+
+class Head:
+    """The first lines of a log: its layout, and the line in which the data begin."""
+
+    def __init__(self, name: str, lines: Sequence[NumberedLine], settings: LogSettings) -> None:
+        self.name = name
+        self.settings = settings
+        self.assumptions: list[str] = []
+        rows = [row for row in lines if not is_remark(row[1])][:HEAD]
+        named = self._named_row(rows)
+        start = 0 if named is None else named + 1
+        first = next((k for k in range(start, len(rows)) if self._is_data(rows[k][1], named)), None)
+        if first is None:
+            raise self.error(
+                0,
+                f"no time and value in the first {HEAD} lines" if rows else "there is no data",
+                "lines with a time and a value: 2024-06-01T12:35,812",
+            )
+        number, line = rows[first]
+        delimiter = self._delimiter(line)
+        cells = columns.cells(line, delimiter)
+        while first > start and self._is_bad(rows[first - 1][1], line):
+            first -= 1
+        self.begin = rows[first][0]
+        titles = self._titles(rows[:first], named, delimiter, len(cells))
+        if not titles:
+            comments = [text for n, text in lines if n < self.begin and _is_comment(text)]
+            titles = self._commented(comments, len(cells))
+        self.layout = self._columns(number, cells, titles, delimiter)
+
+    def error(self, number: int, problem: str, hint: str) -> LineError:
+        """See `error`."""
+        return error(self.name, number, problem, hint)
+
+    def _delimiter(self, line: str) -> str | None:
+        return self.settings.delimiter or columns.dialect(line)[0]
+
+    def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
+        """The row with the names of columns that were asked for."""
+        every = (*self.settings.times, self.settings.column)
+        names = [name for name in every if name and not name.isdecimal()]
+        if not names:
+            return None
+        refusal: UsageError | None = None
+        widest = 0
+        for k, (_, line) in enumerate(rows):
+            cells = columns.cells(line, self._delimiter(line))
+            try:
+                for name in names:
+                    find(cells, name, self.name)
+            except UsageError as error:
+                titles = [cell for cell in cells if cell and not _is_number(cell)]
+                if len(titles) > widest:
+                    refusal, widest = error, len(titles)
+            else:
+                return k
+        raise refusal or self.error(0, f"there is no column '{quote(names[0])}'", "its number")
+
+    def _is_data(self, line: str, named: int | None) -> bool:
+        """Whether a line has a time and a value: a stamp and a number, or numbers alone."""
+        cells = columns.cells(line, self._delimiter(line))
+        numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
+        if named is not None:
+            return any(map(_is_number, cells))
+        if any(map(self._is_stamp, cells)):
+            return len(numbers) > 0
+        return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
+
+    def _is_bad(self, line: str, good: str) -> bool:
+        """Whether a line above a good one is of data, too: titles have no time and no number."""
+        delimiter = self._delimiter(good)
+        cells, own = columns.cells(line, delimiter), columns.cells(good, delimiter)
+        both = zip(cells, own, strict=False)
+        if any(self._is_stamp(one) and self._is_stamp(other) for one, other in both):
+            return True
+        return len(cells) == len(own) and any(map(_is_number, cells))
+
+    def _is_stamp(self, cell: str) -> bool:
+        return looks_like_stamp(cell, self.settings.clock.format)
+
+    def _titles(
+        self, rows: Sequence[NumberedLine], named: int | None, delimiter: str | None, width: int
+    ) -> list[list[str]]:
+        """The rows of titles above the data: names, and units if they stand below."""
+        found: list[list[str]] = []
+        for _, line in reversed(rows[named or 0 :]):
+            cells = columns.cells(line, delimiter)
+            if len(cells) != width or any(_is_number(cell) for cell in cells if cell):
+                break
+            found.insert(0, cells)
+        if named is not None and len(found) < len(rows) - named:
+            raise self._unlike(rows[named], delimiter, width)
+        if rows and not found and self._has_titles(rows[-1][1], delimiter):
+            raise self._unlike(rows[-1], delimiter, width)
+        return found
+
+    def _has_titles(self, line: str, delimiter: str | None) -> bool:
+        """Whether the line above the data has titles of times and of light, of any number."""
+        cells = columns.cells(line, delimiter) if delimiter else []
+        if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
+            return False
+        return any(map(_is_of_time, cells)) or any(
+            self._unit_in([cells], k) is not None for k in range(len(cells))
+        )
+
+    def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
+        """What is wrong where the data have more columns than titles, or fewer."""
+        number, line = row
+        count = len(columns.cells(line, delimiter))
+        return self.error(
+            number,
+            f"{count} titles over {width} columns",
+            "a title for each column; quotation marks around what has a delimiter in it, and "
+            "1000 in place of 1,000",
+        )
+
+    def _commented(self, comments: Sequence[str], width: int) -> list[list[str]]:
+        """The titles of columns, where a comment has them."""
+        for comment in reversed(comments):
+            text = comment.lstrip("#%/; \t")
+            cells = columns.cells(text, self._delimiter(text))
+            if len(cells) == width:
+                return [cells]
+        return []
+
+    def _columns(
+        self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
+    ) -> LogLayout:
+        """Which columns have the times and the values, by their titles and the first line."""
+        names = titles[0] if titles else []
+        times = self._time_columns(number, cells, names)
+        place, unit = self._value_column(number, cells, titles, times)
+        title = " ".join([names[k] for k in times]) if names else ""
+        text = " ".join([cells[k] for k in times])
+        try:
+            told = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
+            clock = clock_for(text, told)
+        except (NumberError, UnitError) as error:
+            raise self.error(number, error.message, error.hint) from None
+        return LogLayout(delimiter, len(cells), times, place, clock, unit)
+
+    def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
+        """The column of the times, or those of dates and of clocks."""
+        if self.settings.times:
+            return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
+        stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]
+        if not stamps:
+            stamps = [k for k, name in enumerate(names) if _is_of_time(name)]
+            if not names or (not stamps and len(cells) == 2):
+                stamps = [0]
+        if len(stamps) == 1:
+            return (*stamps, *self._clock_column(stamps[0], cells, names))
+        shown = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
+        problem = f"there are {len(stamps)} columns of times" if stamps else "no column has times"
+        raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(shown)}")
+
+    def _clock_column(self, date: int, cells: list[str], names: list[str]) -> list[int]:
+        """The column of the clock to that of the dates: the next to it, or one of that title."""
+        clocks = [k for k, cell in enumerate(cells) if looks_like_clock(cell)]
+        own = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
+        near = [k for k in clocks if abs(k - date) == 1]
+        found = [k for k in near if k in own] or near or own
+        if len(found) > 1:
+            shown = listed([names[k] if names else str(k + 1) for k in found])
+            hint = f"{option('time-column', 'NAME')} twice, for the date and one of {shown}"
+            raise self.error(0, f"there are {len(found)} columns of clocks", hint)
+        if found and names:
+            pair = f"'{quote(names[date])}' and '{quote(names[found[0]])}'"
+            self.assumptions.append(f"the date and the clock are those of {pair}")
+        return found
+
+    def _value_column(
+        self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
+    ) -> tuple[int, Unit]:
+        """The column of the values, and their unit."""
+        others = [k for k in range(len(cells)) if k not in times]
+        if self.settings.column:
+            place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
+        else:
+            numbers = [k for k in others if _is_number(cells[k])]
+            of_light = [k for k in others if any(_may_be_light(row[k]) for row in titles)]
+            of_light = of_light or (numbers if titles and len(others) > 1 else others)
+            if len(of_light) != 1:
+                shown = [titles[0][k] if titles else str(k + 1) for k in of_light or others]
+                raise self.error(
+                    number,
+                    f"there are {len(of_light)} columns of values",
+                    f"{option('column', 'NAME')} of {listed(shown)}",
+                )
+            place = of_light[0]
+        if place in times:
+            raise UsageError("one column has the times and the values", "two columns")
+        return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
+
+    def _unit(self, declared: Unit | None, title: str) -> Unit:
+        """The unit of the values: as told, or as the title has it."""
+        if not self.settings.unit:
+            if declared is None:
+                raise MissingInput(
+                    f"{self.name}: the unit of the values is missing",
+                    mention("{unit=lx}, or a title such as E [lx]"),
+                )
+            return declared
+        told = resolve_any(self.settings.unit)
+        if declared and not is_same(declared, told):
+            raise UsageError(
+                f"{option('unit', quote(told.text))} contradicts the title '{quote(title)}', "
+                f"which has {describe(declared)}",
+                "the same without it, or another column",
+            )
+        return told
+
+    def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
+        """The unit of light in the titles of a column, which has its numbers as they are."""
+        own = [row[place] for row in titles]
+        try:
+            read = [read_title(title) for title in own]
+            for one in read:
+                refuse_altered(one)
+        except UnitError as error:
+            raise self.error(0, error.message, error.hint) from None
+        units = [one.unit for one in read if one.unit and read_light(one.unit)]
+        for unit in units[1:]:
+            if not is_same(unit, units[0]):
+                problem = f"the titles '{quote(' '.join(own))}' have two units"
+                raise self.error(0, problem, "one of them")
+        if units:
+            return units[0]
+        for title in own:
+            if _is_ppfd(title):
+                also = PAR_ALSO if "par" in _words(title) else ""
+                self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
+                return resolve(PPFD_UNIT)
+        return None
+
+    def _place(self, name: str, names: list[str], width: int) -> int:
+        """The column of a name, or of a number."""
+        return find(names or [""] * width, name, self.name)
+
+
+def _is_comment(line: str) -> bool:
+    return line.lstrip().startswith(columns.COMMENTS)
+
+
+def is_remark(line: str) -> bool:
+    """Whether a line is blank or a comment."""
+    return not line or line.isspace() or _is_comment(line)
+
+
+def _is_number(cell: str) -> bool:
+    return columns.is_number(cell, comma=True)
+
+
+def _is_of_time(title: str) -> bool:
+    """Whether a title is that of times."""
+    if OF_TIME.search(columns.plain(title).replace("_", " ")):
+        return True
+    unit = unit_in(title, SECONDS)
+    return bool(unit and unit.dimension == TIME) and not _may_be_light(title)
+
+
+def _unit_of_time(title: str) -> Unit | None:
+    """The unit of time in a title: t [s], time_s, hours."""
+    unit = read_title(title, SECONDS).unit
+    if not unit or unit.dimension != TIME:
+        return None
+    whole = unit_in(title)  # PAR_umol_m2_s
+    return None if whole and read_light(whole) else unit
+
+
+def _may_be_light(title: str) -> bool:
+    """Whether a title has a unit of light, or what looks like one, or is that of PPFD."""
+    if unit := unit_in(title):
+        return read_light(unit) is not None
+    try:
+        read_title(title)
+    except UnitError:
+        return True
+    return _is_ppfd(title)
+
+
+def _is_ppfd(title: str) -> bool:
+    return not _words(title).isdisjoint(PPFD)
+
+
+def _words(title: str) -> set[str]:
+    return {*columns.plain(title).replace("_", " ").split()}
