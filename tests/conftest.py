@@ -5,12 +5,15 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, chdir, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from radcalc import __main__, stdio
 
 # No test depends on how fast the machine is, nor does the drawing of its examples.
 settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -36,25 +39,52 @@ def entry_point() -> str:
     return found
 
 
-def run(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
-    """Run the installed command with both streams captured."""
+def process(*words: str, **kwargs) -> subprocess.CompletedProcess[str]:
+    """Run the installed command in a process of its own, with both streams captured."""
     kwargs = {"capture_output": True, "text": True, "encoding": "utf-8", "timeout": 60} | kwargs
     return subprocess.run([entry_point(), *words], **kwargs)
 
 
-def call(*words: str, input: str = "", together: bool = False) -> subprocess.CompletedProcess[str]:
-    """What `run` gives, by a call in this process: where a new one would show nothing more.
+def run(
+    *words: str,
+    input: str = "",
+    together: bool = False,
+    cwd: Path | str = ".",
+    check: bool = False,
+) -> subprocess.CompletedProcess[str]:
+    """What `process` gives, by a call in this process: where a new one would show nothing more.
 
-    The three descriptors are files meanwhile; with `together`, errors stand in the output.  As a
-    process leaves without flushing, what is in a buffer at the end is lost here as well.
+    With `together`, errors stand in the output.  As a process leaves without flushing, what is in
+    a buffer at the end is lost here as well.
     """
-    from radcalc.__main__ import run as answer
+    stdio.choose_color(stdio.AUTO)
+    given = input.encode("utf-8", "surrogateescape")
+    with standard_streams(given, together) as files, chdir(cwd):
+        status = __main__.run(list(words))
+        texts = []
+        for file in files:
+            file.seek(0)
+            texts.append(file.read().decode())
+    done = subprocess.CompletedProcess(words, status, *texts)
+    if check:
+        done.check_returncode()
+    return done
 
+
+call = run
+
+
+@contextmanager
+def standard_streams(given: bytes, together: bool = False) -> Iterator[tuple[IO[bytes], IO[bytes]]]:
+    """Files in place of the three standard streams: of their descriptors and of Python's own.
+
+    Those of standard output and standard error are yielded; with `together` the first has both.
+    """
     how: dict[str, Any] = {"encoding": "utf-8", "newline": "", "closefd": False}
-    with tempfile.TemporaryFile() as fed, tempfile.TemporaryFile() as out, ExitStack() as stack:
-        fed.write(input.encode("utf-8", "surrogateescape"))
+    with ExitStack() as stack:
+        fed, out, err = (stack.enter_context(tempfile.TemporaryFile()) for _ in STREAMS)
+        fed.write(given)
         fed.seek(0)
-        err = stack.enter_context(tempfile.TemporaryFile())
         for k, file in enumerate((fed, out, out if together else err)):
             kept = os.dup(k)
             stack.callback(os.close, kept)
@@ -63,10 +93,7 @@ def call(*words: str, input: str = "", together: bool = False) -> subprocess.Com
         for k, (name, mode, errors) in enumerate(STREAMS):
             stack.callback(setattr, sys, name, getattr(sys, name))
             setattr(sys, name, stack.enter_context(open(k, mode, errors=errors, **how)))
-        status = answer(list(words))
-        for file in (out, err):
-            file.seek(0)
-        return subprocess.CompletedProcess(words, status, out.read().decode(), err.read().decode())
+        yield out, err
 
 
 def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:

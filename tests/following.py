@@ -4,17 +4,14 @@ A hint is cut at its mentions (an option with a value, a command) and at the wor
 part alternatives.  A hint in prose, which leaves to the reader what to type, is one of `PROSE`.
 """
 
-import contextlib
-import io
-import os
 import re
 import shlex
-import sys
-import tempfile
 from collections.abc import Iterator
 from itertools import product
 from typing import Any, NamedTuple
 from unittest import mock
+
+from conftest import standard_streams
 
 from radcalc import cli, stdio
 from radcalc.cli.cases import is_stream
@@ -80,30 +77,10 @@ def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
         caught.append(error)
         return stdio.FAILED
 
-    with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as taken:
-        given.write(lines)
-        given.seek(0)
-        before = os.dup(0), os.dup(1)
-        out = io.TextIOWrapper(os.fdopen(os.dup(taken.fileno()), "wb"), encoding="utf-8")
-        try:
-            os.dup2(given.fileno(), 0)
-            os.dup2(taken.fileno(), 1)
-            with (
-                open(0, encoding="utf-8", closefd=False) as lines_given,
-                mock.patch.object(sys, "stdin", lines_given),
-                mock.patch.object(stdio, "complain", complain),
-                contextlib.redirect_stdout(out),
-                contextlib.redirect_stderr(io.StringIO()),
-            ):
-                status = cli.run(list(words))
-                out.flush()
-        finally:
-            for end, kept in enumerate(before):
-                os.dup2(kept, end)
-                os.close(kept)
-            out.close()
-        taken.seek(0)
-        return Outcome(status, taken.read().decode(), caught[0] if caught else None)
+    with standard_streams(lines) as (out, _), mock.patch.object(stdio, "complain", complain):
+        status = cli.run(list(words))
+        out.seek(0)
+        return Outcome(status, out.read().decode(), caught[0] if caught else None)
 
 
 class Option(NamedTuple):

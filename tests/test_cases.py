@@ -10,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, call, entry_point
+from conftest import ROOT, entry_point, run
 
 BARE = r"[^\"|<>;&`$\\]*"  # without what a shell reads, but for '...'
 CALL = re.compile(rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE})")
@@ -41,9 +41,7 @@ def answered(command: str) -> tuple[str, int]:
     found = CALL.fullmatch(unquoted.removesuffix(" < /dev/null"))
     if found:
         lines = in_shell(command[: found.end(1) - len(" | ")])[0] if found[1] else ""
-        done = call(
-            *shlex.split(command[found.start(2) : found.end(2)]), input=lines, together=True
-        )
+        done = run(*shlex.split(command[found.start(2) : found.end(2)]), input=lines, together=True)
         return done.stdout, done.returncode
     return in_shell(command)
 

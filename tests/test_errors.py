@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from conftest import call
+from conftest import run
 from helpers import shell
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -348,7 +348,7 @@ MENTION = option("height", "6m")
     ids=lambda words: " ".join(words).replace(MENTION, "?"),
 )
 def test_a_mention_on_the_command_line_is_not_spelled(words):
-    done = call(*words, input="1\n")
+    done = run(*words, input="1\n")
     assert done.returncode == 2
     assert "--height" not in done.stdout + done.stderr
     assert not set(done.stdout + done.stderr) & set(MARKS)
@@ -363,7 +363,7 @@ def test_the_name_of_a_file_is_no_mention(tmp_path):
         "mesopic --luminance 1cd/m2 --spectrum",
     ):
         for form in ("plain", "json", "csv", "table"):
-            done = call(*words.split(), str(path), "--steps", "--format", form)
+            done = run(*words.split(), str(path), "--steps", "--format", form)
             assert done.returncode == 0, done.stderr
             assert "--height" not in done.stdout + done.stderr
             assert START not in done.stdout + done.stderr

@@ -12,7 +12,7 @@ import time
 from collections.abc import Iterator
 
 import pytest
-from conftest import entry_point, run
+from conftest import entry_point, process, run
 from helpers import started
 
 LINES = "".join(f"{k}.5\n" for k in range(10_000))
@@ -58,7 +58,9 @@ def expected(words: tuple[str, ...]) -> bytes:
 @pytest.mark.parametrize("words", WAYS, ids=" ".join)
 def test_a_full_device_is_never_an_answer(words, lines):
     with open("/dev/full", "w") as full:
-        done = run(*words, capture_output=False, stdin=lines, stdout=full, stderr=subprocess.PIPE)
+        done = process(
+            *words, capture_output=False, stdin=lines, stdout=full, stderr=subprocess.PIPE
+        )
     assert done.returncode == 2
     assert done.stderr.startswith("radcalc: cannot write the answer: No space left on device\n")
     assert len(done.stderr.splitlines()) == 2

@@ -7,7 +7,7 @@ import sys
 import time
 
 import pytest
-from conftest import ROOT, entry_point, python, run
+from conftest import ROOT, entry_point, process, python
 from helpers import on_terminal, started
 
 
@@ -16,7 +16,7 @@ from helpers import on_terminal, started
 )
 def test_a_full_disk_is_an_error(words):
     with open("/dev/full", "w") as full:
-        done = run("convert", *words, capture_output=False, stdout=full, stderr=subprocess.PIPE)
+        done = process("convert", *words, capture_output=False, stdout=full, stderr=subprocess.PIPE)
     assert done.returncode == 2
     assert done.stderr.startswith("radcalc: cannot write the answer: No space left on device\n")
     assert "Traceback" not in done.stderr
@@ -27,7 +27,7 @@ def test_a_full_disk_is_an_error(words):
 def test_a_closed_pipe_ends_quietly(words):
     reader, writer = os.pipe()
     os.close(reader)
-    done = run("convert", *words, capture_output=False, stdout=writer, stderr=subprocess.PIPE)
+    done = process("convert", *words, capture_output=False, stdout=writer, stderr=subprocess.PIPE)
     os.close(writer)
     assert (done.returncode, done.stderr) == (0, "")
 
@@ -122,7 +122,7 @@ def test_memory_that_is_not_there_is_no_bug(monkeypatch, capsys):
 @pytest.mark.parametrize("asked", ["nonsense", "bash", "bash_nonsense", "bash_complete"])
 def test_a_completion_that_there_is_not_is_refused(asked, monkeypatch):
     monkeypatch.setenv("_RADCALC_COMPLETE", asked)
-    done = run()
+    done = process()
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith(f"radcalc: _RADCALC_COMPLETE={asked} asks for nothing")
 

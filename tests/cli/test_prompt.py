@@ -7,7 +7,7 @@ import stat
 import sys
 
 import pytest
-from conftest import entry_point, run
+from conftest import entry_point, process, run
 from helpers import on_terminal
 
 from radcalc.cli import prompt
@@ -50,7 +50,7 @@ def test_a_refusal_names_its_line_and_the_rest_is_answered():
 
 def test_lines_that_are_no_text_are_refused():
     more = {"text": False, "encoding": None}
-    done = run("prompt", input=b"100 lx\xff fc\n100 lx fc\n", **more)
+    done = process("prompt", input=b"100 lx\xff fc\n100 lx fc\n", **more)
     assert done.stdout == b"9.290304\tfc\n"
     assert done.stderr.startswith(b"radcalc: line 1: ")
 

@@ -1,6 +1,6 @@
 import os
 
-from conftest import run
+from conftest import process, run
 
 
 def test_the_command_exits_2_where_nothing_is_found():
@@ -14,8 +14,8 @@ def test_the_command_exits_2_where_nothing_is_found():
 
 def test_the_command_puts_the_names_of_one_language_first():
     env = os.environ | {"LC_ALL": "cs_CZ.UTF-8", "PYTHONIOENCODING": "utf-8"}
-    assert run("quantities", "lx", env=env).stdout.startswith("osvětlenost\tE_v\tlx\t")
-    assert run("quantities", "lx", "--lang", "ru", env=env).stdout.startswith("освещённость\t")
-    assert run("quantities", "lx", "--lang", "en", env=env).stdout.startswith("illuminance\t")
+    assert process("quantities", "lx", env=env).stdout.startswith("osvětlenost\tE_v\tlx\t")
+    assert process("quantities", "lx", "--lang", "ru", env=env).stdout.startswith("освещённость\t")
+    assert process("quantities", "lx", "--lang", "en", env=env).stdout.startswith("illuminance\t")
     done = run("quantities", "M_p", "--lang", "ru")
     assert done.stdout.startswith("photon exitance\t")

@@ -4,7 +4,7 @@ import json
 import os
 
 import pytest
-from conftest import run
+from conftest import process, run
 
 SPECTRUM = "nm,W/m2/nm\n400,1\n500,2\n700,1\n"
 
@@ -27,5 +27,5 @@ def test_what_an_encoding_lacks_is_escaped_as_json_has_it(encoding):
     words = ("quantities", "jas", "--json")
     told = json.loads(run(*words).stdout)
     env = os.environ | {"PYTHONIOENCODING": encoding}
-    assert json.loads(run(*words, env=env, encoding=encoding).stdout) == told
+    assert json.loads(process(*words, env=env, encoding=encoding).stdout) == told
     assert "яркость" in told["records"][0]["ru"]

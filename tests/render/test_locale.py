@@ -3,7 +3,7 @@
 import os
 
 import pytest
-from conftest import run
+from conftest import process
 
 from radcalc.cli.options import decide
 
@@ -36,13 +36,13 @@ def test_the_names_in_tables_follow_the_locale_and_nothing_else_does(words):
     english = {}
     for locale, place in LOCALES.items():
         env = os.environ | {"LC_ALL": locale, "PYTHONIOENCODING": "utf-8"}
-        table = run(*words, "--format", "table", env=env)
+        table = process(*words, "--format", "table", env=env)
         assert table.returncode == 0
         rows = table.stdout.split("assumed:")[0]
         assert TABLES[words][place] in rows
         assert all(name not in rows for name in TABLES[words] if name != TABLES[words][place])
         for form in ("plain", "json", "csv"):
-            answer = run(*words, "--format", form, env=env)
+            answer = process(*words, "--format", form, env=env)
             assert english.setdefault(form, answer.stdout) == answer.stdout
         if place == 0:
             assert english.setdefault("table", table.stdout) == table.stdout

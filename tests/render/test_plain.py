@@ -1,20 +1,20 @@
 import os
 
-from conftest import run
+from conftest import process
 
 
 def test_a_pipe_gets_plain_text():
-    done = run("convert", "800", "lm", "cd", "--isotropic")
+    done = process("convert", "800", "lm", "cd", "--isotropic")
     assert done.stdout == "63.6619772368\tcd\n"
     assert done.stderr == "assumed: uniform over 4 pi sr (isotropic)\n"
 
 
 def test_an_output_without_greek_still_gets_the_answer():
-    done = run(
+    done = process(
         "convert", "100", "лк", "lx", "--format", "table",
         env=os.environ | {"PYTHONIOENCODING": "ascii"},
     )  # fmt: skip
     assert done.returncode == 0
     assert "100" in done.stdout
-    done = run("convert", "1", "lx", "лк", env=os.environ | {"PYTHONIOENCODING": "ascii"})
+    done = process("convert", "1", "lx", "лк", env=os.environ | {"PYTHONIOENCODING": "ascii"})
     assert (done.returncode, done.stdout) == (0, "1\t\\u043b\\u043a\n")

@@ -4,7 +4,7 @@ import os
 import re
 
 import pytest
-from conftest import run
+from conftest import process, run
 from helpers import answers, screen_of
 
 from radcalc.answer import FRACTION, Result, Row
@@ -125,12 +125,12 @@ PIPED = [
 
 @pytest.mark.parametrize("words", PIPED, ids=" ".join)
 def test_no_escape_comes_into_a_pipe_nor_where_colour_is_not_wanted(words):
-    done = run(*words, env=os.environ | {"TERM": "xterm"})
+    done = process(*words, env=os.environ | {"TERM": "xterm"})
     assert "\x1b" not in done.stdout + done.stderr
     if words:
         assert "\x1b[" in screen_of(*words)
         assert "\x1b" not in screen_of(*words, NO_COLOR="1")
-    assert "\x1b" not in run(*words, env=os.environ | {"FORCE_COLOR": "1"}).stderr
+    assert "\x1b" not in process(*words, env=os.environ | {"FORCE_COLOR": "1"}).stderr
 
 
 COLORS = {
@@ -171,10 +171,10 @@ def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
 def test_rules_and_symbols_are_ascii_where_the_encoding_has_no_others():
     words = ("point-source", "--flux", "800lm", "--exponent", "2", "--distance", "1m,2m")
     env = os.environ | {"PYTHONIOENCODING": "ascii"}
-    drawn = run(*words, "--format", "table", env=env).stdout
+    drawn = process(*words, "--format", "table", env=env).stdout
     assert "given: luminous flux 800 lm, exponent 2\n" in drawn
     assert "\n----------" in drawn
-    photon = run("photon", "555nm", "--format", "table", env=env).stdout
+    photon = process("photon", "555nm", "--format", "table", env=env).stdout
     assert [line.split()[-3] for line in photon.splitlines()[2:5]] == ["lambda", "nu", "sigma"]
     for text in (drawn, photon):
         assert text.isascii()
