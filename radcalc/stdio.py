@@ -71,7 +71,7 @@ def can_show(text: str) -> bool:
     """Whether the encoding of standard output has all letters of a text."""
     try:
         text.encode(getattr(sys.stdout, "encoding", None) or "ascii")
-    except UnicodeEncodeError:
+    except (UnicodeEncodeError, LookupError):  # LookupError: of an encoding that Python has not
         return False
     return True
 

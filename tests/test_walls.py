@@ -26,7 +26,7 @@ KEEPERS = {
     "colour": ("radcalc.spectra.compile",),
     "prompt_toolkit": ("radcalc.cli.prompt",),
     "dask": ("radcalc.api.lazy",),
-    "plotille": ("radcalc.plots.terminal",),
+    "plotille": ("radcalc.plots.sheet",),
     "matplotlib": ("radcalc.plots.figure",),
     "OpenEXR": ("radcalc.distributions.maps.exr",),
     "uncertainties": ("radcalc.units.uncertain",),

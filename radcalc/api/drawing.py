@@ -1,7 +1,6 @@
 """A picture of a result, which a notebook shows."""
 
 import os
-import sys
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -23,10 +22,9 @@ class Drawing:
 
     def __repr__(self) -> str:
         """The picture in characters, as an interpreter shows it."""
-        from radcalc.plots.terminal import Style, draw, has_braille
+        from radcalc.plots.terminal import draw, style_of
 
-        is_ascii = not has_braille(getattr(sys.stdout, "encoding", None))
-        return draw(self.picture, Style(ascii=is_ascii)).rstrip("\n")
+        return draw(self.picture, style_of()).rstrip("\n")
 
     @cached_property
     def figure(self) -> Any:
@@ -49,9 +47,6 @@ class Drawing:
         radcalc.RadcalcError
             Of another file, or one that cannot be written.
         """
-        from radcalc.distributions.contents import check_place
-        from radcalc.plots.figure import FORMATS, write
+        from radcalc.plots.figure import write
 
-        place = os.fspath(path)
-        check_place(place, FORMATS, "figures", ".svg or .png")
-        write(place, self.picture)
+        write(os.fspath(path), self.picture)

@@ -1,6 +1,5 @@
 """`--plot`: a picture below the answer, or as a figure in a file."""
 
-import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -26,11 +25,9 @@ def refuse(asked: Asked, output: Output) -> None:
     if asked.check is not None:
         raise UsageError("--check has one number, and no picture", "the same without --plot")
     if asked.plot != HERE:
-        from radcalc.distributions.contents import check_place
-        from radcalc.plots.figure import FORMATS, require
+        from radcalc.plots.figure import check_place
 
-        check_place(asked.plot, FORMATS, "figures", ".svg or .png")
-        require()
+        check_place(asked.plot)
         return
     if output.format in (JSON, CSV):
         raise UsageError(f"a picture is no {output.format.upper()}", SEVERAL)
@@ -82,6 +79,5 @@ def draw(made: "Picture", output: Output) -> None:
     """Write a picture in characters."""
     from radcalc.plots import terminal
 
-    is_ascii = not terminal.has_braille(getattr(sys.stdout, "encoding", None))
-    style = terminal.Style(width_of_terminal(), output.style.color, is_ascii)
+    style = terminal.style_of(width_of_terminal(), output.style.color)
     stdio.write(terminal.draw(made, style))

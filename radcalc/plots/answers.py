@@ -4,9 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from radcalc.errors import UsageError, mention
+from radcalc.given import Inputs
 from radcalc.plots.curves import RANGE, Solved, curves, varied
 from radcalc.plots.data import Picture
-from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import WHOLE
 
 
@@ -50,19 +51,21 @@ def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> 
     from radcalc.plots.spectra import spectra
 
     given = solved[0].given
-    eye = OBSERVERS[given["observer"].value if "observer" in given else "photopic"]
     limits = given["range"].value if "range" in given else WHOLE
-    return spectra([one.given["spectrum"].value for one in solved], eye, limits)
+    return spectra([one.given["spectrum"].value for one in solved], _eye(given), limits)
 
 
 def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.plots.spectra import photon
 
     given = solved[0].given
-    eye = OBSERVERS[given["observer"].value if "observer" in given else "photopic"]
     wave = given[next(iter(given))]
     (size,) = (v.amount for v in solved[0].answer.values if v.name == "wavelength")
-    return photon([(wave.text, size * 1e9)], eye)
+    return photon([(wave.text, size * 1e9)], _eye(given))
+
+
+def _eye(given: Inputs) -> Observer:
+    return OBSERVERS[given["observer"].value if "observer" in given else "photopic"]
 
 
 def _point_source(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:

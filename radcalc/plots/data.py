@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 LINE, REFERENCE, LINES, POINTS = "line", "reference", "lines", "points"  # how a series is drawn
 RIGHT = 90.0  # deg
+MANY = 20  # curves at most that all have their names
 Values = Sequence[float]
 
 
@@ -57,6 +58,24 @@ class Chart(NamedTuple):
     series: Sequence[Series]
     marks: Sequence[tuple[str, float]] = ()
     hues: Sequence[Hue] = ()
+
+    @property
+    def curves(self) -> list[Series]:
+        """What is not there to compare with."""
+        return [one for one in self.series if one.style != REFERENCE]
+
+    @property
+    def crowd(self) -> str:
+        """What is said where there are too many curves for each to have its name, and a colour."""
+        count = len(self.curves)
+        return f"{count} curves, the first and the last of which are" if count > MANY else ""
+
+    @property
+    def named(self) -> list[int]:
+        """Which of the series are named."""
+        found = [k for k, one in enumerate(self.series) if one.label]
+        own = [k for k in found if self.series[k].style != REFERENCE]
+        return [k for k in found if k not in own[1:-1]] if self.crowd else found
 
 
 class Plane(NamedTuple):

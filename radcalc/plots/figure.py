@@ -2,7 +2,6 @@
 
 import io
 import math
-import os
 import re
 import warnings
 from collections.abc import Callable, Sequence
@@ -23,7 +22,7 @@ from radcalc.plots.data import (
     Picture,
     Polar,
 )
-from radcalc.plots.ticks import levels, limits, rings, texts
+from radcalc.plots.ticks import levels, limits, rings, shades, texts
 
 FORMATS = (".svg", ".png")
 INSTALL = "pip install 'radcalc[plot]'"
@@ -38,9 +37,7 @@ DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
 TICKS = 6  # of an axis whose ends are round
 COLORMAP = "viridis"
-SPAN = 1000.0  # between the darkest and the brightest of an image
 WHOLE = 0.9  # of the radius of a disc: the numbers of contours within are not cut by its rim
-CLIPPED = 99.5  # percent: what is brighter is as bright as that
 COLORS = ("#0f766e", "#b45309", "#7c3aed", "#be123c", "#1d4ed8", "#4d7c0f")
 SETTINGS = {
     "axes.edgecolor": GREY,
@@ -61,9 +58,9 @@ SETTINGS = {
     "lines.solid_capstyle": "round",
     "svg.hashsalt": "radcalc",  # with which the names in an SVG are the same every time
     "xtick.color": GREY,
-    "xtick.labelcolor": "#374151",
+    "xtick.labelcolor": DARK,
     "ytick.color": GREY,
-    "ytick.labelcolor": "#374151",
+    "ytick.labelcolor": DARK,
 }
 
 
@@ -108,31 +105,47 @@ def data(picture: Picture, extension: str) -> bytes:
     return out.getvalue()
 
 
+def check_place(path: str) -> str:
+    """Refuse a place to write a figure to, before the work whose result would be lost.
+
+    Parameters
+    ----------
+    path : str
+        Of the file to be written.
+
+    Returns
+    -------
+    str
+        Its extension, one of `FORMATS`.
+
+    Raises
+    ------
+    ConditionError
+        If it has another one, or Matplotlib is not installed.
+    OutputError
+        If it cannot be written, as far as that can be known before.
+    """
+    from radcalc.distributions import contents
+
+    extension = contents.check_place(path, FORMATS, "figures", ".svg or .png")
+    _matplotlib()
+    return extension
+
+
 def write(path: str, picture: Picture) -> None:
     """Write a picture into a file, whole or not at all.
 
     Parameters
     ----------
     path : str
-        With one of the extensions of `FORMATS`.
+        A place that `check_place` does not refuse.
     picture : Picture
     """
     from radcalc.distributions.contents import written
 
-    drawn = data(picture, extension_of(path))
+    drawn = data(picture, check_place(path))
     with written(path) as name, open(name, "wb") as file:
         file.write(drawn)
-
-
-def require() -> None:
-    """Refuse to go on where Matplotlib is not installed.
-
-    Raises
-    ------
-    ConditionError
-        If it is not.
-    """
-    _matplotlib()
 
 
 def _matplotlib() -> Any:
@@ -148,7 +161,7 @@ def _matplotlib() -> Any:
 
 def _chart(chart: Chart, made: Any) -> None:
     axes = made.subplots()
-    colors = iter(COLORS * len(chart.series))
+    colors = iter(_colors(chart))
     drawn = []
     for one in chart.series:
         if one.style == REFERENCE:
@@ -164,7 +177,7 @@ def _chart(chart: Chart, made: Any) -> None:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
             _safe(label), (place, 1), (4, -4), xycoords=("data", "axes fraction"),
-            textcoords="offset points", va="top", color="#374151",
+            textcoords="offset points", va="top", color=DARK,
         )  # fmt: skip
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
@@ -174,16 +187,27 @@ def _chart(chart: Chart, made: Any) -> None:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
         _hues(chart, axes)
-    if any(one.label for one in chart.series):
-        axes.legend(drawn, [_safe(one.label) for one in chart.series])
+    if named := chart.named:
+        shown = [drawn[k] for k in named], [_safe(chart.series[k].label) for k in named]
+        axes.legend(*shown, title=chart.crowd or None)
     axes.set_title(_safe(chart.title), wrap=True)
+
+
+def _colors(chart: Chart) -> Sequence[Any]:
+    """A colour for each curve; of too many to be told apart, in the order of the map of colours."""
+    count = len(chart.curves)
+    if not chart.crowd:
+        return COLORS * count
+    import matplotlib
+
+    return [matplotlib.colormaps[COLORMAP](0.95 * k / (count - 1)) for k in range(count)]
 
 
 def _hues(chart: Chart, axes: Any) -> None:
     """Colours along the axis: below a curve that is alone, else in a strip above the axis."""
     import numpy
 
-    curves = [one for one in chart.series if one.style != REFERENCE]
+    curves = chart.curves
     ends, heights = axes.get_xlim(), axes.get_ylim()
     places = numpy.array([hue.place for hue in chart.hues])
     if len(curves) == 1 and curves[0].style == LINE:
@@ -272,8 +296,7 @@ def _disc(disc: Disc, made: Any) -> None:
     if disc.is_image:
         from matplotlib.colors import LogNorm
 
-        high = float(numpy.percentile(inside, CLIPPED)) or 1.0
-        norm = LogNorm(max(float(inside.min()), high / SPAN), high)
+        norm = LogNorm(*shades(inside.tolist()))
         drawn = axes.pcolormesh(places, places, rows, cmap=COLORMAP, norm=norm, rasterized=True)
         made.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
     else:
@@ -308,9 +331,10 @@ def _filled(
     shown = axes.contourf(xs, ys, every, bounds, colors=shades)
     seen = every if inside is None else numpy.where(inside, every, math.nan)
     lines = axes.contour(xs, ys, seen, found, colors="white", linewidths=0.9)
-    axes.clabel(lines, fmt=lambda level: f"{level:.6g}", fontsize=8.5)
+    names = texts(found)
+    axes.clabel(lines, fmt=dict(zip(found, names, strict=True)), fontsize=8.5)
     bar = made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
-    bar.set_ticks(found, labels=texts(found))
+    bar.set_ticks(found, labels=names)
 
 
 def _safe(text: str) -> str:
@@ -338,8 +362,3 @@ def _marks(axes: Any, marks: Sequence[Mark]) -> None:
             fontsize=9,
             path_effects=[withStroke(linewidth=2.5, foreground="white")],
         )
-
-
-def extension_of(path: str) -> str:
-    """The extension of a file, in lower case."""
-    return os.path.splitext(path)[1].lower()

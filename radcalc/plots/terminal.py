@@ -1,18 +1,11 @@
-"""Pictures in characters: dots of Braille letters, or ASCII, with axes and units.
-
-Each curve has a canvas of its own, of which plotille sets the dots; here they are laid over each
-other, with texts on top.  The only module that imports plotille.
-"""
+"""Pictures in characters: dots of Braille letters, or ASCII, with axes and units."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
-from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
-from plotille import Canvas
-
-from radcalc.errors import printable
+from radcalc.derivation import in_ascii
 from radcalc.plots.data import (
     LINE,
     LINES,
@@ -26,126 +19,52 @@ from radcalc.plots.data import (
     Mark,
     Picture,
     Polar,
-    Series,
     Values,
 )
-from radcalc.plots.ticks import levels, limits, log_ticks, rings, texts, ticks
-from radcalc.stdio import fold
+from radcalc.plots.sheet import (
+    APART,
+    BEHIND,
+    DIM,
+    NARROWEST,
+    PLAIN,
+    Piece,
+    Point,
+    Sheet,
+    Style,
+    below,
+    beside,
+    blot,
+    caption,
+    dotted,
+    heading,
+    legend,
+    line,
+    sample,
+)
+from radcalc.plots.ticks import levels, limits, log_ticks, rings, shades, texts, ticks
+from radcalc.stdio import fold, has
 
-PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
-EMPTY = 0x2800  # the Braille letter without dots
-ASCII = {
-    "λ": "lambda", "θ": "theta", "φ": "phi", "γ": "gamma", "°": " deg", "\u2032": "'", "²": "2",
-    "Φ": "Phi", "Ω": "Omega", "η": "eta", "ν": "nu", "μ": "u", "µ": "u", "│": "|", "─": "-",
-    "└": "+", "┬": "+", "┤": "+", "×": "x", "·": ".", "☉": "*", "∥": "||",
-}  # fmt: skip
+BRAILLE = "\u28ff"  # a letter of it
+IN_ASCII = str.maketrans(
+    {"°": " deg", "\u2032": "'", "µ": "u", "μ": "u", "×": "x", "·": ".", "☉": "*", "∥": "||",
+     "│": "|", "─": "-", "└": "+", "┬": "+", "┤": "+"}
+)  # fmt: skip
 COLORS = ("32", "35", "36", "31", "34", "33")  # green first: seen on light and on dark
-DIM, RESET = "\033[2m", "\033[0m"
 MARKS = "*+o#x%@&"  # of curves, in ASCII
-FAINT = "."  # what is behind the curves, in ASCII
-NARROWEST = 40  # columns: no narrower terminal is drawn for
 LEAST, MOST = 10, 24  # rows of a chart
 SHARE = 5  # columns for each row of a chart
-APART = 3  # dots of a dotted line
 GRID = 4  # dots of the circles and rays of a polar diagram
 RIM = 6  # columns beside a circle, for what is written there
 SMALLEST, LARGEST = 22, 32  # rows of a circle
 ROUND = 360  # pieces of a circle
-RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # of contours
+RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # from the first to the last
 DARKEST, BRIGHTEST = 1, 4  # of the 5 steps of red, green and blue that a hue has
-SPAN = 1000.0  # between the darkest and the brightest of what is shaded
-CLIPPED = 0.99  # of all: what is brighter is as bright as that
 BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
-GAP = 2  # columns between two texts
-Point = tuple[float, float]
-Piece = tuple[Point, Point]
 
 
-class Layer(NamedTuple):
-    """Dots of one colour, and the character that stands for them in ASCII.
-
-    Columns that have a colour of their own are in `colors`.
-    """
-
-    canvas: Any
-    color: str
-    mark: str
-    colors: Mapping[int, str]
-
-
-class Sheet:
-    """Layers of dots over a range of x and y, and texts over them."""
-
-    def __init__(
-        self, columns: int, rows: int, x: tuple[float, float], y: tuple[float, float]
-    ) -> None:
-        self.columns, self.rows, self.x, self.y = columns, rows, x, y
-        self.layers: list[Layer] = []
-        self.texts: dict[tuple[int, int], tuple[str, str]] = {}
-
-    def layer(self, color: str, mark: str, colors: Mapping[int, str] = PLAIN) -> Any:
-        """A new canvas, on top of those that there are."""
-        canvas = Canvas(self.columns, self.rows, self.x[0], self.y[0], self.x[1], self.y[1])
-        self.layers.append(Layer(canvas, color, mark, colors))
-        return canvas
-
-    def write(self, column: int, row: int, text: str, color: str = "") -> None:
-        """Write a text from a column on, rows from the top; what stands outside is left out."""
-        for k, letter in enumerate(printable(text)):
-            if 0 <= column + k < self.columns and 0 <= row < self.rows:
-                self.texts[column + k, row] = letter, color
-
-    def place(self, x: float, y: float) -> tuple[int, int]:
-        """The column of a place, and its row from the top: where its dot is."""
-        across = round(2 * self.columns * (x - self.x[0]) / (self.x[1] - self.x[0])) // 2
-        up = round(4 * self.rows * (y - self.y[0]) / (self.y[1] - self.y[0])) // 4
-        return (
-            min(max(across, 0), self.columns - 1),
-            min(max(self.rows - 1 - up, 0), self.rows - 1),
-        )
-
-    def lines(self, style: "Style") -> list[str]:
-        """The rows as texts."""
-        drawn = [one.canvas.plot("\n").split("\n") for one in self.layers]
-        found = []
-        for row in range(self.rows):
-            cells = []
-            for column in range(self.columns):
-                letter, color = self.texts.get((column, row), ("", ""))
-                if not letter:
-                    letter, color = self._dots([rows[row][column] for rows in drawn], column, style)
-                cells.append((letter, color))
-            found.append(_joined(cells, style))
-        return found
-
-    def _dots(self, letters: Sequence[str], column: int, style: "Style") -> tuple[str, str]:
-        """What layers have in one cell: all their dots, in the colour of the topmost."""
-        dots, top = 0, None
-        for letter, layer in zip(letters, self.layers, strict=True):
-            if ord(letter) > EMPTY:
-                dots |= ord(letter) - EMPTY
-                top = layer
-        if top is None:
-            return " ", ""
-        color = top.colors.get(column, top.color)
-        return (top.mark if style.ascii else chr(EMPTY + dots)), color
-
-
-class Style(NamedTuple):
-    """How wide it may be, whether in colour, and whether in ASCII alone."""
-
-    width: int = 80
-    color: bool = False
-    ascii: bool = False
-
-
-def has_braille(encoding: str | None) -> bool:
-    """Whether an encoding has the letters of Braille."""
-    try:
-        "\u28ff".encode(encoding or "ascii")
-    except (UnicodeEncodeError, LookupError):
-        return False
-    return True
+def style_of(width: int = 80, color: bool = False) -> Style:
+    """How pictures are drawn on standard output: in ASCII where its encoding has no Braille."""
+    return Style(width, color, not has(BRAILLE))
 
 
 def draw(picture: Picture, style: Style) -> str:
@@ -159,26 +78,7 @@ def draw(picture: Picture, style: Style) -> str:
     style = style._replace(width=max(style.width, NARROWEST))
     lines = ways[type(picture)](picture, style)
     text = "".join(f"{line.rstrip()}\n" for line in lines)
-    return _in_ascii(text) if style.ascii else text
-
-
-def _in_ascii(text: str) -> str:
-    return "".join(ASCII.get(letter, letter) for letter in text)
-
-
-def _joined(cells: Iterable[tuple[str, str]], style: Style) -> str:
-    """Letters with their colours, which are told where they change."""
-    line, now = "", ""
-    for letter, color in cells:
-        if style.color and color != now and letter != " ":
-            line += (RESET if now else "") + (f"\033[{color}m" if color else "")
-            now = color
-        line += letter
-    return line + (RESET if now else "")
-
-
-def _dim(text: str, style: Style) -> str:
-    return f"{DIM}{text}{RESET}" if style.color and text.strip() else text
+    return in_ascii(text.translate(IN_ASCII)) if style.ascii else text
 
 
 # -- polar diagrams --------------------------------------------------------------------------------
@@ -198,46 +98,41 @@ def _polar(polar: Polar, style: Style) -> list[str]:
         (-columns * dot, columns * dot),
         ((top - 4 * rows) * dot, top * dot),
     )
-    grid = sheet.layer(DIM[2:-1], FAINT)
+    grid = sheet.layer(DIM, BEHIND)
     reach = RIGHT if is_half else 180.0
     for size in circles:
         circle = [_turned(size, angle) for angle in _degrees(-reach, reach)]
-        _dotted(grid, pairwise(circle), GRID)
+        dotted(grid, pairwise(circle), GRID)
     for angle in range(-180, 180, 30):
         if abs(angle) <= reach:
-            _dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
+            dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
             _write_at_rim(sheet, f"{abs(angle)}°", *_turned(outer, angle), dot)
     for size, name in zip(circles, names, strict=True):
         column, row = sheet.place(size, 0.0)
         if size != outer:
             sheet.write(column - len(name) // 2, row if not is_half else row - 1, name, "2")
-    legend = []
+    entries = []
     for k, plane in enumerate(polar.planes):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
         canvas = sheet.layer(color, mark)
         points = [_turned(v, a) for a, v in zip(plane.angles, plane.values, strict=True)]
         if k == 0:
-            _line(canvas, pairwise(points))
+            line(canvas, pairwise(points))
         else:
-            _dotted(canvas, pairwise(points))
-        own = Series("", (), (), LINE if k == 0 else REFERENCE)
-        legend.append((_sample(own, mark, style), color, plane.label))
+            dotted(canvas, pairwise(points))
+        look = sample(LINE if k == 0 else REFERENCE, mark, style)
+        entries.append((look, color, plane.label))
     left = " " * ((style.width - columns) // 2)
     said = f"{polar.radius.title}, circles every {names[0]}"
-    lines = [*_title(polar.title, style), *(left + line for line in sheet.lines(style))]
+    lines = [*heading(polar.title, style), *(left + line for line in sheet.lines(style))]
     return [
         *lines,
-        *_caption(said, 0, style.width),
-        *_legend(legend, style),
+        *caption(said, 0, style.width),
+        *legend(entries, style),
     ]
 
 
-def _tall(style: Style) -> int:
-    """The rows of a circle, in which most of a terminal is."""
-    return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
-
-
-def _turned(size: float, angle: float) -> tuple[float, float]:
+def _turned(size: float, angle: float) -> Point:
     """Where a value stands at an angle [deg] from straight down."""
     turn = math.radians(angle)
     return size * math.sin(turn), -size * math.cos(turn)
@@ -258,6 +153,11 @@ def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> No
     sheet.write(column, row, text)
 
 
+def _tall(style: Style) -> int:
+    """The rows of a circle, in which most of a terminal is."""
+    return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
+
+
 # -- fields and discs ------------------------------------------------------------------------------
 
 
@@ -271,23 +171,17 @@ def _field(field: Field, style: Style) -> list[str]:
     columns = style.width - left - 1
     rows = min(max(round(columns * high / wide / 2), 4), MOST)
     columns = min(columns, max(round(2 * rows * wide / high), LEAST))
-    sheet = Sheet(
-        columns,
-        rows,
-        (x_ends[0], _beyond(*x_ends, 2 * columns)),
-        (y_ends[0], _beyond(*y_ends, 4 * rows)),
-    )
-    numbered = dict(zip([_row(sheet, y) for y in y_ticks], names, strict=True))
+    sheet = Sheet.between(columns, rows, x_ends, y_ends)
     drawn = field.xs, field.ys, field.rows
     _place_marks(sheet, field.marks)
     said = _contours(sheet, drawn, field.value, field.marks)
-    lines = [*_title(field.title, style), *_upright_title(field.y, left, style)]
-    for row, line in enumerate(sheet.lines(style)):
-        name = numbered.get(row, "")
-        lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
     x_ticks = ticks(*x_ends, max(columns // 10, 2))
-    below = _below(field.x, sheet, x_ticks, float, left, style)
-    return [*lines, *below, *fold(said, style.width)]
+    return [
+        *heading(field.title, style),
+        *beside(field.y, sheet, dict(zip(y_ticks, names, strict=True)), left, style),
+        *below(field.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), left, style),
+        *fold(said, style.width),
+    ]
 
 
 def _disc(disc: Disc, style: Style) -> list[str]:
@@ -302,9 +196,9 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         [v if x * x + y * y <= 1 else math.nan for x, v in zip(places, row, strict=True)]
         for y, row in zip(places, disc.rows, strict=True)
     ]
-    grid = sheet.layer(DIM[2:-1], FAINT)
+    grid = sheet.layer(DIM, BEHIND)
     rim = [_turned(1.0, angle) for angle in _degrees(-180, 180)]
-    _line(grid, pairwise(rim))
+    line(grid, pairwise(rim))
     for label, angle in disc.rim:
         x, y = _turned(1.0, 180 - angle)
         _write_at_rim(sheet, label, x, y, 1 / radius)
@@ -315,8 +209,8 @@ def _disc(disc: Disc, style: Style) -> list[str]:
         taken = {sheet.place(*place) for place in rim}
         said = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
     left = " " * max((style.width - columns) // 2, 0)
-    lines = [*_title(disc.title, style), *(left + line for line in sheet.lines(style))]
-    return [*lines, *_caption(said, 0, style.width)]
+    lines = [*heading(disc.title, style), *(left + line for line in sheet.lines(style))]
+    return [*lines, *caption(said, 0, style.width)]
 
 
 def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
@@ -342,7 +236,7 @@ def _contours(
     found = levels(every)
     full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
     for k, (level, name) in enumerate(zip(found, texts(found), strict=True)):
-        color = RAMP[k * (len(RAMP) - 1) // max(len(found) - 1, 1)]
+        color = _on_ramp(k, len(found))
         canvas = sheet.layer(color, MARKS[k % len(MARKS)])
         places = []
         for start, end in _segments(*drawn, level):
@@ -353,9 +247,14 @@ def _contours(
     return f"{value.title}, from {low} to {high}"
 
 
+def _on_ramp(k: int, count: int) -> str:
+    """The colour of one of several that are in an order."""
+    return RAMP[k * (len(RAMP) - 1) // max(count - 1, 1)]
+
+
 def _name_contour(
     sheet: Sheet,
-    places: list[tuple[float, float]],
+    places: list[Point],
     name: str,
     color: str,
     taken: list[tuple[int, int]],
@@ -400,7 +299,7 @@ def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> I
 
 def _between(
     one: tuple[float, float, float], other: tuple[float, float, float], level: float
-) -> tuple[float, float]:
+) -> Point:
     """Where a level is on the line between two places."""
     share = (level - one[2]) / (other[2] - one[2])
     return one[0] + share * (other[0] - one[0]), one[1] + share * (other[1] - one[1])
@@ -408,9 +307,7 @@ def _between(
 
 def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
     """Draw dots the denser the brighter, by the logarithm of what is above the least share."""
-    every = sorted(z for row in rows for z in row if z == z)
-    high = every[int(CLIPPED * (len(every) - 1))] or 1.0
-    low = max(every[0], high / SPAN)
+    low, high = shades([z for row in rows for z in row if z == z])
     canvas = sheet.layer("", "#")
     count = len(places)
     for row in range(4 * sheet.rows):
@@ -441,51 +338,87 @@ def _chart(chart: Chart, style: Style) -> list[str]:
     left = max(map(len, names)) + 2
     columns = style.width - left - 1
     x_ends, x_ticks = _ends(chart.x, places, max(columns // 10, 2), is_round=False)
-    sheet = Sheet(
+    sheet = Sheet.between(
         columns,
         rows,
-        (x_of(x_ends[0]), _beyond(x_of(x_ends[0]), x_of(x_ends[1]), 2 * columns)),
-        (y_of(y_ends[0]), _beyond(y_of(y_ends[0]), y_of(y_ends[1]), 4 * rows)),
+        (x_of(x_ends[0]), x_of(x_ends[1])),
+        (y_of(y_ends[0]), y_of(y_ends[1])),
     )
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)
-    legend, drawn = [], []
-    is_alone = len([one for one in chart.series if one.style != REFERENCE]) == 1
-    colors = _hues(chart, sheet) if is_alone else PLAIN
+    entries, drawn = [], []
+    count = len(chart.curves)
+    colors = _hues(chart, sheet) if count == 1 else PLAIN
+    named = chart.named
     for k, one in enumerate(chart.series):
         color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
+        if chart.crowd:
+            color = _on_ramp(k, count)
         if one.style == REFERENCE:
-            color, mark, colors = DIM[2:-1], FAINT, PLAIN
+            color, mark, colors = DIM, BEHIND, PLAIN
         elif colors:
             color = ""
         points = [(x_of(x), y_of(y)) for x, y in zip(one.x, one.y, strict=True)]
         _curve(sheet.layer(color, mark, colors), points, one.style, sheet)
         if one.style in (LINE, POINTS):
             drawn.append((dict(sheet.place(*point) for point in points), color))
-        if one.label:
-            legend.append((_sample(one, mark, style), color, one.label))
-    if len(drawn) > 1:
+        if k in named:
+            entries.append((sample(one.style, mark, style), color, one.label))
+    if len(drawn) > 1 and not chart.crowd:
         _number(sheet, drawn)
-        legend = [
-            (sample if k > len(drawn) else f"{k} {sample}", color, label)
-            for k, (sample, color, label) in enumerate(legend, start=1)
+        entries = [
+            (look if k > len(drawn) else f"{k} {look}", color, label)
+            for k, (look, color, label) in enumerate(entries, start=1)
         ]
-    numbered = dict(zip([_row(sheet, y_of(y)) for y in y_ticks], names, strict=True))
-    lines = [*_title(chart.title, style), *_upright_title(chart.y, left, style)]
-    for row, line in enumerate(sheet.lines(style)):
-        name = numbered.get(row, "")
-        lines.append(_dim(f"{name:>{left - 1}}{'┤' if name else '│'}", style) + line)
-    return [*lines, *_below(chart.x, sheet, x_ticks, x_of, left, style), *_legend(legend, style)]
+    y_numbers = {y_of(y): name for y, name in zip(y_ticks, names, strict=True)}
+    x_numbers = {x_of(x): name for x, name in zip(x_ticks, texts(x_ticks), strict=True)}
+    return [
+        *heading(chart.title, style),
+        *beside(chart.y, sheet, y_numbers, left, style),
+        *below(chart.x, sheet, x_numbers, left, style),
+        *heading(chart.crowd, style),
+        *legend(entries, style),
+    ]
 
 
-def _title(title: str, style: Style) -> list[str]:
-    """The title, folded between its words."""
-    return fold(printable(title), style.width) if title else []
+def _upright(sheet: Sheet, x: float, label: str) -> None:
+    """A line from the bottom to the top, with its name beside it."""
+    canvas = sheet.layer(DIM, "|")
+    canvas.line(x, sheet.y[0], x, sheet.y[1])
+    column = sheet.column(x)
+    is_left = column + 2 + len(label) > sheet.columns
+    sheet.write(column - 1 - len(label) if is_left else column + 2, 0, label)
 
 
-def _upright_title(axis: Axis, left: int, style: Style) -> list[str]:
-    """The title of an axis that stands, over it."""
-    return [" " * (left - 1) + part for part in fold(axis.title, style.width - left)]
+def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
+    """A line through points, dots along it, or uprights below them; outside nothing is drawn."""
+    if style == LINES:
+        for x, y in points:
+            canvas.line(x, sheet.y[0], x, y)
+        return
+    if style == REFERENCE:
+        dotted(canvas, _inside(points, sheet))
+        return
+    if style == POINTS:
+        for x, y in points:
+            blot(canvas, x, y, sheet)
+        return
+    line(canvas, _inside(points, sheet))
+
+
+def _inside(points: list[Point], sheet: Sheet) -> Iterator[Piece]:
+    """The pieces of a line that runs to the right or upright, cut at the ends of x."""
+    low, high = sheet.x
+    for (x0, y0), (x1, y1) in pairwise(points):
+        if x0 <= high and x1 >= low:
+            yield (
+                _at(low, x0, y0, x1, y1) if x0 < low else (x0, y0),
+                _at(high, x0, y0, x1, y1) if x1 > high else (x1, y1),
+            )
+
+
+def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
+    return x, y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 
 
 def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
@@ -494,8 +427,7 @@ def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
     for hue in chart.hues:
         if sheet.x[0] <= hue.place <= sheet.x[1]:
             red, green, blue = (round(DARKEST + (BRIGHTEST - DARKEST) * part) for part in hue[1:])
-            column = sheet.place(hue.place, sheet.y[0])[0]
-            found[column] = f"38;5;{16 + 36 * red + 6 * green + blue}"
+            found[sheet.column(hue.place)] = f"38;5;{16 + 36 * red + 6 * green + blue}"
     return found
 
 
@@ -521,14 +453,9 @@ def _scale(is_log: bool) -> Callable[[float], float]:
     return math.log10 if is_log else lambda value: value
 
 
-def _beyond(low: float, high: float, dots: int) -> float:
-    """The end of a canvas whose last dot is `high`: plotille has the end itself outside."""
-    return high + (high - low) / (dots - 1)
-
-
 def _ends(
     axis: Axis, values: list[float], most: int, is_round: bool = True
-) -> tuple[tuple[float, float], list[float]]:
+) -> tuple[Point, list[float]]:
     """The ends of an axis, and the round numbers on it."""
     if axis.is_log:
         low, high = axis.limits or (min(values), max(values))
@@ -537,143 +464,3 @@ def _ends(
     if low == high:
         low, high = limits([low], most)
     return (low, high), ticks(low, high, most)
-
-
-def _row(sheet: Sheet, y: float) -> int:
-    return sheet.place(sheet.x[0], y)[1]
-
-
-def _upright(sheet: Sheet, x: float, label: str) -> None:
-    """A line from the bottom to the top, with its name beside it."""
-    canvas = sheet.layer(DIM[2:-1], "|")
-    canvas.line(x, sheet.y[0], x, sheet.y[1])
-    column = sheet.place(x, sheet.y[0])[0]
-    is_left = column + 2 + len(label) > sheet.columns
-    sheet.write(column - 1 - len(label) if is_left else column + 2, 0, label)
-
-
-def _curve(canvas: Any, points: list[tuple[float, float]], style: str, sheet: Sheet) -> None:
-    """A line through points, dots along it, or uprights below them; outside nothing is drawn."""
-    if style == LINES:
-        for x, y in points:
-            canvas.line(x, sheet.y[0], x, y)
-        return
-    if style == REFERENCE:
-        _dotted(canvas, _inside(points, sheet))
-        return
-    if style == POINTS:
-        for x, y in points:
-            _blot(canvas, x, y, sheet)
-        return
-    _line(canvas, _inside(points, sheet))
-
-
-def _line(canvas: Any, pieces: Iterable[Piece]) -> None:
-    for start, end in pieces:
-        canvas.line(*start, *end)
-
-
-def _inside(points: list[tuple[float, float]], sheet: Sheet) -> Iterator[Piece]:
-    """The pieces of a line that runs to the right or upright, cut at the ends of x."""
-    low, high = sheet.x
-    for (x0, y0), (x1, y1) in pairwise(points):
-        if x0 <= high and x1 >= low:
-            yield (
-                _at(low, x0, y0, x1, y1) if x0 < low else (x0, y0),
-                _at(high, x0, y0, x1, y1) if x1 > high else (x1, y1),
-            )
-
-
-def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> tuple[float, float]:
-    return x, y0 + (y1 - y0) * (x - x0) / (x1 - x0)
-
-
-def _blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
-    """Three dots by three, as far as they are inside, about a point."""
-    across = (sheet.x[1] - sheet.x[0]) / (2 * sheet.columns)
-    up = (sheet.y[1] - sheet.y[0]) / (4 * sheet.rows)
-    for i in (-1, 0, 1):
-        for j in (-1, 0, 1):
-            if not i or not j:
-                canvas.point(x + i * across, y + j * up)
-
-
-def _dotted(
-    canvas: Any,
-    pieces: Iterable[Piece],
-    apart: int = APART,
-) -> None:
-    """Dots along the pieces of a line."""
-    due = 0
-    for (x0, y0), (x1, y1) in pieces:
-        steps = max(map(abs, canvas.dots_between(x0, y0, x1, y1)))
-        while due < steps:
-            canvas.point(x0 + (x1 - x0) * due / steps, y0 + (y1 - y0) * due / steps)
-            due += apart
-        due -= steps
-
-
-def _below(
-    axis: Axis,
-    sheet: Sheet,
-    x_ticks: list[float],
-    x_of: Callable[[float], float],
-    left: int,
-    style: Style,
-) -> list[str]:
-    """The x axis, its numbers and its title."""
-    rule, numbers = ["─"] * sheet.columns, [" "] * (left + sheet.columns + 1)
-    taken = 0
-    for place, text in zip(x_ticks, texts(x_ticks), strict=True):
-        column = sheet.place(x_of(place), sheet.y[0])[0]
-        start = max(left + column - len(text) // 2, 0)
-        start = min(start, style.width - len(text))
-        if start < taken:
-            continue
-        rule[column] = "┬"
-        numbers[start : start + len(text)] = text
-        taken = start + len(text) + 1
-    return [
-        _dim(f"{' ' * (left - 1)}└{''.join(rule)}", style),
-        _dim("".join(numbers), style),
-        *_caption(axis.title, left, sheet.columns),
-    ]
-
-
-def _caption(text: str, start: int, room: int) -> list[str]:
-    """A text in the middle of a room, folded where it is longer."""
-    text = printable(text)
-    return [
-        " " * (start + (room - len(part)) // 2) + part
-        for part in fold(text, max(room, NARROWEST // 2))
-    ]
-
-
-def _sample(one: Series, mark: str, style: Style) -> str:
-    """How a curve looks, beside its name."""
-    if style.ascii:
-        return mark * 2
-    return {REFERENCE: "\u2804\u2804", LINES: "\u28b8\u2847", POINTS: "\u2822\u2876"}.get(
-        one.style, "\u2824\u2824"
-    )
-
-
-def _legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
-    """Samples and names of the curves, as many in a line as there is room for."""
-    if not entries:
-        return []
-    lines, line, size = [], "", 0
-    for sample, color, label in entries:
-        label, *rest = fold(printable(label), style.width - len(sample) - 1)
-        text = f"{sample} {label}"
-        if size and size + GAP + len(text) > style.width:
-            lines.append(line)
-            line, size = "", 0
-        if size:
-            line, size = line + " " * GAP, size + GAP
-        shown = f"\033[{color}m{sample}{RESET}" if style.color and color else sample
-        line, size = f"{line}{shown} {label}", size + len(text)
-        if rest:
-            lines += [line, *(f"   {part}" for part in rest)]
-            line, size = "", 0
-    return [*lines, *([line] if line else [])]

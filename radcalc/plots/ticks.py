@@ -5,7 +5,9 @@ from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
-ROUNDING = 1e-12  # of the greatest: what is left there of a 0
+NEGLIGIBLE = 1e-9  # of the greatest value: what rounding leaves of a 0
+SPAN = 1000.0  # between the darkest and the brightest of an image
+CLIPPED = 0.995  # of an image: the rest is as bright as the brightest of these
 RINGS = 6  # circles of a polar diagram at most, with the point in its middle
 DIGITS = 6  # of a number, unless more tell it from others
 ROUNDING = 1e-9  # of a step: a tick is not left out for it
@@ -126,9 +128,22 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
     low, high = every[0], every[-1]
     if not low < high * (1 - 1e-6):
         return []
-    is_far = low > ROUNDING * high and high > FAR * low
+    is_far = low > NEGLIGIBLE * high and high > FAR * low
     found = log_ticks(low, high, most) if is_far else ticks(low, high, most)
     return [x for x in found if low < x < high]
+
+
+def shades(values: list[float]) -> tuple[float, float]:
+    """The ends of a logarithmic scale of an image: what is beyond them is as bright as they are.
+
+    Examples
+    --------
+    >>> shades([0.0, 2.0, 400.0])
+    (0.4, 400.0)
+    """
+    every = sorted(values)
+    high = every[round(CLIPPED * (len(every) - 1))] or 1.0
+    return max(every[0], high / SPAN), high
 
 
 def texts(values: list[float]) -> list[str]:

@@ -4,7 +4,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import pytest
-from conftest import python, run
+from conftest import call, python
 
 from radcalc.plots import figure
 from radcalc.plots.data import Axis, Chart, Series
@@ -33,20 +33,20 @@ LABELS = {
 @pytest.mark.parametrize("kind", CALLS)
 def test_an_svg_is_xml_that_has_its_labels(tmp_path, kind):
     path = tmp_path / "a.svg"
-    done = run(*CALLS[kind], "--plot", str(path))
+    done = call(*CALLS[kind], "--plot", str(path))
     assert done.returncode == 0, done.stderr
     tree = ElementTree.parse(path)
     assert tree.getroot().tag == f"{SVG}svg"
     assert len(list(tree.iter(f"{SVG}path"))) > 5
     text = path.read_text(encoding="utf-8")
     assert [label for label in LABELS[kind] if f"<!-- {label} -->" not in text] == []
-    assert done.stdout == run(*CALLS[kind]).stdout  # the numbers as without it
+    assert done.stdout == call(*CALLS[kind]).stdout  # the numbers as without it
     assert [one.name for one in tmp_path.iterdir()] == ["a.svg"]
 
 
 def test_a_png_is_one_of_a_readable_size(tmp_path):
     path = tmp_path / "a.PNG"
-    assert run(*CALLS["polar"], "--plot", str(path)).returncode == 0
+    assert call(*CALLS["polar"], "--plot", str(path)).returncode == 0
     data = path.read_bytes()
     assert data.startswith(b"\x89PNG\r\n\x1a\n")
     width, height = struct.unpack(">II", data[16:24])
@@ -98,7 +98,7 @@ sys.exit(run(sys.argv[1:]))
 def test_a_place_that_cannot_be_written_is_refused_before_anything_is_said(tmp_path, place, said):
     (tmp_path / "folder.svg").mkdir()
     (tmp_path / "folder").mkdir()
-    done = run("spectrum", "D65", "--plot", f"{tmp_path}/{place}")
+    done = call("spectrum", "D65", "--plot", f"{tmp_path}/{place}")
     assert (done.returncode, done.stdout) == (2, "")
     assert said in done.stderr
     assert "Traceback" not in done.stderr
@@ -106,7 +106,7 @@ def test_a_place_that_cannot_be_written_is_refused_before_anything_is_said(tmp_p
 
 def test_what_is_asked_for_wrongly_writes_no_file(tmp_path):
     path = tmp_path / "a.svg"
-    done = run("spectrum", "D65", "-g", "speed", "--plot", str(path))
+    done = call("spectrum", "D65", "-g", "speed", "--plot", str(path))
     assert (done.returncode, done.stdout, path.exists()) == (2, "", False)
 
 
@@ -114,8 +114,8 @@ def test_json_and_csv_stand_beside_a_figure(tmp_path):
     path = str(tmp_path / "a.svg")
     words = ["point-source", "--intensity", "100cd", "--distance", "1m,2m"]
     for form in ("json", "csv"):
-        plain = run(*words, "--format", form)
-        assert run(*words, "--format", form, "--plot", path).stdout == plain.stdout
+        plain = call(*words, "--format", form)
+        assert call(*words, "--format", form, "--plot", path).stdout == plain.stdout
 
 
 def test_what_a_user_named_is_no_formula():
@@ -125,3 +125,12 @@ def test_what_a_user_named_is_no_formula():
     text = figure.data(chart, ".svg").decode()
     for said in ("$x", "_hidden", "a\\x1bb", "光"):
         assert f"<!-- {said} -->" in text or f"<!-- {said.replace('$', chr(92) + '$')} -->" in text
+
+
+def test_of_too_many_curves_the_first_and_the_last_are_named_in_colours_of_their_own():
+    many = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, 31)]
+    (axes,) = figure.figure(Chart("", Axis("x"), Axis("y"), many)).axes
+    legend = axes.get_legend()
+    assert [one.get_text() for one in legend.get_texts()] == ["flux 1lm", "flux 30lm"]
+    assert legend.get_title().get_text() == "30 curves, the first and the last of which are"
+    assert len({line.get_color() for line in axes.lines}) == 30

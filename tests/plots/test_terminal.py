@@ -2,6 +2,8 @@
 
 import math
 import re
+import sys
+from types import SimpleNamespace
 
 import pytest
 
@@ -17,7 +19,7 @@ from radcalc.plots.data import (
     Polar,
     Series,
 )
-from radcalc.plots.terminal import Style, draw, has_braille
+from radcalc.plots.terminal import Style, draw, style_of
 
 CHART = Chart(
     "a line",
@@ -189,8 +191,9 @@ def test_an_even_field_has_no_contours():
     ("encoding", "has"),
     [("utf-8", True), ("ascii", False), ("latin-1", False), (None, False), ("no such", False)],
 )
-def test_braille_is_where_the_encoding_has_it(encoding, has):
-    assert has_braille(encoding) is has
+def test_a_picture_is_of_braille_where_the_encoding_has_it(monkeypatch, encoding, has):
+    monkeypatch.setattr(sys, "stdout", SimpleNamespace(encoding=encoding))
+    assert style_of(80).ascii is not has
 
 
 def test_what_a_user_named_does_not_steer_the_terminal():
@@ -204,3 +207,11 @@ def test_a_curve_far_beyond_the_axis_is_cut_and_takes_no_time():
     far = Chart("", Axis("x", limits=(0.0, 1.0)), Axis("y"), [Series("", [-1e9, 1e9], [0.0, 1.0])])
     rows = {r for r, _ in cells(draw(far, Style(80)))}
     assert len(rows) == 1  # level, in the middle
+
+
+def test_of_too_many_curves_the_first_and_the_last_are_named():
+    many = [Series(f"flux {k}lm", [0.0, 1.0], [0.0, float(k)]) for k in range(1, 31)]
+    lines = draw(Chart("", Axis("x"), Axis("y"), many), Style(80)).splitlines()
+    assert lines[-2] == "30 curves, the first and the last of which are"
+    assert lines[-1].split("  ") == ["⠤⠤ flux 1lm", "⠤⠤ flux 30lm"]
+    assert len(lines) < 30

@@ -1,0 +1,244 @@
+"""A sheet of characters that a picture is drawn on, and the axes and texts round it.
+
+Its dots are those of Braille letters, or whole characters in ASCII.  What has a colour of its own
+has a canvas, of which plotille sets the dots; here they are laid over each other, with texts on
+top.  The only module that imports plotille.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from plotille import Canvas
+
+from radcalc.errors import printable
+from radcalc.plots.data import LINES, POINTS, REFERENCE, Axis
+from radcalc.stdio import RESET, fold
+
+PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
+EMPTY = 0x2800  # the Braille letter without dots
+DIM = "2"  # the colour of what is behind the curves
+BEHIND = "."  # and its character in ASCII
+NARROWEST = 40  # columns: no narrower terminal is drawn for
+APART = 3  # dots of a dotted line
+GAP = 2  # columns between two texts
+Point = tuple[float, float]
+Piece = tuple[Point, Point]
+
+
+class Style(NamedTuple):
+    """How wide it may be, whether in colour, and whether in ASCII alone."""
+
+    width: int
+    color: bool = False
+    ascii: bool = False
+
+
+class Layer(NamedTuple):
+    """Dots of one colour, and the character that stands for them in ASCII.
+
+    Columns that have a colour of their own are in `colors`.
+    """
+
+    canvas: Any
+    color: str
+    mark: str
+    colors: Mapping[int, str]
+
+
+class Sheet:
+    """Layers of dots over a range of x and y, and texts over them."""
+
+    def __init__(self, columns: int, rows: int, x: Point, y: Point) -> None:
+        self.columns, self.rows, self.x, self.y = columns, rows, x, y
+        self.layers: list[Layer] = []
+        self.texts: dict[tuple[int, int], tuple[str, str]] = {}
+
+    @classmethod
+    def between(cls, columns: int, rows: int, x: Point, y: Point) -> "Sheet":
+        """A sheet whose first and last dots are at the ends of x and of y."""
+        # plotille has the end itself outside.
+        wide, high = ((b - a) / (dots - 1) for (a, b), dots in ((x, 2 * columns), (y, 4 * rows)))
+        return cls(columns, rows, (x[0], x[1] + wide), (y[0], y[1] + high))
+
+    def layer(self, color: str, mark: str, colors: Mapping[int, str] = PLAIN) -> Any:
+        """A new canvas, on top of those that there are."""
+        canvas = Canvas(self.columns, self.rows, self.x[0], self.y[0], self.x[1], self.y[1])
+        self.layers.append(Layer(canvas, color, mark, colors))
+        return canvas
+
+    def write(self, column: int, row: int, text: str, color: str = "") -> None:
+        """Write a text from a column on, rows from the top; what stands outside is left out."""
+        for k, letter in enumerate(printable(text)):
+            if 0 <= column + k < self.columns and 0 <= row < self.rows:
+                self.texts[column + k, row] = letter, color
+
+    def place(self, x: float, y: float) -> tuple[int, int]:
+        """The column of a place, and its row from the top: where its dot is."""
+        across = round(2 * self.columns * (x - self.x[0]) / (self.x[1] - self.x[0])) // 2
+        up = round(4 * self.rows * (y - self.y[0]) / (self.y[1] - self.y[0])) // 4
+        return (
+            min(max(across, 0), self.columns - 1),
+            min(max(self.rows - 1 - up, 0), self.rows - 1),
+        )
+
+    def row(self, y: float) -> int:
+        """The row of a height, from the top."""
+        return self.place(self.x[0], y)[1]
+
+    def column(self, x: float) -> int:
+        """The column of a place on the x axis."""
+        return self.place(x, self.y[0])[0]
+
+    def lines(self, style: Style) -> list[str]:
+        """The rows as texts."""
+        drawn = [one.canvas.plot("\n").split("\n") for one in self.layers]
+        found = []
+        for row in range(self.rows):
+            cells = []
+            for column in range(self.columns):
+                letter, color = self.texts.get((column, row), ("", ""))
+                if not letter:
+                    letter, color = self._dots([rows[row][column] for rows in drawn], column, style)
+                cells.append((letter, color))
+            found.append(_joined(cells, style))
+        return found
+
+    def _dots(self, letters: Sequence[str], column: int, style: Style) -> tuple[str, str]:
+        """What layers have in one cell: all their dots, in the colour of the topmost."""
+        dots, top = 0, None
+        for letter, layer in zip(letters, self.layers, strict=True):
+            if ord(letter) > EMPTY:
+                dots |= ord(letter) - EMPTY
+                top = layer
+        if top is None:
+            return " ", ""
+        color = top.colors.get(column, top.color)
+        return (top.mark if style.ascii else chr(EMPTY + dots)), color
+
+
+def _joined(cells: Iterable[tuple[str, str]], style: Style) -> str:
+    """Letters with their colours, which are told where they change."""
+    line, now = "", ""
+    for letter, color in cells:
+        if style.color and color != now and letter != " ":
+            line += (RESET if now else "") + (_start(color) if color else "")
+            now = color
+        line += letter
+    return line + (RESET if now else "")
+
+
+def _start(color: str) -> str:
+    return f"\033[{color}m"
+
+
+def _painted(text: str, color: str, style: Style) -> str:
+    return f"{_start(color)}{text}{RESET}" if style.color and color and text.strip() else text
+
+
+def line(canvas: Any, pieces: Iterable[Piece]) -> None:
+    """The pieces of a line."""
+    for start, end in pieces:
+        canvas.line(*start, *end)
+
+
+def dotted(canvas: Any, pieces: Iterable[Piece], apart: int = APART) -> None:
+    """Dots along the pieces of a line."""
+    due = 0
+    for (x0, y0), (x1, y1) in pieces:
+        steps = max(map(abs, canvas.dots_between(x0, y0, x1, y1)))
+        while due < steps:
+            canvas.point(x0 + (x1 - x0) * due / steps, y0 + (y1 - y0) * due / steps)
+            due += apart
+        due -= steps
+
+
+def blot(canvas: Any, x: float, y: float, sheet: Sheet) -> None:
+    """Three dots by three, as far as they are inside, about a point."""
+    across = (sheet.x[1] - sheet.x[0]) / (2 * sheet.columns)
+    up = (sheet.y[1] - sheet.y[0]) / (4 * sheet.rows)
+    for i in (-1, 0, 1):
+        for j in (-1, 0, 1):
+            if not i or not j:
+                canvas.point(x + i * across, y + j * up)
+
+
+# -- round the sheet -------------------------------------------------------------------------------
+
+
+def heading(title: str, style: Style) -> list[str]:
+    """The title, folded between its words."""
+    return fold(printable(title), style.width) if title else []
+
+
+def beside(
+    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], left: int, style: Style
+) -> list[str]:
+    """The rows of a sheet with the y axis at their left, its numbers and its title over them."""
+    numbered = {sheet.row(place): text for place, text in numbers.items()}
+    lines = [" " * (left - 1) + part for part in fold(axis.title, style.width - left)]
+    for row, line in enumerate(sheet.lines(style)):
+        text = numbered.get(row, "")
+        edge = f"{text:>{left - 1}}{'┤' if text else '│'}"
+        lines.append(_painted(edge, DIM, style) + line)
+    return lines
+
+
+def below(
+    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], left: int, style: Style
+) -> list[str]:
+    """The x axis, its numbers and its title."""
+    rule, written = ["─"] * sheet.columns, [" "] * (left + sheet.columns + 1)
+    taken = 0
+    for place, text in numbers.items():
+        column = sheet.column(place)
+        start = max(left + column - len(text) // 2, 0)
+        start = min(start, style.width - len(text))
+        if start < taken:
+            continue
+        rule[column] = "┬"
+        written[start : start + len(text)] = text
+        taken = start + len(text) + 1
+    return [
+        _painted(f"{' ' * (left - 1)}└{''.join(rule)}", DIM, style),
+        _painted("".join(written), DIM, style),
+        *caption(axis.title, left, sheet.columns),
+    ]
+
+
+def caption(text: str, start: int, room: int) -> list[str]:
+    """A text in the middle of a room, folded where it is longer."""
+    text = printable(text)
+    return [
+        " " * (start + (room - len(part)) // 2) + part
+        for part in fold(text, max(room, NARROWEST // 2))
+    ]
+
+
+def sample(how: str, mark: str, style: Style) -> str:
+    """How a curve that is drawn in a way looks, beside its name."""
+    if style.ascii:
+        return mark * 2
+    return {REFERENCE: "\u2804\u2804", LINES: "\u28b8\u2847", POINTS: "\u2822\u2876"}.get(
+        how, "\u2824\u2824"
+    )
+
+
+def legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
+    """Samples and names of the curves, as many in a line as there is room for."""
+    if not entries:
+        return []
+    lines, line, size = [], "", 0
+    for look, color, label in entries:
+        label, *rest = fold(printable(label), style.width - len(look) - 1)
+        text = f"{look} {label}"
+        if size and size + GAP + len(text) > style.width:
+            lines.append(line)
+            line, size = "", 0
+        if size:
+            line, size = line + " " * GAP, size + GAP
+        line, size = f"{line}{_painted(look, color, style)} {label}", size + len(text)
+        if rest:
+            lines += [line, *(f"   {part}" for part in rest)]
+            line, size = "", 0
+    return [*lines, *([line] if line else [])]
