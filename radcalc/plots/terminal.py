@@ -42,7 +42,7 @@ from radcalc.plots.sheet import (
     sample,
 )
 from radcalc.plots.ticks import levels, limits, log_ticks, rings, shades, texts, ticks
-from radcalc.stdio import fold, has
+from radcalc.stdio import can_show, fold
 
 BRAILLE = "\u28ff"  # a letter of it
 IN_ASCII = str.maketrans(
@@ -64,7 +64,7 @@ BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order 
 
 def style_of(width: int = 80, color: bool = False) -> Style:
     """How pictures are drawn on standard output: in ASCII where its encoding has no Braille."""
-    return Style(width, color, not has(BRAILLE))
+    return Style(width, color, not can_show(BRAILLE))
 
 
 def draw(picture: Picture, style: Style) -> str:
