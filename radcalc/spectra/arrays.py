@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from radcalc.errors import ConditionError, quote
+from radcalc.spectra.integrals import moment_between
 from radcalc.spectra.observers import OBSERVERS
-from radcalc.spectra.planck import LIGHT, PLANCK
+from radcalc.spectra.planck import photons
 from radcalc.spectra.spectrum import WHOLE, Range, Spectrum, Table
 
 
@@ -91,9 +92,8 @@ class ArrayTable(Table):
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""
         grid, values = self._part(limits)
-        a, b, p, q = grid[:-1], grid[1:], values[:-1], values[1:]
-        moments = (b - a) * (2 * (a * p + b * q) + a * q + b * p)
-        return float(moments.sum()) / 6 * 1e-9 / (PLANCK * LIGHT)
+        moments = moment_between(grid[:-1], grid[1:], values[:-1], values[1:])
+        return photons(float(moments.sum()) / 6)
 
     def _part(self, limits: Range) -> tuple[Any, Any]:
         grid, values = np.asarray(self.grid), np.asarray(self.values)
@@ -108,8 +108,9 @@ class ArrayTable(Table):
         )
 
 
-def _grid(wavelengths: Any, spectra: Any) -> Any:
-    """The wavelengths as an array, if they are fit for the spectra."""
+def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
+    """The wavelengths and the spectra as arrays, if they are fit for each other."""
+    spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = np.asarray(wavelengths, dtype=float)
     if (
         grid.ndim != 1
@@ -123,7 +124,7 @@ def _grid(wavelengths: Any, spectra: Any) -> Any:
             f"spectra of shape {spectra.shape} do not go with {len(grid)} wavelengths",
             "spectra of shape (..., n) for n wavelengths",
         )
-    return grid
+    return grid, spectra
 
 
 def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
@@ -160,8 +161,7 @@ def luminous(wavelengths: Any, spectra: Any, observer: str = "photopic") -> Any:
     >>> round(float(luminous([554.0, 555.0, 556.0], np.array([0.0, 1.0, 0.0]))), 1)
     683.0
     """
-    spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
-    grid = _grid(wavelengths, spectra)
+    grid, spectra = _arrays(wavelengths, spectra)
     return spectra @ _luminous_weights(grid, observer)
 
 
@@ -201,8 +201,7 @@ def luminous_efficacy(
     >>> float(luminous_efficacy([380.0, 780.0], np.ones((2, 2)))[0]) < 683
     True
     """
-    spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
-    grid = _grid(wavelengths, spectra)
+    grid, spectra = _arrays(wavelengths, spectra)
     if not max(limits[0], grid[0]) < min(limits[1], grid[-1]):
         raise ConditionError(f"the limits {limits} hold nothing of the grid", "limits [nm] in it")
     both = np.stack([_luminous_weights(grid, observer), power_weights(grid, limits)], axis=1)

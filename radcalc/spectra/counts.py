@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from radcalc.errors import TooNarrow, option
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT
 from radcalc.spectra.observers import Observer, most_lumens_per_photon
-from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
+from radcalc.spectra.planck import AVOGADRO, photons
 from radcalc.spectra.spectrum import PAR, WHOLE, Range, Spectrum, range_text
 
 SLACK = 1 + 1e-9
@@ -85,7 +85,7 @@ class Counts:
             most = most_lumens_per_photon(self.eye)
         else:
             longest = min(self.ranges[PHOTON][1], self.source.longest)
-            most = longest * 1e-9 / (PLANCK * LIGHT)
+            most = photons(longest)
         if ratio <= most * SLACK:
             return None
         counted = "that are seen" if top == LUMINOUS else f"of photons over {self.over(PHOTON)}"

@@ -8,6 +8,7 @@ Wavelengths are in nanometres throughout `spectra`.
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from math import inf
+from typing import Any
 
 Grid = Sequence[float]
 
@@ -40,6 +41,11 @@ def trapezoid(grid: Grid, values: Grid) -> float:
     return 0.5 * sum(
         [(x1 - x0) * (y0 + y1) for x0, y0, x1, y1 in zip(grid, values, *after, strict=False)]
     )
+
+
+def moment_between(a: Any, b: Any, p: Any, q: Any) -> Any:
+    """The integral of x times a line from (a, p) to (b, q), times 6; of floats or arrays."""
+    return (b - a) * (2 * (a * p + b * q) + a * q + b * p)
 
 
 def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> float:

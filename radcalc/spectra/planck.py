@@ -17,6 +17,11 @@ HALF_X = (2.7325893071213999, 8.096610458229823)  # where x^5/(e^x - 1) is half 
 STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 
+def photons(energy_wavelength: float) -> float:
+    """How many photons have an energy, of its product with their wavelength [J nm]."""
+    return energy_wavelength * 1e-9 / (PLANCK * LIGHT)
+
+
 def spectral_exitances(wavelengths: Sequence[float], temperature: float) -> list[float]:
     """Spectral radiant exitance of a black body [W/m3] at some wavelengths [m]."""
     scale, x1 = 2 * math.pi * PLANCK * LIGHT**2, C2 / temperature

@@ -14,7 +14,7 @@ from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.ranges import MOST, read_series
 from radcalc.units.scales import find
-from radcalc.units.table import resolve
+from radcalc.units.table import Dimension, resolve
 
 SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives several
 SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
@@ -61,16 +61,18 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     named = find_named(text)
     if named:
         return named
-    if text == "-" or os.path.exists(text):
-        from radcalc.spectra.files import read_file
-
-        return read_file(text, column)
-    path, colon, name = text.rpartition(":")
-    if colon and (path == "-" or os.path.exists(path)):
+    path, name = text, ""
+    if not _is_path(path):
+        path, _, name = text.rpartition(":")
+    if _is_path(path):
         from radcalc.spectra.files import read_file
 
         return read_file(path, column or name)
     raise _unknown(text)
+
+
+def _is_path(text: str) -> bool:
+    return text == "-" or os.path.exists(text)
 
 
 class Parameter(NamedTuple):
@@ -234,11 +236,7 @@ def _of_kind(kind: str, parameters: str, text: str) -> Spectrum:
 
 def _in_lengths(centre: str, fwhm: str) -> str:
     """The gaussian of an energy, or of a width in frequency, in wavelengths; else nothing."""
-    (place, of_place), (width, of_width) = (
-        (value * unit.factor, unit.dimension)
-        for value, unit_text in map(split_value, (centre, fwhm))
-        if (unit := resolve(unit_text or "1"))
-    )
+    (place, of_place), (width, of_width) = map(_in_si, (centre, fwhm))
     if not place or (of_place != ENERGY and of_width not in TIMES_WAVELENGTH):
         return ""
     if of_place in TIMES_WAVELENGTH:
@@ -272,26 +270,32 @@ def _width(parameter: str, text: str) -> float:
     return width
 
 
-def _quantity(parameter: str, text: str, dimension: tuple[int, ...], form: str) -> float:
+def _quantity(parameter: str, text: str, dimension: Dimension, form: str) -> float:
+    size, measured = _in_si(parameter)
+    if measured != dimension:
+        raise _malformed(text, form)
+    return size
+
+
+def _in_si(parameter: str) -> tuple[float, Dimension]:
+    """A parameter in coherent SI units, and its dimension."""
     value, unit_text = split_value(parameter)
     unit = resolve(unit_text or "1")
-    if unit.dimension != dimension:
-        raise _malformed(text, form)
-    return value * unit.factor
+    return value * unit.factor, unit.dimension
 
 
 def wavelength(parameter: str, text: str) -> float:
     """A wavelength [nm] from a length or a frequency."""
-    value, unit_text = split_value(parameter)
-    unit = resolve(unit_text or "1")
-    if value > 0 and unit.dimension == ENERGY:
-        length = standard_air_wavelength(TIMES_WAVELENGTH[ENERGY] / (value * unit.factor))
-        raise _malformed(text, f"a wavelength, {length * 1e9:.6g}nm")
-    if value <= 0 or unit.dimension not in (LENGTH, FREQUENCY):
+    size, dimension = _in_si(parameter)
+    if size <= 0 or dimension not in (LENGTH, *TIMES_WAVELENGTH):
         raise _malformed(text, "wavelengths such as 632.8nm")
-    if unit.dimension == FREQUENCY:
-        return float(standard_air_wavelength(LIGHT / (value * unit.factor))) * 1e9
-    nanometres = value * unit.factor * 1e9
+    if dimension in TIMES_WAVELENGTH:
+        size = float(standard_air_wavelength(TIMES_WAVELENGTH[dimension] / size))
+    if dimension == ENERGY:
+        raise _malformed(text, f"a wavelength, {size * 1e9:.6g}nm")
+    if dimension == FREQUENCY:
+        return size * 1e9
+    nanometres = size * 1e9
     if not SHORTEST <= nanometres <= LONGEST:
         raise _malformed(text, f"wavelengths from {SHORTEST:g}nm to {LONGEST:g}nm")
     return round(nanometres, 9)

@@ -7,15 +7,13 @@ from operator import mul
 
 from radcalc.errors import ConditionError
 from radcalc.spectra import planck
-from radcalc.spectra.integrals import clip, integral, moments
+from radcalc.spectra.integrals import clip, integral, moment_between, moments
 from radcalc.spectra.observers import Observer
-from radcalc.spectra.planck import LIGHT, PLANCK
 
 Range = tuple[float, float]
 WHOLE: Range = (0.0, math.inf)
 VISIBLE: Range = (380.0, 780.0)
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
-OUTSIDE = "lies outside 400-700 nm, where PPFD is counted"
 
 
 def range_text(limits: Range) -> str:
@@ -26,6 +24,9 @@ def range_text(limits: Range) -> str:
     if high == math.inf:
         return f"from {low:.6g} nm"
     return f"{low:.6g}-{high:.6g} nm"
+
+
+OUTSIDE = f"lies outside {range_text(PAR)}, where PPFD is counted"
 
 
 class Spectrum:
@@ -146,11 +147,7 @@ class Table(Spectrum):
     def photons(self, limits: Range) -> float:
         """See `Spectrum`; the product with the wavelength is integrated exactly."""
         grid, values = clip(self.grid, self.values, *limits)
-        moments = [
-            (b - a) * (2 * (a * p + b * q) + a * q + b * p)
-            for a, b, p, q in zip(grid, grid[1:], values, values[1:], strict=False)
-        ]
-        return sum(moments) / 6 * 1e-9 / (PLANCK * LIGHT)
+        return planck.photons(sum(map(moment_between, grid, grid[1:], values, values[1:])) / 6)
 
     def peak(self) -> tuple[float, float | None]:
         """See `Spectrum`; the width is between the half-height crossings next to the peak."""
@@ -183,12 +180,15 @@ class Lines(Spectrum):
 
     def part(self, limits: Range) -> Spectrum | None:
         """See `Spectrum`."""
-        inside = [line for line in self.lines if limits[0] <= line[0] <= limits[1]]
+        inside = self._inside(limits)
         return Lines(self.label, inside) if inside else None
+
+    def _inside(self, limits: Range) -> list[tuple[float, float]]:
+        return [line for line in self.lines if limits[0] <= line[0] <= limits[1]]
 
     def power(self, limits: Range) -> float:
         """See `Spectrum`."""
-        return sum(watts for place, watts in self.lines if limits[0] <= place <= limits[1])
+        return sum(watts for _, watts in self._inside(limits))
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`; a line is shared out between the nanometres on both sides of it."""
@@ -206,8 +206,7 @@ class Lines(Spectrum):
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""
-        inside = [(p, w) for p, w in self.lines if limits[0] <= p <= limits[1]]
-        return sum(watts * place for place, watts in inside) * 1e-9 / (PLANCK * LIGHT)
+        return planck.photons(sum(watts * place for place, watts in self._inside(limits)))
 
     @property
     def counts_all_photons(self) -> bool:
