@@ -13,9 +13,8 @@ from radcalc.cli.cases import Case, cases
 from radcalc.cli.check import refuse_several
 from radcalc.cli.command import FILE, LIGHT, define
 from radcalc.cli.options import Output
-from radcalc.cli.spelling import spelled
-from radcalc.cli.streams import refuse_second_reader
-from radcalc.errors import RadcalcError, UsageError
+from radcalc.cli.streams import complain, refuse_second_reader
+from radcalc.errors import UsageError
 from radcalc.errors import command as call_of
 from radcalc.given import Inputs, inputs_of, refuse_uncertain
 from radcalc.streams import ABORT, INVALID
@@ -130,7 +129,7 @@ def command(
     cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
     with reading(path, "a file with a time and a value in each line") as (name, read):
-        log = Log(name, read, settings, _complain)
+        log = Log(name, read, settings, complain)
         summed = _summed(log, gap, by or "")
     summed.check()
     typed_here = {
@@ -215,7 +214,3 @@ def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
         else:
             dose.interrupt()
     return page.SummedLog(dose, log.layout.unit, clock.tick, clock.say)
-
-
-def _complain(error: RadcalcError) -> None:
-    stdio.say([f"radcalc: {spelled(error.message)}"])

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from radcalc.streams.fields import Cut, Fields
     from radcalc.streams.header import Header
     from radcalc.streams.readers import Texts
+    from radcalc.streams.stream import Record
 
 
 class Asked(NamedTuple):
@@ -121,7 +122,6 @@ def convert(
         "a stream has one for all its lines", "a TARGET that fits, such as mlx or klx"
     )
     from radcalc.streams.readers import Numbers, Quantities, Texts
-    from radcalc.streams.stream import Stream, run
 
     source_text, target_text = read_stream_operands(words)
     if "," in target_text:
@@ -130,7 +130,7 @@ def convert(
     given = _given(cases, steps)
     _refuse_format(shown)
     layout = Layout.of(asked, bool(source_text))
-    cut, fields, lines, mark, name, adds = layout
+    cut, _, lines, mark, name, adds = layout
     as_json = shown.format == JSON
     source = resolve_any(source_text) if source_text else None
     target = target_of(target_text, source)
@@ -183,15 +183,13 @@ def convert(
     def record(line: int, field: int | None, made: Plan, value: float) -> str:
         from radcalc.render import json
 
-        place: dict[str, object] = {"line": line, "field": field} if field else {"line": line}
+        place = _place(line, field)
         if header and (title := header.shown.get(field) or header.title_of()):
             place["column"] = title
         inputs = (Input("value", value, made.source.text), *conditions)
         return json.line(answer(made, value, inputs=inputs).spelled(spelled), shown.style, place)
 
-    stream = Stream(texts, cut, fields, lines, header, record if as_json else None, adds)
-    good = run(stream, stdio.read, stdio.pour, asked.invalid or ABORT, _complain)
-    return stdio.ANSWERED if good else stdio.FAILED
+    return layout.run(texts, header, record if as_json else None, stdio.pour, asked.invalid)
 
 
 def calculate(
@@ -209,7 +207,6 @@ def calculate(
     from radcalc.calculators.results import rows
     from radcalc.streams.calculated import Calculated, Found
     from radcalc.streams.header import refuse_change
-    from radcalc.streams.stream import Stream, run
 
     source = case.stream
     assert source is not None
@@ -253,13 +250,12 @@ def calculate(
     def record(line: int, field: int | None, given: Given, found: Found) -> str:
         from radcalc.render import json
 
-        place: dict[str, object] = {"line": line, "field": field} if field else {"line": line}
         inputs = (*operands, *inputs_of(case.of_line(given)))
         answer = found.answer
         chosen = found.rows if wanted else rows(answer.values)
         said = tuple(answer.assumptions), tuple(answer.notes)
         result = Result(tuple(chosen), *said, inputs=inputs)
-        return json.line(result.spelled(spelled), shown.style, place)
+        return json.line(result.spelled(spelled), shown.style, _place(line, field))
 
     def write(data: bytes) -> None:
         remarks.say()
@@ -271,11 +267,8 @@ def calculate(
         target = _unit_of(named)
         header = _header(source, asked, layout, target, as_json, titled, remarks)
         wanted = named if has_titles else wanted
-    made = record if as_json else None
     texts = texts_of(source, wanted)
-    stream = Stream(texts, layout.cut, layout.fields, layout.lines, header, made, layout.adds)
-    good = run(stream, stdio.read, write, asked.invalid or ABORT, _complain)
-    return stdio.ANSWERED if good else stdio.FAILED
+    return layout.run(texts, header, record if as_json else None, write, asked.invalid)
 
 
 def _header(
@@ -465,6 +458,26 @@ class Layout(NamedTuple):
             raise UsageError("--add and --rename are for one field", "a call for each field")
         return cls(cut, fields, lines, mark, name, asked.add is not None)
 
+    def run(
+        self,
+        texts: "Texts",
+        header: "Header | None",
+        record: "Record | None",
+        write: Callable[[bytes], object],
+        invalid: str | None,
+    ) -> int:
+        """Convert the texts in the lines of standard input; return the exit status."""
+        from radcalc.streams.stream import Stream, run
+
+        stream = Stream(texts, self.cut, self.fields, self.lines, header, record, self.adds)
+        good = run(stream, stdio.read, write, invalid or ABORT, complain)
+        return stdio.ANSWERED if good else stdio.FAILED
+
+
+def _place(line: int, field: int | None) -> dict[str, object]:
+    """Where in standard input a number stands, as JSON has it."""
+    return {"line": line, "field": field} if field else {"line": line}
+
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Given]:
     """The conditions, of which there is one case."""
@@ -476,6 +489,6 @@ def _given(cases: Sequence[Case], steps: bool) -> Sequence[Given]:
     return list(cases[0].given.values())
 
 
-def _complain(error: RadcalcError) -> None:
+def complain(error: RadcalcError) -> None:
     """Say what is wrong with a line, and nothing more: there may be many."""
     stdio.say([f"radcalc: {spelled(error.message)}"])

@@ -17,7 +17,7 @@ from radcalc.render.plain import DIGITS, number
 from radcalc.stdio import remarks
 from radcalc.streams import MARK, Source
 from radcalc.streams.blocks import numbers
-from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, NUMBER, POINT, decoded, pointed
+from radcalc.streams.readers import LONGEST_UNIT, MOST_UNITS, POINT, by_unit, decoded, pointed
 from radcalc.streams.traces import REFUSALS, Recording, Trace, Unknown, Untraceable
 from radcalc.units.numbers import parse_number
 
@@ -131,11 +131,8 @@ class Calculated:
         """The results that are wanted of each text, those of one unit at a time."""
         if self.source.unit:
             return self._of_unit(b"").columns(texts, texts, range(len(texts)))
-        places: dict[bytes, list[int]] = {}
-        for place, text in enumerate(texts):
-            places.setdefault(text.lstrip(NUMBER), []).append(place)
         columns = [[0.0] * len(texts) for _ in self.wanted]
-        for unit, having in places.items():
+        for unit, having in by_unit(texts).items():
             own = [texts[place] for place in having]
             size = len(unit)
             found = self._of_unit(unit).columns(

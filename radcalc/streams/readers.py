@@ -144,16 +144,8 @@ class Quantities:
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts, those of one unit at a time; None where any is unusual."""
-        start = NUMBER if self.mark == POINT else NUMBER.replace(POINT, self.mark)
-        units = [text.lstrip(start) for text in texts]
-        places: dict[bytes, list[int]] = {}
-        for place, unit in enumerate(units):
-            if unit in places:
-                places[unit].append(place)
-            else:
-                places[unit] = [place]
         shown = texts[:]
-        for unit, having in places.items():
+        for unit, having in by_unit(texts, self.mark).items():
             bulk = self._bulk(unit, texts[having[0]])
             if bulk is None:
                 return None
@@ -197,6 +189,19 @@ def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
         return None
     shown = bulk.lines(block.replace(mark, POINT))
     return shown and shown.replace(POINT, mark)
+
+
+def by_unit(texts: list[bytes], mark: bytes = POINT) -> dict[bytes, list[int]]:
+    """The places of texts by what stands behind their numbers, which have that decimal mark."""
+    start = NUMBER.replace(POINT, mark)
+    places: dict[bytes, list[int]] = {}
+    for place, text in enumerate(texts):
+        unit = text.lstrip(start)
+        if unit in places:
+            places[unit].append(place)
+        else:
+            places[unit] = [place]
+    return places
 
 
 def pointed(text: str, mark: bytes) -> str:
