@@ -347,8 +347,8 @@ def test_a_factor_is_one_number_that_multiplies(source, target, conditions, expe
         ("cd", "lx", {"distance": "2±0.1 m"}, "an uncertainty, which a factor", "alone"),
         ("cd", "lx", {"distance": ["1m", "2m"]}, "distance is an array", "one value of each"),
         ("2 lx", "fc", {}, "has a number in it", "one number"),
-        (2, "fc", {}, "a unit is a text, not a int", "'lx'"),
-        ("lx", None, {}, "a unit is a text, not a NoneType", "'lx'"),
+        (2, "fc", {}, "a unit is a text, and not an int", "'lx'"),
+        ("lx", None, {}, "a unit is a text, and not a NoneType", "'lx'"),
     ],
 )
 def test_what_no_factor_links_is_refused(source, target, conditions, said, hint):

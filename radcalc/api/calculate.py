@@ -6,9 +6,9 @@ from typing import Any
 from radcalc.answer import Answer, Value, texts_of
 from radcalc.api.columns import taken
 from radcalc.api.quantity import is_lazy
-from radcalc.api.reading import broadcast, read_inputs, read_points
+from radcalc.api.reading import broadcast, is_absent, read_inputs, read_points
 from radcalc.api.result import Result, of_answer
-from radcalc.api.spelling import in_python
+from radcalc.api.spelling import in_python, keyword
 from radcalc.calculators.results import saying_how_read
 from radcalc.errors import ConditionError
 from radcalc.given import Given, Inputs, inputs_of
@@ -38,11 +38,11 @@ def calculate(
     what takes numbers `singly` is asked for each element; `called` gives inputs other names;
     `drawn` is what a picture takes beside the inputs.
     """
-    columns, given = taken({k: v for k, v in given.items() if v is not None and v is not False})
+    columns, given = taken({k: v for k, v in given.items() if not is_absent(v)})
     if waits and any(map(is_lazy, given.values())):
         from radcalc.api.lazy import blockwise
 
-        waiting: Result = blockwise(command.replace("-", "_"), (), given)
+        waiting: Result = blockwise(keyword(command), (), given)
         return waiting.in_columns(columns)
     operands = operands or {}
     symbols = {key: one for key, one in given.items() if key not in operands and key not in own}

@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from radcalc.api.quantity import is_quantity, quantity, unit_of
-from radcalc.api.reading import LIBRARIES, gathered, refuse_column
+from radcalc.api.quantity import is_lazy, is_quantity, magnitude_of, quantity, unit_of
+from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
+from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option, quote
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.quantities.titles import read_title
@@ -21,12 +22,6 @@ from radcalc.units.table import NUMBER, Unit, resolve
 PANDAS, POLARS, XARRAY = LIBRARIES
 COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}
 UNITS = "units"  # the attribute of xarray's arrays, by the CF conventions
-
-
-def library_of(value: Any) -> str:
-    """The library of tables that an object is of; none of others."""
-    root = type(value).__module__.partition(".")[0]
-    return root if root in COLUMNS else ""
 
 
 class Columns(NamedTuple):
@@ -41,7 +36,7 @@ class Columns(NamedTuple):
 
     def result(self, name: str, value: Any, title: str = "") -> Any:
         """A result, or readings on a scale, as a column; what depends on none as it is."""
-        magnitude = getattr(value, "magnitude", value)
+        magnitude = magnitude_of(value)
         if not numpy.ndim(magnitude):
             return value
         if numpy.shape(magnitude) != self.like.shape:
@@ -54,18 +49,20 @@ class Columns(NamedTuple):
             return made.rename(name)
         title = title or (f"{name} [{unit}]" if unit not in ("", "1") else name)
         if self.library == POLARS:
-            return type(self.like)(title, magnitude)
+            made = type(self.like)(title, magnitude)
+            missing = self.like.is_null()  # a null is no NaN there
+            return made.set(missing, None) if missing.any() else made
         return type(self.like)(magnitude, index=self.like.index, name=title)
 
 
 def taken(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
     """What was given with the columns as arrays in their units, and what they are like."""
-    found = {key: one for key, one in given.items() if library_of(_data(one))}
+    found = {key: one for key, one in given.items() if library_of(magnitude_of(one))}
     if not found:
         return None, dict(given)
     for key, one in found.items():
-        column = _data(one)
-        symbol = SYMBOLS.get(key.replace("_", "-"))
+        column = magnitude_of(one)
+        symbol = SYMBOLS.get(symbol_name(key))
         if type(column).__name__ != COLUMNS[library_of(column)] or (
             key != "value" and (symbol is None or symbol.form != QUANTITY)
         ):
@@ -81,21 +78,16 @@ def taken(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
     return like, {**given, **arrays}
 
 
-def _data(value: Any) -> Any:
-    """The column in a quantity, as one of Polars may be; anything else as it is."""
-    return getattr(value, "magnitude", value)
-
-
 def _is_quantity(column: Any) -> bool:
     return is_quantity(column.data)
 
 
 def _unit_of(key: str, given: Any) -> Unit | None:
     """The unit that a column tells; None for bare numbers."""
-    column = _data(given)
+    column = magnitude_of(given)
     if column is not given:
         return unit_of(given)
-    name = key.replace("_", "-")
+    name = symbol_name(key)
     if library_of(column) == XARRAY:
         if _is_quantity(column):
             return unit_of(column.data)
@@ -117,14 +109,14 @@ def _unit_of(key: str, given: Any) -> Unit | None:
 
 
 def _is_text(column: Any) -> bool:
-    return bool(column.size if hasattr(column, "size") else len(column)) and isinstance(
-        column.to_numpy().flat[0], str
-    )
+    if getattr(column.dtype, "kind", "O") not in "OTU":
+        return False
+    return any(isinstance(one, str) for one in column.to_numpy().flat)
 
 
 def _aligned(found: Mapping[str, Any]) -> Sequence[Any]:
     """The columns with the same rows, or with all of their dimensions."""
-    each = [_data(one) for one in found.values()]
+    each = [magnitude_of(one) for one in found.values()]
     first, *others = each
     library = library_of(first)
     names = " and ".join(found)
@@ -146,19 +138,26 @@ def _aligned(found: Mapping[str, Any]) -> Sequence[Any]:
 def _array(key: str, column: Any, unit: Unit | None) -> Any:
     """The values of a column, with their unit."""
     if unit is None and _is_text(column):
-        return gathered(key, column.to_numpy().tolist())
+        texts = column.to_numpy().tolist()
+        if not all(isinstance(one, str) for one in texts):
+            _refuse_missing(key, column)
+        return gathered(key, texts)
     values = column.data if library_of(column) == XARRAY else column.to_numpy()
-    values = _data(values)
-    if not hasattr(values, "__dask_graph__"):
+    values = magnitude_of(values)
+    if not is_lazy(values):
         try:
             values = numpy.asarray(values, float)
         except (TypeError, ValueError):
             problem = f"{key} is a column with what is no number, '{quote(str(column.name))}'"
             raise ConditionError(problem, "a column of numbers") from None
         if key != "value" and numpy.isnan(values).any():
-            problem = f"{key} is a column with missing values, '{quote(str(column.name))}'"
-            raise ConditionError(problem, "the rows that have one: .dropna(), or .drop_nulls()")
+            _refuse_missing(key, column)
     return values if unit is None else quantity(values, unit)
+
+
+def _refuse_missing(key: str, column: Any) -> None:
+    problem = f"{key} is a column with missing values, '{quote(str(column.name))}'"
+    raise ConditionError(problem, "the rows that have one: .dropna(), or .drop_nulls()")
 
 
 def of_conversion(like: Columns, value: Any, target: Unit, name: str) -> Any:

@@ -9,9 +9,9 @@ from radcalc.answer import Input
 from radcalc.api.columns import of_conversion, taken
 from radcalc.api.keywords import Amount, ElectricField, Number, Observer, Text
 from radcalc.api.quantity import Quantity, is_lazy, is_quantity, quantity, unit_of
-from radcalc.api.reading import broadcast, read_keyword, refuse_lazy
+from radcalc.api.reading import broadcast, is_absent, read_keyword, refuse_lazy
 from radcalc.api.result import Result
-from radcalc.api.spelling import in_python, in_words
+from radcalc.api.spelling import in_python, in_words, keyword
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import Plan, plan, target_of
 from radcalc.conversion.plan import answer as answer_of
@@ -19,6 +19,7 @@ from radcalc.errors import ConditionError, ConversionError, UnitError, option, q
 from radcalc.given import Given, any_uncertain, inputs_of, refuse_uncertain
 from radcalc.maths import is_array, is_column, is_uncertain
 from radcalc.quantities.light import describe, result_name
+from radcalc.quantities.symbols import article
 from radcalc.units.amounts import Amount as ReadAmount
 from radcalc.units.amounts import read_amount
 from radcalc.units.ranges import real
@@ -387,11 +388,7 @@ def _parted(given: Mapping[str, Any]) -> dict[str, Any]:
     """The arguments of a call, its conditions apart."""
     first = {name: one for name, one in given.items() if name in ("value", "source", "target")}
     rest = {name: one for name, one in given.items() if name not in first}
-    return {**first, "conditions": {k: v for k, v in rest.items() if not _is_nothing(v)}}
-
-
-def _is_nothing(value: Any) -> bool:
-    return value is None or value is False
+    return {**first, "conditions": {k: v for k, v in rest.items() if not is_absent(v)}}
 
 
 @in_python
@@ -400,7 +397,7 @@ def _convert(value: Any, target: str, conditions: dict[str, Any]) -> Any:
     if columns:
         made = _convert(arrays.pop("value"), target, arrays)
         unit = target_of(target)
-        name = (result_name(unit) or "value").replace("-", "_")
+        name = keyword(result_name(unit) or "value")
         return of_conversion(columns, made, unit, name)
     if any(map(is_lazy, (value, *conditions.values()))):
         from radcalc.api.lazy import blockwise
@@ -437,7 +434,7 @@ def _explain(value: Any, target: str, conditions: dict[str, Any]) -> Result:
         reading = shown.rows[0].value
     inputs = (_value_of(value, number, made), *inputs_of({one.name: one for one in given}))
     shown = shown._replace(inputs=inputs).spelled(in_words)
-    name = (shown.rows[0].name or "value").replace("-", "_")
+    name = keyword(shown.rows[0].name or "value")
     found = reading if made.target.is_scale else quantity(reading, made.target)
 
     def ask() -> Any:
@@ -459,9 +456,7 @@ def _value_of(value: Any, number: float, made: Plan) -> Input:
 
 @in_python
 def _factor(source: str, target: str, conditions: dict[str, Any]) -> float:
-    for unit in (source, target):
-        if not isinstance(unit, str):
-            raise UnitError(f"a unit is a text, not a {type(unit).__name__}", "a text such as 'lx'")
+    _require_texts(source, target)
     start = resolve_any(source)
     given = _conditions(conditions)
     refuse_uncertain(given, "a factor")
@@ -476,6 +471,13 @@ def _factor(source: str, target: str, conditions: dict[str, Any]) -> float:
         problem = f"{quote(source)} and {quote(target)} are linked by a function, not by a factor"
         raise ConversionError(problem, f'radcalc.convert("1 {quote(source)}", "{quote(target)}")')
     return float(made.factor)
+
+
+def _require_texts(*units: Any) -> None:
+    for unit in units:
+        if not isinstance(unit, str):
+            problem = f"a unit is a text, and not {article(type(unit).__name__)}"
+            raise UnitError(problem, "a text such as 'lx'")
 
 
 def _converted(made: Plan, magnitude: Any, given: list[Given]) -> Any:
@@ -504,10 +506,7 @@ def _plan(value: Any, target: str, conditions: dict[str, Any]) -> tuple[Plan, An
     The magnitude of a text with an uncertainty is an `ReadAmount`.
     """
     refuse_lazy(value, "the value")
-    if not isinstance(target, str):
-        raise UnitError(
-            f"the unit to convert to is a {type(target).__name__}", "a text such as 'fc'"
-        )
+    _require_texts(target)
     magnitude: Any
     source: Unit | None
     if isinstance(value, (list, tuple)):

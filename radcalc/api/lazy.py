@@ -11,9 +11,10 @@ import dask.array
 import numpy
 
 from radcalc import api
-from radcalc.api.quantity import Quantity, is_lazy, unit_of
+from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
 from radcalc.api.reading import gathered
 from radcalc.api.result import Result
+from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
@@ -81,14 +82,14 @@ class Rows(NamedTuple):
             problem = "not all elements have the same results, in number and unit"
             raise ConditionError(problem, "arrays in memory: .compute() before the call")
         shape = numpy.broadcast_shapes(*(block.shape for block in blocks))
-        rows = [_magnitude(found[name]) for name, one in self.expected.items() if one.shape]
+        rows = [magnitude_of(found[name]) for name, one in self.expected.items() if one.shape]
         rows = [row if row.shape == shape else numpy.broadcast_to(row, shape) for row in rows]
         return rows[0][None] if len(rows) == 1 else numpy.stack(rows)
 
     def _fits(self, found: tuple[str, Any]) -> bool:
         name, value = found
         unit, shape, known = self.expected[name]
-        same = bool(shape) or numpy.array_equal(_magnitude(value), known, equal_nan=True)
+        same = bool(shape) or numpy.array_equal(magnitude_of(value), known, equal_nan=True)
         return same and _unit(value) == unit
 
 
@@ -119,7 +120,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
     places = [Place(key, _unit(rest[key]), len(found)) for key, found in parts.items()]
     arrays = [array for found in parts.values() for array in found]
     plain = {
-        key: None if key in parts else (_magnitude(value), _unit(value))
+        key: None if key in parts else (magnitude_of(value), _unit(value))
         for key, value in rest.items()
     }
     call = Call(
@@ -133,7 +134,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
     answer = call.answer(*map(_without_elements, arrays))
     empty = _by_name(answer)
     expected = {
-        name: Expected(_unit(value), numpy.shape(_magnitude(value)), _magnitude(value))
+        name: Expected(_unit(value), numpy.shape(magnitude_of(value)), magnitude_of(value))
         for name, value in empty.items()
     }
     names = [name for name, one in expected.items() if one.shape]
@@ -165,8 +166,8 @@ def _by_name(answer: Any) -> dict[str, Any]:
 
 def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
     """The arrays of an argument, NumPy's too, as Dask's; none, if it is one value for all."""
-    array = _magnitude(value)
-    symbol = SYMBOLS.get(str(key).replace("_", "-"))
+    array = magnitude_of(value)
+    symbol = SYMBOLS.get(symbol_name(str(key)))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):
         array = numpy.asarray(array)
     waits = is_lazy(array)
@@ -202,10 +203,6 @@ def _index(shape: tuple[int, ...], count: int, is_single: bool) -> tuple[Any, ..
         return (0,)
     kept = (slice(None, 1) if length == 1 else slice(None) for length in shape)
     return (*[0] * (count - len(shape)), *kept)
-
-
-def _magnitude(value: Any) -> Any:
-    return getattr(value, "magnitude", value)
 
 
 def _unit(value: Any) -> str:

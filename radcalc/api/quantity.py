@@ -27,9 +27,14 @@ def is_quantity(value: Any) -> bool:
     return False
 
 
+def magnitude_of(value: Any) -> Any:
+    """The magnitude of a quantity; anything else as it is."""
+    return getattr(value, "magnitude", value)
+
+
 def is_lazy(value: Any) -> bool:
     """Whether it is a collection of Dask's, or a quantity that has one."""
-    return hasattr(getattr(value, "magnitude", value), "__dask_graph__")
+    return hasattr(magnitude_of(value), "__dask_graph__")
 
 
 def unit_of(quantity: Any) -> Unit:

@@ -5,6 +5,7 @@ from typing import Any, TypeVar
 
 import numpy
 
+from radcalc.api import spelling
 from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, unit_of
 from radcalc.errors import ConditionError, nearest, option, quote
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_interval, read_place, values_of
@@ -18,6 +19,7 @@ from radcalc.quantities.symbols import (
     QUANTITY,
     SYMBOLS,
     VECTOR,
+    article,
 )
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.ranges import real
@@ -38,17 +40,22 @@ def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inpu
     }
 
 
+def is_absent(value: Any) -> bool:
+    """Whether an argument is as if it were not given: None, or a flag that is False."""
+    return value is None or value is False
+
+
 def read_keyword(
     keyword: str, value: Any, known: Iterable[str], what: str, intervals: Sequence[str] = ()
 ) -> Given | None:
-    """Read one keyword; None and False are as if it were not there."""
-    name = keyword.replace("_", "-")
+    """Read one keyword; None if it is absent."""
+    name = spelling.symbol_name(keyword)
     if name not in known:
         known = [*known]
         near = nearest(name, known) if what == "input" else known
-        keywords = ", ".join(one.replace("-", "_") for one in near)
+        keywords = ", ".join(map(spelling.keyword, near))
         raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords or "help(radcalc)")
-    if value is None or value is False:
+    if is_absent(value):
         return None
     refuse_lazy(value, keyword)
     if name in intervals:
@@ -69,7 +76,7 @@ def gathered(keyword: str, value: Any) -> Any:
 
     A text may be a list or a range itself: "1m,2m,5m", "1m:5m:1m".
     """
-    name = keyword.replace("_", "-")
+    name = spelling.symbol_name(keyword)
     found = _gathered(name, value) if name in SYMBOLS else value
     return value if found is value else quantity(*found)
 
@@ -116,11 +123,16 @@ def refuse_lazy(value: Any, what: str) -> None:
         raise ConditionError(problem, "an array in memory: .compute() before the call")
 
 
+def library_of(value: Any) -> str:
+    """The library of tables that an object is of; none of others."""
+    root = type(value).__module__.partition(".")[0]
+    return root if root in LIBRARIES else ""
+
+
 def refuse_column(value: Any, what: str) -> None:
     """Refuse an object of a library of tables where it would lose its names."""
-    library = type(value).__module__.partition(".")[0]
-    if library in LIBRARIES:
-        problem = f"{what} is a {type(value).__name__} of {library}"
+    if library := library_of(value):
+        problem = f"{what} is {article(type(value).__name__)} of {library}"
         raise ConditionError(problem, ".to_numpy(), for its values alone")
 
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 from radcalc import answer
 from radcalc.answer import Answer, Input, Row, Step
 from radcalc.api.drawing import Drawing
-from radcalc.api.quantity import Quantity, quantity, unit_of
-from radcalc.api.spelling import in_python, in_words
+from radcalc.api.quantity import Quantity, is_lazy, quantity, unit_of
+from radcalc.api.spelling import in_python, in_words, keyword, symbol_name
 from radcalc.calculators.results import in_unit, rows
-from radcalc.errors import ConditionError, nearest
+from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.given import Inputs
 from radcalc.maths import is_column
 from radcalc.units.scales import in_which
@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 
 Told = Callable[[], answer.Result]
 Drawn = tuple[Inputs, Answer, Any]  # with what a picture takes beside the inputs
+
+
+class MissingResult(RadcalcError, KeyError, AttributeError):
+    """A name that no result has, behind a dot or in brackets."""
 
 
 class Result(Mapping[str, Quantity]):
@@ -74,9 +78,11 @@ class Result(Mapping[str, Quantity]):
 
     def __getitem__(self, name: str) -> Quantity:
         """A result by its name, or by another name that it has."""
-        if name in self._found:
-            return self._found[name]  # type: ignore[no-any-return]
-        return self._others[name]  # type: ignore[no-any-return]
+        every = self.every
+        if name not in every:
+            near = ", ".join(nearest(str(name), every, 3) or self._found)
+            raise MissingResult(f"there is no result '{quote(str(name))}'", near)
+        return every[name]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
         """The names of the results, each once."""
@@ -88,19 +94,13 @@ class Result(Mapping[str, Quantity]):
 
     def __getattr__(self, name: str) -> Quantity:
         """A result by any of its names."""
-        if not name.startswith("_"):
-            try:
-                return self[name]
-            except KeyError:
-                every = (*self._found, *self._others)
-                near = ", ".join(nearest(name, every, 3) or self._found)
-                problem = f"there is no result '{name}'\ntry: {near}"
-                raise AttributeError(problem, name=name, obj=self) from None
-        raise AttributeError(name, name=name, obj=self)
+        if name.startswith("_"):
+            raise AttributeError(name, name=name, obj=self)
+        return self[name]
 
     def __dir__(self) -> list[str]:
         """The results, by all of their names, among the rest."""
-        return [*super().__dir__(), *self._found, *self._others]
+        return [*super().__dir__(), *self.every]
 
     def _ipython_key_completions_(self) -> list[str]:
         """What IPython completes behind a bracket."""
@@ -182,7 +182,8 @@ class Result(Mapping[str, Quantity]):
         ----------
         *wanted : str
             The results to be drawn over an array, by their names: ``"illuminance:fc"``; the one
-            that the calculator is about by default.
+            that the calculator is about by default.  A single answer's picture is its own: of
+            these, a point source's intensity alone may be named, with a unit.
 
         Returns
         -------
@@ -194,7 +195,7 @@ class Result(Mapping[str, Quantity]):
         radcalc.RadcalcError
             If there is nothing to be drawn.
         """
-        return _drawing(self.command, self._solved, wanted)
+        return _drawing(self, self._solved, wanted)
 
     @property
     def question(self) -> "Question":
@@ -232,7 +233,7 @@ class Result(Mapping[str, Quantity]):
 
 def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
     """A row with the value of its result; None in another unit than that has."""
-    found = results[row.name.replace("-", "_")]
+    found = results[keyword(row.name)]
     if not is_column(row.value):
         return row
     if resolve(row.unit).dimension != unit_of(found).dimension:
@@ -241,20 +242,25 @@ def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
 
 
 @in_python
-def _drawing(command: str, solved: "Drawn | None", wanted: tuple[str, ...]) -> Drawing:
+def _drawing(result: Result, solved: "Drawn | None", wanted: tuple[str, ...]) -> Drawing:
     if solved is None:
         raise ConditionError("there is nothing to be drawn here", "a calculator's answer")
-    from radcalc.plots.answers import picture
+    from radcalc.plots.answers import depends, picture
     from radcalc.plots.curves import Solved
 
     inputs, found, beside = solved
-    names = [name.replace("_", "-") for name in wanted]
-    return Drawing(picture(command, [Solved(inputs, found)], names, beside))
+    one = Solved(inputs, found)
+    for name in wanted:
+        result[keyword(name.partition(":")[0].strip())]
+        if not depends(result.command, one, symbol_name(name)):
+            problem = f"the picture of a single answer here does not depend on {quote(name)}"
+            raise ConditionError(problem, ".plot(), or an array of values, over which it follows")
+    return Drawing(picture(result.command, [one], [*map(symbol_name, wanted)], beside))
 
 
 def _listed(value: Any) -> Any:
     """An array as lists."""
-    if hasattr(value, "__dask_graph__"):
+    if is_lazy(value):
         raise ConditionError("a result of Dask's is not there yet", ".compute() of its magnitude")
     return value.tolist() if hasattr(value, "tolist") else value
 
@@ -307,7 +313,7 @@ def _quantities(found: Answer) -> tuple[dict[str, Any], dict[str, Any]]:
     first: dict[str, Any] = {}
     others: dict[str, Any] = {}
     for value in found.values:
-        name, also = (text.replace("-", "_") for text in (value.name, value.also))
+        name, also = keyword(value.name), keyword(value.also)
         if value.is_absent:
             continue
         unit = in_which(value.units[0], value.dimensions)

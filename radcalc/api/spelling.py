@@ -11,8 +11,19 @@ from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.numbers import read_number
 from radcalc.units.table import resolve
 
+OWN = {"check": "claim"}  # options whose keywords have another name
 P = ParamSpec("P")
 T = TypeVar("T")
+
+
+def keyword(name: str) -> str:
+    """How Python writes a name that has hyphens: `half_angle`."""
+    return name.replace("-", "_")
+
+
+def symbol_name(keyword: str) -> str:
+    """The name of a symbol or a command that a keyword stands for: `half-angle`."""
+    return keyword.replace("_", "-")
 
 
 class Python:
@@ -21,17 +32,17 @@ class Python:
     @staticmethod
     def option(name: str, value: str) -> str:
         """`height="6 m"`; a value in capitals stands for any, and a flag is set to True."""
-        keyword = name.replace("-", "_")
+        own = OWN.get(name) or keyword(name)
         if not value:
-            return keyword
+            return own
         if value.isupper() and value.isalpha():
-            return f"{keyword}={value}"
-        return f'{keyword}="{_apart(value)}"'
+            return f"{own}={value}"
+        return f'{own}="{_apart(value)}"'
 
     @staticmethod
     def command(*words: str) -> str:
         """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
-        function = words[0].replace("-", "_")
+        function = keyword(words[0])
         pairs = [word.partition("=") for word in words[1:]]
         if function not in PUBLIC or any(key == "list" for key, *_ in pairs):
             told = " ".join(word for word in words if "=" not in word)
@@ -48,12 +59,12 @@ class Python:
     def result(text: str) -> str:
         """`.photon_energy.to("eV")`."""
         name, _, unit = text.partition(":")
-        return f".{name.replace('-', '_')}" + (f'.to("{unit}")' if unit else "")
+        return f".{keyword(name)}" + (f'.to("{unit}")' if unit else "")
 
     @staticmethod
     def manual(name: str) -> str:
         """Where the function is described."""
-        return f"help(radcalc.{name.replace('-', '_')})"
+        return f"help(radcalc.{keyword(name)})"
 
     @staticmethod
     def measured(unit: str) -> str:

@@ -47,6 +47,15 @@ def picture(
     return OF_ONE[command](solved, wanted, operand)
 
 
+def depends(command: str, one: Solved, name: str) -> bool:
+    """Whether the picture of an answer depends on a result, NAME[:UNIT], that is asked for."""
+    if varied([one]) and command not in LISTS:
+        return True
+    from radcalc.plots.directions import is_intensity
+
+    return command == "point-source" and is_intensity(name)
+
+
 def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:
     from radcalc.plots.spectra import spectra
 

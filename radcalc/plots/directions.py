@@ -77,7 +77,7 @@ def of_point_source(one: Solved, wanted: Sequence[str] = ()) -> Polar:
     known = [name for name in STRENGTHS if name in amounts]
     if not known:
         return polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
-    own = [name for name in wanted if _is_intensity(name.partition(":")[0].strip())]
+    own = [name for name in wanted if is_intensity(name)]
     name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
     row = pick(values, own[0] if own and name == "intensity" else name)
     factor = row.value / (on_axis if name == "intensity" else distribution.peak().value)
@@ -113,8 +113,9 @@ def of_environment(source: Source, one: Solved) -> Disc:
     return fisheye(radiances, factor, value, normal, title, is_image=is_image)
 
 
-def _is_intensity(name: str) -> bool:
-    """Whether a result is the intensity on the axis, of any kind."""
+def is_intensity(wanted: str) -> bool:
+    """Whether a result, NAME[:UNIT], is the intensity on the axis, of any kind."""
+    name = wanted.partition(":")[0].strip()
     return name in SYMBOLS and SYMBOLS[name].generic == "intensity"
 
 

@@ -113,7 +113,7 @@ class Symbol(NamedTuple):
 
 def article(noun: str) -> str:
     """A noun with its article, as it is spoken: an f-number, a utilance."""
-    is_vowel = noun[0] in "aeio" or noun.startswith(("f-", "up"))
+    is_vowel = noun[0] in "aeioAEIO" or noun.startswith(("f-", "up"))
     return f"{'an' if is_vowel else 'a'} {noun}"
 
 

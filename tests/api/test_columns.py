@@ -42,6 +42,22 @@ def test_a_series_of_polars_keeps_its_kind_and_tells_its_unit():
     np.testing.assert_allclose(wrapped.to_numpy(), FC)
 
 
+def test_what_is_missing_stays_missing_in_what_is_converted():
+    found = radcalc.convert(pl.Series("E [lx]", [1076.391041671, None, float("nan")]), "fc")
+    assert found.to_list()[:2] == [pytest.approx(100), None]  # 10.76391041671 lx = 1 fc
+    assert np.isnan(found[2])
+    found = radcalc.convert(pd.Series([1076.391041671, None], name="E [lx]"), "fc")
+    assert found.isna().tolist() == [False, True]
+
+
+@pytest.mark.parametrize("texts", [["1 m", None], [None, "1 m"], [float("nan"), "1 m"]])
+def test_a_column_of_texts_with_a_missing_one_is_told_so(texts):
+    column = pd.Series(texts, dtype=object, name="d")
+    for ask in (lambda: lamp(column), lambda: radcalc.convert(column, "ft")):
+        with pytest.raises(radcalc.RadcalcError, match="missing values, 'd'"):
+            ask()
+
+
 def test_an_array_of_xarray_keeps_its_coordinates_and_its_units():
     told = xr.DataArray(METRES, dims="d", coords={"d": [10, 20, 30]}, attrs={"units": "m"})
     found = lamp(told).illuminance
@@ -103,7 +119,7 @@ def test_a_column_is_converted_to_readings_on_a_scale_and_to_another_quantity():
         (lambda: lamp(pl.Series("d [m]", [1.0, None])), "missing values"),
         (lambda: lamp(pd.Series([True, "x"], name="d [m]")), "with what is no number"),
         (lambda: lamp(pd.DataFrame({"d [m]": METRES})), "distance is a DataFrame of pandas"),
-        (lambda: lamp(pd.Index(METRES, name="d [m]")), "distance is a Index of pandas"),
+        (lambda: lamp(pd.Index(METRES, name="d [m]")), "distance is an Index of pandas"),
         (lambda: lamp(pl.DataFrame({"d [m]": METRES})), "distance is a DataFrame of polars"),
         (lambda: lamp(pd.Series(METRES, name="E [lx]")), "takes a length, not illuminance"),
         (lambda: lamp(pd.Series(METRES, name="P [dBm]")), "readings on a scale"),

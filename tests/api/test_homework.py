@@ -37,6 +37,14 @@ def test_an_answer_at_one_point_is_judged_and_at_several_is_not():
         radcalc.check(radcalc.uberlight([(0, 0, 2), (0, 0, 3)], intensity="100 cd"), "25 lx")
 
 
+def test_what_is_refused_has_the_keywords_of_the_function():
+    lamp = radcalc.point_source(intensity="100 cd", distance="2 m")
+    with pytest.raises(radcalc.RadcalcError) as caught:
+        radcalc.check(lamp, "16")
+    assert "check=" not in str(caught.value)
+    assert "claim=" in str(caught.value)
+
+
 def test_a_tolerance_is_a_part_a_size_or_digits():
     assert radcalc.check(CONE, "0.9 sr", tolerance="10%")
     assert not radcalc.check(CONE, "0.85 sr", "0.001 sr")

@@ -43,8 +43,10 @@ def test_a_name_of_no_result_is_an_attribute_error_that_names_those_like_it():
     with pytest.raises(AttributeError, match="there is no result 'iluminance'\ntry: illuminance"):
         LAMP.iluminance  # noqa: B018
     assert not hasattr(LAMP, "luminance")
-    with pytest.raises(KeyError):
-        LAMP["radiance"]
+    with pytest.raises(KeyError, match="there is no result 'iluminance'\ntry: illuminance"):
+        LAMP["iluminance"]
+    assert LAMP.get("radiance") is None
+    assert "radiance" not in LAMP
 
 
 def test_what_was_assumed_noted_and_derived_is_told_in_pythons_words():
@@ -270,6 +272,22 @@ def test_a_picture_is_shown_by_a_notebook_and_written_to_a_file(tmp_path):
         drawn.save(tmp_path / "fall-off.txt")
     with pytest.raises(radcalc.RadcalcError, match="nothing to be drawn"):
         radcalc.explain("800 lm", "cd", isotropic=True).plot()
+
+
+@pytest.mark.parametrize(
+    ("result", "wanted"),
+    [
+        (lambda: radcalc.spectrum("D65"), "cct"),
+        (lambda: radcalc.sky("overcast", zenith_luminance="9 kcd/m2"), "zenith_luminance"),
+        (lambda: LAMP, "illuminance"),
+    ],
+)
+def test_what_a_picture_does_not_depend_on_is_refused(result, wanted):
+    with pytest.raises(radcalc.RadcalcError, match=f"does not depend on {wanted}"):
+        result().plot(wanted)
+    with pytest.raises(radcalc.RadcalcError, match="there is no result 'peak_zork'"):
+        result().plot("peak_zork")
+    assert "[kcd]" in repr(LAMP.plot("intensity:kcd"))
 
 
 def test_the_errors_are_at_the_top():
