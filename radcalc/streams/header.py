@@ -197,8 +197,11 @@ class Header:
         return text.replace('""', '"') if self._is_quoted(line, start) else text
 
     def _is_quoted(self, line: bytes, start: int) -> bool:
-        is_csv = self.cut is not None and self.cut.delimiter
-        return bool(is_csv and line[:start].rstrip(BLANKS).endswith(b'"'))
+        if self.cut is None or not self.cut.delimiter:
+            return False
+        while start and line[start - 1] in BLANKS:  # no copy of what is before each of many titles
+            start -= 1
+        return line[start - 1 : start] == b'"'
 
     def _cell(self, title: str, in_quotes: bool = False) -> bytes:
         """A title as it stands in the line."""
