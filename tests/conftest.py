@@ -64,7 +64,7 @@ def run(
         texts = []
         for file in files:
             file.seek(0)
-            texts.append(file.read().decode())
+            texts.append(file.read().decode("utf-8", "surrogateescape"))
     done = subprocess.CompletedProcess(words, status, *texts)
     if check:
         done.check_returncode()

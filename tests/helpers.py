@@ -12,11 +12,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from types import FrameType
 from typing import Any
+from unittest import mock
 
-from conftest import entry_point
+from conftest import entry_point, run
 
 import radcalc
-from radcalc import lambertian
+from radcalc import lambertian, stdio
 from radcalc.cli.spelling import Shell
 from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
@@ -156,6 +157,16 @@ def on_terminal(
             yield process, leader
     finally:
         os.close(leader)
+
+
+def terminal_of(*words: str, **environment: str) -> str:
+    """What `screen_of` gives, by a call in this process that takes its output for a terminal."""
+    with (
+        mock.patch.dict(os.environ, {"TERM": "xterm"} | environment),
+        mock.patch.object(stdio, "is_terminal", return_value=True),
+        mock.patch.object(stdio, "error_is_terminal", return_value=True),
+    ):
+        return run(*words, together=True).stdout
 
 
 def screen_of(*words: str, columns: int = 80, **environment: str) -> str:

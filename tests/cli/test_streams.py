@@ -8,15 +8,20 @@ import subprocess
 import time
 
 import pytest
-from conftest import entry_point
+from conftest import entry_point, run
 from helpers import on_terminal, started
 
 
 def convert(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
     """Run `radcalc convert - ...` on bytes."""
-    return subprocess.run(
-        [entry_point(), "convert", "-", *words], input=data, capture_output=True, timeout=60
-    )
+    return answered(data, "convert", "-", *words)
+
+
+def answered(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
+    """Run radcalc in this process on bytes."""
+    done = run(*words, input=data.decode(errors="surrogateescape"))
+    texts = [text.encode(errors="surrogateescape") for text in (done.stdout, done.stderr)]
+    return subprocess.CompletedProcess(words, done.returncode, *texts)
 
 
 # What goes in, the options, what comes out.
@@ -161,11 +166,7 @@ def test_json_is_one_object_a_number():
         (3, 1, 0.18580608),
         (3, 3, 0.27870912),
     ]
-    alone = json.loads(
-        subprocess.run(
-            [entry_point(), "convert", "2", "lx", "fc", "--json"], capture_output=True
-        ).stdout
-    )
+    alone = json.loads(run("convert", "2", "lx", "fc", "--json").stdout)
     assert alone["inputs"]["value"].pop("text") == "2 lx"  # a stream's is in its line
     assert {**alone, "line": 3, "field": 1} == found[2]
     done = convert(b"2 W\nx\n\n1 W", "lm", "--efficacy", "93lm/W", "--json", "--invalid", "warn")
@@ -244,7 +245,7 @@ def test_a_number_with_more_behind_it_is_no_bare_number():
     ],
 )
 def test_options_for_streams_have_no_use_without_one(words):
-    done = subprocess.run([entry_point(), "convert", "1", "lx", "fc", *words], capture_output=True)
+    done = answered(b"", "convert", "1", "lx", "fc", *words)
     assert (done.stdout, done.returncode) == (b"", 2)
     assert b"is for lines of standard input" in done.stderr
 
@@ -272,10 +273,7 @@ def test_a_header_of_a_megabyte_is_read():
 
 
 def test_the_header_option_never_takes_the_next_word():
-    done = subprocess.run(
-        [entry_point(), "convert", "--header", "-", "lx", "fc"], input=b"E\n1\n",
-        capture_output=True,
-    )  # fmt: skip
+    done = answered(b"E\n1\n", "convert", "--header", "-", "lx", "fc")
     assert done.stdout == b"E\n0.09290304\n"
 
 
@@ -365,9 +363,7 @@ CALCULATED = ("point-source", "--intensity", "100cd", "--distance", "- m", "-g",
 
 def calculate(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
     """Run a calculator on bytes, in which the distances are."""
-    return subprocess.run(
-        [entry_point(), *CALCULATED, "-q", *words], input=data, capture_output=True, timeout=60
-    )
+    return answered(data, *CALCULATED, "-q", *words)
 
 
 def test_a_calculator_on_a_stream_ends_as_a_conversion_does():
@@ -431,10 +427,8 @@ def test_a_long_stream_of_a_calculator_is_that_of_its_parts():
 
 
 def test_what_holds_for_some_lines_is_said_once_with_the_line():
-    done = subprocess.run(
-        [entry_point(), "photon", "-", "nm", "-g", "luminous-efficacy"],
-        input=b"500\n900\n950\n510\n", capture_output=True, timeout=60,
-    )  # fmt: skip
+    words = ("photon", "-", "nm", "-g", "luminous-efficacy")
+    done = answered(b"500\n900\n950\n510\n", *words)
     said = done.stderr.decode().splitlines()
     notes = [line for line in said if line.startswith("note")]
     assert notes == ["note: line 2: nothing is seen at 900nm: it lies outside the tables"]

@@ -1,9 +1,7 @@
 """The names in tables follow the locale, and nothing else does."""
 
-import os
-
 import pytest
-from conftest import process
+from conftest import run
 
 from radcalc.cli.options import decide
 
@@ -32,17 +30,17 @@ LOCALES = {"C": 0, "en_GB.UTF-8": 0, "cs_CZ.UTF-8": 1, "ru_RU.UTF-8": 2}
 
 
 @pytest.mark.parametrize("words", TABLES, ids=" ".join)
-def test_the_names_in_tables_follow_the_locale_and_nothing_else_does(words):
+def test_the_names_in_tables_follow_the_locale_and_nothing_else_does(words, monkeypatch):
     english = {}
     for locale, place in LOCALES.items():
-        env = os.environ | {"LC_ALL": locale, "PYTHONIOENCODING": "utf-8"}
-        table = process(*words, "--format", "table", env=env)
+        monkeypatch.setenv("LC_ALL", locale)
+        table = run(*words, "--format", "table")
         assert table.returncode == 0
         rows = table.stdout.split("assumed:")[0]
         assert TABLES[words][place] in rows
         assert all(name not in rows for name in TABLES[words] if name != TABLES[words][place])
         for form in ("plain", "json", "csv"):
-            answer = process(*words, "--format", form, env=env)
+            answer = run(*words, "--format", form)
             assert english.setdefault(form, answer.stdout) == answer.stdout
         if place == 0:
             assert english.setdefault("table", table.stdout) == table.stdout

@@ -5,7 +5,7 @@ import re
 
 import pytest
 from conftest import process, run
-from helpers import answers, screen_of
+from helpers import answers, screen_of, terminal_of
 
 from radcalc.answer import FRACTION, Result, Row
 from radcalc.render import table
@@ -44,7 +44,7 @@ def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
     ],
 )
 def test_colour_is_decided_by_option_then_environment_then_terminal(words, environment, coloured):
-    screen = screen_of("convert", "100", "lx", "fc", *words, **environment)
+    screen = terminal_of("convert", "100", "lx", "fc", *words, **environment)
     assert ("\x1b[" in screen) == coloured
 
 
@@ -124,13 +124,14 @@ PIPED = [
 
 
 @pytest.mark.parametrize("words", PIPED, ids=" ".join)
-def test_no_escape_comes_into_a_pipe_nor_where_colour_is_not_wanted(words):
-    done = process(*words, env=os.environ | {"TERM": "xterm"})
-    assert "\x1b" not in done.stdout + done.stderr
+def test_no_escape_comes_into_a_pipe_nor_where_colour_is_not_wanted(words, monkeypatch):
+    monkeypatch.setenv("TERM", "xterm")
+    assert "\x1b" not in run(*words, together=True).stdout
     if words:
-        assert "\x1b[" in screen_of(*words)
-        assert "\x1b" not in screen_of(*words, NO_COLOR="1")
-    assert "\x1b" not in process(*words, env=os.environ | {"FORCE_COLOR": "1"}).stderr
+        assert "\x1b[" in terminal_of(*words)
+        assert "\x1b" not in terminal_of(*words, NO_COLOR="1")
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    assert "\x1b" not in run(*words).stderr
 
 
 COLORS = {
@@ -151,9 +152,9 @@ COLORS = {
 
 @pytest.mark.parametrize("words", COLORS, ids=" ".join)
 def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
-    screen = screen_of(*words)
+    screen = terminal_of(*words)
     assert all(text in screen for text in COLORS[words])
-    assert re.sub(r"\x1b\[[\d;]*m", "", screen) == screen_of(*words, NO_COLOR="1")
+    assert re.sub(r"\x1b\[[\d;]*m", "", screen) == terminal_of(*words, NO_COLOR="1")
     assert set(re.findall(r"\x1b\[([\d;]*)m", screen)) <= {
         "0",
         "1",
@@ -164,8 +165,8 @@ def test_the_first_word_of_a_line_is_coloured_and_says_the_same_without(words):
         "35",
         "36",
     }
-    assert "\x1b" not in screen_of(*words, "--color", "never")
-    assert "\x1b" not in screen_of(*words, "--color=never")
+    assert "\x1b" not in terminal_of(*words, "--color", "never")
+    assert "\x1b" not in terminal_of(*words, "--color=never")
 
 
 def test_rules_and_symbols_are_ascii_where_the_encoding_has_no_others():

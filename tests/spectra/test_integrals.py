@@ -1,6 +1,7 @@
 """Integrals of tables against the trapezoid rule on both grids."""
 
 import math
+from bisect import bisect_right
 from itertools import pairwise
 
 import pytest
@@ -27,7 +28,7 @@ def test_the_integral_is_the_trapezoid_on_the_union_of_both_grids(places, data):
     union = [x for x in union if PHOTOPIC.start <= x <= PHOTOPIC.end]
 
     def linear(xs, ys, x):
-        i = max(j for j in range(len(xs) - 1) if xs[j] <= x)
+        i = bisect_right(xs, x, hi=len(xs) - 1) - 1
         return ys[i] + (ys[i + 1] - ys[i]) * (x - xs[i]) / (xs[i + 1] - xs[i])
 
     heights = [linear(grid, values, x) * linear(nodes, PHOTOPIC.values, x) for x in union]

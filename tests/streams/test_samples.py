@@ -277,11 +277,11 @@ def test_marks_of_decimals_are_held_against_each_other_however_far_apart():
         read("t_s;E_lx\n" + "\n".join([*rows, "5000;1.5", ""]), 4096)
 
 
-@given(st.lists(st.integers(0, 999), max_size=60), st.integers(1, 400))
+@given(st.lists(st.integers(0, 299), max_size=40), st.integers(1, 400))
 def test_what_is_left_out_does_not_depend_on_the_blocks(bad, size):
-    lines = [f"{k},{'x' if k in bad else k}" for k in range(1000)]
+    lines = [f"{k},{'x' if k in bad else k}" for k in range(300)]
     text = "t_s,E_lx\n0.5,1\n" + "\n".join(lines[1:]) + "\n"
     times, values, _ = read(text, size, invalid="ignore")
-    expected = [1.0, *(float(k) for k in range(1, 1000) if k not in bad)]
+    expected = [1.0, *(float(k) for k in range(1, 300) if k not in bad)]
     assert values == expected
     assert times.count(None) == len({*bad} - {0})

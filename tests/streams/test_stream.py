@@ -64,7 +64,7 @@ def test_a_huge_line_passes_and_an_endless_one_is_refused():
 
 @pytest.mark.parametrize("field", [b"1", b"1.5", b'"2"', b"1/3", b" 4 "])
 def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
-    count = 300_000 // (len(field) + 1)
+    count = 60_000 // (len(field) + 1)
     line = b",".join([field] * count) + b"\n"
     made = Stream(Numbers(LX_FC), Cut(b","), Fields("1-"))
     tracemalloc.start()
@@ -73,7 +73,7 @@ def test_a_line_of_many_fields_takes_a_small_multiple_of_its_memory(field):
     tracemalloc.stop()
     one, _, _ = stream(field + b"\n", made)
     assert out == b",".join([one[:-1]] * count) + b"\n"
-    assert peak < 5 * (len(line) + len(out)) + (1 << 20)
+    assert peak < 5 * (len(line) + len(out)) + 200_000
 
 
 def _own(unit: bytes = b"\tfc", precision: int | None = None, mark: bytes = b".") -> Quantities:
@@ -149,7 +149,7 @@ CELLS = st.sampled_from(
 )  # fmt: skip
 
 
-@settings(max_examples=1500)
+@settings(max_examples=500)
 @given(st.lists(st.lists(CELLS, min_size=1, max_size=4), min_size=1, max_size=5),
        st.sampled_from([b";", b"", b"\t", b" ", "·".encode(), b","]),
        st.sampled_from(["1", "2", "3", "1,2", "2-", "-"]), st.booleans(),
