@@ -279,7 +279,7 @@ def test_xml_that_is_no_whole_light_is_refused(old, new, message, tmp_path):
 @pytest.mark.parametrize("place", ["    <SpectralQ", "1</SpectralData>", "  <Header>"])
 def test_blank_lines_do_not_hold_tm27_up(place, tmp_path):
     """The work for them would grow with the square of their number, to hours."""
-    text = replaced(SPDX, place, "\n" * 4_000_000 + place)
+    text = replaced(SPDX, place, "\n" * 1_000_000 + place)
     assert list(read_file(save(tmp_path, text)).values) == [1, 3, 2]
 
 
