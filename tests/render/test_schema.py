@@ -5,6 +5,7 @@ import io
 import json
 import shlex
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import jsonschema
@@ -63,8 +64,9 @@ def command_of(text):
     return word if word in COMMANDS else "convert"
 
 
+@cache
 def as_json(text, *more):
-    """The answers to a call, which are valid."""
+    """The answers to a call, which are valid; several tests look at one."""
     done = call([*shlex.split(text), *more, "--json"])
     assert done.status in (0, 1), (done.error, done.error and done.error.hint)
     VALIDATOR.validate(json.loads(done.output))
