@@ -67,7 +67,11 @@ def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
         return format_angle(value, digits)
     if unit in CUSTOMARY:
         return f"{format_number(value * CUSTOMARY[unit], digits)} {unit}"
-    number = format_number(value, digits)
+    return with_unit(format_number(value, digits), unit)
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit; one without a unit alone."""
     return number if unit == "1" else f"{number} {unit}"
 
 

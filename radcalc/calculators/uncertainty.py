@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer, Result, Step, Value
 from radcalc.calculators.results import in_unit
 from radcalc.conversion.plan import Plan, plan
-from radcalc.derivation import DIGITS, digits_apart, format_number
+from radcalc.derivation import DIGITS, digits_apart, format_number, with_unit
 from radcalc.errors import (
     ConditionError,
     Contradiction,
@@ -338,7 +338,7 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
 
 
 def _amount(number: float, unit: str, digits: int = DIGITS) -> str:
-    return f"{format_number(number, digits)} {unit}".removesuffix(" 1")
+    return with_unit(format_number(number, digits), unit)
 
 
 class _WithShares(Sequence[Step]):

@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import NamedTuple, TypeVar
 
 from radcalc.answer import Value
-from radcalc.homework import edits, misread, siblings
+from radcalc.homework import edits, misread, outside, siblings
 from radcalc.homework.answer import Claim, Diagnosis
 from radcalc.homework.misread import SLIPS
 from radcalc.homework.problem import Candidate, Problem
@@ -46,7 +46,7 @@ def diagnose(question: Question, target: Value, said: Claim, scale: float) -> tu
 def candidates(problem: Problem) -> list[Candidate]:
     """Every wrong value that one mistake leads to, the most common mistakes first."""
     found: list[Candidate] = []
-    for family in (edits.find, siblings.find, misread.find):
+    for family in (edits.find, siblings.find, outside.find, misread.find):
         with suppress(ArithmeticError):  # powers of an extreme input leave what a float holds
             found += family(problem)
     return sorted((one for one in found if _is_wrong(one.value, problem.right)), key=_rank)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from radcalc.derivation import fill, letter_of
-from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.homework.problem import PI_FORGOTTEN, Candidate, Problem, usual
 from radcalc.laws.law import AnyLaw, At, Law
 from radcalc.quantities.symbols import SYMBOLS
 
@@ -79,7 +79,7 @@ CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count the
 
 def find(p: Problem) -> Iterator[Candidate]:
     """What follows with one edit of a law that leads to the result."""
-    # where pi is in the sum over directions, it is left out (`siblings`), not put in
+    # where pi is in the sum over directions, it is left out (`outside`), not put in
     has_pi = p.is_of("environment") or not p.chain.symbols.isdisjoint(SKIES)
     for law, target in p.chain.steps:
         if "scale" in law.names:
@@ -255,10 +255,10 @@ def _constants(
                 done = f"{wrong} was used for {own}"
                 yield edit("wrong-sphere", (size / number) ** power, done)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
-        yield edit(name, math.pi**-power, "pi was forgotten")
+        yield edit(name, math.pi**-power, PI_FORGOTTEN)
         yield edit(name, (number * math.pi) ** -power, f"{own} was forgotten")
     elif power:
-        yield edit("pi-forgotten", math.pi**-power, "pi was forgotten")
+        yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN)
         yield edit("constant-forgotten", (number * math.pi) ** -power)
     if power and number == 1:
         yield edit("pi-upside-down", math.pi ** (-2 * power))

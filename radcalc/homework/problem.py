@@ -10,6 +10,8 @@ from radcalc.homework.usual import USUAL
 from radcalc.quantities.light import GRID, Reading
 from radcalc.quantities.symbols import SYMBOLS
 
+PI_FORGOTTEN = "pi was forgotten"
+
 
 class Candidate(NamedTuple):
     """A wrong value [SI], and the mistake that leads there.

@@ -1,34 +1,24 @@
-"""Functions replaced by their siblings.
+"""The functions of laws replaced by their siblings.
 
 A row of `LAWS` belongs to the law of that name, and to the symbol that it was solved for; it gives
-wrong values of that symbol from the others.  What is worked out at once, outside the laws (shapes,
-directions, the eyes), has a function of its own.
+wrong values of that symbol from the others.
 """
 
 import math
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
 
 from radcalc.geometry import cones
-from radcalc.geometry.numerics import vectors
 from radcalc.homework.chain import FAILURES
-from radcalc.homework.edits import scaled, text_of
+from radcalc.homework.edits import text_of
 from radcalc.homework.problem import Candidate, Problem, usual
 from radcalc.laws.law import At
-from radcalc.quantities.symbols import UNIFORM
-
-if TYPE_CHECKING:
-    from radcalc.spectra.observers import Observer
 
 Wrong = Iterator[tuple[str, float]]  # the name of a mistake, and the value that it gives a symbol
-Found = Iterator[Candidate | None]
 PI = math.pi
-FORGOTTEN = "pi was forgotten"
-DIFFUSE = "all directions are 4 pi sr, a hemisphere 2 pi sr, and pi sr projected"
 
 
 def find(p: Problem) -> Iterator[Candidate]:
-    """Every function of the derivation replaced by one of its siblings."""
+    """Every function in a law of the derivation replaced by one of its siblings."""
     for law, target in p.chain.steps:
         for name_of_law, symbol, wrong in LAWS:
             if target == symbol and law.name == name_of_law:
@@ -36,8 +26,6 @@ def find(p: Problem) -> Iterator[Candidate]:
                     found = usual(name, p.chain.after(target, value), right=text_of(law))
                     if found:
                         yield found
-    for family in OUTSIDE:
-        yield from filter(None, family(p))
 
 
 def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
@@ -45,10 +33,6 @@ def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
         yield from wrong(p.chain.values.__getitem__)
     except FAILURES:
         return
-
-
-# ---------------------------------------------------------------------------------------------
-# Of the laws
 
 
 def _flat(half: float) -> Wrong:
@@ -248,351 +232,4 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("stops of a filter", "stops", _stops_of_filter),
     ("stops of a filter", "nd", _density_of_filter),
     ("camera equation", "irradiance", _off_axis),
-)
-
-
-# ---------------------------------------------------------------------------------------------
-# Of shapes that are worked out at once
-
-
-def _shape(p: Problem) -> Found:
-    """A sphere as a disc, a disc as a sphere, and both as flat."""
-    shape, radius = p.question.shape, p.radius()
-    away = p.amount("height") or p.amount("distance")
-    if not away or p.amount("offset"):
-        return
-    if shape == "rectangle" and not p.light:  # that of light has a far field
-        flat = (p.amount("width") or 0.0) * (p.amount("length") or 0.0) / away**2
-        for symbol in ("solid-angle", "projected-solid-angle"):
-            yield usual("flat-for-curved", p.chain.after(symbol, flat))
-    if shape not in ("sphere", "disc") or not radius or radius >= away:
-        return
-    right, other = math.asin(radius / away), math.atan(radius / away)
-    if shape == "disc":
-        right, other = other, right
-    name = "arctangent-for-arcsine"
-    yield usual(name, p.chain.after("half-angle", other))
-    yield usual(name, p.chain.after("solid-angle", cones.cone(other)))
-    if shape == "sphere":  # a disc's is the far field
-        yield usual(name, p.chain.after("projected-solid-angle", cones.projected_cone(other)))
-    for flat in (PI * math.tan(right) ** 2, PI * right**2, PI * (radius / away) ** 2):
-        yield usual("flat-disc-for-cap", p.chain.after("solid-angle", flat))
-    sine = PI * math.sin(right)
-    yield usual("sine-not-squared", p.chain.after("projected-solid-angle", sine))
-
-
-def _projection(p: Problem) -> Found:
-    """The solid angle of any shape for the projected one, and back; the pi in either."""
-    plain, projected = p.amount("solid-angle"), p.amount("projected-solid-angle")
-    if not plain or not projected:
-        return
-    yield usual("solid-for-projected", p.chain.after("projected-solid-angle", plain))
-    yield usual("solid-for-projected", p.chain.after("solid-angle", projected))
-    if not p.chain.steps or p.light:  # worked out outside the laws
-        yield usual(
-            "pi-forgotten", p.chain.after("projected-solid-angle", projected / PI), right=DIFFUSE
-        )
-        yield usual("two-pi-for-pi", p.chain.after("projected-solid-angle", 2 * projected))
-        yield usual("wrong-sphere", p.chain.after("solid-angle", 2 * plain), right=DIFFUSE)
-
-
-def _aside(p: Problem) -> Found:
-    """A place aside of the axis, by its height alone, or without the cosine."""
-    height, offset, radius = p.amount("height"), p.amount("offset"), p.radius()
-    if not height or not offset:
-        return
-    slant = math.hypot(height, offset)
-    cosine = height / slant
-    square = p.right
-    if p.is_of("solid-angle"):
-        if p.question.shape != "disc" or not radius or not p.asks("solid-angle"):
-            return
-        small = PI * (radius / slant) ** 2
-        yield usual("cosine-forgotten", small)
-        yield usual("height-for-distance", small / cosine)
-        return
-    far, near = p.amount("far-field-irradiance"), p.amount("irradiance")
-    if far and near and p.asks("irradiance"):
-        square = p.right * far / near
-        yield usual("cosine-forgotten", square / cosine)
-    is_flat = p.is_of("lambertian")  # which has a cosine of its own
-    for power in (2, 3, 4)[: 2 + is_flat]:  # from the third on without a cosine too
-        yield usual("height-for-distance", square / cosine**power)
-        if p.asks("intensity", "flux"):
-            yield usual("height-for-distance", square * cosine**power)
-
-
-def _far(p: Problem) -> Found:
-    """The far field for the exact one, and the inverse square on a radiance."""
-    far, near = p.amount("far-field-irradiance"), p.amount("irradiance")
-    if far and near and p.light and not p.asks("far-field-irradiance"):
-        for ratio in (far / near, near / far):
-            yield usual("far-field-of-extended-source", p.right * ratio)
-    distance = p.amount("distance")
-    if distance and p.light and p.light.is_radiance:
-        for power in (2, -2):
-            yield usual("inverse-square-on-radiance", p.right * distance**power)
-
-
-def _received(p: Problem) -> Found:
-    """The irradiance times the receiver's area, for what an integral over it gives."""
-    irradiance, area = p.amount("irradiance"), p.amount("receiver-area")
-    if not p.asks("received-flux") or not irradiance or not area:
-        return
-    rule = "Phi = E A, where E is the same all over the receiver"
-    yield usual("flat-for-curved", irradiance * area, "E A was used, as on a small receiver")
-    for factor in (1e2, 1e4, 1e6):
-        for wrong in (area * factor, area / factor):
-            yield usual("area-unit", irradiance * wrong)
-    yield Candidate("receiver-area-forgotten", 3, irradiance, "the area was left out", rule)
-    done = "it was divided by the area, not multiplied"
-    yield Candidate("receiver-area-upside-down", 3, irradiance / area, done, rule)
-
-
-def _zone(p: Problem) -> Found:
-    """A zone as caps, or without its sines."""
-    ends = p.given["polar"].value if "polar" in p.given else None
-    if not isinstance(ends, tuple):
-        return
-    inner, outer = map(cones.cone, ends)
-    width = ends[1] - ends[0]
-    for name, size in (
-        ("zone-of-caps", outer + inner),
-        ("zone-of-caps", outer),
-        ("zone-of-caps", inner),
-        ("zone-of-caps", cones.cone(width)),
-        ("angle-from-surface", 2 * PI * (math.sin(ends[1]) - math.sin(ends[0]))),
-        ("sine-forgotten", 2 * PI * width),
-    ):
-        yield usual(name, p.right * size / (outer - inner))
-    around = p.given["azimuth"].value if "azimuth" in p.given else None
-    if isinstance(around, tuple):
-        yield usual("azimuth-forgotten", p.right * 2 * PI / (around[1] - around[0]))
-
-
-def _integral(p: Problem) -> Found:
-    """The integral over a cone of 1, and of the cosine, without sin(theta); any without phi."""
-    if not p.asks("integral"):
-        return
-    half = PI / 2 if "hemisphere" in p.given else p.amount("half-angle")
-    yield usual("azimuth-forgotten", p.right / (2 * PI))
-    if half and math.isclose(p.right, cones.cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * half)
-    if half and math.isclose(p.right, cones.projected_cone(half), rel_tol=1e-6):
-        yield usual("sine-forgotten", 2 * PI * math.sin(half))
-        yield usual("solid-for-projected", cones.cone(half))
-
-
-def _direction(p: Problem) -> Found:
-    """A direction, by its angles or its coordinates."""
-    if not p.is_of("direction"):
-        return
-    if p.asks("azimuth"):
-        for turn in (PI, -PI):
-            yield usual("wrong-quadrant", p.right + turn)
-        yield usual("x-for-y", PI / 2 - p.right)
-        yield usual("x-for-y", PI / 2 - abs(math.remainder(p.right, PI)))
-    if p.asks("x", "y"):
-        yield usual("x-for-y", p.amount("y" if p.asks("x") else "x"))
-        polar, azimuth = p.amount("polar"), p.amount("azimuth")
-        if polar and azimuth:
-            turned = (math.cos if p.asks("x") else math.sin)(math.degrees(azimuth))
-            yield usual("degrees-as-radians", math.sin(math.degrees(polar)) * turned)
-    if p.asks("length"):
-        yield usual("root-forgotten", p.right**2)
-    if p.asks("x", "y", "z") and "reflect-at" in p.given:
-        normal = vectors.unit(p.given["reflect-at"].value)
-        yield usual("normal-for-reflection", normal["xyz".index(p.target.name)])
-        yield usual("towards-for-away", -p.right)
-    if p.asks("x", "y", "z") and "mirror-ball" in p.given:
-        normals = {"x": "mirror-ball-u", "y": "mirror-ball-v", "z": "mirror-ball-w"}
-        yield usual("normal-for-reflection", p.amount(normals[p.target.name]))
-
-
-def _sky(p: Problem) -> Found:
-    """A sky taken as uniform, the pi of it, and a plane by what the ground gets."""
-    ground = p.amount("horizontal-sky")
-    if not p.is_of("sky") or not ground:
-        return
-    symbols = [("horizontal-sky", ground, PI)]
-    plane = p.amount("plane-sky")
-    if plane:
-        tilted = "normal" in p.given
-        rise = (
-            vectors.unit(p.given["normal"].value)[2] if tilted else math.cos(p.amount("tilt") or 0)
-        )
-        part = (1 + rise) / 2
-        yield usual("ground-for-plane", p.chain.after("plane-sky", ground * part))
-        for wrong in (ground, ground * rise):
-            yield usual("ground-for-plane", p.chain.after("plane-sky", wrong), later=1.0)
-        symbols.append(("plane-sky", plane, PI * part))
-    for symbol, size, even in symbols:
-        yield usual("uniform-sky", p.chain.after(symbol, even))
-        for whole in (even, size):
-            yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * whole), right=DIFFUSE)
-            yield usual("pi-forgotten", p.chain.after(symbol, whole / PI), FORGOTTEN, DIFFUSE)
-            yield usual("pi-upside-down", p.chain.after(symbol, 1 / whole), right=DIFFUSE)
-    height = p.amount("sun-height")
-    if height:
-        aside = math.sqrt(max(0.0, 1 - height * height))
-        yield usual("angle-from-surface", p.chain.after("sun-height", aside))
-
-
-def _environment(p: Problem) -> Found:
-    """The pi of what all directions send."""
-    if p.is_of("environment") and p.asks("irradiance"):
-        yield usual("pi-forgotten", p.right / PI, FORGOTTEN, DIFFUSE)
-        yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
-        yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
-
-
-def _samples(p: Problem) -> Found:
-    """The samples of a log without their times, or with wrong ones."""
-    samples = p.question.samples
-    mean = p.amount("mean-irradiance") or p.amount("mean-flux")
-    names = ("covered-time", "duration", "samples", "gaps")
-    covered, duration, count, gaps = (p.amount(name) or 0.0 for name in names)
-    is_sum = p.asks("exposure", "energy")
-    if not samples or not mean or not (is_sum or p.asks("mean-irradiance", "mean-flux")):
-        return
-    times_mean = p.right / mean
-    step = covered / (count - 1 - gaps)
-    for unit in (1.0, 60.0, 3600.0) if is_sum else ():
-        if not math.isclose(unit, step):
-            yield usual("step-forgotten", times_mean * samples["sum"] * unit / covered)
-    yield usual("whole-steps", times_mean * samples["sum"] * step / covered)
-    yield usual("plain-mean", times_mean * samples["sum"] / count)
-    for name in ("first", "last"):
-        done = f"the {name} sample was taken for all of the time"
-        yield usual("sample-for-all", times_mean * samples[name], done)
-    peak = p.amount("maximum-irradiance") or p.amount("maximum-flux") or 0.0
-    yield usual("sample-for-all", times_mean * peak)
-    yield usual("gaps-bridged", p.right * duration / covered)
-    for size in (60.0, 3600.0):
-        for value in (p.right * size, p.right / size):
-            yield usual("minutes-for-seconds", value)
-
-
-def _pixel(p: Problem) -> Found:
-    """The solid angle of a pixel."""
-    if p.question.shape == "pixel" and p.asks("solid-angle"):
-        width, height = p.given["size"].value
-        yield usual("pixels-alike", 4 * PI / (width * height))
-        yield usual("sine-forgotten", 2 * PI * PI / (width * height))
-
-
-# ---------------------------------------------------------------------------------------------
-# Of eyes and beams, and one symbol for another
-
-EFFICACIES = ("luminous-efficacy", "scotopic-luminous-efficacy")
-
-
-def _eyes(p: Problem) -> Found:
-    """The efficacy of the wrong eye, and watts as if all were seen best."""
-    if p.chain.symbols.isdisjoint((*EFFICACIES, "sp-ratio")):
-        return
-    from radcalc.spectra.observers import OBSERVERS
-
-    day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
-    rounded = 1700 / 683, night.maximum / day.maximum
-    for symbol in (*EFFICACIES, "sp-ratio"):
-        if symbol not in p.chain.symbols:
-            continue
-        own = p.chain.values[symbol]
-        others = [own * ratio for ratio in rounded] + [own / ratio for ratio in rounded]
-        if symbol != "sp-ratio":
-            for size in (683.0, day.maximum):
-                yield usual("683-for-any-light", p.chain.after(symbol, size))
-            for eye, other in ((day, night), (night, day)):
-                seen = _efficacy(p, eye, eye is night)
-                others += [seen, seen * other.maximum / eye.maximum] if seen else []
-            own_eye = night if symbol == EFFICACIES[1] else day
-            if "efficacy" not in p.given:
-                yield usual("683-forgotten", p.chain.after(symbol, own / own_eye.maximum))
-        for size in others:
-            yield usual("scotopic-for-photopic", p.chain.after(symbol, size))
-
-
-def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
-    """What an eye sees of the light that is given [lm/W]."""
-    if "wavelength" in p.given:
-        from radcalc.conversion.spectral import light
-        from radcalc.spectra.observers import luminous_efficacy
-
-        return float(luminous_efficacy(light(p.given["wavelength"], None).table, eye))
-    return p.amount(EFFICACIES[is_dark]) if p.is_of("spectrum") else None
-
-
-def _beam(p: Problem) -> Found:
-    """A beam as a sphere, or a lobe as a cone."""
-    is_round = not p.given.keys().isdisjoint(("isotropic", "hemisphere"))
-    if not p.light or is_round or not p.is_of("point-source", "convert"):
-        return
-    yield usual("spot-as-sphere", p.chain.after("solid-angle", cones.FULL))
-    hemisphere = p.chain.after("solid-angle", cones.HEMISPHERE)
-    yield usual("wrong-sphere", hemisphere, "2 pi was used for the beam", "I = Phi / Omega")
-    yield usual("cone-forgotten", p.chain.after("solid-angle", 1.0))
-    beam, n = p.amount("beam-angle"), p.amount("exponent")
-    if n and not beam:
-        beam = 2 * math.acos(0.5 ** (1 / n))
-    if beam:
-        yield usual("cone-for-lobe", p.chain.after("solid-angle", cones.cone(beam / 2)))
-
-
-PEAKS = {  # the laws of a spot: what is taken for what they give, by how many times that
-    "mean irradiance of a spot": ("peak-for-mean", 2.0),
-    "mean exposure of a spot": ("peak-for-mean", 2.0),
-    "peak of a gaussian beam": ("mean-for-peak", 0.5),
-    "limit of a gaussian beam's peak": ("mean-for-peak", 0.5),
-}
-
-
-def _peaks(p: Problem) -> Found:
-    """The mean over a spot for the peak on its axis, and the peak for the mean."""
-    is_uniform = "profile" in p.given and p.given["profile"].value == UNIFORM
-    for law, target in p.chain.steps:
-        if law.name in PEAKS and not is_uniform:
-            name, ratio = PEAKS[law.name]
-            yield usual(name, scaled(p, law, target, ratio))
-
-
-SWAPS = (
-    ("k-for-c", "k", "c"),
-    ("k-for-c", "c", "k"),
-    ("diagonal-for-width", "width", "diagonal"),
-    ("height-for-distance", "distance", "height"),
-)
-
-
-def _swapped(p: Problem) -> Found:
-    """One symbol's value for another's of the same sort; the ISO speed, and sine for cosine."""
-    values, symbols = p.chain.values, p.chain.symbols
-    for name, symbol, other in SWAPS:
-        if symbol in symbols and other in values:
-            yield usual(name, p.chain.after(symbol, values[other]))
-    if "iso" in symbols:
-        yield usual("iso-forgotten", p.chain.after("iso", 100.0))
-        yield usual("iso-upside-down", p.chain.after("iso", 1e4 / values["iso"]))
-    if "cosine" in symbols and 0 < values["cosine"] < 1:
-        sine = math.sqrt(1 - values["cosine"] ** 2)
-        yield usual("angle-from-surface", p.chain.after("cosine", sine))
-
-
-OUTSIDE = (
-    _shape,
-    _projection,
-    _aside,
-    _far,
-    _received,
-    _zone,
-    _integral,
-    _direction,
-    _sky,
-    _environment,
-    _samples,
-    _pixel,
-    _eyes,
-    _beam,
-    _peaks,
-    _swapped,
 )

@@ -8,7 +8,7 @@ from typing import Any
 
 from radcalc.answer import Value
 from radcalc.calculators.results import in_unit
-from radcalc.derivation import format_number
+from radcalc.derivation import format_number, with_unit
 from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.question import Question
 from radcalc.units.table import Unit
@@ -67,7 +67,7 @@ def judge(number: Any, said: Claim, unit: str, allowed: float) -> tuple[Diagnosi
 
 def _in(size: float, unit: str) -> str:
     """An uncertainty with two digits in its unit: 0.28 fc, 100 lx."""
-    return f"{format_number(float(f'{size:.2g}'))} {unit}".removesuffix(" 1")
+    return with_unit(format_number(float(f"{size:.2g}")), unit)
 
 
 def _is_near(claimed: float, size: float) -> bool:

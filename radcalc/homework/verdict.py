@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from radcalc.answer import Step, Value
 from radcalc.calculators.results import in_unit, measured_in, pick
-from radcalc.derivation import format_number
+from radcalc.derivation import format_number, with_unit
 from radcalc.errors import ConditionError, option, quote
 from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
@@ -20,7 +20,8 @@ ROUNDED = "rounded"  # which is no mistake
 TOLERANCE, ONE_PERCENT = "1%", 0.01
 REMARKS = ("error",)  # results that say how good another is
 ASKED = {"sky": ("irradiance",)}  # by a command's plane, before what has the same unit
-MARKED = {"time": "time", "unfiltered-time": "time", "f-number": "f-number"}
+# Results that cameras are marked with in rounded numbers, each by the scale that has them.
+CAMERA_SCALES = {"time": "time", "unfiltered-time": "time", "f-number": "f-number"}
 WAYS = 4  # to say an answer clearly, that are shown
 
 
@@ -176,10 +177,9 @@ def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
 
 def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
     """How the likeliest mistake leads from the right value to the answer."""
-    unit = "" if verdict.unit == "1" else f" {verdict.unit}"
     sizes = (verdict.right, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
-    numbers = f"{right}{unit} * {ratio} = {claimed}{unit}"
+    numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
     return Step(f"as it was answered: {found.done}", "", numbers)
 
 
@@ -195,7 +195,7 @@ def _rounded(said: Claim, right: float) -> Diagnosis:
 
 def _marked(question: Question, said: Claim, target: Value, unit: Unit) -> Diagnosis | None:
     """That the answer is what a camera is marked with for the right value, as 1/125 for 1/128 s."""
-    name = MARKED.get(target.name)
+    name = CAMERA_SCALES.get(target.name)
     if question.command != "ev" or name is None:
         return None
     from radcalc.laws.exposure import mark
