@@ -281,11 +281,6 @@ class RadianceMap:
         polar, azimuth, _ = spherical(*self.world(shown(self.projection, u, v)))
         return Peak(value, float(polar), float(azimuth))
 
-    @property
-    def peak_pixel(self) -> tuple[int, int]:
-        """Column and row of the pixel with the peak, from 0 at the image's top left."""
-        return self._peak[1:]
-
     def own(self, direction: Vector) -> Vector:
         """A direction of the world in the map's own axes."""
         return components(self.axes, direction)

@@ -20,13 +20,14 @@ TILTS = [
 
 
 @lru_cache(4)  # large, and the same for many tests
-def directions(projection, width, height, count=1):
+def directions(projection, width, height, part=None):
     """What pixels show, in the map's axes; NaN outside of the circle.
 
-    With a count, of so many places each way in every pixel, as rows of places.
+    Those of all pixels, or of a part: its left, top, width and height.
     """
-    u = (numpy.arange(width * count) + 0.5) / (width * count) * 2 - 1
-    v = 1 - (numpy.arange(height * count) + 0.5) / (height * count) * 2
+    left, top, wide, high = part or (0, 0, width, height)
+    u = (left + numpy.arange(wide) + 0.5) / width * 2 - 1
+    v = 1 - (top + numpy.arange(high) + 0.5) / height * 2
     u, v = numpy.meshgrid(u, v)
     if projection == "latlong":
         azimuth, polar = -math.pi * u, math.pi / 2 * (1 - v)
@@ -42,9 +43,9 @@ def directions(projection, width, height, count=1):
 
 
 @lru_cache(4)
-def solid_angles(projection, width, height):
+def solid_angles(projection, width, height, part=None):
     """Solid angle by area at the pixels' middles, times their areas; 0 outside."""
-    x, _, z = directions(projection, width, height)
+    x, _, z = directions(projection, width, height, part)
     area = 4 / width / height
     if projection == "latlong":
         return area * math.pi**2 / 2 * numpy.sqrt(1 - z * z)
@@ -57,7 +58,7 @@ def solid_angles(projection, width, height):
 def image(projection, function, size=None, count=1):
     """An image of a function of direction: of means over places in each pixel."""
     width, height = size or SIZES[projection]
-    values = function(*directions(projection, width, height, count))
+    values = function(*directions(projection, width * count, height * count))
     parts = values.reshape(height, count, width, count)
     here = ~numpy.isnan(parts)
     total = numpy.where(here, parts, 0).sum((1, 3))

@@ -6,6 +6,7 @@ import numpy
 import pytest
 from distributions.maps.images import SIZES, TILTS, directions, image, solid_angles, unit
 
+from radcalc.distributions.maps import radiance_map
 from radcalc.distributions.maps.radiance_map import RadianceMap
 from radcalc.errors import ConditionError
 
@@ -13,7 +14,7 @@ from radcalc.errors import ConditionError
 @pytest.mark.parametrize("projection", SIZES)
 def test_a_constant_map(projection):
     """E = pi L in all directions: 3000 cd/m2 give 9424.78 lx."""
-    width, height = SIZES[projection]
+    width, height = (count // 4 for count in SIZES[projection])
     around = RadianceMap(numpy.full((height, width), 3000.0), projection, kind="v")
     assert around.solid_angle == pytest.approx(4 * math.pi, rel=1e-12)
     assert around.coverage == 1
@@ -56,7 +57,7 @@ def test_the_overcast_sky(projection):
         up = z if projection == "latlong" else x
         return numpy.where(up > 0, 9000 * (1 + 2 * up) / 3, up * 0)
 
-    count = 1 if projection == "latlong" else 8  # the horizon lies across pixels
+    count = 1 if projection == "latlong" else 4  # the horizon lies across pixels
     size = [pixels // 2 for pixels in SIZES[projection]]
     around = RadianceMap(image(projection, sky, size, count), projection, aim, kind="v")
     level, *walls = around.irradiances([(0, 0, 1), (1, 0, 0), (0, 1, 0), (-3, 4, 0)])
@@ -73,20 +74,18 @@ def test_the_overcast_sky(projection):
 def test_any_map_against_a_plain_sum(projection, aim):
     """Sum of L max(0, cos) over many places in pixels of one radiance, of random size."""
     width, height = (48, 24) if projection == "latlong" else (40, 40)
-    many = 40
+    many = 16
     values = numpy.random.default_rng(3).exponential(size=(height, width)) ** 3
     around = RadianceMap(values, projection, aim)
-    places = directions(projection, width, height, many)
+    places = directions(projection, width * many, height * many)
     weights = solid_angles(projection, width * many, height * many)
     fine = values.repeat(many, 0).repeat(many, 1) * weights
     fine, places = fine[weights > 0], places[:, weights > 0]
     forward = unit(aim)
     left = unit(numpy.cross((0, 0, 1), forward)) if aim[:2] != (0, 0) else numpy.array([0, 1, 0])
     axes = numpy.array([forward, left, numpy.cross(forward, left)])
-    for normal in TILTS:
-        own = axes @ unit(normal)
-        true = fine @ numpy.maximum(own @ places, 0)
-        assert around.irradiance(normal).value == pytest.approx(true, rel=2e-4)
+    true = [fine @ numpy.maximum(axes @ unit(normal) @ places, 0) for normal in TILTS]
+    assert around.irradiances(TILTS) == pytest.approx(true, rel=2e-4)
     assert around.mean() == pytest.approx(fine.sum() / weights.sum(), rel=1e-4)
 
 
@@ -102,7 +101,7 @@ def test_a_single_bright_pixel(projection):
         around = RadianceMap(values, projection)
         where = places[:, row, column]
         peak = around.peak()
-        assert (peak.value, around.peak_pixel) == (1e6, (column, row))
+        assert peak.value == 1e6
         at = numpy.array(
             [
                 math.sin(peak.polar) * math.cos(peak.azimuth),
@@ -124,19 +123,19 @@ def test_a_single_bright_pixel(projection):
 def test_a_bright_pixel_that_the_circle_cuts(projection):
     """Plain sums over its parts inside the circle, for all pixels of two rows next to the rim."""
     size, many = 64, 40
-    places = directions(projection, size, size, many)
-    weights = solid_angles(projection, size * many, size * many)
     for row, column in [(0, 24), (0, 25), (1, 21), (2, 18), (24, 0), (39, 63)]:
-        part = numpy.s_[row * many : (row + 1) * many, column * many : (column + 1) * many]
-        inside = weights[part] > 0
+        part = (column * many, row * many, many, many)
+        places, weights = (
+            of(projection, size * many, size * many, part) for of in (directions, solid_angles)
+        )
+        inside = weights > 0
         assert 0 < inside.sum() < inside.size
         values = numpy.zeros((size, size))
         values[row, column] = 1e9
         around = RadianceMap(values, projection)
-        for normal in ((-1, 0, 0), (-1, 0.5, 0.3)):
-            cosine = numpy.tensordot(unit(normal), places[:, *part], 1)[inside]
-            true = 1e9 * weights[part][inside] @ numpy.maximum(cosine, 0)
-            assert around.irradiance(normal).value == pytest.approx(true, rel=0.02)
+        normals = numpy.array([unit((-1, 0, 0)), unit((-1, 0.5, 0.3))])
+        true = numpy.maximum(normals @ places[:, inside], 0) @ (1e9 * weights[inside])
+        assert around.irradiances(normals) == pytest.approx(true, rel=0.02)
 
 
 def test_the_error_covers_a_pixel_that_is_cut_at_its_corner():
@@ -183,7 +182,6 @@ def test_a_part_of_an_image():
     assert around.coverage == pytest.approx(solid_angle / 4 / math.pi, rel=1e-12)
     assert around.irradiances(TILTS) == pytest.approx(whole.irradiances(TILTS), rel=1e-12)
     assert around.mean() == pytest.approx(whole.mean() / around.coverage, rel=1e-12)
-    assert around.peak_pixel == whole.peak_pixel
     assert around.peak() == pytest.approx(whole.peak(), rel=1e-12)
     polar, azimuth = numpy.random.default_rng(5).random((2, 200)) * [[math.pi], [2 * math.pi]]
     assert around.radiance(polar, azimuth) == pytest.approx(whole.radiance(polar, azimuth))
@@ -222,12 +220,13 @@ class Chunks:
         return rows
 
 
-def test_no_more_than_a_strip_is_read_at_a_time():
-    values = numpy.random.default_rng(7).random((2048, 4096, 1), dtype=numpy.float32)
+def test_no_more_than_a_strip_is_read_at_a_time(monkeypatch):
+    monkeypatch.setattr(radiance_map, "STRIP", 1 << 13)
+    values = numpy.random.default_rng(7).random((128, 256, 1), dtype=numpy.float32)
     rows = Chunks(values)
     around, same = RadianceMap(rows, "latlong"), RadianceMap(values, "latlong")
-    assert rows.most <= 1024
-    assert rows.read == 2048  # once
+    assert rows.most <= 32
+    assert rows.read == 128  # once
     assert around.irradiance((1, 2, 3)) == same.irradiance((1, 2, 3))
     assert around.peak() == same.peak()
 
@@ -268,7 +267,7 @@ def test_pixels_that_are_no_radiances(bad):
 
 @pytest.mark.parametrize("projection", ["mirror-ball", "angular"])
 def test_outside_of_the_circle_pixels_may_be_anything(projection):
-    clean = numpy.random.default_rng(9).random((50, 50))
+    clean = numpy.random.default_rng(9).random((20, 20))
     around = RadianceMap(clean, projection)
     for odd in (math.nan, -math.inf, 1e30):
         values = clean.copy()
