@@ -27,7 +27,6 @@ MAP = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(hdr|pic|rgbe|exr|pfm)$", re.IGNO
 RADIANCE = "Radiance, src/common/color.h"
 BRIGHTNESS = (0.265, 0.670, 0.065)
 EFFICACY = 179.0  # [lm/W]
-COLOURED = ("R", "G", "B")
 RADIANCES = {light_dimension(kind, (0, 1, 1), ""): kind for kind in KINDS}
 
 
@@ -123,7 +122,7 @@ def of_picture(
     ConditionError, MissingInput
         What cannot be, or is missing, of these; and if the pixels are no map of that projection.
     """
-    from radcalc.distributions.maps.pictures import BY_REC_709
+    from radcalc.distributions.maps.pictures import BY_REC_709, Y
     from radcalc.distributions.maps.radiance_map import RadianceMap
 
     shown = projection_of(picture, projection)
@@ -132,7 +131,7 @@ def of_picture(
     alone = list[str]()
     if channel:
         picture = channel_of(picture, channel)
-        if picture.channels != ("Y",):
+        if picture.channels != Y:
             alone.append(f"the channel {quote(picture.channels[0])} alone")
     sums = weighted(picture, kind)
     pixels = RadianceMap(
@@ -232,7 +231,7 @@ def picture_of(pixels: Any) -> "Picture":
     ConditionError
         If it has another shape.
     """
-    from radcalc.distributions.maps.pictures import REC_709, Picture
+    from radcalc.distributions.maps.pictures import REC_709, RGB, Picture, Y
 
     shape = tuple(getattr(pixels, "shape", ()))
     if len(shape) == 2:
@@ -243,8 +242,8 @@ def picture_of(pixels: Any) -> "Picture":
             "an array of the shape (height, width) or (height, width, 3)",
         )
     if len(shape) == 3 and shape[2] == 3:
-        return Picture(pixels, COLOURED, REC_709, "array")
-    return Picture(pixels, ("Y",), (1.0,), "array")
+        return Picture(pixels, RGB, REC_709, "array")
+    return Picture(pixels, Y, (1.0,), "array")
 
 
 def _own(picture: "Picture", unit: Unit | None, projection: str) -> tuple[list[str], list[str]]:
@@ -364,7 +363,7 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
     MissingInput
         If the channels of that kind have no common sum.
     """
-    from radcalc.distributions.maps.pictures import REC_709
+    from radcalc.distributions.maps.pictures import REC_709, RGB
 
     names = picture.channels
     if len(names) == 1:
@@ -374,10 +373,10 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         said, reference = f"the luminance is {sums}", ""
         if picture.weights == REC_709:
             said, reference = f"{said}, of Rec. 709's primaries", "ITU-R BT.709"
-        elif names == COLOURED:
+        elif names == RGB:
             said += ", of the map's primaries"
         return Weighted(picture.weights, said, f"L = {sums}", reference)
-    if kind == RADIANT and names == COLOURED:
+    if kind == RADIANT and names == RGB:
         weights = BRIGHTNESS if picture.weights == REC_709 else picture.weights
         sums = _sum(weights, names)
         told = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"

@@ -43,7 +43,7 @@ from radcalc.texts import refusal
 
 KILOLUMEN = 1000.0  # [lm]
 MOST = 10_000  # angles, planes, lamps
-LARGEST = 1e12  # of a flux [lm] or a factor
+GREATEST = 1e12  # flux [lm] or factor
 STEP = 0.1  # [deg] how far listed angles may be from the declared step: they are rounded
 SYMMETRIES = {
     0: "",
@@ -170,7 +170,7 @@ class _Reader:
             "downward-fraction": self.optional("downward flux fraction [%]") / 100,
             "output-ratio": self.optional("light output ratio LORL [%]") / 100,
         }
-        factor = self.number("conversion factor", 0, LARGEST)
+        factor = self.number("conversion factor", 0, GREATEST)
         if not factor:
             self.refuse(self.at, "a conversion factor of 0", "1, or that of the measurement")
         tilt = self.optional("tilt [deg]")
@@ -228,7 +228,7 @@ class _Reader:
         for k in range(self.whole("number of lamp sets", 1)):
             count = self.whole(f"number of lamps of set {k + 1}", -MOST)
             self.text("type of lamps")
-            lumens = self.number(f"luminous flux of lamp set {k + 1} [lm]", 0, LARGEST)
+            lumens = self.number(f"luminous flux of lamp set {k + 1} [lm]", 0, GREATEST)
             line = self.at
             self.text("colour of lamps")
             self.text("colour rendering of lamps")

@@ -17,7 +17,7 @@ from radcalc.distributions import contents
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, quote
 
-LARGEST = 1 << 26  # bytes of a file
+MOST_BYTES = 1 << 26  # of a file
 ROWS = 3  # that tell a table
 END_IN_DOS = "\x1a"  # of a text
 NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))  # bytes
@@ -79,7 +79,7 @@ def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
     ConditionError
         If it cannot be read, or is no text.
     """
-    name, data = contents.read_bytes(path, LARGEST, expected)
+    name, data = contents.read_bytes(path, MOST_BYTES, expected)
     return name, _lines(data, name, expected)
 
 

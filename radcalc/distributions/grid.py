@@ -13,11 +13,10 @@ from radcalc.distributions.distribution import (
     integrated,
 )
 from radcalc.errors import ConditionError
-from radcalc.geometry.directions import cartesian, spherical
+from radcalc.geometry.directions import TURN, cartesian, spherical
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.maths import Number, in_chunks
 
-TURN = 2 * math.pi
 SLACK = 1e-9  # [rad] beyond the ends of a table, where rounding leads
 SEAM = 0.02  # of the peak: what two values of one direction may differ by
 NARROW = 0.1  # [rad] half a cell: up to there four terms of a series are exact

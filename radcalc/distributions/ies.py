@@ -25,11 +25,10 @@ import numpy
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.ies_numbers import Numbers
 from radcalc.distributions.photometry import Photometry
-from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
+from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
 from radcalc.texts import refusal
 
-NEAR = 0.01  # [deg] by which an angle is taken for another
 # kind of light and SI value of the units that intensities are met in
 UNITS = {
     "cd": ("v", 1.0),
@@ -292,7 +291,7 @@ def _angles(numbers: Numbers, what: str, count: int) -> Any:
     start = numbers.place
     angles = numbers.take(count)
     right = 90 * numpy.round(angles / 90)
-    angles = numpy.where(abs(angles - right) <= NEAR, right, angles)
+    angles = numpy.where(abs(angles - right) <= SLACK, right, angles)
     for place, (before, after) in enumerate(pairwise(angles), start + 1):
         if not before < after:
             problem = f"the {what} angle {after:g} follows {before:g}"

@@ -11,8 +11,7 @@ from radcalc.columns import is_number
 from radcalc.errors import ConditionError, quote
 from radcalc.texts import refusal
 
-LARGEST = 1e18  # of any number, so that products of them can be held
-END_IN_DOS = "\x1a"  # of a file
+BEYOND = 1e18  # no number is that large, so that products of them can be held
 
 
 class Numbers:
@@ -25,18 +24,16 @@ class Numbers:
         self.ends: list[int] = []  # how many numbers there are up to the end of each line
         self.place = 0
         body = list(lines[start:])
-        while body and body[-1].strip(f" \t\r\n{END_IN_DOS}").upper() in ("", "END"):
+        while body and body[-1].strip().upper() in ("", "END"):
             body.pop()
-        if body:
-            body[-1] = body[-1].rstrip(f"\r\n{END_IN_DOS}")
         for number, line in enumerate(body, start + 1):
             values += self.numbers(line, number)
             self.ends.append(len(values))
         self.values = numpy.array(values)
-        are_sound = numpy.abs(self.values) < LARGEST
+        are_sound = numpy.abs(self.values) < BEYOND
         if not are_sound.all():
             place = int(numpy.argmin(are_sound))
-            problem = f"{self.values[place]:g} is no number below {LARGEST:g}"
+            problem = f"{self.values[place]:g} is no number below {BEYOND:g}"
             raise self.error(place, problem, "a finite number")
 
     def numbers(self, line: str, number: int) -> list[float]:

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import python
 
-from radcalc.distributions.files import LARGEST, read_file
+from radcalc.distributions.files import MOST_BYTES, read_file
 from radcalc.errors import RadcalcError
 
 IES = """IESNA:LM-63-2002
@@ -192,7 +192,7 @@ def test_a_large_file_is_refused_unread(tmp_path):
     with pytest.raises(RadcalcError, match="more than 64 MiB") as caught:
         read_file(str(path))
     assert "lamp.csv" in caught.value.message
-    assert LARGEST == 64 << 20
+    assert MOST_BYTES == 64 << 20
 
 
 @pytest.mark.parametrize("form", FORMATS)

@@ -263,8 +263,7 @@ GOOD = written(
         lambda lines: [*lines[:4], *(line.replace(" ", "\t \t") for line in lines[4:])],
         lambda lines: [f"{line}\r\n" for line in lines],
         lambda lines: [part for line in lines for part in ("", line, "  ")],
-        lambda lines: [*lines[:-1], f"{lines[-1]}\x1a"],
-        lambda lines: [*lines, "END", "\x1a"],
+        lambda lines: [*lines, "END", " "],
         lambda lines: [
             *lines[:6],
             *(line.replace("90", "89.995") for line in lines[6:8]),

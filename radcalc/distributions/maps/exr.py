@@ -24,8 +24,9 @@ from typing import Any
 import numpy as np
 
 from radcalc.distributions.maps import pictures
-from radcalc.distributions.maps.pictures import Picture
+from radcalc.distributions.maps.pictures import RGB, XYZ, Picture, Y
 from radcalc.errors import ConditionError, listed, option, quote
+from radcalc.quantities.symbols import LATLONG
 
 FORMAT = "OpenEXR"
 VERSION = 2  # of the format; the flags of a file stand above it
@@ -37,9 +38,8 @@ DWAA = 8  # the first compression that is by transforms, and without a limit for
 # and a sample has two of them or more.
 DENSEST = 516
 TILE = 1 << 20  # pixels that a tile may have in a smaller picture: the library makes room for all
-RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)
 XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
-LATLONG, CUBE = 0, 1  # of envmap
+ENVMAP_LATLONG, ENVMAP_CUBE = 0, 1
 # Attributes that radcalc writes for itself; other programs pass over them.
 UNIT, WEIGHTS, PROJECTION = "radcalcUnit", "radcalcWeights", "radcalcProjection"
 ASCII = bytes(range(128)) + b"?" * 128  # of each byte
@@ -118,7 +118,7 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     if part.environment is None:
         pixels, frame = _cut(pixels, part)
     else:
-        projection = "latlong"
+        projection = LATLONG
         assumptions.append(
             "the edges of the map's first and last row are the poles (OpenEXR itself has the "
             "centres of their pixels there)"
@@ -159,7 +159,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
         "dataWindow": ((left, top), (left + width - 1, top + height - 1)),
         "displayWindow": ((0, 0), (full_width - 1, full_height - 1)),
     }
-    if picture.projection == "latlong" and not picture.frame:
+    if picture.projection == LATLONG and not picture.frame:
         header["envmap"] = openexr.ENVMAP_LATLONG
     elif picture.projection:
         header[PROJECTION] = picture.projection
@@ -284,9 +284,9 @@ def _parts(data: bytes, name: str) -> list[_Part]:
         _check_size(part, name)
         place = _check_chunks(data, place, part, 4 if flags & SEVERAL_PARTS else 0, name)
     room = 4 * sum(map(_Part.samples, parts))
-    if room > pictures.LARGEST:
+    if room > pictures.MOST_BYTES:
         raise ConditionError(
-            f"{name} has {room >> 20} MiB of pixels, more than {pictures.LARGEST >> 20}",
+            f"{name} has {room >> 20} MiB of pixels, more than {pictures.MOST_BYTES >> 20}",
             "the part and the channels that are needed, in a file of their own",
         )
     return parts
@@ -412,8 +412,8 @@ def _check_place(part: _Part, name: str) -> None:
         raise ConditionError(
             f"{name} has no pixels in its display window", "a picture whose windows overlap"
         )
-    if part.environment not in (None, LATLONG):
-        kind = "a cube" if part.environment == CUBE else f"of kind {part.environment}"
+    if part.environment not in (None, ENVMAP_LATLONG):
+        kind = "a cube" if part.environment == ENVMAP_CUBE else f"of kind {part.environment}"
         raise ConditionError(
             f"{name} is an environment map that is {kind}, which is not read",
             "the same as latlong (exrenvmap -l converts it)",

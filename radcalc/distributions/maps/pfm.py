@@ -12,7 +12,15 @@ from typing import Any
 import numpy as np
 
 from radcalc import columns
-from radcalc.distributions.maps.pictures import BY_REC_709, REC_709, Picture, check_size
+from radcalc.distributions.maps.pictures import (
+    BY_REC_709,
+    REC_709,
+    RGB,
+    XYZ,
+    Picture,
+    Y,
+    check_size,
+)
 from radcalc.errors import ConditionError, quote
 
 FORMAT = "PFM"
@@ -51,7 +59,7 @@ def read(data: bytes, name: str) -> Picture:
     if not head or not scale:
         begin = data[:200].decode("latin-1").replace("\n", " ")
         raise ConditionError(f"{name} is no PFM picture: it begins with '{quote(begin)}'", FORM)
-    channels = ("R", "G", "B") if head[1] == b"F" else ("Y",)
+    channels = RGB if head[1] == b"F" else Y
     width, height = int(head[2]), int(head[3])
     check_size(width, height, name)
     size, start = 4 * width * height * len(channels), head.end()
@@ -80,7 +88,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     ConditionError
         If the channels are X, Y, Z, which a reader would take for R, G, B.
     """
-    if picture.channels == ("X", "Y", "Z"):
+    if picture.channels == XYZ:
         raise ConditionError("PFM has no X, Y, Z", "a Radiance (.hdr) or OpenEXR (.exr) picture")
     height, width, count = picture.pixels.shape
     step = max(1, BLOCK // (width * count))

@@ -20,12 +20,13 @@ NOISE = 1e-6
 KNOWN = "a Radiance (.hdr), OpenEXR (.exr) or PFM (.pfm) picture"
 LEAST = 1e-6  # y of a white, and twice the area of a triangle of primaries
 FARTHEST = 10.0  # coordinate of a primary
+RGB, XYZ, Y = ("R", "G", "B"), ("X", "Y", "Z"), ("Y",)  # the channels of a picture
 BY_REC_709 = "luminance is by the primaries of Rec. 709, for the file names none"
 REC_709 = (0.2126, 0.7152, 0.0722)  # of the luminance of linear R, G, B, as the standard has them
 # A map of 16384x8192, the largest that is common, has 1.5 GiB as floats; twice that still fits into
 # the memory of a common computer.
 PIXELS = 1 << 28
-LARGEST = 16 * PIXELS  # bytes of a file: four floats a pixel
+MOST_BYTES = 16 * PIXELS  # of a file: four floats a pixel
 BRIGHTEST, FAINTEST = 3e38, 1e-36  # that 32 bits, and RGBE, hold with all their digits
 WRITERS = {".hdr": "rgbe", ".pic": "rgbe", ".exr": "exr", ".pfm": "pfm"}  # modules, by extension
 READERS = {b"#?": "rgbe", b"v/1\x01": "exr", b"PF": "pfm", b"Pf": "pfm"}  # by the first bytes
@@ -116,13 +117,13 @@ def read_picture(path: str, channel: str = "") -> Picture:
     if path == "-":
         raise ConditionError("a picture is not read from standard input", "its file")
     name = quote_path(path)
-    with contents.opened(path, LARGEST, KNOWN) as file:
+    with contents.opened(path, MOST_BYTES, KNOWN) as file:
         head = file.read(1000)
         reader = next((READERS[magic] for magic in READERS if head.startswith(magic)), "")
         if not reader and OLD_RADIANCE in head:
             reader = "rgbe"
         file.seek(0)
-        data = contents.whole(file, LARGEST, path) if reader else b""
+        data = contents.whole(file, MOST_BYTES, path) if reader else b""
     if not reader:
         raise _is_no_picture(head, name)
     # only the one that is needed is loaded

@@ -20,7 +20,10 @@ from radcalc._version import __version__
 from radcalc.distributions.maps.pictures import (
     BY_REC_709,
     REC_709,
+    RGB,
+    XYZ,
     Picture,
+    Y,
     check_size,
     luminance_weights,
 )
@@ -37,7 +40,7 @@ CUMULATIVE = {"EXPOSURE", "COLORCORR", "PIXASPECT"}
 HEADER = 1 << 20  # bytes that a header may have
 RESOLUTION = re.compile(r"([-+])([XY])\s+(-?\d{1,15})\s+([-+])([XY])\s+(-?\d{1,15})\s*")
 VIEW = re.compile(r"-v([thv])\s*(\S+)")  # its type, and how wide and high it is
-FARTHEST = 1e20  # a multiplier from 1, and 1 from it
+EXTREME = 1e20  # of what multiplies pixels, and 1 over it
 BIAS = 136  # of the exponent, with the 8 bits of a mantissa
 BLOCK = 1 << 17  # pixels that are decoded at a time, so that they stay in a cache
 MARK = 2  # R and G before a scanline of the new run-length encoding
@@ -45,7 +48,7 @@ LITERAL = 128  # the largest code of bytes that stand as they are; others are ru
 NEW = range(8, 1 << 15)  # pixels of a scanline that programs encode in the new way
 REPEAT = 0x010101  # R, G and B of a repetition in the old run-length encoding
 LEAST_RUN, LONGEST_RUN = 4, 127  # bytes that are worth a run; what its code can say
-BRIGHTEST = 1.69e38  # what the exponent 255 can hold
+BEYOND = 1.69e38  # what the exponent 255 can no longer hold
 HALF_STEP = (
     "RGBE is read as most programs do; Radiance's own read half a step, 0.2 % to 0.4 %, more"
 )
@@ -153,10 +156,10 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     """
     height, width = picture.pixels.shape[:2]
     pixels = np.broadcast_to(picture.pixels, (height, width, 3))
-    if not (pixels.min() >= 0 and pixels.max() < BRIGHTEST):
+    if not (pixels.min() >= 0 and pixels.max() < BEYOND):
         problem = "RGBE holds no pixels that are negative, NaN or larger than 1.69e38"
         raise ConditionError(problem, "an OpenEXR (.exr) or PFM (.pfm) picture")
-    is_xyz = picture.channels == ("X", "Y", "Z")
+    is_xyz = picture.channels == XYZ
     weights = " ".join(map(repr, picture.weights))
     header = [
         "#?RADIANCE",
@@ -224,9 +227,9 @@ def _header(data: bytes, name: str) -> _Header:
     if view := _view(lines):
         notes.append(f"{name} says VIEW={view}, which is not the whole sphere")
     order, count, length, start = _resolution(data, start, name)
-    channels = ("X", "Y", "Z") if is_xyz else ("R", "G", "B")
+    channels = XYZ if is_xyz else RGB
     return _Header(
-        channels if len(weights) == 3 else ("Y",),
+        channels if len(weights) == 3 else Y,
         exposure,
         tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0))),
         weights,
@@ -268,7 +271,7 @@ def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
         if key in CUMULATIVE:
             before = found.get(key, [1.0] * len(numbers))
             numbers = [one * other for one, other in zip(before, numbers, strict=True)]
-            if not all(1 / FARTHEST < number < FARTHEST for number in numbers):
+            if not all(1 / EXTREME < number < EXTREME for number in numbers):
                 raise _wrong_line(line, name)
         found[key] = numbers
     return found

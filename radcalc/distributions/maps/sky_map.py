@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from radcalc.distributions.maps.pictures import Picture, as_floats, check_size
+from radcalc.distributions.maps.pictures import Picture, Y, as_floats, check_size
 from radcalc.distributions.maps.radiance_map import check_shape
 from radcalc.distributions.sky import Sky
 from radcalc.errors import ConditionError
@@ -92,7 +92,7 @@ def sky_map(sky: Sky, width: int, height: int, sun: Sun | None = None) -> Pictur
         rows, light = _sunlight(sun, width, height)
         pixels[rows] += light
     pixels = as_floats(pixels / float(resolve(unit).factor), unit)
-    return Picture(pixels[:, :, None], ("Y",), (1.0,), "", unit, LATLONG)
+    return Picture(pixels[:, :, None], Y, (1.0,), "", unit, LATLONG)
 
 
 def _means(sky: Sky, width: int, height: int) -> Any:
