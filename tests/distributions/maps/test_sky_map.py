@@ -20,7 +20,8 @@ PLACE = (math.radians(50), math.radians(30))
 def summed(pixels, normal):
     """Irradiance by a plain sum over the pixels of a latlong map, +x in its middle."""
     height, width = pixels.shape
-    polar = ((np.arange(height) + 0.5) * math.pi / height)[:, None]
+    lit = np.flatnonzero(pixels.any(1))
+    pixels, polar = pixels[lit], ((lit + 0.5) * math.pi / height)[:, None]
     azimuth = math.pi - (np.arange(width) + 0.5) * 2 * math.pi / width
     axes = np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)
     cosine = sum(n * axis for n, axis in zip(normal, axes, strict=True)) / math.hypot(*normal)
@@ -41,9 +42,8 @@ def test_a_map_gives_the_irradiance_of_its_sky(name, normal):
 
 @pytest.mark.parametrize("size", [(64, 32), (1024, 512), (4096, 2048)])
 def test_the_sun_in_a_map_has_its_irradiance(size):
-    sky, sun = Sky("5", zenith=1000.0, kind="v"), Sun(*PLACE, math.radians(0.2666), 8e4)
+    sky, sun = Sky("5", zenith=0.0, kind="v"), Sun(*PLACE, math.radians(0.2666), 8e4)
     pixels = sky_map(sky, *size, sun).pixels[:, :, 0]
-    pixels = pixels - sky_map(sky, *size).pixels[:, :, 0]
     toward = (
         math.sin(PLACE[0]) * math.cos(PLACE[1]),
         math.sin(PLACE[0]) * math.sin(PLACE[1]),
