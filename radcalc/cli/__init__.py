@@ -24,6 +24,7 @@ from radcalc.units.numbers import is_sentence
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from radcalc.cli.options import Listener
 
@@ -56,7 +57,7 @@ COMMANDS = {
     "prompt": "One line after another, with ans and names.",
 }
 HELP_NAMES = ["-h", "--help"]
-SETTINGS = {"help_option_names": HELP_NAMES, "max_content_width": 100}
+SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
 
 
 def _help(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
@@ -170,6 +171,11 @@ def commands() -> None:
       radcalc lambertian --luminance 100cd/m2 --check exitance=628lm/m2
       radcalc units luminance
     """
+
+
+def context(listener: "Listener | None" = None) -> click.Context:
+    """The context of `radcalc` itself, to which nothing was typed."""
+    return click.Context(commands, info_name="radcalc", obj=listener, **SETTINGS)
 
 
 def protect_negatives(words: list[str]) -> list[str]:

@@ -156,8 +156,7 @@ def _of_lines(
     told = option(case.stream.name, "-")
     if asked.lines is None:
         raise UsageError(f"{told}: {command} takes no lines of standard input", "one value a call")
-    if asked.check is not None:
-        raise UsageError("--check takes one answer, and a stream has several", "one value")
+    check.refuse_stream(asked.check)
     if asked.steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
     if asked.plot:

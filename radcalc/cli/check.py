@@ -39,6 +39,12 @@ def refuse_several(count: int) -> None:
         raise UsageError("--check takes one answer, and there are several", "one value a call")
 
 
+def refuse_stream(check: str | None) -> None:
+    """Refuse to judge one number by the answers to lines."""
+    if check is not None:
+        raise UsageError("--check takes one answer, and a stream has several", "one value")
+
+
 def judge(
     question: "Question",
     claim: str,

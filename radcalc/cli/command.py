@@ -41,7 +41,6 @@ FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".web
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
 # The forms of operands that no symbol has.
 CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
-MAPS = (".hdr", ".exr", ".pfm")
 LINES = "Streams"
 Member = str | click.Option  # the name of a symbol, or an option that is none
 

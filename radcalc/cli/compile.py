@@ -12,9 +12,10 @@ from typing import Any
 import click
 
 import radcalc
-from radcalc.cli import COMMANDS, HELP, check, commands, protect_negatives
-from radcalc.cli.command import FILE, GET, MAPS, PLOT, SectionedCommand, SymbolOption
+from radcalc.cli import COMMANDS, HELP, check, commands, context, protect_negatives
+from radcalc.cli.command import ENVIRONMENT, FILE, GET, PLOT, SectionedCommand, SymbolOption
 from radcalc.conversion.plan import target_of
+from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import RadcalcError, UsageError
 from radcalc.plots.figure import FORMATS
 from radcalc.quantities.light import GEOMETRIES
@@ -38,10 +39,16 @@ from radcalc.quantities.symbols import (
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra.listing import described, listed
+from radcalc.texts import ENDINGS as COLUMNS
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.scales import on
 from radcalc.units.table import NUMBER, Dimension, Unit, resolve
 
+ENDINGS = {
+    SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),
+    DISTRIBUTION: (".ies", ".ldt", *COLUMNS),
+    ENVIRONMENT: tuple(MAPS),
+}
 TABLE = Path(radcalc.__file__).parent / "completion" / "table.py"
 HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do not edit."""
 
@@ -65,13 +72,11 @@ class Compiler:
 
     def text(self) -> str:
         """The table as the text of a module."""
-        top = click.Context(commands, info_name="radcalc")
         rows: dict[str, Row] = {}
         for name, line in COMMANDS.items():
-            command = commands.get_command(top, name)
-            assert isinstance(command, SectionedCommand)
+            command = command_of(name)
             rows[name] = line, self._operands(command), self._options(command)
-        own = [self._option(one, {}) for one in _of_click(commands.get_params(top))]
+        own = [self._option(one, {}) for one in own_options()]
         printed = "".join(
             f"    {name!r}: ({line!r}, {operands!r}, (\n{_lines(listed)}    )),\n"
             for name, (line, operands, listed) in rows.items()
@@ -89,6 +94,7 @@ class Compiler:
             "# the names of quantities: the unit (none where the source's kind decides it),\n"
             "# and whether it is of what leaves a surface\n"
             f"NAMES = {{\n{quantities}}}\n"
+            f"# what files end in, by the form of what may be one\nENDINGS = {ENDINGS}\n"
             f"# the named spectra\nSPECTRA = {{\n{spectra}}}\n"
         )
 
@@ -130,7 +136,7 @@ class Compiler:
         if option in check.OPTIONS:
             return (CLAIM, dict(results)) if results and "--check" in option.opts else (WORD, ())
         if example.startswith("FILE"):
-            return FILE, MAPS
+            return FILE, ENDINGS[ENVIRONMENT]
         if not isinstance(option, SymbolOption):
             return WORD, ()
         symbol = SYMBOLS[option.opts[-1].removeprefix("--")]
@@ -165,6 +171,19 @@ class Compiler:
             called.update({scale.name: scale.meaning for scale in on(dimension)})
         self.units.setdefault(name, tuple(called.items()))
         return name
+
+
+def command_of(name: str) -> SectionedCommand:
+    """A command by its name."""
+    found = commands.get_command(context(), name)
+    if not isinstance(found, SectionedCommand):
+        raise KeyError(f"there is no command {name!r}")
+    return found
+
+
+def own_options() -> list[click.Option]:
+    """The options of `radcalc` itself."""
+    return [one for one in commands.get_params(context()) if isinstance(one, click.Option)]
 
 
 def results_of(command: SectionedCommand) -> list[str]:
@@ -204,10 +223,6 @@ def examples_of(command: SectionedCommand) -> Iterator[list[str]]:
 
 def _leaves(name: str) -> bool:
     return target_of(name).is_exitance
-
-
-def _of_click(params: Iterable[click.Parameter]) -> list[click.Option]:
-    return [one for one in params if isinstance(one, click.Option)]
 
 
 def _lines(rows: Iterable[Row]) -> str:

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import click
 
-from radcalc.cli import COMMANDS, commands
+from radcalc.cli import COMMANDS, commands, context
 from radcalc.errors import MINUS, MissingUnit, RadcalcError, nearest, option, quote
 from radcalc.errors import command as call_of
 from radcalc.errors import manual as help_of
@@ -194,9 +194,8 @@ def _takers(name: str) -> list[str]:
 
 
 def _parameters(called: str) -> list[click.Parameter]:
-    context = click.Context(commands, **commands.context_settings)  # or -h is forgotten
-    found = commands.get_command(context, called) or commands
-    return found.get_params(context)
+    top = context()
+    return (commands.get_command(top, called) or commands).get_params(top)
 
 
 def one_line(text: str) -> str:

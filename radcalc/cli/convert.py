@@ -126,8 +126,7 @@ def command(
         raise
     streams.refuse_condition(each[0])
     if words[:1] == ("-",):
-        if check is not None:
-            raise UsageError("--check takes one answer, and a stream has several", "one value")
+        checking.refuse_stream(check)
         return streams.convert(list(words), asked, each, steps, shown)
     streams.refuse(asked)
     try:

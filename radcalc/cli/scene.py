@@ -26,6 +26,7 @@ from radcalc.given import (
 )
 from radcalc.render import arrays
 from radcalc.render.formats import CSV, JSON
+from radcalc.texts import ENDINGS
 from radcalc.units.ranges import MOST
 
 FEW = 12  # sources whose shares are shown unasked
@@ -41,7 +42,7 @@ AT = click.Option(
     "scene",
     {"The points": (AT, "grid", "normal"), "Kinds of light": LIGHT},
     words="FILE.csv",
-    operands=(FILE, (".csv", ".tsv", ".txt")),
+    operands=(FILE, ENDINGS),
     takes_lines=False,
     draws=True,
 )

@@ -285,7 +285,7 @@ class Session:
         """Show an amount in its own unit."""
         if unit := amount.typed[1]:
             return cli.answered([*words, "to", unit.text], self)
-        with click.Context(cli.commands, obj=self):
+        with cli.context(self):
             shown = decide(**(defaults() | self.settings))
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
         shown.show([Result((row,), named=False)])
@@ -296,8 +296,7 @@ def _help() -> str:
     """What can be typed at the prompt."""
     from radcalc.cli.help import HelpFormatter
 
-    context = click.Context(cli.commands, **cli.commands.context_settings)
-    formatter = HelpFormatter(max_width=context.max_content_width)
+    formatter = HelpFormatter(max_width=cli.context().max_content_width)
     for title, rows in (("At the prompt", EXAMPLES), ("Commands", COMMANDS)):
         with formatter.section(title):
             formatter.write_dl(list(rows.items()))
@@ -349,7 +348,7 @@ def _takers(called: str) -> set[str]:
     """The options of a command that take the next word for their value."""
     if called not in COMMANDS:
         return set()
-    found = cli.commands.get_command(click.Context(cli.commands), called)
+    found = cli.commands.get_command(cli.context(), called)
     options = [one for one in found.params if isinstance(one, click.Option)] if found else []
     # [=N] is a value that is never the next word
     takers = [o for o in options if not o.is_flag and not (o.metavar or "").startswith("[=")]

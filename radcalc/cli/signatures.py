@@ -12,11 +12,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-import click
-
 import radcalc
-from radcalc.cli import commands
-from radcalc.cli.command import SectionedCommand, SymbolOption
+from radcalc.api.spelling import keyword, symbol_name
+from radcalc.cli import COMMANDS
+from radcalc.cli.command import SymbolOption
+from radcalc.cli.compile import command_of
 from radcalc.errors import mention, spell
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
@@ -82,8 +82,8 @@ class Documented:
     @staticmethod
     def option(name: str, value: str) -> str:
         """`half_angle`, in quotes of its own."""
-        keyword = name.replace("-", "_")
-        return f'``{keyword}="{value}"``' if value else f"`{keyword}`"
+        own = keyword(name)
+        return f'``{own}="{value}"``' if value else f"`{own}`"
 
 
 def rewritten(source: str) -> str:
@@ -102,14 +102,14 @@ def rewritten(source: str) -> str:
 
 def keywords(function: str) -> dict[str, Keyword]:
     """The keywords of a function that are symbols; none where no command is like it."""
-    name = COMMAND_OF.get(function, function.replace("_", "-"))
-    top = click.Context(commands, info_name="radcalc", **commands.context_settings)
-    command = commands.get_command(top, name)
-    if not isinstance(command, SectionedCommand):
+    name = COMMAND_OF.get(function, symbol_name(function))
+    if name not in COMMANDS:
         return {}
     left_out = LEFT_OUT.get(function, ())
-    options = [option for listed in command.sections.values() for option in listed]
-    symbols = [SYMBOLS[one.opts[-1].removeprefix("--")] for one in options if _is_symbol(one)]
+    options = [option for listed in command_of(name).sections.values() for option in listed]
+    symbols = [
+        SYMBOLS[one.opts[-1].removeprefix("--")] for one in options if isinstance(one, SymbolOption)
+    ]
     kinds = [kind for kind in KINDS if any(symbol.kind == kind for symbol in symbols)] or [*KINDS]
     found = [
         _keyword(symbol, name, kinds)
@@ -119,14 +119,10 @@ def keywords(function: str) -> dict[str, Keyword]:
     return {one.name: one for one in found}
 
 
-def _is_symbol(option: click.Option) -> bool:
-    return isinstance(option, SymbolOption)
-
-
 def _keyword(symbol: Symbol, command: str, kinds: Sequence[str]) -> Keyword:
     example, text = symbol.shown_in(command)
     said = spell(mention(text), Documented)
-    name = symbol.name.replace("-", "_")
+    name = keyword(symbol.name)
     unit = ""
     if symbol.form in (QUANTITY, INTERVAL) and NUMBER not in symbol.dimensions:
         unit = symbol.unit
@@ -176,7 +172,7 @@ def _of_symbols(found: dict[str, Keyword]) -> Iterator[str]:
     """An entry a symbol, in which a light quantity has the names of its kinds too."""
     of: dict[str, list[str]] = {}
     for name in found:
-        generic = SPECIFIC.get(name.replace("_", "-"), (name, ""))[0].replace("-", "_")
+        generic = keyword(SPECIFIC.get(symbol_name(name), (name, ""))[0])
         of.setdefault(generic if generic in found else name, []).append(name)
     for first, names in of.items():
         one = found[first]

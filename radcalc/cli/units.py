@@ -1,4 +1,4 @@
-"""`radcalc units [SEARCH]`: which units there are, what they are worth, and says who."""
+"""`radcalc units [SEARCH]`: the units, with their definitions and sources."""
 
 from radcalc.answer import texts_of
 from radcalc.cli.command import SEARCH, define

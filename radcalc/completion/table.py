@@ -263,9 +263,9 @@ COMMANDS = {
         (('--horizontal-photon-irradiance',), 'quantity', ('100umol/m2/s', ('photon irradiance',)), 'The irradiance of the ground by the sky, without the sun, as horizontal photon irradiance.', True, False),
         (('--normal',), 'word', (), 'Where the receiver faces (0,0,1: up).', False, False),
         (('--toward',), 'quantity', ('60deg,90deg', ('angle',)), 'A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z.', False, False),
-        (('--irradiance-map',), 'file', ('.hdr', '.exr', '.pfm'), 'Write the irradiance of receivers that face in all directions, as a latlong map (.hdr, .exr, .pfm).', False, False),
+        (('--irradiance-map',), 'file', ('.hdr', '.pic', '.exr', '.pfm'), 'Write the irradiance of receivers that face in all directions, as a latlong map (.hdr, .exr, .pfm).', False, False),
         (('--order',), 'choice', ('2',), 'Use spherical harmonics up to this order instead of the exact sum over all pixels.', False, False),
-        (('--reproject',), 'file', ('.hdr', '.exr', '.pfm'), 'Write the map in another projection (with --to).', False, False),
+        (('--reproject',), 'file', ('.hdr', '.pic', '.exr', '.pfm'), 'Write the map in another projection (with --to).', False, False),
         (('--to',), 'choice', ('latlong', 'mirror-ball', 'angular'), 'The projection that --reproject writes.', False, False),
         (('--size',), 'word', ('1024x512',), 'Width and height of a map, in pixels.', False, False),
         (('--wavelength',), 'quantity', ('555nm', ('length', 'frequency', 'wavenumber', 'radiant energy', 'photon energy')), 'Light of one wavelength (or frequency, wavenumber, photon energy).', False, False),
@@ -288,7 +288,7 @@ COMMANDS = {
         (('--steps',), 'flag', (), 'Show the derivation.', False, False),
         (('-h', '--help'), 'flag', (), 'Show this message and exit.', False, False),
     )),
-    'scene': ('Many sources, summed at points or over a grid.', ('file', ('.csv', '.tsv', '.txt')), (
+    'scene': ('Many sources, summed at points or over a grid.', ('file', ('.csv', '.tsv', '.txt', '.dat')), (
         (('--at',), 'word', (), 'A point that gets the light (repeatable), in metres or with units.', False, True),
         (('--grid',), 'word', (), 'A grid of such points: N along x from X0 to X1, N along y, at Z.', False, False),
         (('--normal',), 'word', (), 'Where the receivers face (0,0,1: up).', False, False),
@@ -415,7 +415,7 @@ COMMANDS = {
         (('--azimuth',), 'quantity', ('180deg', ('angle',)), 'Azimuth that the plane faces (with --tilt).', False, False),
         (('--normal',), 'word', (), 'Where the plane faces, in place of --tilt: z is up.', False, False),
         (('--toward',), 'quantity', ('60deg,90deg', ('angle',)), 'Where in the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up.', False, False),
-        (('--save',), 'file', ('.hdr', '.exr', '.pfm'), "Write a latlong map of the sky (.hdr, .exr or .pfm; 1024x512), with the sun's disc if the sun has light.", False, False),
+        (('--save',), 'file', ('.hdr', '.pic', '.exr', '.pfm'), "Write a latlong map of the sky (.hdr, .exr or .pfm; 1024x512), with the sun's disc if the sun has light.", False, False),
         (('--size',), 'word', ('1024x512',), 'Width and height of a map, in pixels.', False, False),
         (('--wavelength',), 'quantity', ('555nm', ('length', 'frequency', 'wavenumber', 'radiant energy', 'photon energy')), 'Light of one wavelength (or frequency, wavenumber, photon energy).', False, False),
         (('--spectrum',), 'spectrum', (), 'Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ...', False, False),
@@ -1190,6 +1190,8 @@ NAMES = {
     'яркость': ('cd/m2', False),
     'яркость-фотонов': ('umol/m2/s/sr', False),
 }
+# what files end in, by the form of what may be one
+ENDINGS = {'spectrum': ('.csv', '.tsv', '.txt', '.dat', '.spd', '.asc', '.sp', '.xls', '.spdx'), 'distribution': ('.ies', '.ldt', '.csv', '.tsv', '.txt', '.dat'), 'environment': ('.hdr', '.pic', '.exr', '.pfm')}
 # the named spectra
 SPECTRA = {
     'A': '2856 K, incandescent',

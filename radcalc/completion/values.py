@@ -3,17 +3,13 @@
 import os
 
 from radcalc.completion import DIGITS, Completion
-from radcalc.completion.table import NAMES, SPECTRA, UNITS
+from radcalc.completion.table import ENDINGS, NAMES, SPECTRA, UNITS
 from radcalc.spectra.kinds import FORMS
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any
-
-TABLES = (".csv", ".tsv", ".txt", ".dat", ".spd", ".asc", ".sp", ".xls", ".spdx")
-PHOTOMETRIES = (".ies", ".ldt", ".csv", ".tsv", ".txt")
-MAPS = (".hdr", ".exr", ".pfm")
 
 
 def values_of(form: str, values: "Sequence[Any]", incomplete: str) -> list[Completion]:
@@ -117,7 +113,7 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
         for name, (_, said, example, _) in FORMS.items()
         if name.startswith(incomplete)
     ]
-    return [*named, *forms, *files(TABLES, incomplete)]
+    return [*named, *forms, *files(ENDINGS["spectrum"], incomplete)]
 
 
 def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -133,11 +129,11 @@ def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
 
 
 def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
-    return starting(values, incomplete) + files(PHOTOMETRIES, incomplete)
+    return starting(values, incomplete) + files(ENDINGS["distribution"], incomplete)
 
 
 def _environments(skies: "Sequence[str]", incomplete: str) -> list[Completion]:
-    found = files(MAPS, incomplete)
+    found = files(ENDINGS["environment"], incomplete)
     if ":" in incomplete:
         return starting([f"sky:{name}" for name in skies], incomplete)
     return starting(["sky:"], incomplete, closes=False) + found

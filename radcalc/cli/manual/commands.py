@@ -9,10 +9,10 @@ from typing import Any
 import click
 
 from radcalc.answer import Result, Row, Step
-from radcalc.cli import COMMANDS, commands, streams
+from radcalc.cli import COMMANDS, HELP, commands, streams
 from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
-from radcalc.cli.compile import examples_of, results_of
+from radcalc.cli.compile import command_of, examples_of, own_options, results_of
 from radcalc.cli.help import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
 from radcalc.errors import RadcalcError
@@ -28,18 +28,9 @@ from radcalc.quantities.symbols import (
     specific_name,
 )
 
-TOP = click.Context(commands, info_name="radcalc", **commands.context_settings)
 RESULT_WIDTH = 16  # of most of their names
 VERBATIM, EXAMPLES, DRAWN = "\b", "Examples:", "__"
 Sections = Mapping[str, Sequence[click.Option]]
-
-
-def command(name: str) -> SectionedCommand:
-    """A command by its name."""
-    found = commands.get_command(TOP, name)
-    if not isinstance(found, SectionedCommand):
-        raise KeyError(f"there is no command {name!r}")
-    return found
 
 
 def name(of: str) -> Iterator[str]:
@@ -67,7 +58,7 @@ def help_text(of: str) -> Iterator[str]:
     What stands in lines of its own is kept where a colon leads to it, and so is a drawing.
     """
     before = ""
-    for paragraph in (command(of).help or "").split("\n\n"):
+    for paragraph in (command_of(of).help or "").split("\n\n"):
         first, *rest = paragraph.strip("\n").split("\n")
         if first.strip() == VERBATIM:
             is_led_to = before.endswith(":") and rest[0].strip() != EXAMPLES
@@ -93,20 +84,19 @@ def options(of: str) -> Iterator[str]:
 
 def sections_of(of: str) -> Sections:
     """The options that a block lists, by the titles of the help; a single list has no title."""
-    help_option = commands.get_help_option(TOP)
     if of == "every command":
-        return {"": [*output.OPTIONS, *([help_option] if help_option else [])]}
+        return {"": [*output.OPTIONS, HELP]}
     if of == "every stream":
         return {"": streams.OPTIONS}
     if of == "radcalc":
-        return {"": [one for one in commands.get_params(TOP) if isinstance(one, click.Option)]}
-    sections = {title: group for title, group in command(of).sections.items() if title != LINES}
-    return sections | {"Output": [*sections["Output"], *([help_option] if help_option else [])]}
+        return {"": own_options()}
+    sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
+    return sections | {"Output": [*sections["Output"], HELP]}
 
 
 def results(of: str) -> Iterator[str]:
     """The results of a command by the names that --get takes, each with its letter and unit."""
-    found = command(of)
+    found = command_of(of)
     named = [one for one in results_of(found) if of == "photon" or one not in LINKS]
     kinds, rows = _kinds(found), _heard(of).rows
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
@@ -158,7 +148,7 @@ class Listener:
 @cache
 def _heard(of: str) -> Listener:
     """What the examples of a help answer, where these can be run and write no file."""
-    found, listener = command(of), Listener()
+    found, listener = command_of(of), Listener()
     writes = {
         spelling
         for one in found.params
