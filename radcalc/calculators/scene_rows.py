@@ -20,7 +20,16 @@ from radcalc.distributions.pose import DOWN, Pose
 from radcalc.distributions.scene import Emitter, Panel, Source
 from radcalc.distributions.shapes import Cone, Isotropic, Lobe
 from radcalc.distributions.sources import PATH, photometry
-from radcalc.errors import ConditionError, NumberError, Plain, RadcalcError, listed, nearest, quote
+from radcalc.errors import (
+    ConditionError,
+    NumberError,
+    Plain,
+    RadcalcError,
+    UnitError,
+    listed,
+    nearest,
+    quote,
+)
 from radcalc.geometry import far_field
 from radcalc.geometry.numerics.vectors import Vector, minus
 from radcalc.given import IN_METRES, Given, Inputs, read_as
@@ -30,6 +39,7 @@ from radcalc.laws.solver import Known
 from radcalc.laws.solver import solve as follow
 from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
+from radcalc.quantities.titles import read_title
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.table import NUMBER, Unit, resolve
@@ -170,26 +180,29 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
     for number, title in enumerate(titles, 1):
         if not title:
             raise ConditionError(f"{where}: column {number} has no title", "a title, or no column")
-        name, unit_text = _column(title, where)
+        name, unit = _column(title, where)
         if name in names:
             raise ConditionError(
                 f"{where}: column '{quote(title)}' stands there twice", "each column once"
             )
         names[name] = title
-        if unit_text:
-            units[name] = _unit(name, title, unit_text, where)
+        if unit:
+            units[name] = unit
     return names, units
 
 
-def _column(title: str, where: str) -> tuple[str, str]:
-    """The name of a column and the text of its unit: x (m), x [cm], x_m, or x."""
-    brackets, _ = columns.units_in(title)
-    head, unit = (re.split(r"[(\[]", title)[0], brackets[0]) if brackets else (title, "")
-    if _name(head) not in KNOWN and not brackets:
-        head, _, unit = title.replace(" ", "_").rpartition("_")
-    if _name(head) in KNOWN:
-        return _name(head), unit.strip()
-    near = [typed(one) for one in nearest(_name(title), KNOWN, 3)]
+def _column(title: str, where: str) -> tuple[str, Unit | None]:
+    """The name of a column and its unit: x (m), x [cm], x_m, x / m, or x."""
+    whole = _name(title)
+    heads = [one for one in KNOWN if whole.startswith(one) and not whole[len(one) :][:1].isalpha()]
+    name = max(heads, key=len, default="")
+    if name and name == whole:
+        return name, None
+    if name in TEXTS:
+        raise ConditionError(f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone")
+    if name and (unit := _unit(name, title, where)):
+        return name, unit
+    near = [typed(one) for one in nearest(whole, KNOWN, 3)]
     hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
     raise ConditionError(f"{where}: there is no column '{quote(title)}'", hint)
 
@@ -198,14 +211,21 @@ def _name(title: str) -> str:
     return "-".join(title.lower().replace("_", " ").replace("-", " ").split())
 
 
-def _unit(name: str, title: str, text: str, where: str) -> Unit:
-    """The unit in a title, which must be one of the column."""
-    if name in TEXTS:
-        raise ConditionError(f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone")
+def _unit(name: str, title: str, where: str) -> Unit | None:
+    """The unit in a title, which must be one of the column; None where it has more than that."""
     symbol = COLUMNS[name]
-    example = f"{typed(name)} ({symbol.example.lstrip('0123456789.')})"
+    example = typed(name) if symbol.unit == "1" else f"{typed(name)} ({symbol.unit})"
+    shown = (COLUMNS[one].unit for one in (name, *names_of_kinds(name)))
     try:
-        unit = resolve(text)
+        titles = (read_title(title, resolve(one)) for one in shown)
+        found = next((one for one in titles if one.unit), None)
+        unit = found and found.unit
+        if not found or not unit:
+            for text in columns.units_in(title)[0]:
+                resolve(text)  # which refuses it
+            return None
+        if unit.is_scale:
+            raise UnitError(f"{quote(unit.text)} is a scale", example)
     except RadcalcError as error:
         raise ConditionError(
             f"{where}, column '{quote(title)}': {error.message}", error.hint or example
@@ -215,7 +235,7 @@ def _unit(name: str, title: str, text: str, where: str) -> Unit:
             f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}",
             example,
         )
-    return unit
+    return unit if _name(found.name) == name else None
 
 
 def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
