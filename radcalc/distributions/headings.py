@@ -5,15 +5,17 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from radcalc.columns import IN_BRACKETS, QUANTITY_OVER_UNIT, plain, units_in
-from radcalc.errors import ConditionError, quote
+from radcalc.columns import IN_BRACKETS, plain, units_in
+from radcalc.errors import ConditionError, UnitError, quote
 from radcalc.quantities.light import NONE, describe, read
+from radcalc.quantities.titles import Title, read_title, refuse_altered
 from radcalc.units.dimensions import ANGLE
-from radcalc.units.table import Unit, unit_of
+from radcalc.units.table import NUMBER, Unit, resolve, unit_of
 
 INTENSITY = (0, 0, 1)  # the powers of time, 1/area and 1/solid angle
 SHORT = 6  # words of a comment that may be a title
 ANGLE_WORDS = re.compile(r"gamma|theta|polar|angle|vertical|winkel|γ|θ|ϑ")
+OF_ANGLE = re.compile(rf"(?<![a-z])a?(?:sin|cos|tan)|\d\s*(?:{ANGLE_WORDS.pattern})")
 OTHER_ANGLES = re.compile(r"elevation|altitude|azimut|horizontal|phi|latitude|zenith")
 DEGREES = r"([-+]?\d+(?:[.,]\d+)?)\s*(?:°|deg)?"
 # A plane, and the one opposite: C0, C 22.5 deg, phi=45, 90, C0-C180, C0/180.
@@ -27,9 +29,6 @@ OTHER_WORDS = re.compile(
     r"|stdev?|cumulative|exitance|wavelengths?|distance)(?![a-z])"
 )
 RELATIVE = re.compile(r"|%|-|1|rel\.?|relative|norm(?:ali[sz]ed|\.)?|arb.*|a\. ?u\.|au")
-SCALED = re.compile(
-    r"\d\s*(?:[a-z]?cd|candela|[a-z]*w/)|[*x×]\s*\d|\d\s*[*x×]|1/\(|10\^|\de[-+]?\d"
-)
 PER_FLUX = re.compile(r"cd\s*/\s*\(?\s*(?:k|1000\s*)?lm|cd\s+per\b")
 # The unit in a comment: I (cd), unit: cd, intensities in cd, cd.
 STATED = re.compile(r"(?:^|\bin |[:=/]|(?=[(\[]))\s*(\S+)$")
@@ -81,19 +80,12 @@ def angles(title: str) -> Unit | None:
     Unit('rad')
     >>> angles("gamma")
     """
-    text = plain(title)
-    brackets, endings = units_in(title.replace("º", "°").replace("_", " "))
-    slash = QUANTITY_OVER_UNIT.fullmatch(title)
-    for part in [*brackets, *([slash[1]] if slash else []), *endings]:
-        unit = unit_of(part)
-        if unit and unit.dimension == ANGLE:
-            break
-        if part in brackets or (unit and unit.is_light):
-            raise ConditionError(
-                f"'{quote(title)}' in the first column is no angle", "polar angles in it"
-            )
-    else:
-        unit = None
+    text, unit = plain(title), _read(title.replace("º", "°"), resolve("deg")).unit
+    has_other = unit.dimension != ANGLE if unit else bool(units_in(title)[0])
+    if has_other or OF_ANGLE.search(text):
+        raise ConditionError(
+            f"'{quote(title)}' in the first column is no angle", "polar angles in it"
+        )
     if OTHER_ANGLES.search(text) or not (unit or not text or ANGLE_WORDS.search(text)):
         raise ConditionError(
             f"'{quote(title)}' in the first column is no polar angle from the source's axis",
@@ -137,8 +129,6 @@ def column(title: str) -> Column:
             f"'{quote(title)}' is relative to the flux of lamps that the table does not have",
             "the values times that flux, in cd",
         )
-    if SCALED.search(text):
-        raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     unit = _intensity(rest)
     if not unit and OTHER_WORDS.search(text):
         raise ConditionError(f"'{quote(title)}' is no intensity", KNOWN)
@@ -165,9 +155,10 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
     found: dict[tuple[object, float], Unit] = {}
     for comment in comments:
         stated = STATED.search(comment)
-        if len(comment.split()) > SHORT or SCALED.search(comment.lower()):
+        if len(comment.split()) > SHORT:
             continue
         try:
+            _read(comment)
             unit = _intensity(stated[1] if stated else "")
         except ConditionError:  # a comment is free text
             continue
@@ -182,17 +173,24 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
 @lru_cache(16)
 def _intensity(title: str) -> Unit | None:
     """The unit of intensity in a title; refuse another one."""
-    title = title.replace("_", " ")
-    brackets, endings = units_in(title)
-    slash = QUANTITY_OVER_UNIT.fullmatch(title)
-    for part in [*brackets, *endings[:1], *([slash[1]] if slash else []), *endings[1:]]:
-        unit = unit_of(part)
-        facts = read(unit) if unit else None
-        if unit and facts and facts.geometry == INTENSITY and facts.axis == NONE:
-            return unit
-        if part in brackets and not RELATIVE.fullmatch(part.strip().lower()):
-            what = f"in {describe(unit)}" if unit else f"in '{quote(part)}', which is no unit here"
-            raise ConditionError(f"values {what}", KNOWN)
-        if unit and facts:
-            raise ConditionError(f"values in {describe(unit)}", KNOWN)
-    return None
+    unit = _read(title).unit
+    if unit is None or unit.dimension == NUMBER:
+        others = [text for text in units_in(title)[0] if not RELATIVE.fullmatch(plain(text))]
+        if others:
+            raise ConditionError(f"values in '{quote(others[0])}', which is no unit here", KNOWN)
+        return None
+    facts = read(unit)
+    if facts and facts.geometry == INTENSITY and facts.axis == NONE and not unit.is_scale:
+        return unit
+    raise ConditionError(f"values in {describe(unit)}", KNOWN)
+
+
+def _read(title: str, like: Unit | None = None) -> Title:
+    """A title whose numbers are those of its unit, or of none."""
+    try:
+        found = read_title(title, like)
+        if found.unit is None:
+            refuse_altered(read_title(title.replace("%", " "), like))  # of the peak
+    except UnitError as error:
+        raise ConditionError(error.message, KNOWN if like is None else error.hint) from None
+    return found
