@@ -76,7 +76,7 @@ def check_unit(unit: Unit) -> None:
     )
 
 
-class Step(NamedTuple):
+class SampleStep(NamedTuple):
     """From one sample to the next: the length and the ends [ticks]."""
 
     length: float
@@ -84,7 +84,7 @@ class Step(NamedTuple):
     end: float
 
 
-NO_STEP = Step(0, 0, 0)
+NO_STEP = SampleStep(0, 0, 0)
 
 
 class Period:
@@ -192,7 +192,7 @@ class Dose:
     def _gap(self, start: Any, end: Any) -> None:
         self.gaps += 1
         self.gap_time += end - start
-        self.widest = max(self.widest, Step(end - start, start, end))
+        self.widest = max(self.widest, SampleStep(end - start, start, end))
         while self.spans:
             period = self.periods[-1]
             period.is_in_gap |= not period.covered
@@ -206,7 +206,7 @@ class Dose:
             longest = max(steps)
             if longest > self.step.length:
                 at = steps.index(longest)
-                self.step = Step(longest, times[at], times[at + 1])
+                self.step = SampleStep(longest, times[at], times[at + 1])
             if min(values) < 0:
                 self.below += fsum(map(_below, values, values[1:], steps))
         elif not counted:
@@ -314,7 +314,7 @@ class SummedLog(NamedTuple):
         """A duration that is as far from both, as one types it."""
         return _typed(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
 
-    def _told(self, step: Step) -> str:
+    def _told(self, step: SampleStep) -> str:
         length = _duration(self.seconds(step.length))
         return f"{length}, from {self.say(step.start)} to {self.say(step.end)}"
 

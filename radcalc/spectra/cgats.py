@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from radcalc import columns
 from radcalc.errors import listed, nearest, option, quote
-from radcalc.spectra.rows import Rows
-from radcalc.spectra.titles import Meaning
+from radcalc.spectra.contents import Contents
+from radcalc.spectra.titles import RELATIVE_WATTS
 from radcalc.texts import refusal
 
 FORMAT, DATA = "BEGIN_DATA_FORMAT", "BEGIN_DATA"
@@ -25,7 +25,7 @@ def begins(lines: Sequence[str]) -> bool:
     return any(line.strip() == FORMAT for line in lines[:SEARCHED])
 
 
-def read(lines: Sequence[str], name: str, column: str) -> Rows:
+def read(lines: Sequence[str], name: str, column: str) -> Contents:
     """The bands of one sample, which `column` names where there are several."""
     fields, number = _section(lines, name, FORMAT)
     titles = [field for _, line in fields for field in line.split()]
@@ -45,8 +45,8 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
     _hold(name, facts, "NUMBER_OF_FIELDS", len(titles), "fields")
     _hold(name, facts, "NUMBER_OF_SETS", len(rows), "rows")
     number, cells = _chosen(rows, titles, name, column)
-    said = "its values taken as relative watts per wavelength"
-    return Rows([(number, band, cells[k]) for k, band in bands], (Meaning(said),), has_commas=True)
+    found = [(number, band, cells[k]) for k, band in bands]
+    return Contents(found, (RELATIVE_WATTS,), has_commas=True)
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Mapping, Sequence
 
+from radcalc.spectra.contents import Figure
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.spectra.rows import Figure
 from radcalc.spectra.spectrum import PAR, Table
 
 CLOSE = 0.01  # relative: what the meter's own tables make of the same spectrum

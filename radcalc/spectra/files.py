@@ -15,8 +15,8 @@ from radcalc import columns
 from radcalc.errors import ConditionError, UsageError, listed, option, quote
 from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
+from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.rows import NO_FIGURES, Figure, Rows
 from radcalc.spectra.spectrum import VISIBLE, Table
 from radcalc.texts import Lines, Text, reading, refusal
 from radcalc.units.table import unit_of
@@ -89,7 +89,7 @@ class _Reader:
                 raise self.error(0, f"more than {MOST_OF_FORMAT} characters", "fewer rows")
         return found
 
-    def table_of(self, found: Rows) -> Table:
+    def table_of(self, found: Contents) -> Table:
         """A table of rows that a format has."""
         self.notes += found.notes
         for number, place, value in found.rows:

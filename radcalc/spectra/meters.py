@@ -14,9 +14,9 @@ from itertools import pairwise
 
 from radcalc import columns
 from radcalc.errors import option
+from radcalc.spectra.contents import Contents, Figure, Row
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.spectra.rows import Figure, Row, Rows
-from radcalc.spectra.titles import Meaning
+from radcalc.spectra.titles import RELATIVE_WATTS, Meaning
 from radcalc.texts import refusal
 
 SEARCHED = 500  # lines in which the spectrum begins
@@ -40,7 +40,6 @@ ABSOLUTE = tuple(
         ("umol/m2/s/nm", True, 1e-6 * AVOGADRO),
     )
 )
-RELATIVE = Meaning("its values taken as relative watts per wavelength")
 
 
 def begins(lines: Sequence[str]) -> bool:
@@ -48,7 +47,7 @@ def begins(lines: Sequence[str]) -> bool:
     return sum(BAND.match(line) is not None for line in lines[:SEARCHED]) > 1
 
 
-def read(lines: Sequence[str], name: str, column: str) -> Rows:
+def read(lines: Sequence[str], name: str, column: str) -> Contents:
     """The rows of its finest table, and the figures of the meter."""
     if column:
         raise refusal(name, 0, "there are no columns to choose from", f"no {option('column')}")
@@ -71,8 +70,8 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
     if len(tables) > 1:
         notes = (f"of its {len(tables)} tables the one of {len(finest)} rows is taken",)
     figures = _figures(lines)
-    meanings = (RELATIVE, *ABSOLUTE) if "illuminance" in figures else (RELATIVE,)
-    return Rows(finest, meanings, notes, figures, has_commas=not is_exact)
+    meanings = (RELATIVE_WATTS, *(ABSOLUTE if "illuminance" in figures else ()))
+    return Contents(finest, meanings, notes, figures, has_commas=not is_exact)
 
 
 def _value(name: str, number: int, text: str, delimiter: str) -> str:

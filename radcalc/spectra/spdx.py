@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from xml.parsers import expat
 
 from radcalc.errors import quote
-from radcalc.spectra.rows import Row, Rows
+from radcalc.spectra.contents import Contents, Row
 from radcalc.spectra.titles import Meaning
 from radcalc.texts import refusal
 
@@ -25,7 +25,7 @@ def begins(lines: Sequence[str]) -> bool:
     return first.lstrip().startswith("<")
 
 
-def read(lines: Sequence[str], name: str, column: str) -> Rows:
+def read(lines: Sequence[str], name: str, column: str) -> Contents:
     """The rows of all its lines; it has one spectrum, so that no column can be chosen."""
     if column:
         raise refusal(name, 0, "a file of TM-27 has no columns", "the same without the column")
@@ -33,12 +33,12 @@ def read(lines: Sequence[str], name: str, column: str) -> Rows:
     document.read("\n".join(lines))
     quantity = document.quantity
     if quantity == RELATIVE:
-        return Rows(document.rows, (Meaning("relative watts per wavelength of IES TM-27"),))
+        return Contents(document.rows, (Meaning("relative watts per wavelength of IES TM-27"),))
     if quantity not in LIGHT:
         what = f"the quantity is '{quote(quantity)}'" if quantity else "a quantity is missing"
         raise refusal(name, 0, what, f"SpectralQuantity: {QUANTITIES}")
     said = f"its {quantity} taken in {LIGHT[quantity]}, the SI units of IES TM-27"
-    return Rows(document.rows, (Meaning(said, absolute=quantity),))
+    return Contents(document.rows, (Meaning(said, absolute=quantity),))
 
 
 class _Document:

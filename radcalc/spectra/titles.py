@@ -80,6 +80,9 @@ class Meaning(NamedTuple):
     factor: float = 1.0  # to W/../nm or photon/s/../nm
 
 
+RELATIVE_WATTS = Meaning("its values taken as relative watts per wavelength")
+
+
 def is_wavelength(title: str) -> bool:
     """Whether a plain title is that of wavelengths."""
     return bool(DECLARED.match(title)) or title.startswith(("wavelength", "nm ", "nm\t"))
@@ -150,7 +153,7 @@ def values(title: str) -> Meaning:
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
         return Meaning("its values taken as relative photons per wavelength", True)
-    return Meaning("its values taken as relative watts per wavelength")
+    return RELATIVE_WATTS
 
 
 def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:

@@ -19,7 +19,7 @@ class Figure(NamedTuple):
 NO_FIGURES: Mapping[str, Figure] = MappingProxyType({})
 
 
-class Rows(NamedTuple):
+class Contents(NamedTuple):
     """The rows of a file; several meanings where its own figures have to tell which one is right.
 
     `figures` are what the meter itself found, by name, in the units of `figures.UNITS`.
