@@ -17,7 +17,7 @@ from radcalc.units.table import PARTS, Unit, suggest, unit_of
 
 AROUND = " \t,;:_/-–"  # what stands between a name and a unit
 LONGEST = 200  # characters of a title in which a unit is looked for
-MOST_WORDS = 8  # of such a title
+MOST_WORDS = 8  # of a unit
 WORD = re.compile(r'[^\s,;:_"]+')
 # Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
 PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
@@ -58,8 +58,10 @@ UNIT_OF_LIGHT = re.compile(
     r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
     re.IGNORECASE,
 )
+BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # no inch: E at 2 m in W/m2
 # What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
+SYMBOL = re.compile(r"[EL](?![^\W_])")  # of an irradiance, of a radiance: no einstein, no lambert
 BRACKETS = re.compile(r"[()\[\]]")
 COMPARED = 1000  # titles that a name is held against where it is none of them
 
@@ -77,6 +79,11 @@ class Title(NamedTuple):
     start: int = 0
     end: int = 0
     closing: int = 0
+
+    @property
+    def in_brackets(self) -> bool:
+        """Whether the unit stands in brackets."""
+        return BRACKETS.search(self.text, self.opening, self.start) is not None
 
     def with_unit(self, unit: str) -> str:
         """The title with another unit in the place of its own; as it is where it has none."""
@@ -217,10 +224,12 @@ def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
             if title := _title(text, found.start(), start + before, found.end() - 1, found.end()):
                 yield title, True
                 break
-    words = [word.span() for word in WORD.finditer(text)][:MOST_WORDS]
-    for count in range(len(words), 0, -1):
+    words = [word.span() for word in WORD.finditer(text)]
+    for count in range(min(len(words), MOST_WORDS), 0, -1):
         for first in range(len(words) - count, -1, -1):  # the last first
             start, end = words[first][0], words[first + count - 1][1]
+            if count > 1 and BETWEEN.search(text, start, end):
+                continue
             if title := _title(text, start, start, end, end):
                 yield title, False
     if behind := QUANTITY_OVER_UNIT.fullmatch(text):
@@ -269,7 +278,8 @@ def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
     unit = title.unit
     if unit is None or in_brackets:
         return unit is not None
-    is_word = len(unit.text) > 1 and unit.text not in SUBSCRIPTS
+    is_word = sum(map(str.isalpha, unit.text)) > 1 and unit.text not in SUBSCRIPTS
+    is_word = is_word and not SYMBOL.match(unit.text)
     is_name_of_kind = len(unit.atoms) == 1 and unit.atoms[0][0] == "photon"  # photon irradiance
     return is_word and not is_name_of_kind and _is_light(unit)
 

@@ -45,8 +45,8 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
     _hold(name, facts, "NUMBER_OF_FIELDS", len(titles), "fields")
     _hold(name, facts, "NUMBER_OF_SETS", len(rows), "rows")
     number, cells = _chosen(rows, titles, name, column)
-    found = [(number, band, cells[k]) for k, band in bands]
-    return Contents(found, (RELATIVE_WATTS,), has_commas=True)
+    values = [(number, band, cells[k]) for k, band in bands]
+    return Contents(values, (RELATIVE_WATTS,), has_commas=True)
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:

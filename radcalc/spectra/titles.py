@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from radcalc.columns import plain, units_in
 from radcalc.errors import ConditionError, UnitError, quote
-from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, Reading, read
+from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
 from radcalc.quantities.titles import read_title, refuse_altered
 from radcalc.units.dimensions import RESPONSIVITY
-from radcalc.units.table import NUMBER, unit_of
+from radcalc.units.table import NUMBER, Unit, unit_of
 
 NANOMETRES = {  # in a unit, by its name in small letters
     "nm": 1.0,
@@ -133,22 +133,23 @@ def values(title: str) -> Meaning:
     if SCALED.search(text):
         raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
     try:
-        if read_title(title).unit is None:
+        found = read_title(title)
+        if found.unit is None:
             refuse_altered(read_title(title.replace("%", " ")))  # of the peak, in any unit
     except UnitError as error:
         raise ConditionError(error.message, KNOWN) from None
-    brackets, endings = units_in(title)
-    for part in brackets + endings:
-        facts, factor = _light(part, part in brackets)
-        if facts is None:
-            if _is_of_another(part) if part in brackets else _is_of_a_detector(part):
-                problem = f"values in {quote(part)} are not light, or in a unit that is not known"
-                raise ConditionError(problem, KNOWN)
-            continue
-        if not _is_spectral(facts):
-            problem = f"values in {quote(part)} are not power or photons per wavelength"
+    if found.unit and (facts := read(found.unit)):
+        if _is_spectral(facts):
+            return _absolute(facts, float(found.unit.factor))
+        if found.in_brackets or not _is_word(found.unit, facts):
+            problem = f"values in {quote(found.unit.text)} are not power or photons per wavelength"
             raise ConditionError(problem, KNOWN)
-        return _absolute(facts, factor)
+    brackets, endings = units_in(title)
+    others = [part for part in brackets if _is_of_another(part)]
+    others += filter(_is_of_a_detector, endings)
+    if others:
+        problem = f"values in {quote(others[0])} are not light, or in a unit that is not known"
+        raise ConditionError(problem, KNOWN)
     if LUMENS.search(text):
         raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
     if PHOTONS.search(text):
@@ -203,6 +204,13 @@ def _with_short_units(text: str) -> str:
 def _is_spectral(facts: Reading) -> bool:
     """Whether it is power or photons per wavelength."""
     return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
+
+
+def _is_word(unit: Unit, facts: Reading) -> bool:
+    """Whether a unit is one that titles have as a word for their quantity: watts, mol."""
+    is_of_all = not (facts.axis or facts.area or facts.solid_angle or unit.is_scale)
+    is_known = facts.kind == PHOTON or (facts.kind == RADIANT and not facts.time)
+    return is_of_all and is_known and len(unit.atoms) == 1
 
 
 def _is_of_another(part: str) -> bool:

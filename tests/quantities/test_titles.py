@@ -52,6 +52,10 @@ TITLES = {
     "a kind of quantity": ("photon irradiance", "lx", "photon irradiance", None,
                            "photon irradiance"),
     "no unit in brackets": ("E (desk)", "lx", "E (desk)", None, "E (desk)"),
+    "a length, and the word in": ("E at 2 m in W/m2", None, "E at 2 m", "W/m2", "E at 2 m in fc"),
+    "many words": ("E of lamp 1 at 2 m / umol m-2 s-1 nm-1", None, "E of lamp 1 at 2 m",
+                   "umol m-2 s-1 nm-1", "E of lamp 1 at 2 m / fc"),
+    "a subscript that is a second": ("E_s", None, "E_s", None, "E_s"),
     "an empty title": ("", "lx", "", None, ""),
 }  # fmt: skip
 

@@ -360,6 +360,24 @@ def test_a_unit_is_found_wherever_a_title_has_it(text, tmp_path):
     assert table.values[1] == pytest.approx(3 * 0.11962656e9 / 500 * 1e-6, rel=1e-7)
 
 
+@pytest.mark.parametrize(
+    "title", ["E_W/m2/nm", "E_W_m2_nm", "E / W/(m2 nm)", "E at 2 m in W/m2/nm", "W/m2/nm of A"]
+)
+def test_a_title_of_a_spectrum_has_its_unit_as_one_of_a_stream_has(title, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"nm;{title}\n400;1\n500;3\n700;2\n", encoding="utf-8")
+    table = read_file(str(path))
+    assert (table.absolute, list(table.values)) == ("irradiance", [1, 3, 2])
+
+
+@pytest.mark.parametrize("title", ["E_fc", "klx", "E_cd/m2", "E_W/m2", "P, dBW", "PAR_umol_m2_s"])
+def test_a_unit_of_light_that_is_not_per_wavelength_is_refused_without_brackets(title, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"nm;{title}\n400;1\n500;3\n700;2\n", encoding="utf-8")
+    with pytest.raises(RadcalcError, match="are not power or photons per wavelength"):
+        read_file(str(path))
+
+
 def test_titles_that_do_not_fit_the_columns_are_refused(tmp_path):
     path = tmp_path / "lamp.csv"
     path.write_text("nm,E,umol/m2/s/nm\n400,1\n500,3\n", encoding="utf-8")
