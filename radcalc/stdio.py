@@ -40,11 +40,6 @@ def error_is_terminal() -> bool:
     return sys.stderr is not None and os.isatty(2)
 
 
-def error_is_colored() -> bool:
-    """Whether what is said on standard error is coloured."""
-    return error_is_terminal() and wants_color(_chosen, True)
-
-
 def choose_color(choice: str) -> None:
     """Take what is chosen for colours in all that is said on standard error from now on."""
     global _chosen
@@ -169,17 +164,21 @@ def say(lines: "Iterable[str]") -> None:
     Nobody listening there is no failure.
     """
     try:
-        width, is_colored = _width_of_terminal(2), error_is_colored()
-        text = "".join([message(printable(line), width, is_colored) for line in lines])
+        said = map(printable, lines)
+        if error_is_terminal():
+            width, is_colored = _width_of_terminal(), wants_color(_chosen, True)
+            text = "".join([message(line, width, is_colored) for line in said])
+        else:
+            text = "".join([f"{line}\n" for line in said])
         _send(sys.stderr, text.encode(sys.stderr.encoding or "ascii", "backslashreplace"))
     except (OSError, ValueError, AttributeError):
         pass
 
 
-def _width_of_terminal(descriptor: int) -> int:
-    """How wide the terminal is; where there is none, wider than any line."""
+def _width_of_terminal() -> int:
+    """How wide the terminal of standard error is; wider than any line where it does not say."""
     try:
-        return os.get_terminal_size(descriptor).columns or sys.maxsize
+        return os.get_terminal_size(2).columns or sys.maxsize
     except (OSError, ValueError):
         return sys.maxsize
 

@@ -42,7 +42,7 @@ class _Bar:
             from rich.console import Console
             from rich.progress import Progress
 
-            colors: Any = "auto" if stdio.error_is_colored() else None
+            colors: Any = "auto" if stdio.wants_color(stdio.chosen_color(), True) else None
             console = Console(stderr=True, no_color=False, color_system=colors)
             self.drawn = Progress(console=console, transient=True)
             self.row = self.drawn.add_task(self.task)
