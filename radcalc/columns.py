@@ -9,7 +9,6 @@ COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
 THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
 MARKS = "points or commas in all numbers, and no separators of thousands"
 IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
-QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
 
 
 def dialect(line: str) -> tuple[str | None, bool]:

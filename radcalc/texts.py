@@ -49,10 +49,21 @@ def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], byt
     if path == "-":
         yield "stdin", stdio.read
         return
+    with readable(path, expected) as name, open(path, "rb", buffering=0) as file:
+        yield name, file.read
+
+
+@contextmanager
+def readable(path: str, expected: str) -> Iterator[str]:
+    """The name of a file in messages, while it is opened and read.
+
+    Raises ConditionError for what goes wrong then; `expected` is what it should be.
+    """
     name = quote_path(path)
+    if "\0" in path:
+        raise ConditionError(f"cannot read {name}: no name of a file", expected)
     try:
-        with open(path, "rb", buffering=0) as file:
-            yield name, file.read
+        yield name
     except OSError as error:
         raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
 

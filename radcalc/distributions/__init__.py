@@ -7,7 +7,7 @@
 - `photometry`: what a file says of a luminaire, with its table
 - `sources`: what a user names, a file or an expression, as one of these
 - `files`, `ies` (with `ies_numbers`), `eulumdat`, `tables`: files, by format
-- `contents`: what a file holds, read safely
+- `contents`: what a file holds, read safely and written whole
 - `planes`, `headings`: what tables of half planes share; what the titles over a table say
 - `beams`: beam angles and field angles in a plane through the axis
 - `places`: the light on places and discs under a source, and the places that get so much

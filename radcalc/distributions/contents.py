@@ -13,6 +13,7 @@ from io import FileIO
 
 from radcalc import stdio
 from radcalc.errors import ConditionError, OutputError, quote, quote_path
+from radcalc.texts import readable
 
 BLOCK = 1 << 20  # bytes that are read at a time where nobody says how many there are
 
@@ -62,19 +63,13 @@ def opened(path: str, largest: int, expected: str, instead: str = "a file") -> I
     radcalc.errors.ConditionError: cannot read /dev/zero: a pipe or a device
     try: a file
     """
-    name = quote_path(path)
-    try:
-        with FileIO(path, opener=_without_waiting) as file:
-            about = os.fstat(file.fileno())
-            if not stat.S_ISREG(about.st_mode):
-                raise ConditionError(f"cannot read {name}: a pipe or a device", instead)
-            if about.st_size > largest:
-                raise _too_large(name, largest)
-            yield file
-    except OSError as error:
-        raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
-    except ValueError:  # a null character
-        raise ConditionError(f"cannot read {name}: no name of a file", expected) from None
+    with readable(path, expected) as name, FileIO(path, opener=_without_waiting) as file:
+        about = os.fstat(file.fileno())
+        if not stat.S_ISREG(about.st_mode):
+            raise ConditionError(f"cannot read {name}: a pipe or a device", instead)
+        if about.st_size > largest:
+            raise _too_large(name, largest)
+        yield file
 
 
 def whole(file: FileIO, largest: int, path: str) -> bytes:

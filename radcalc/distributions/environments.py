@@ -1,12 +1,11 @@
 """How a user names what surrounds a place: a map, a sky or an expression."""
 
 import os
-import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.distributions.radiances import FormulaRadiances, Radiances
-from radcalc.distributions.sources import WORD, formula_with_unit, unseen
+from radcalc.distributions.sources import formula_with_unit, is_unknown_word, path_pattern, unseen
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry.directions import FORWARD
 from radcalc.geometry.numerics.vectors import Vector
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
     from radcalc.distributions.maps.radiance_map import RadianceMap
 
 EXAMPLE = "a map (.hdr, .exr, .pfm), sky:overcast, or 'max(cos(theta), 0) cd/m2'"
-MAP = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(hdr|pic|rgbe|exr|pfm)$", re.IGNORECASE)
+MAP = path_pattern("hdr|pic|rgbe|exr|pfm")
 # Radiance's three channels are in watts; color.h has the part of each in a brightness, and how many
 # lumens a watt of "uniform white light" over the visible spectrum has.
 RADIANCE = "Radiance, src/common/color.h"
@@ -86,9 +85,7 @@ def expression(text: str) -> Environment:
     >>> round(expression("3000 cd/m2").radiances.mean(), 6)
     3000.0
     """
-    from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
-
-    if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
+    if is_unknown_word(text):
         raise ConditionError(f"'{quote(text)}' is no file, sky or expression", EXAMPLE)
     found = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
     said = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"

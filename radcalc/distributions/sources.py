@@ -13,7 +13,14 @@ from radcalc.quantities.symbols import DISTRIBUTIONS
 from radcalc.units.table import Dimension, Unit, resolve
 
 EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)^4 cd'"
-PATH = re.compile(r"^(\.{0,2}/|~|[A-Za-z]:\\)|\.(ies|ldt|csv|tsv|txt|dat)$", re.IGNORECASE)
+
+
+def path_pattern(endings: str) -> re.Pattern[str]:
+    """What finds in a text that it is meant as a path: how it begins, or one of its endings."""
+    return re.compile(rf"^(\.{{0,2}}/|~|[A-Za-z]:\\)|\.({endings})$", re.IGNORECASE)
+
+
+PATH = path_pattern("ies|ldt|csv|tsv|txt|dat")
 WORD = re.compile(r"[^\W\d][\w-]*")
 # Behind the end of an expression and a blank nothing of it can begin with a letter.
 UNIT = re.compile(r"^(.*?[\w.)])\s+([^\W\d].*)$", re.DOTALL)
@@ -64,14 +71,19 @@ def photometry(source: Any) -> Photometry:
 
 def _expression(text: str) -> Photometry:
     """An expression, and the unit behind it."""
-    from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
-
-    if WORD.fullmatch(text) and text not in (*NAMES, *CONSTANTS):
+    if is_unknown_word(text):
         near = nearest(text.lower(), DISTRIBUTIONS)
         problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
         raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
     formula = formula_with_unit(text, "intensity", INTENSITIES, "cd")
     return Photometry(formula, "expression", text, assumptions=unseen(formula))
+
+
+def is_unknown_word(text: str) -> bool:
+    """Whether a text is one word, and none that an expression may consist of."""
+    from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
+
+    return bool(WORD.fullmatch(text)) and text not in (*NAMES, *CONSTANTS)
 
 
 def unseen(formula: Any) -> tuple[str, ...]:

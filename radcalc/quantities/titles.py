@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from radcalc.columns import IN_BRACKETS, QUANTITY_OVER_UNIT
+from radcalc.columns import IN_BRACKETS
 from radcalc.errors import UnitError, UsageError, listed, nearest, quote
 from radcalc.quantities.light import read
 from radcalc.units.scales import find as find_scale
@@ -19,6 +19,7 @@ AROUND = " \t,;:_/-–"  # what stands between a name and a unit
 LONGEST = 200  # characters of a title in which a unit is looked for
 MOST_WORDS = 8  # of a unit
 WORD = re.compile(r'[^\s,;:_"]+')
+QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
 # Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
 PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
 SCALED_BEFORE = re.compile(
