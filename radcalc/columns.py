@@ -71,6 +71,16 @@ def finite(cell: str, comma: bool) -> float | None:
     return value if value - value == 0 else None
 
 
+def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
+    """The numbers of a text's cells; None where they have to be read one by one."""
+    if has_odd_digits(text):
+        return None
+    try:
+        return finite_numbers(cells)
+    except ValueError:
+        return None
+
+
 class Decimals:
     """Whether the numbers of a file have decimal points or commas; 1,000 might be a thousand."""
 

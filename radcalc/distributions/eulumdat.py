@@ -34,7 +34,7 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.columns import MARKS, Decimals, finite
+from radcalc.columns import MARKS, Decimals, finite, numbers_at_once
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
@@ -279,8 +279,10 @@ class _Reader:
     def intensities(self, planes: int, angles: int) -> Any:
         """The table [cd/klm], a row for each plane."""
         start, count = self.at, planes * angles
-        values = self.plain(self.lines[start : start + count])
-        if len(values) == count:
+        block = self.lines[start : start + count]
+        is_plain = not (self.decimals.comma or self.decimals.doubtful)
+        values = numbers_at_once("\n".join(block), block) if is_plain else None
+        if values is not None and len(values) == count:
             self.at += count
         else:
             what = "intensity {} of plane {} of " + str(planes)
@@ -295,18 +297,6 @@ class _Reader:
         )
         self.notes += notes
         return table.reshape(planes, angles)
-
-    def plain(self, block: Sequence[str]) -> Sequence[float]:
-        """Many lines of plain numbers at once; none of others, which are then read one by one."""
-        text = "\n".join(block)
-        comma = self.decimals.comma or self.decimals.doubtful
-        if not text.isascii() or "_" in text or "," in text or comma:
-            return []
-        try:
-            values = list(map(float, block))
-        except ValueError:
-            return []
-        return values if math.isfinite(sum(values)) else []
 
     def around(self, symmetry: int, azimuths: Any, values: Any, start: int) -> tuple[Any, Any]:
         """The planes of the whole circle [deg], and their values."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.columns import is_number
+from radcalc.columns import is_number, numbers_at_once
 from radcalc.errors import ConditionError, quote
 from radcalc.texts import refusal
 
@@ -37,13 +37,11 @@ class Numbers:
             raise self.error(place, problem, "a finite number")
 
     def numbers(self, line: str, number: int) -> list[float]:
-        """Those of a line; float() reads more than numbers in ASCII."""
-        if line.isascii() and "_" not in line and "," not in line:
-            try:
-                return list(map(float, line.split()))
-            except ValueError:
-                pass
+        """Those of a line."""
         words = line.split()
+        values = numbers_at_once(line, words)
+        if values is not None:
+            return values
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
             raise refusal(
                 self.name, number, "a decimal comma", "decimal points: commas separate numbers"

@@ -196,13 +196,10 @@ class _Reader:
 
     def row(self, number: int, line: str, width: int) -> list[float]:
         """The numbers of a row: at once where they are nothing else, or one by one."""
-        if not self.comma and line.isascii() and "_" not in line:
-            try:
-                plain = list(map(float, line.split(self.delimiter)))
-            except ValueError:
-                plain = []
-            if len(plain) == width and math.isfinite(sum(plain)):
-                return plain
+        if not self.comma:
+            values = columns.numbers_at_once(line, line.split(self.delimiter))
+            if values is not None and len(values) == width:
+                return values
         cells = columns.cells(line, self.delimiter)
         if len(cells) != width:
             problem = f"{len(cells)} columns instead of {width}"
