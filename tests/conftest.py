@@ -71,9 +71,6 @@ def run(
     return done
 
 
-call = run
-
-
 @contextmanager
 def standard_streams(given: bytes, together: bool = False) -> Iterator[tuple[IO[bytes], IO[bytes]]]:
     """Files in place of the three standard streams: of their descriptors and of Python's own.

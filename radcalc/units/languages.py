@@ -139,7 +139,9 @@ def in_english(text: str) -> str:
     pieces = _pieces(" ".join(text.split()))
     words: list[str] = []
     for place, piece in enumerate(pieces):
-        if power := _power(piece):
+        if not piece[0].isalpha():
+            words.append(piece)
+        elif power := _power(piece):
             before, behind = _has_unit(pieces, place, -1), _has_unit(pieces, place, 1)
             if before and behind:  # it may belong to either
                 return ""

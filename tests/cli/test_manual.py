@@ -9,7 +9,8 @@ from pathlib import Path
 
 import click
 import pytest
-from conftest import ROOT, entry_point
+from conftest import ROOT
+from test_cases import answered
 
 from radcalc.cli import COMMANDS, commands, manual
 from radcalc.cli.manual import mdoc
@@ -74,19 +75,6 @@ def rendered(name: str, width: int = 500) -> str:
     done = mandoc(PAGES[name], "-T", "utf8", "-O", f"width={width}")
     assert done.returncode == 0, done.stderr
     return re.sub(".\b", "", done.stdout)
-
-
-def shell(command: str) -> subprocess.CompletedProcess[str]:
-    """Run a line of shell with both streams together."""
-    return subprocess.run(
-        ["sh", "-c", command],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        encoding="utf-8",
-        cwd=ROOT,
-        env=os.environ | {"PATH": f"{Path(entry_point()).parent}{os.pathsep}{os.environ['PATH']}"},
-        timeout=60,
-    )
 
 
 def contexts() -> dict[str, click.Context]:
@@ -287,9 +275,8 @@ TRANSCRIPTS = [
 @pytest.mark.parametrize(("command", "output"), TRANSCRIPTS)
 def test_an_example_prints_what_the_page_shows(command, output):
     """Word for word: the page folds long lines, and has blanks for tabs."""
-    done = shell(command)
-    status = f"[{done.returncode}]" if done.returncode else ""
-    assert [*done.stdout.split(), *status.split()] == output.split()
+    printed, status = answered(command.replace("\\\n", " "))
+    assert [*printed.split(), *([f"[{status}]"] if status else [])] == output.split()
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -324,9 +311,9 @@ DIAGNOSTICS = [
 @pytest.mark.parametrize("message", DIAGNOSTICS)
 def test_a_refusal_in_the_manual_is_what_is_said(message):
     (words,) = [words for start, words in PRODUCED.items() if message.startswith(start)]
-    done = shell(words if words.startswith("printf") else f"radcalc {words}")
-    assert done.returncode == 2
-    assert f"radcalc: {message}" in done.stdout
+    printed, status = answered(words if words.startswith("printf") else f"radcalc {words}")
+    assert status == 2
+    assert f"radcalc: {message}" in printed
 
 
 def test_a_mark_that_is_none_is_refused():

@@ -7,7 +7,7 @@ import sys
 import time
 
 import pytest
-from conftest import ROOT, entry_point, process, python
+from conftest import ROOT, entry_point, process, python, run
 from helpers import on_terminal, started
 
 
@@ -82,14 +82,20 @@ def test_whatever_is_typed_gets_one_clear_message(text, place):
         "name": [b"quantities", b"zz" + text],
         "typical": [b"typical", b"zz" + text],
     }[place]
-    done = subprocess.run([entry_point(), *words], capture_output=True, timeout=60)
-    message = done.stderr.decode("utf-8")
+    done = run(*map(os.fsdecode, words))
+    message = done.stderr
     assert done.returncode == 2
-    assert done.stdout == b""
+    assert done.stdout == ""
     assert message.startswith("radcalc: ")
     assert len(message.splitlines()) <= 2
     assert len(message) < 600
     assert all(c.isprintable() or c == "\n" for c in message)
+
+
+def test_bytes_of_another_process_are_no_text():
+    done = subprocess.run([entry_point(), b"1", b"lx\xff\xfe", b"fc"], capture_output=True)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.startswith(rb"radcalc: the unit 'lx\udcff\udcfe' has ")
 
 
 def test_a_bug_is_reported_as_one(monkeypatch, capsys):

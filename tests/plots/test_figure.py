@@ -4,7 +4,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import pytest
-from conftest import call, python
+from conftest import python, run
 
 from radcalc.plots import figure
 from radcalc.plots.data import Axis, Chart, Series
@@ -33,20 +33,20 @@ LABELS = {
 @pytest.mark.parametrize("kind", CALLS)
 def test_an_svg_is_xml_that_has_its_labels(tmp_path, kind):
     path = tmp_path / "a.svg"
-    done = call(*CALLS[kind], "--plot", str(path))
+    done = run(*CALLS[kind], "--plot", str(path))
     assert done.returncode == 0, done.stderr
     tree = ElementTree.parse(path)
     assert tree.getroot().tag == f"{SVG}svg"
     assert len(list(tree.iter(f"{SVG}path"))) > 5
     text = path.read_text(encoding="utf-8")
     assert [label for label in LABELS[kind] if f"<!-- {label} -->" not in text] == []
-    assert done.stdout == call(*CALLS[kind]).stdout  # the numbers as without it
+    assert done.stdout == run(*CALLS[kind]).stdout  # the numbers as without it
     assert [one.name for one in tmp_path.iterdir()] == ["a.svg"]
 
 
 def test_a_png_is_one_of_a_readable_size(tmp_path):
     path = tmp_path / "a.PNG"
-    assert call(*CALLS["polar"], "--plot", str(path)).returncode == 0
+    assert run(*CALLS["polar"], "--plot", str(path)).returncode == 0
     data = path.read_bytes()
     assert data.startswith(b"\x89PNG\r\n\x1a\n")
     width, height = struct.unpack(">II", data[16:24])
@@ -98,7 +98,7 @@ sys.exit(run(sys.argv[1:]))
 def test_a_place_that_cannot_be_written_is_refused_before_anything_is_said(tmp_path, place, said):
     (tmp_path / "folder.svg").mkdir()
     (tmp_path / "folder").mkdir()
-    done = call("spectrum", "D65", "--plot", f"{tmp_path}/{place}")
+    done = run("spectrum", "D65", "--plot", f"{tmp_path}/{place}")
     assert (done.returncode, done.stdout) == (2, "")
     assert said in done.stderr
     assert "Traceback" not in done.stderr
@@ -106,7 +106,7 @@ def test_a_place_that_cannot_be_written_is_refused_before_anything_is_said(tmp_p
 
 def test_what_is_asked_for_wrongly_writes_no_file(tmp_path):
     path = tmp_path / "a.svg"
-    done = call("spectrum", "D65", "-g", "speed", "--plot", str(path))
+    done = run("spectrum", "D65", "-g", "speed", "--plot", str(path))
     assert (done.returncode, done.stdout, path.exists()) == (2, "", False)
 
 
@@ -114,8 +114,8 @@ def test_json_and_csv_stand_beside_a_figure(tmp_path):
     path = str(tmp_path / "a.svg")
     words = ["point-source", "--intensity", "100cd", "--distance", "1m,2m"]
     for form in ("json", "csv"):
-        plain = call(*words, "--format", form)
-        assert call(*words, "--format", form, "--plot", path).stdout == plain.stdout
+        plain = run(*words, "--format", form)
+        assert run(*words, "--format", form, "--plot", path).stdout == plain.stdout
 
 
 def test_what_a_user_named_is_no_formula():
