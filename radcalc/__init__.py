@@ -13,35 +13,15 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from typing import Any
 
-    from radcalc.api import (
-        Quantity,
-        Result,
-        Verdict,
-        calorimeter,
-        check,
-        convert,
-        direction,
-        environment,
-        etendue,
-        ev,
-        explain,
-        factor,
-        irradiance_map,
-        lambertian,
-        laser,
-        mesopic,
-        photon,
-        point_source,
-        reproject,
-        room,
-        scene,
-        screen,
-        sensor,
-        sky,
-        solid_angle,
-        spectrum,
-        uberlight,
-    )
+    from radcalc.api.conversion import convert, explain, factor
+    from radcalc.api.geometry import direction, etendue, solid_angle
+    from radcalc.api.homework import Verdict, check
+    from radcalc.api.instruments import calorimeter, ev, laser, room, screen, sensor
+    from radcalc.api.quantity import Quantity
+    from radcalc.api.result import Result
+    from radcalc.api.sources import lambertian, point_source, scene, uberlight
+    from radcalc.api.spectra import mesopic, photon, spectrum
+    from radcalc.api.surroundings import environment, irradiance_map, reproject, sky
     from radcalc.errors import (
         ConditionError,
         ConversionError,

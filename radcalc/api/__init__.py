@@ -13,33 +13,3 @@ from radcalc.api.result import Result
 from radcalc.api.sources import lambertian, point_source, scene, uberlight
 from radcalc.api.spectra import mesopic, photon, spectrum
 from radcalc.api.surroundings import environment, irradiance_map, reproject, sky
-
-__all__ = [
-    "Quantity",
-    "Result",
-    "Verdict",
-    "calorimeter",
-    "check",
-    "convert",
-    "direction",
-    "environment",
-    "etendue",
-    "ev",
-    "explain",
-    "factor",
-    "irradiance_map",
-    "lambertian",
-    "laser",
-    "mesopic",
-    "photon",
-    "point_source",
-    "reproject",
-    "room",
-    "scene",
-    "screen",
-    "sensor",
-    "sky",
-    "solid_angle",
-    "spectrum",
-    "uberlight",
-]
