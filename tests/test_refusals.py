@@ -295,7 +295,7 @@ COMMANDS = {
         "whole hemisphere"),
     "a body takes up no more heat than the light that falls on it": (
         "calorimeter --energy 1J --mass 10g --specific-heat 385J/kg/K --temperature-rise 2K",
-        "absorptance above 1"),
+        "more heat than light"),
     "an absorptance of 1.5 is refused with its limits": (
         "calorimeter --energy 1J --absorptance 1.5", "from 0 to 1"),
     "a beam of 180 degrees has no exponent": (

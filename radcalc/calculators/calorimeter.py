@@ -5,7 +5,6 @@ from radcalc.calculators.worksheet import Page, Worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
 from radcalc.given import Inputs
 from radcalc.laws.heat import LAWS
-from radcalc.maths import any_true
 from radcalc.quantities.light import RADIANT
 
 QUANTITIES = ("flux", "energy", "irradiance")
@@ -43,9 +42,9 @@ def calorimeter(given: Inputs) -> Answer:
     sheet.default(LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
     sheet.assume("no heat is lost")
     sheet.solve(LAWS)
-    if sheet.has("absorptance") and any_true(sheet.at("absorptance") > 1 + 1e-9):
-        raise ConditionError(
-            "an absorptance above 1 is not possible: the body gets more heat than light",
-            "more light, or less heat",
-        )
+    sheet.refuse_impossible(
+        "absorptance",
+        because="the body gets more heat than light",
+        hint="more light, or less heat",
+    )
     return sheet.answer(LAWS)

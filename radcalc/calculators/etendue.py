@@ -15,7 +15,7 @@ from radcalc.errors import (
     mention,
 )
 from radcalc.geometry import cones, far_field
-from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of, require
+from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
@@ -134,7 +134,6 @@ def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
     if "na" in given:
         return [*laws, laws_of.APERTURE, *angles]
     if "f-number" in given:
-        require(given["f-number"], given["f-number"].value >= 0.5, "0.5 or more, in air")
         sheet.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
         return [*laws, laws_of.LENS, laws_of.F_NUMBER, *angles]
     for name in ("half-angle", "apex-angle"):

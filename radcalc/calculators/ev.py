@@ -141,12 +141,11 @@ def _exposed(given: Inputs) -> Answer:
         laws = [law for law in every if law is not INCIDENT] + [REFLECTANCE]
         sheet.solve(laws, STEPS)
         sheet.assume("exposed for the luminance, whatever light falls on the scene")
-    if any_true(sheet.at("reflectance") > 1 + 1e-9):
-        raise ConditionError(
-            f"a reflectance of {format_number(sheet.at('reflectance'))} is not possible: the scene "
-            "sends out more light than falls on it",
-            "less luminance, or more illuminance",
-        )
+    sheet.refuse_impossible(
+        "reflectance",
+        because="the scene sends out more light than falls on it",
+        hint="less luminance, or more illuminance",
+    )
     return sheet.answer(laws)
 
 

@@ -103,8 +103,6 @@ def _answer(shape: str, place: Callable[[Worksheet], list[AnyLaw]], given: Input
     sheet.solve(laws)
     if shape == "patch":
         _refuse_near(sheet)
-    if len(sheet.solutions) > 1:
-        sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
     answers = []
     for one in sheet.each():
         _judge(one)
@@ -142,12 +140,11 @@ def _judge(sheet: Worksheet) -> None:
             f"receiver sees (projected solid angle {filled} sr)",
             "at most pi times the radiance",
         )
-    if sheet.has("reflectance") and any_true(sheet.at("reflectance") > 1 + 1e-9):
-        raise ConditionError(
-            f"a reflectance of {format_number(sheet.at('reflectance'))} is not possible: more "
-            "light leaves the reflector than reaches it",
-            "less radiance, or more incident irradiance",
-        )
+    sheet.refuse_impossible(
+        "reflectance",
+        because="more light leaves the reflector than reaches it",
+        hint="less radiance, or more incident irradiance",
+    )
     if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("extent"):
         far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
         if is_array(far) or is_array(exact) or not exact:

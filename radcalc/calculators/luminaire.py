@@ -369,10 +369,7 @@ class _Luminaire:
         sheet.assumptions += before
         if sheet.lit.links and not self.of_shape:
             sheet.assume("the same spectrum in every direction")
-        if len(sheet.solutions) > 1:
-            sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
-        if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
-            sheet.notes.append("light from the side or behind does not reach the receiver")
+        sheet.note_behind()
         fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
         if sheet.has("irradiance") and any_true(fall == 0):
             sheet.notes.append("the source is dark in the direction of the receiver")

@@ -22,7 +22,7 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import cones
-from radcalc.given import Inputs, angle_of, hold
+from radcalc.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
@@ -52,7 +52,6 @@ from radcalc.laws.point import (
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, hypot, is_array
-from radcalc.quantities.symbols import BEAM
 
 QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
 # What takes a distribution as a function of direction, and not the laws of its own shape.
@@ -100,8 +99,6 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     another place.
     """
     work_out = _answer
-    if "field-angle" in given:
-        hold(given["field-angle"], BEAM)
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
     if not shaped or {one.symbol.generic or name for name, one in given.items()} & set(DIRECTED):
         from radcalc.calculators.luminaire import luminaire as work_out
@@ -172,14 +169,11 @@ def _beam(sheet: Worksheet, shape: str, away: str) -> list[AnyLaw]:
 
 def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
     """The answer, with what is to be said of it."""
-    if len(sheet.solutions) > 1:
-        sheet.notes.append(f"{len(sheet.solutions)} answers fit what is given")
     if sheet.has("received-flux"):
         _judge_receiver(sheet, shape)
     if "beam-angle" in sheet.given and sheet.has("intensity"):
         _compare_cone(sheet)
-    if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
-        sheet.notes.append("light from the side or behind does not reach the receiver")
+    sheet.note_behind()
     fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
     if shape == CONICAL and any_true(fall == 0):
         reached = sheet.has("received-flux") and any_true(sheet.at("received-flux") > 0)

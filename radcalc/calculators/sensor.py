@@ -6,12 +6,12 @@ from radcalc.answer import FRACTION, Answer
 from radcalc.calculators import light
 from radcalc.calculators.results import LINKS_HINT
 from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import ConditionError, MissingInput, mention, option
+from radcalc.errors import MissingInput, mention, option
 from radcalc.geometry import cones
-from radcalc.given import Given, Inputs, angle_of, require
+from radcalc.given import Given, Inputs, angle_of
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, law, relation
-from radcalc.maths import any_true, cos, sqrt
+from radcalc.maths import cos, sqrt
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.spectra.spectrum import range_text
@@ -137,7 +137,6 @@ GOALS = {  # without any light
     "responsivity": ("quantum-efficiency", "responsivity"),
     "etendue": ("f-number", "working-f-number"),
 }
-FASTEST = 0.5  # where sin(alpha) is 1
 SILICON = 1200.0  # [nm] beyond which it lets light through
 
 
@@ -162,12 +161,7 @@ def sensor(given: Inputs) -> Answer:
         laws = [*OPTICS, *laws]
         _say_lens(sheet, laws)
     sheet.solve(laws)
-    sheet.refuse_impossible("transmittance", "quantum-efficiency")
-    if sheet.has("f-number") and any_true(sheet.at("f-number") < FASTEST * (1 - 1e-9)):
-        raise ConditionError(
-            f"{sheet.told('f-number')} is not possible: it is 0.5 or more, in air",
-            sheet.another(),
-        )
+    sheet.refuse_impossible("transmittance", "quantum-efficiency", "f-number", "working-f-number")
     if sheet.has("working-f-number") and sheet.has("radiance", "etendue"):
         sheet.use("off-axis-angle")
     if sheet.has("electrons", "current"):
@@ -233,9 +227,6 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
 def _say_lens(sheet: Worksheet, laws: list[AnyLaw]) -> None:
     """Take what goes without saying of a lens, and say it."""
     given = sheet.given
-    for name in ("f-number", "working-f-number"):
-        if name in given:
-            require(given[name], not any_true(given[name].value < FASTEST), "0.5 or more, in air")
     if "off-axis-angle" in given:
         sheet.assume("off the axis by the fourth power of the cosine; no vignetting")
     sheet.place(_know_cosine)

@@ -408,5 +408,4 @@ def _judge_dark(sheet: Worksheet) -> None:
         sheet.notes.append(f"no light: the point is outside {options(limits, ' and ')}")
     elif any_true(known["superellipse-attenuation"].value == 0):
         sheet.notes.append(mention("no light: the point is outside {superellipse}"))
-    if sheet.has("cosine") and any_true(sheet.at("cosine") == 0):
-        sheet.notes.append("light from the side or behind does not reach the receiver")
+    sheet.note_behind()

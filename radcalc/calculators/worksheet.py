@@ -40,6 +40,7 @@ from radcalc.units.dimensions import AREA, LENGTH
 GOALS = frozenset(
     {name for name, symbol in SYMBOLS.items() if symbol.generic == name} | {"projected-solid-angle"}
 )
+ROUNDING = 1e-9  # of what follows, beyond a limit
 FARTHEST = 1e75  # between lengths, whose ratio is squared
 OFFSETS = ("offset", "offset-y")
 PLACED = (*OFFSETS, "incidence", "tilt")  # what a calculator itself makes use of
@@ -72,10 +73,6 @@ class Page(NamedTuple):
     bare: Mapping[str, str] = MappingProxyType({})
     labels: Mapping[str, str] = MappingProxyType({})
     forms: Mapping[str, str] = MappingProxyType({})
-
-    def label_of(self, name: str) -> str:
-        """What a symbol is called here."""
-        return self.labels.get(name, SYMBOLS[name].label)
 
 
 T = TypeVar("T")
@@ -118,8 +115,8 @@ class Worksheet:
 
     def know(self, name: str, value: Any, *of: Given) -> None:
         """Add a value: one that was given, or one that goes without saying."""
-        off = max((one.rounding for one in of), default=0.0)
-        self.known[name] = Known(value, off * abs(value), of[0].text if of else "")
+        off = max([one.rounding for one in of]) * abs(value) if of else 0.0
+        self.known[name] = Known(value, off, of[0].text if of else "")
 
     def place(self, how: Callable[["Worksheet"], T]) -> T:
         """Add what a function works out of the inputs, and give what it returns.
@@ -163,21 +160,26 @@ class Worksheet:
             self.know(name, value)
             self.assume(*texts)
 
-    def refuse_impossible(self, *names: str) -> None:
-        """Refuse what follows and is beyond the most that its symbol can be."""
+    def refuse_impossible(self, *names: str, because: str = "", hint: str = "") -> None:
+        """Refuse what follows and is beyond the limits of its symbol; say why that cannot be."""
         for name in names:
             limits = SYMBOLS[name].limits
-            if self.has(name) and any_true(self.at(name) > limits.high * (1 + 1e-9)):
-                told = self.told(name)
+            if not self.has(name):
+                continue
+            found = self.at(name)
+            low, high = limits.low - ROUNDING * abs(limits.low), limits.high * (1 + ROUNDING)
+            if any_true((found < low) | (found > high)):
+                every = {**self._quantities(), **self.lit.links}
                 raise ConditionError(
-                    f"{told} follows from the rest, and is not possible: it is {limits.said}",
-                    self.another(),
+                    f"{self.told(name)} follows from the rest, and is not possible: "
+                    f"{because or f'it is {limits.said}'}",
+                    hint or f"another value of {options(one.name for one in every.values())}",
                 )
 
-    def another(self) -> str:
-        """The hint where what is given leads to what is impossible."""
-        every = {**self._quantities(), **self.lit.links}
-        return f"another value of {options(one.name for one in every.values())}"
+    def note_behind(self) -> None:
+        """Say where light comes from the side of the receiver, or from behind it."""
+        if self.has("cosine") and any_true(self.at("cosine") == 0):
+            self.notes.append("light from the side or behind does not reach the receiver")
 
     def assume(self, *texts: str) -> None:
         """Say what is assumed."""
@@ -218,6 +220,8 @@ class Worksheet:
             twin = self._twin()
             twin.solution = solution
             twin.assumptions, twin.notes = list(self.assumptions), list(self.notes)
+            if len(self.solutions) > 1:
+                twin.notes.append(f"{len(self.solutions)} answers fit what is given")
             yield twin
 
     def _twin(self) -> "Worksheet":
@@ -241,7 +245,8 @@ class Worksheet:
                 continue
             if name in self.page.labels or name in self.page.forms:
                 form = self.page.forms.get(name, "")
-                result = result._replace(label=self.page.label_of(name), form=form)
+                label = self.page.labels.get(name, result.label)
+                result = result._replace(label=label, form=form)
             results.append(result)
         results += [value(name, ratio) for name, ratio in light.efficacies(self.lit)]
         results += self._absent(laws)
@@ -329,7 +334,7 @@ class Worksheet:
 
             symbol = SYMBOLS[name]
             also = specific_name(name, self.lit.kind) if name == symbol.generic else ""
-            label = self.page.label_of(name)
+            label = self.page.labels.get(name, symbol.label)
             rows.append(
                 Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)
             )

@@ -43,7 +43,7 @@ def area(given: Given) -> Factor:
     from radcalc.laws.sizes import CIRCLE
 
     radius = radius_of(given)
-    value = math.pi * radius**2
+    value = CIRCLE.solve("area", lambda _: radius)
     shown = f"{format_number(value)} m2"
     step = CIRCLE.formula.step({"radius": radius}, shown)
     return Factor("A", value, "m2", f"uniform over a circle of {shown}", (step,))
@@ -224,27 +224,23 @@ def _cosine(turn: Given | None) -> tuple[Any, str, tuple[str, ...]]:
 
 def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
     """The projected solid angle of a uniform disc seen from its axis [sr]."""
-    from radcalc.laws.surface import disc_on_axis
+    from radcalc.geometry import projected
+    from radcalc.laws.surface import CUT_DISC, disc_on_axis
 
     radius, away = radius_of(source), distance.value
-    cosine, tilt, _ = _cosine(incidence)
+    angle = abs(incidence.value) if incidence else 0.0
+    _, tilt, _ = _cosine(incidence)
     notes: tuple[str, ...] = ()
     values = {"radius": radius, "distance": away}
     formula = disc_on_axis("distance").formula
-    omega = math.pi * radius**2 / (radius**2 + away**2) * cosine
+    omega = projected.disc(radius, away, 0.0, angle)
     if incidence is not None:
-        told = option("incidence", quote(incidence.text))
-        angle, rim = abs(incidence.value), maths.atan(radius / away)
         values["incidence"] = incidence.value
         formula = formula._replace(template=f"{formula.template} cos({{incidence}})")
-        if maths.any_true(angle + rim > math.pi / 2 * (1 + 1e-15)):
-            from radcalc.geometry import projected
-            from radcalc.laws.surface import CUT_DISC
-
+        if maths.any_true(angle + maths.atan(radius / away) > math.pi / 2 * (1 + 1e-15)):
             formula = CUT_DISC.formula
-            omega = projected.disc(radius, away, 0.0, angle)
-            is_left = maths.any_true(omega > 0)
-            cut = "partly below" if is_left else "below"
+            cut = "partly below" if maths.any_true(omega > 0) else "below"
+            told = option("incidence", quote(incidence.text))
             notes = (f"{told}: the disc is {cut} the receiver's horizon",)
     step = formula.step(values, f"{format_number(omega)} sr")
     said = f"a uniform disc seen from its axis at {distance.text}, {tilt}"

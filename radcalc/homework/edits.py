@@ -12,7 +12,7 @@ from radcalc.quantities.symbols import SYMBOLS
 # What is never left out or turned round: what stands for a whole factor or for the light, and
 # numbers that are no factors.
 SKIES = ("horizontal-sky", "plane-sky")
-WHOLE = ("value", "q", "r", "p", "light", "heat", "weighted-solid-angle", *SKIES)
+WHOLE = ("value", "q", "r", "p", "exposure-setting", "heat", "weighted-solid-angle", *SKIES)
 NO_FACTORS = (
     "exponent",
     "ev",

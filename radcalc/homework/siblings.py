@@ -206,7 +206,7 @@ LAWS: tuple[tuple[str, str, Callable[[At], Wrong]], ...] = (
     ("etendue of a cone", "etendue", _etendue_of_cone),
     ("flux of a lobe over its peak", "solid-angle", _lobe),
     ("straight line to the source", "distance", _straight_line),
-    ("exposure value", "ev", _logarithm("light")),
+    ("exposure value", "ev", _logarithm("exposure-setting")),
     ("reflected light", "ev100", _logarithm("luminance", "k")),
     ("incident light", "ev100", _logarithm("illuminance", "c")),
     ("exposure value at ISO 100, behind a filter", "ev", _behind_filter),

@@ -104,11 +104,16 @@ EV100 = relation(
     "ISO 2720",
 )
 LAWS: list[AnyLaw] = [
-    law("exposure of a lens", "{light} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"),
+    law(
+        "exposure of a lens", "{exposure-setting} = {f-number}^2 / {time}", "ISO 2720", unit="cycle"
+    ),
     relation(
         "exposure value",
-        "{ev} = log2({light} / 1 Hz)",
-        {"ev": lambda at: log2(at("light")), "light": lambda at: 2.0 ** at("ev")},
+        "{ev} = log2({exposure-setting} / 1 Hz)",
+        {
+            "ev": lambda at: log2(at("exposure-setting")),
+            "exposure-setting": lambda at: 2.0 ** at("ev"),
+        },
         "ISO 2720",
     ),
     EV100,

@@ -65,6 +65,7 @@ PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
 BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
 FRACTION = PART._replace(without_low=True)
 REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # and used again
+LENS = Limits(0.5, said="0.5 or more, in air")  # where the sine of the half angle is 1
 OFF_AXIS = Limits(0.0, math.pi / 2, "from 0, less than 90 deg", without_high=True)
 TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
 EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
@@ -302,8 +303,7 @@ _ROWS = (
         "Full angle of a lobe, where half the peak is left.", BEAM,
         convert="A cosine-power lobe of that full angle at half the peak intensity."),
     _symbol(ANGLE, "field-angle", "FWTM", "60deg",
-        "Full angle of a lobe, where a tenth of it is left.",
-        Limits(0.0, math.pi, BEAM.said, without_high=True)),
+        "Full angle of a lobe, where a tenth of it is left.", BEAM),
     _symbol(ANGLE, "off-axis-angle", "θ", "20deg",
         "Angle between the lens's axis and what is seen (0).", OFF_AXIS,
         label="angle off the lens's axis"),
@@ -341,7 +341,8 @@ _ROWS = (
     _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
     _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
         Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
-    _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", label="f-number"),
+    _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", LENS,
+        label="f-number"),
     # Surfaces, eyes, meters, bodies.
     _length("diagonal", "c", "100in", "Diagonal of the picture."),
     _symbol(NUMBER, "aspect", "a", "16/9", "Width of the picture over its height."),
@@ -440,7 +441,7 @@ _ROWS = (
     _length("hazard-distance", "d_h", "50m",
         "Distance beyond which the peak irradiance is below the limit."),
     # Detectors.
-    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "The f-number at the magnification.",
+    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "The f-number at the magnification.", LENS,
         label="working f-number"),
     _symbol(NUMBER, "magnification", "m", "0.5", "Size of the image over that of the scene (0).",
         FROM_ZERO),
@@ -573,7 +574,7 @@ _INNER = (
     _symbol(SOLID_ANGLE, "received-solid-angle", "Ω_r"),
     _symbol(LENGTH, "lateral", "x"),
     _symbol(AREA, "apparent-area", "A_p"),
-    _symbol(FREQUENCY, "light", "b", unit="Hz"),
+    _symbol(FREQUENCY, "exposure-setting", "b", unit="Hz"),
     _symbol(LENGTH, "extent", "s"),
     _symbol(LENGTH, "limit-diameter", "D_lim"),
     _symbol(SOLID_ANGLE, "horizontal-sky", "Ω_h"),

@@ -122,7 +122,10 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--luminance 10cd/m2 --f-number 0.4", "0.5 or more, in air"),
         ("--radiance 10W/m2/sr --irradiance 40W/m2", "an f-number of 0.44"),
         ("--luminance 10cd/m2 --illuminance 40lx", "another value of --luminance or --illuminance"),
-        ("--working-f-number 0.5 --magnification 2", "an f-number of 0.166667 is not possible"),
+        (
+            "--working-f-number 0.5 --magnification 2",
+            "an f-number of 0.166667 follows from the rest, and is not",
+        ),
         (f"{LENS} --irradiance 5W/m2", "a transmittance of 10"),
         (f"{LENS} --irradiance 5W/m2 --transmittance 1", "not below the lens's"),
         (f"{LENS} --off-axis-angle 95deg", "try: from 0, less than 90 deg"),

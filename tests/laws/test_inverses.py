@@ -176,7 +176,7 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
         {"radius": st.floats(0.1, 10), "receiver-radius": st.floats(0.1, 10),
          "distance": st.floats(0.1, 10)}, "etendue", lambda *sizes: float(_discs(*sizes))),
     ("exposure value", "ev"): (
-        {"light": st.floats(1e-3, 1e6)}, "ev", math.log2),
+        {"exposure-setting": st.floats(1e-3, 1e6)}, "ev", math.log2),
     ("exposure value at ISO 100", "ev100"): (
         {"ev": st.floats(-10, 25), "iso": st.floats(1, 1e6)}, "ev100",
         lambda value, iso: value - math.log2(iso / 100)),
