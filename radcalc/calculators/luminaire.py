@@ -43,7 +43,8 @@ from radcalc.geometry import far_field
 from radcalc.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
-from radcalc.laws.point import CONICAL, LAWS, LOBED, OFFSET
+from radcalc.laws.point import CONICAL, LAWS, LOBED
+from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, atan2, hypot, is_array

@@ -40,7 +40,6 @@ from radcalc.laws.point import (
     LOBED,
     OFF_AXIS,
     OFF_AXIS_OF_ENERGY,
-    OFFSET,
     RECEIVER_FLAT,
     RECEIVER_ON_AXIS,
     RECEIVER_TURNED,
@@ -49,6 +48,7 @@ from radcalc.laws.point import (
     beam_of_cone,
     beam_of_lobe,
 )
+from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
 from radcalc.maths import any_true, hypot, is_array

@@ -23,8 +23,7 @@ from radcalc.geometry import cones, far_field, projected, solid
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
-from radcalc.laws.point import OFFSET
-from radcalc.laws.sizes import CIRCLE, RECTANGLE, round_sizes
+from radcalc.laws.sizes import CIRCLE, OFFSET, RECTANGLE, round_sizes
 from radcalc.laws.solver import reached
 from radcalc.laws.surface import (
     CUT_DISC,

@@ -39,7 +39,7 @@ All (`ANY_LAWS`), for a source that is small beside its distance d (five times i
 
 And of a place on the floor under a source at the height h, x from the foot of its axis:
 
-- `AXIS`: gamma = atan(x / h); `FLAT`: theta = gamma; `OFFSET`: x
+- `AXIS`: gamma = atan(x / h); `FLAT`: theta = gamma
 - `FLOOR`: E = I h^(n + 1) Omega0 / (h^2 + x^2)^((n + 3)/2), with n = 0 but for a lobe, solved for
   x and for the heights, of which there are up to two; of an energy with H, Q / Omega for E, I
 - `SPOT`: E = Phi (n + 1) / (2 pi) cos(gamma)^n cos(theta) / d^2, solved for the exponents of a
@@ -325,7 +325,6 @@ AXIS = relation(
     {"off-axis": lambda at: atan2(at("lateral"), at("height"))},
 )
 FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
-OFFSET = law("offset", "{offset} = {lateral}")
 
 
 def _floor(shape: str, of_energy: bool) -> Relation:

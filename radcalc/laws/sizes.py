@@ -1,8 +1,9 @@
-"""Sizes of flat sources and receivers: lengths [m] and areas [m2].
+"""Lengths [m] and areas [m2] of flat sources and receivers, and how far aside these are.
 
 - `RECTANGLE`: A = w l
 - `CIRCLE`: A = pi R^2
 - `DIAMETER`: D = 2 R
+- `OFFSET`: the offset x along one axis, where it is all there is
 - `ASPECT`: c^2 = A (a + 1/a), of a rectangle's diagonal c and its sides' ratio a, at least 1
 """
 
@@ -16,6 +17,7 @@ from radcalc.maths import sqrt
 RECTANGLE = law("area of a rectangle", "{area} = {width} {length}")
 CIRCLE = law("area of a circle", "{area} = pi {radius}^2")
 DIAMETER = law("diameter", "{diameter} = 2 {radius}")
+OFFSET = law("offset", "{offset} = {lateral}")
 
 
 def _aspect(ratio: Any) -> Any:
