@@ -1,6 +1,7 @@
 """References: definitions and textbook formulas at 80 digits, nothing of radcalc's."""
 
 import mpmath
+import numpy
 from mpmath import mpf
 
 DIGITS = 80  # the references may lose half of them
@@ -166,6 +167,18 @@ def tilted_cone_mp(angle, tilt):
     with mpmath.workdps(40):
         part = mpmath.quad(zone, [0, 0.5, 1]) if low < high else 0
         return mpmath.pi * mpmath.sin(min(whole, mpmath.pi / 2)) ** 2 + part
+
+
+def over_rectangle(function, across, down, points=40):
+    """The integral of a smooth function of arrays, by as many Gauss-Legendre points each way.
+
+    The function may give several integrands, along its first axes.
+    """
+    nodes, weights = numpy.polynomial.legendre.leggauss(points)
+    (x, wide), (y, high) = (
+        ((a + b) / 2 + (b - a) / 2 * nodes, (b - a) / 2 * weights) for a, b in (across, down)
+    )
+    return numpy.asarray(function(x[:, None], y[None, :])) @ high @ wide
 
 
 def excess(vertices):
