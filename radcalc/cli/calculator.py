@@ -32,7 +32,7 @@ class Asked(NamedTuple):
     steps: bool
     check: str | None
     tolerance: str | None
-    lines: streams.Asked | None = None
+    lines: streams.LineOptions | None = None
     plot: str = ""
 
     @classmethod
@@ -41,8 +41,8 @@ class Asked(NamedTuple):
         asked = cls(*[values.pop(name) for name in cls._fields[:4]])
         asked = asked._replace(plot=values.pop("plot", None) or "")
         if takes_lines:
-            own = [values.pop(name) for name in streams.Asked._fields]
-            asked = asked._replace(lines=streams.Asked(*own))
+            own = [values.pop(name) for name in streams.LineOptions._fields]
+            asked = asked._replace(lines=streams.LineOptions(*own))
         check.refuse_idle(asked.check, asked.tolerance)
         if asked.check is not None and asked.wanted:
             raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")

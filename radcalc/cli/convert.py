@@ -112,7 +112,7 @@ def command(
     and gets the target's.  Every other byte stays as it is.
     """
     checking.refuse_idle(check, tolerance)
-    asked = streams.Asked(**stream_options)
+    asked = streams.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
     if words[:1] == ("-",):

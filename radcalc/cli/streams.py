@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from radcalc.streams.stream import Record
 
 
-class Asked(NamedTuple):
+class LineOptions(NamedTuple):
     """The options for streams, as typed; None where they are not."""
 
     field: str | None
@@ -84,9 +84,9 @@ OPTIONS = (
 )
 
 
-def refuse(asked: Asked, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
+def refuse(asked: LineOptions, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
     """Refuse an option for streams where there is none."""
-    for name, value in zip(Asked._fields, asked, strict=True):
+    for name, value in zip(LineOptions._fields, asked, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
             raise UsageError(
                 f"--{name} {value} is for the fields of lines",
@@ -112,7 +112,7 @@ def refuse_condition(case: Case) -> None:
 
 def convert(
     words: list[str],
-    asked: Asked,
+    asked: LineOptions,
     cases: Sequence[Case],
     steps: bool,
     shown: Output,
@@ -196,7 +196,7 @@ def calculate(
     case: Case,
     work_out: Callable[[Inputs], Answer],
     wanted: Sequence[str],
-    asked: Asked,
+    asked: LineOptions,
     shown: Output,
     operands: Sequence[Input] = (),
 ) -> int:
@@ -273,7 +273,7 @@ def calculate(
 
 def _header(
     source: Source,
-    asked: Asked,
+    asked: LineOptions,
     layout: "Layout",
     target: Unit | None,
     as_json: bool,
@@ -427,7 +427,7 @@ class Layout(NamedTuple):
     adds: bool
 
     @classmethod
-    def of(cls, asked: Asked, has_unit: bool) -> "Layout":
+    def of(cls, asked: LineOptions, has_unit: bool) -> "Layout":
         """Read the options; lines whose numbers have no unit may be cut at blanks."""
         from radcalc.streams.fields import Cut, Fields, read_delimiter
 
