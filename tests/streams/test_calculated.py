@@ -122,7 +122,7 @@ def single(monkeypatch, call, value, result):
 @pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
 def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, high, result):
     chance = random.Random(call + unit + result)
-    values = [f"{chance.uniform(low, high):.4g}" for _ in range(20)]
+    values = [f"{chance.uniform(low, high):.4g}" for _ in range(10)]
     if low > 0:
         values += [
             f"{math.exp(chance.uniform(math.log(low), math.log(high))):.17g}" for _ in values
@@ -212,11 +212,9 @@ def test_a_title_has_the_unit_of_the_numbers(monkeypatch, name, call, kind):
         number = single(monkeypatch, call, f"7 {unit}", result)
         unit_of = own["results"][result]["unit"]
         said = f"result [{unit_of}]\n{number}" if unit_of != "1" else f"result\n{number}"
-        for typed, title in (
-            (f"- {unit}", "P"),
-            ("-", f"P [{unit}]"),
-            (f"- {unit}", f"P [{unit}]"),
-        ):
+        # the unit in the title, and with the first result also where it is typed
+        told = [("-", f"P [{unit}]"), (f"- {unit}", "P"), (f"- {unit}", f"P [{unit}]")]
+        for typed, title in told if result == found[0] else told[:1]:
             data = f"n,{title}\na,7\n".encode()
             words = words_of(call, typed, result)
             out = Process(monkeypatch, data).run(*words, "-q", *as_csv)
