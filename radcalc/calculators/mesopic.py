@@ -59,8 +59,7 @@ def mesopic(given: Inputs) -> Answer:
 def _ratio_of(given: Given) -> float:
     """The ratio of scotopic to photopic of a spectrum."""
     source = given.value
-    day, night = OBSERVERS["photopic"], OBSERVERS["scotopic"]
-    seen = day.maximum * source.seen(day)
+    seen = source.lumens(OBSERVERS["photopic"])
     if not seen > 0:
         raise ConditionError(f"nothing of {quote(source.label)} is seen by day", "another spectrum")
-    return float(night.maximum * source.seen(night) / seen)
+    return float(source.lumens(OBSERVERS["scotopic"]) / seen)

@@ -34,15 +34,17 @@ class Undefined(Exception):
     """What has no meaning for a light; the text says why."""
 
 
-_BELOW = tuple(x + 15 * y + 3 * z for x, y, z in zip(X, Y, Z, strict=True))
+# The denominator X + 15 Y + 3 Z of u and v.
+_X_15Y_3Z = tuple(x + 15 * y + 3 * z for x, y, z in zip(X, Y, Z, strict=True))
 _RATIOS = [C2 / (1e-9 * (AT[0] + i)) for i in range(AT[1])]  # c2/lambda [K]
+# Planck's law, lambda^-5 / (e^x - 1) of x = c2/(lambda T), is this times x / (e^x - 1), times T.
 _POWERS = [(1e-5 * ratio) ** 4 for ratio in _RATIOS]
 _POWERS[0] /= 2  # the trapezoid's ends, as in a spectrum's moments
 _POWERS[-1] /= 2
 
 
 def tristimulus(light: Light) -> tuple[float, float, float]:
-    """Its X, Y and Z, without a constant."""
+    """Tristimulus values X, Y and Z of a light, up to a common factor."""
     return _dot(light, X), _dot(light, Y), _dot(light, Z)
 
 
@@ -52,9 +54,9 @@ def _dot(light: Light, weights: Sequence[float]) -> float:
 
 
 def _uv(light: Light) -> Colour:
-    """Its chromaticity in CIE 1960 (u, v)."""
-    below = _dot(light, _BELOW)
-    return 4 * _dot(light, X) / below, 6 * _dot(light, Y) / below
+    """Chromaticity of a light in CIE 1960 (u, v)."""
+    whole = _dot(light, _X_15Y_3Z)
+    return 4 * _dot(light, X) / whole, 6 * _dot(light, Y) / whole
 
 
 class _Planckian(NamedTuple):
@@ -76,9 +78,9 @@ def _planckian(inverse: float) -> _Planckian:
     parts = [x / math.expm1(x) for x in shares]
     light = list(map(mul, _POWERS, parts))
     rise = [s * (1 - x - part) / inverse for s, x, part in zip(light, shares, parts, strict=True)]
-    below, d_below = _dot(light, _BELOW), _dot(rise, _BELOW)
-    u, v = 4 * _dot(light, X) / below, 6 * _dot(light, Y) / below
-    speed = (4 * _dot(rise, X) - u * d_below) / below, (6 * _dot(rise, Y) - v * d_below) / below
+    whole, d_whole = _dot(light, _X_15Y_3Z), _dot(rise, _X_15Y_3Z)
+    u, v = _uv(light)
+    speed = (4 * _dot(rise, X) - u * d_whole) / whole, (6 * _dot(rise, Y) - v * d_whole) / whole
     return _Planckian(inverse, (u, v), speed)
 
 
@@ -125,6 +127,14 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
     if away < NOISE:
         away = 0.0
     return 1 / point.inverse, math.copysign(away, colour[1] - point.place[1])
+
+
+def temperature_of(source: Spectrum) -> float | None:
+    """The correlated colour temperature [K] of a spectrum; None where it has none."""
+    try:
+        return temperature_and_distance(source.moments(*AT))[0]
+    except Undefined:
+        return None
 
 
 def _between(colour: Colour, low: float, high: float, below: float, above: float) -> _Planckian:

@@ -106,7 +106,7 @@ def said(ratio: float, over: str, under: str) -> str:
 
 def _count(source: Spectrum, kind: str, limits: Range, eye: Observer) -> float:
     if kind == LUMINOUS:
-        return eye.maximum * source.seen(eye)
+        return source.lumens(eye)
     return source.power(limits) if kind == RADIANT else source.photons(limits)
 
 

@@ -49,8 +49,7 @@ def _are_close(own: float, figure: Figure) -> bool:
 
 
 def _illuminance(table: Table) -> float:
-    eye = OBSERVERS["photopic"]
-    return eye.maximum * table.seen(eye)
+    return table.lumens(OBSERVERS["photopic"])
 
 
 def _ppfd(table: Table) -> float:
@@ -58,12 +57,9 @@ def _ppfd(table: Table) -> float:
 
 
 def _temperature(table: Table) -> float | None:
-    from radcalc.spectra import colorimetry
+    from radcalc.spectra.colorimetry import temperature_of  # loads large tables
 
-    try:
-        return colorimetry.temperature_and_distance(table.moments(*colorimetry.AT))[0]
-    except colorimetry.Undefined:
-        return None
+    return temperature_of(table)
 
 
 RESULTS: Mapping[str, Callable[[Table], float | None]] = {

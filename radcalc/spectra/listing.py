@@ -8,7 +8,7 @@ from radcalc.errors import UsageError, command, nearest, quote
 from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.light import LUMINOUS, PHOTON
 from radcalc.quantities.search import comparable, matching
-from radcalc.spectra import colorimetry
+from radcalc.spectra.colorimetry import temperature_of
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import AVOGADRO
@@ -122,12 +122,9 @@ def figures(name: str) -> tuple[float | None, float]:
     source = find_named(name)
     if source is None:
         raise UsageError(f"no named spectrum is '{quote(name)}'", command("spectrum", list=""))
-    try:
-        cct, _ = colorimetry.temperature_and_distance(source.moments(*colorimetry.AT))
-    except colorimetry.Undefined:
-        cct = None
     counts = Counts(source, OBSERVERS["photopic"], None, None)
-    return cct, counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
+    lux_per_ppfd = counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
+    return temperature_of(source), lux_per_ppfd
 
 
 def described(found: Iterable[Named]) -> list[tuple[str, str]]:

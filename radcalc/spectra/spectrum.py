@@ -81,6 +81,10 @@ class Spectrum:
         """Watts weighted by an observer's relative luminous efficiency."""
         return self.weigh(observer.start, observer.values)
 
+    def lumens(self, observer: Observer) -> float:
+        """Lumens as an observer sees them."""
+        return observer.maximum * self.seen(observer)
+
     def photons(self, limits: Range) -> float:
         """Photons per second between two wavelengths."""
         raise NotImplementedError
