@@ -17,6 +17,7 @@ from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, option, quote
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.quantities.titles import read_title
+from radcalc.units.ranges import floats
 from radcalc.units.table import NUMBER, Unit, resolve
 
 PANDAS, POLARS, XARRAY = LIBRARIES
@@ -146,7 +147,7 @@ def _array(key: str, column: Any, unit: Unit | None) -> Any:
     values = magnitude_of(values)
     if not is_lazy(values):
         try:
-            values = numpy.asarray(values, float)
+            values = floats(values)
         except (TypeError, ValueError):
             problem = f"{key} is a column with what is no number, '{quote(str(column.name))}'"
             raise ConditionError(problem, "a column of numbers") from None

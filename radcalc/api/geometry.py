@@ -339,7 +339,7 @@ def _direction(given: dict[str, Any]) -> Result:
     elif vector is not None:
         metres, of = in_metres(vector, "a vector", "three numbers, [1, 0, 2]")
         place, unit = tuple(numpy.atleast_1d(metres).tolist()), of.text if of else ""
-    if place is not None and len(place) != 3:
+    if place is not None and (len(place) != 3 or numpy.ndim(place) > 1):
         raise ConditionError("a vector has three coordinates", "[1, 0, 2]")
     others = ("polar", "azimuth", "elevation", "mirror_ball")
     angles = [name for name in others if given[name] is not None]

@@ -3,6 +3,8 @@
 from typing import Any
 
 from radcalc.answer import Row
+from radcalc.api.quantity import Quantity
+from radcalc.api.reading import as_text
 from radcalc.api.result import Result
 from radcalc.api.spelling import in_python, in_words
 from radcalc.errors import ConditionError
@@ -36,18 +38,21 @@ class Verdict(Judged):
 
 
 @in_python
-def check(result: Result, claim: str, tolerance: str | None = None) -> Verdict:
+def check(
+    result: Result, claim: str | Quantity | float, tolerance: str | Quantity | float | None = None
+) -> Verdict:
     """Judge an answer to what a function worked out, and name the mistakes that lead to it.
 
     Parameters
     ----------
     result : Result
         Of a calculator, or of `explain` for a conversion.
-    claim : str
+    claim : str, Quantity or float
         The answer: ``"16 lx"``, ``"illuminance=16 lx"`` where several results have the unit, or
         a number alone where it is clear what it is.
-    tolerance : str, optional
-        ``"1%"``, which it is by default, ``"0.5 lx"``, or ``"3sf"`` for significant digits.
+    tolerance : str, Quantity or float, optional
+        ``"1%"``, which it is by default, ``"0.5 lx"``, or ``"3sf"`` for significant digits; a
+        number alone is a part of the right value.
 
     Returns
     -------
@@ -73,7 +78,8 @@ def check(result: Result, claim: str, tolerance: str | None = None) -> Verdict:
     if not isinstance(result, Result):
         problem = f"{article(type(result).__name__)} is no result to check"
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
-    found = judge(result.question, str(claim), tolerance)
+    allowed = None if tolerance is None else as_text(tolerance)
+    found = judge(result.question, as_text(claim), allowed)
     return Verdict(*found._replace(diagnoses=tuple(map(_in_python, found.diagnoses))))
 
 

@@ -58,6 +58,10 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
         If there is nothing to draw, or results in different units.
     """
     lists = varied(solved)
+    for given in solved[0].given.values():
+        if is_array(given.value) and (given.value.ndim != 1 or not given.value.size):
+            problem = f"{option(given.name)} is an array of the shape {given.value.shape}"
+            raise UsageError(problem, "one dimension, with an element or more")
     numbers = [name for name in lists if _is_number(solved[0].given[name])]
     along = (numbers or lists)[-1]
     others = [name for name in lists if name != along]

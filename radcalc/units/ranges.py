@@ -304,11 +304,9 @@ def real(value: Any, what: str, hint: str) -> Any:
             return value
         import warnings
 
-        import numpy
-
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # imaginary parts and units would be dropped
-            array = numpy.asarray(value, float)
+            array = floats(value)
         refuse_masked(value, what)
     except OverflowError:
         problem = f"{what} has a number that is beyond what radcalc reckons with"
@@ -316,6 +314,16 @@ def real(value: Any, what: str, hint: str) -> Any:
     except (TypeError, ValueError, Warning):
         raise NumberError(problem, hint) from None
     return array if array.ndim else float(array)
+
+
+def floats(value: Any) -> Any:
+    """An array of floats; TypeError of dates, durations, and what is true or false."""
+    import numpy
+
+    array = numpy.asarray(value)
+    if array.dtype.kind in "bMm":
+        raise TypeError(f"an array of {array.dtype}")
+    return array.astype(float, copy=False)
 
 
 def refuse_masked(value: Any, what: str) -> None:

@@ -58,6 +58,20 @@ def test_a_column_of_texts_with_a_missing_one_is_told_so(texts):
             ask()
 
 
+@pytest.mark.parametrize(
+    "values", [np.array(["2020-01-01"], "datetime64[ns]"), np.array([5], "timedelta64[s]"), [True]]
+)
+def test_what_is_no_number_is_not_taken_for_one(values):
+    for ask in (
+        lambda: radcalc.convert(pd.Series(values, name="E [lx]"), "fc"),
+        lambda: lamp(pd.Series(values, name="d [m]")),
+        lambda: radcalc.convert(Q(np.asarray(values), "lx"), "fc"),
+        lambda: lamp(Q(np.asarray(values), "m")),
+    ):
+        with pytest.raises(radcalc.RadcalcError, match=r"is no number|takes real numbers"):
+            ask()
+
+
 def test_an_array_of_xarray_keeps_its_coordinates_and_its_units():
     told = xr.DataArray(METRES, dims="d", coords={"d": [10, 20, 30]}, attrs={"units": "m"})
     found = lamp(told).illuminance

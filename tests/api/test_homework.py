@@ -49,6 +49,8 @@ def test_a_tolerance_is_a_part_a_size_or_digits():
     assert radcalc.check(CONE, "0.9 sr", tolerance="10%")
     assert not radcalc.check(CONE, "0.85 sr", "0.001 sr")
     assert radcalc.check(CONE, "0.842 sr", "3sf")
+    assert radcalc.check(CONE, radcalc.Quantity(0.9, "sr"), 0.1)
+    assert not radcalc.check(CONE, "0.85 sr", radcalc.Quantity(0.001, "sr"))
 
 
 @pytest.mark.parametrize(

@@ -290,6 +290,13 @@ def test_what_a_picture_does_not_depend_on_is_refused(result, wanted):
     assert "[kcd]" in repr(LAMP.plot("intensity:kcd"))
 
 
+@pytest.mark.parametrize("shape", [(2, 3), (0,)])
+def test_an_array_that_is_no_curve_is_refused(shape):
+    found = radcalc.point_source(flux="1 lm", distance=radcalc.Quantity(np.ones(shape), "m"))
+    with pytest.raises(radcalc.RadcalcError, match="distance is an array of the shape"):
+        found.plot()
+
+
 def test_the_errors_are_at_the_top():
     assert issubclass(radcalc.UnitError, radcalc.RadcalcError)
     with pytest.raises(radcalc.UnitError):
