@@ -416,10 +416,8 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
         if [len(cells) for cells in split].count(layout.width) != len(split):
             return None
         texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
-        for text in map(" ".join, texts):
-            if columns.has_odd_digits(text):
-                return None
-        return [columns.finite_numbers(column) for column in texts]
+        found = [columns.numbers_at_once(" ".join(column), column) for column in texts]
+        return None if None in found else found
     except ValueError:
         return None
 
