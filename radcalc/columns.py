@@ -38,6 +38,27 @@ def cells(line: str, delimiter: str | None) -> list[str]:
     return [cell.strip().strip('"').strip() for cell in parts]
 
 
+def is_comment(line: str) -> bool:
+    """Whether a line is a comment."""
+    return line.lstrip().startswith(COMMENTS)
+
+
+def comment_text(line: str) -> str:
+    """What a comment says."""
+    return line.lstrip("#%/; \t")
+
+
+def titles_in_comments(
+    comments: Sequence[str], width: int, delimiter: str | None = None
+) -> list[str]:
+    """The titles of so many columns in the last of the comments' texts that has them; or none."""
+    for comment in reversed(comments):
+        found = cells(comment, delimiter or dialect(comment)[0])
+        if len(found) == width and not is_number(found[0], False):
+            return found
+    return []
+
+
 def has_odd_digits(text: str) -> bool:
     """Whether float() might read in a text what no file means: 5_50, and other scripts' digits."""
     return not text.isascii() or "_" in text

@@ -131,7 +131,7 @@ def _has_rows(lines: Sequence[str]) -> bool:
 
 
 def _is_data(text: str) -> bool:
-    return bool(text) and not text.startswith(columns.COMMENTS)
+    return bool(text) and not columns.is_comment(text)
 
 
 def _likeness(lines: Sequence[str]) -> str:

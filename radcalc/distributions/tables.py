@@ -85,8 +85,8 @@ class _Reader:
         self.rows: list[tuple[int, str]] = []
         for number, line in enumerate(lines, 1):
             text = line.strip()
-            if text.startswith(columns.COMMENTS):
-                self.comments.append(text.lstrip("#%/; \t"))
+            if columns.is_comment(text):
+                self.comments.append(columns.comment_text(text))
             elif text:
                 self.rows.append((number, line))
 

@@ -103,9 +103,9 @@ class _Reader:
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
-            if line.lstrip().startswith(columns.COMMENTS):
+            if columns.is_comment(line):
                 if len(self.comments) < MOST_BEFORE:
-                    self.comments.append(line.lstrip("#%/; \t")[: titles.LONGEST])
+                    self.comments.append(columns.comment_text(line)[: titles.LONGEST])
             else:
                 yield number, line
 
@@ -161,7 +161,7 @@ class _Reader:
             self.notes += oceanview.notes(self.preamble)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
-        header = header or self.commented(width)
+        header = header or columns.titles_in_comments(self.comments, width)
         self.check_titles(header)
         place, title = self.value_column(header, width, rows[0][0])
         return _Layout(delimiter, header, width, place, title)
@@ -205,14 +205,6 @@ class _Reader:
                 for title, unit in zip(above, found, strict=True)
             ]
         return found
-
-    def commented(self, width: int) -> list[str]:
-        """The titles of columns, where a comment has them."""
-        for comment in reversed(self.comments):
-            cells = columns.cells(comment, columns.dialect(comment)[0])
-            if len(cells) == width and not columns.is_number(cells[0], False):
-                return cells
-        return []
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Take in rows that are numbers and nothing else; say whether they are."""

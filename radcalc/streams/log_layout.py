@@ -107,8 +107,13 @@ class Head:
         self.begin = rows[first][0]
         titles = self._titles(rows[:first], named, delimiter, len(cells))
         if not titles:
-            comments = [text for n, text in lines if n < self.begin and _is_comment(text)]
-            titles = self._commented(comments, len(cells))
+            comments = [
+                columns.comment_text(line)
+                for number, line in lines
+                if number < self.begin and columns.is_comment(line)
+            ]
+            of_comment = columns.titles_in_comments(comments, len(cells), settings.delimiter)
+            titles = [of_comment] if of_comment else []
         self.layout = self._columns(number, cells, titles, delimiter)
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
@@ -196,15 +201,6 @@ class Head:
             "a title for each column; quotation marks around what has a delimiter in it, and "
             "1000 in place of 1,000",
         )
-
-    def _commented(self, comments: Sequence[str], width: int) -> list[list[str]]:
-        """The titles of columns, where a comment has them."""
-        for comment in reversed(comments):
-            text = comment.lstrip("#%/; \t")
-            cells = columns.cells(text, self._delimiter(text))
-            if len(cells) == width:
-                return [cells]
-        return []
 
     def _columns(
         self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
@@ -321,13 +317,9 @@ class Head:
         return find(names or [""] * width, name, self.name)
 
 
-def _is_comment(line: str) -> bool:
-    return line.lstrip().startswith(columns.COMMENTS)
-
-
 def is_remark(line: str) -> bool:
     """Whether a line is blank or a comment."""
-    return not line or line.isspace() or _is_comment(line)
+    return not line or line.isspace() or columns.is_comment(line)
 
 
 def _is_number(cell: str) -> bool:
