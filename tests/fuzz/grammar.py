@@ -139,7 +139,8 @@ def unit(draw: random.Random) -> None:
     try:
         found = resolve(text)
     except RadcalcError as error:
-        told_of(error, text, "a length that multiplies light")  # which wants brackets
+        is_difference = re.fullmatch(r"(\w+)-\d \1", text)  # h-2 h, of an expression
+        told_of(error, text, "two ways" if is_difference else "a length that multiplies light")
         return
     assert Fraction(found.top, found.bottom) == factor, text
     right = NUMBER_ITSELF
