@@ -19,8 +19,6 @@ from radcalc import __main__, stdio
 settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("untimed")
 
-# What a shell starts in the background ignores interrupts, and so would all that it starts.
-signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = Path(__file__).parent.parent
 # The standard streams as a process under C.UTF-8 has them: what they are for, and what becomes of
@@ -30,6 +28,11 @@ STREAMS = (
     ("stdout", "w", "surrogateescape"),
     ("stderr", "w", "backslashreplace"),
 )
+
+
+def pytest_configure() -> None:
+    # What a shell starts in the background ignores interrupts, and so would all that it starts.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def entry_point() -> str:
