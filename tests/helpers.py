@@ -52,7 +52,7 @@ OTHER = {
     "cosine-of-source": "1", "relative-intensity": "1",
     "part": "1", "beam-part": "1", "exponent": "1", "configuration-factor": "1",
     "reflectance": "1", "absorptance": "1", "mass": "kg", "specific-heat": "J/kg/K",
-    "temperature-rise": "K", "heat": "J", "light": "cycle/s", "f-number": "1",
+    "temperature-rise": "K", "heat": "J", "exposure-setting": "cycle/s", "f-number": "1",
     "ev": "1", "ev100": "1", "iso": "1", "luminance": "cd/m2", "k": "cd s/m2",
     "illuminance": "lx", "c": "lx s", "saturation-luminance": "cd/m2",
     "etendue": "m2 sr", "far-field-etendue": "m2 sr", "na": "1",
