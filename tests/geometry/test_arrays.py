@@ -82,7 +82,7 @@ ARRAYS = [
 ]
 
 
-@pytest.mark.usefixtures("_few_calls")
+@pytest.mark.usefixtures("_few_integrals")
 @pytest.mark.parametrize(("function", "axes"), [(f, axes) for f, *axes in ARRAYS])
 def test_arrays_give_what_floats_give(function, axes):
     grids = np.meshgrid(*axes, indexing="ij")

@@ -38,7 +38,7 @@ def tilted_discs():
     yield from ((0.5, 0.0, 1.4), (0.5, 0.0, -1.4), (1e-6, 0.5, 1.5), (1e-6, 1.0, -1.5))
 
 
-@pytest.mark.usefixtures("_few_calls")
+@pytest.mark.usefixtures("_few_integrals")
 @pytest.mark.parametrize(("height", "offset", "tilt"), list(tilted_discs()))
 def test_a_disc_that_the_horizon_cuts(height, offset, tilt):
     got = projected.disc(1.0, height, offset, tilt)
