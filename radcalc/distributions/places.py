@@ -25,7 +25,8 @@ from radcalc.geometry.directions import cartesian, spherical
 from radcalc.geometry.numerics.cubature import Integral
 from radcalc.maths import Number, each
 
-ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon
+ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon, at best
+UNCERTAIN = 0.01  # [1] of the error of all the flux, which that of a part may add to it
 ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
 SAME = 1e-9  # [1] by which a place found may miss the light that is looked for
 COUNTS = (4, 8, 16, 32, 64, 128)  # radii at which a disc is looked at, each of twice as many angles
@@ -118,8 +119,9 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
             return whole._replace(value=max(0.0, whole.value - lower.value))
     upper, lower = map(distribution.flux, sides)
     slope, highest = math.tan(height), math.atan2(up[1], up[0])
+    accuracy = max(ACCURACY, UNCERTAIN * whole.error / whole.value) if whole.value else ACCURACY
     above, below = (
-        integrated(arcs, (edge, math.pi - edge), (-1.0, 1.0), ACCURACY)
+        integrated(arcs, (edge, math.pi - edge), (-1.0, 1.0), accuracy)
         for arcs in (
             _Arcs(distribution, slope, highest),
             _Arcs(distribution, -slope, highest + math.pi),

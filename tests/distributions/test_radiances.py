@@ -72,9 +72,7 @@ def test_peak_and_refusals():
         radiances("1").irradiance((0, 0, 0))
 
 
-@pytest.mark.parametrize(
-    ("around", "normals"), [(0, [(1, -1, 1)]), (100, [(0, 0, 1), (1, 0, 0), (1, -1, 1)])]
-)
+@pytest.mark.parametrize(("around", "normals"), [(0, [(1, 0, 0)]), (100, [(0, 0, 1), (1, -1, 1)])])
 def test_a_disc_of_the_size_of_the_sun(around, normals):
     """L pi sin(radius)^2 times the cosine, and pi times what is around it."""
     radius, sun = math.radians(0.2666), (0.766044443119, 0, 0.642787609687)
