@@ -3,6 +3,7 @@
 import ast
 import json
 import re
+from collections.abc import Iterator
 from functools import cache
 
 import pytest
@@ -58,11 +59,19 @@ LAYERS = [
 ROOMS = [room for row in LAYERS for room in row]
 
 
+def statements(node: ast.AST) -> Iterator[ast.AST]:
+    """Everything in a tree but expressions, of which tables have very many."""
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, ast.expr):
+            yield child
+            yield from statements(child)
+
+
 @cache
 def tree_of(name: str) -> ast.Module:
     """The source of a module, without what is there for type checkers alone."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
-    for node in ast.walk(tree):
+    for node in statements(tree):
         if isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING":
             node.body = []
     return tree
@@ -72,7 +81,7 @@ def tree_of(name: str) -> ast.Module:
 def imports(name: str) -> set[str]:
     """Everything a module imports, wherever in it, type checking apart."""
     found = set()
-    for node in ast.walk(tree_of(name)):
+    for node in statements(tree_of(name)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -94,7 +103,7 @@ def at_once(name: str) -> set[str]:
             found |= inner & MODULES.keys()
             if inner - MODULES.keys():
                 found.add(node.module)  # a function or a constant of the module itself
-        elif not isinstance(node, (ast.FunctionDef, ast.Lambda)):
+        elif not isinstance(node, (ast.FunctionDef, ast.expr)):
             waiting += ast.iter_child_nodes(node)
     return found & MODULES.keys()
 
@@ -145,7 +154,7 @@ def texts_of(tree: ast.Module) -> list[str]:
     documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
     docstrings = {
         id(node.body[0].value)
-        for node in ast.walk(tree)
+        for node in (tree, *statements(tree))
         if isinstance(node, documented) and node.body and isinstance(node.body[0], ast.Expr)
     }
     return [

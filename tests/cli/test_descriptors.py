@@ -10,12 +10,13 @@ import subprocess
 import termios
 import time
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 from conftest import entry_point, process, run
 from helpers import started
 
-LINES = "".join(f"{k}.5\n" for k in range(10_000))
+LINES = "".join(f"{k}.5\n" for k in range(4_000))
 SMALL = [("convert", "100", "lx", "fc"), ("convert", "1", "lx", "fc", "--json"), ("--version",)]
 LARGE = [
     ("convert", "-", "lx", "fc"),  # a stream
@@ -50,6 +51,7 @@ def whole(reader: int) -> bytes:
     return b"".join(iter(lambda: os.read(reader, 5000), b""))
 
 
+@cache
 def expected(words: tuple[str, ...]) -> bytes:
     return run(*words, input=LINES).stdout.encode()
 
