@@ -9,7 +9,7 @@ from radcalc.answer import Answer, Input, Row, Step
 from radcalc.api.drawing import Drawing
 from radcalc.api.quantity import Quantity, is_lazy, quantity, unit_of
 from radcalc.api.spelling import in_python, in_words, keyword, symbol_name
-from radcalc.calculators.results import in_unit, rows
+from radcalc.calculators.results import in_unit, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.given import Inputs
 from radcalc.maths import is_column
@@ -251,7 +251,7 @@ def _drawing(result: Result, solved: "Drawn | None", wanted: tuple[str, ...]) ->
     inputs, found, beside = solved
     one = Solved(inputs, found)
     for name in wanted:
-        result[keyword(name.partition(":")[0].strip())]
+        result[keyword(name_of(name))]
         if not depends(result.command, one, symbol_name(name)):
             problem = f"the picture of a single answer here does not depend on {quote(name)}"
             raise ConditionError(problem, ".plot(), or an array of values, over which it follows")

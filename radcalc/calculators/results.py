@@ -178,6 +178,11 @@ def held(name: str, number: Any, of: Any = None) -> Any:
     return number + 0.0
 
 
+def name_of(wanted: str) -> str:
+    """The name of a result that is asked for as NAME[:UNIT]."""
+    return wanted.partition(":")[0].strip()
+
+
 def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
     """What NAME[:UNIT] asks for; without a unit, in the one in which the listing has it first.
 

@@ -9,7 +9,7 @@ from radcalc.calculators import light
 from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_rows import Placed, Reader, rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value
-from radcalc.distributions.scene import Emitter, Field, Statistics, field, named, unit
+from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
 from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.vectors import Vector
 from radcalc.given import Inputs
@@ -146,7 +146,7 @@ class Survey:
                 size = f"{one.source.size:.3g} m"
                 yield f"{one.source.name} is nearer than five times its size, {size}{where}"
         if is_grid and told.most > told.least:
-            ends = named(*told.least_at), named(*told.most_at)
+            ends = point_text(*told.least_at), point_text(*told.most_at)
             yield f"the least light is at {ends[0]}, the most at {ends[1]}"
 
     def _steps(self, point: Vector) -> list[Step]:

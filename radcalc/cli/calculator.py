@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
-from radcalc.calculators.results import element, pick, rows, saying_how_read, scales_of
+from radcalc.calculators.results import element, name_of, pick, rows, saying_how_read, scales_of
 from radcalc.cli import check, streams
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
@@ -51,7 +51,7 @@ class Asked(NamedTuple):
     def wants(self, name: str) -> bool:
         """Whether a result is asked for by its name."""
         named = [*self.wanted, (self.check or "").replace("=", ":")]
-        return any(one.partition(":")[0].strip() == name for one in named)
+        return name in map(name_of, named)
 
 
 def shape(word: str, names: Sequence[str]) -> str:

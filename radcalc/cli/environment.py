@@ -112,7 +112,7 @@ def command(
         if name in typed:
             problem = f"--{name} has no use where a map is written"
             raise UsageError(problem, f"the same without --{name}")
-    _refuse_source(path, " ".join(words))
+    _refuse_source(path, operands["source"])
     given = one_case(typed, asked)
     if irradiance_map:
         if reproject:

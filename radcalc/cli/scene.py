@@ -8,7 +8,7 @@ import click
 
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, texts_of
-from radcalc.calculators.results import element, pick
+from radcalc.calculators.results import element, name_of, pick
 from radcalc.cli.calculator import Answered, Asked, refuse_bare, result, run, show
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import FILE, LIGHT, define
@@ -101,7 +101,7 @@ def command(
     told = (*places, *inputs_of(given))
     points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
-    names = [name.partition(":")[0].strip() for name in asked.wanted]
+    names = [*map(name_of, asked.wanted)]
     of_all = [name for name in names if page.is_of_all(name)]
     if of_all and len(of_all) < len(names):
         other = next(name for name in names if name not in of_all)
@@ -160,7 +160,7 @@ def _draw(
         sources.extend((one.name, one.source.place) for one in own.scene.sources)
         return own.remarks(points.is_grid, with_values=True)
 
-    of_each = [name for name in asked.wanted if not page.is_of_all(name.partition(":")[0].strip())]
+    of_each = [name for name in asked.wanted if not page.is_of_all(name_of(name))]
     drawn = Surveyed(points.axes, blocks, sources, *of_each[:1])
     asked = asked._replace(wanted=() if of_each else asked.wanted)
     return run([Case(given)], work_out, asked, shown, "scene", operands=operands, drawn=drawn)

@@ -313,7 +313,7 @@ def _in_units(
 
     Refuses what no line has, by what follows of a value of the same kind in the same unit.
     """
-    from radcalc.calculators.results import names_of, pick
+    from radcalc.calculators.results import name_of, names_of, pick
 
     values = _likely(source, of_line)
     if not wanted and not as_json:
@@ -327,7 +327,7 @@ def _in_units(
         except NumberError:  # of that value
             continue
         except UsageError:
-            if one.partition(":")[0] not in {v.name for v in values if v.is_absent}:
+            if name_of(one) not in {v.name for v in values if v.is_absent}:
                 raise
             continue
         if source.unit or not row.given:  # which has the unit of its line

@@ -12,9 +12,11 @@
 - `beams`: beam angles and field angles in a plane through the axis
 - `places`: the light on places and discs under a source, and the places that get so much
 - `pose`: where a source stands, where it is aimed and how it is rotated
+- `scene`: sources in their places, and the irradiance that they give together
 - `radiances`: what radiances can do, as functions of the direction that they come from; an
   expression as one
-- `maps`: radiances as pictures of what surrounds a place
+- `sky`, `maps`: the radiances of skies; those of pictures of what surrounds a place
+- `environments`: what a user names, a map, a sky or an expression, as one of these
 
 A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
 of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).

@@ -106,7 +106,7 @@ def of_picture(
     picture : Picture
         Its pixels, and what its file says of them.
     unit, projection, channel : optional
-        What the user says: `unit_of`, `projection_of` and `weighted` have them.
+        What the user says, as of `unit_of`, `projection_of` and `channel_of`.
     aim : tuple of 3 floats, optional
         Where in the world its middle is; +x by default.
 

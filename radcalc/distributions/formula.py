@@ -141,6 +141,10 @@ class Formula:
 
     def peak(self) -> Peak:
         """The greatest intensity, looked for on a grid that gets ever finer about it."""
+        return self._peak
+
+    @cached_property
+    def _peak(self) -> Peak:
         polar, azimuth = ALL_POLAR, ALL_AZIMUTHS
         counts = FIRST_OF_AXIAL if self.is_axial else FIRST
         best = Peak(-math.inf, 0.0, 0.0)

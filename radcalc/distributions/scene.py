@@ -199,10 +199,12 @@ Source = Emitter | Panel
 def _refuse(bad: Any, points: Vector, problem: str, hint: str) -> None:
     if numpy.any(bad):
         k = int(numpy.argmax(bad))
-        raise ConditionError(f"the point {named(*(float(x[k]) for x in points))} {problem}", hint)
+        raise ConditionError(
+            f"the point {point_text(*(float(x[k]) for x in points))} {problem}", hint
+        )
 
 
-def named(x: float, y: float, z: float) -> str:
+def point_text(x: float, y: float, z: float) -> str:
     """A point in a message.
 
     Parameters
@@ -217,7 +219,7 @@ def named(x: float, y: float, z: float) -> str:
 
     Examples
     --------
-    >>> named(1.0, 0.25, -0.0)
+    >>> point_text(1.0, 0.25, -0.0)
     '1,0.25,0'
     """
     return quote(",".join(f"{c + 0.0:.12g}" for c in (x, y, z)))

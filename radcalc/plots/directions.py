@@ -8,7 +8,7 @@ import numpy
 
 from radcalc.calculators.environment import Source, surroundings
 from radcalc.calculators.point_source import spread
-from radcalc.calculators.results import pick
+from radcalc.calculators.results import name_of, pick
 from radcalc.calculators.sky import place_of_sun
 from radcalc.derivation import format_angle
 from radcalc.distributions.distribution import ALL_AZIMUTHS, Distribution
@@ -115,7 +115,7 @@ def of_environment(source: Source, one: Solved) -> Disc:
 
 def is_intensity(wanted: str) -> bool:
     """Whether a result, NAME[:UNIT], is the intensity on the axis, of any kind."""
-    name = wanted.partition(":")[0].strip()
+    name = name_of(wanted)
     return name in SYMBOLS and SYMBOLS[name].generic == "intensity"
 
 
