@@ -126,7 +126,7 @@ def command(
     if by and len(each) > 1:
         raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
     clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
-    cut = read_delimiter(delimiter).decode() if delimiter is not None else ""
+    cut = read_delimiter(delimiter) if delimiter is not None else ""
     settings = LogSettings(time_column, column or "", unit or "", cut, invalid, clock)
     with reading(path, "a file with a time and a value in each line") as (name, read):
         log = Log(name, read, settings, complain)

@@ -1,5 +1,6 @@
 """Standard input, line by line: `radcalc convert -`, and a calculator with - for an input."""
 
+import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -445,7 +446,8 @@ class Layout(NamedTuple):
             )
         cut = None
         if (asked.field, asked.column, asked.delimiter) != (None, None, None):
-            cut = Cut(read_delimiter(asked.delimiter) if asked.delimiter is not None else b"")
+            delimiter = read_delimiter(asked.delimiter) if asked.delimiter is not None else ""
+            cut = Cut(os.fsencode(delimiter))
         mark = (asked.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
             raise UsageError(

@@ -1,6 +1,5 @@
 """Which fields of a line are meant, and where in the line they stand.  All of it in bytes."""
 
-import os
 import re
 from collections.abc import Callable, Iterator
 from itertools import chain
@@ -57,7 +56,7 @@ def _range(text: str, part: str) -> tuple[int, int]:
     return low, high
 
 
-def read_delimiter(text: str) -> bytes:
+def read_delimiter(text: str) -> str:
     """One character, or the name of one that a shell makes hard to type."""
     character = NAMED.get(text.lower(), text)
     if len(character) != 1 or character in '"\n\r\0':
@@ -65,7 +64,7 @@ def read_delimiter(text: str) -> bytes:
             f"{option('delimiter', quote(text))} is not one character",
             "a character, such as , or ; or tab",
         )
-    return os.fsencode(character)
+    return character
 
 
 def typed_delimiter(character: str) -> str:

@@ -18,6 +18,9 @@ CALLS = (
     f"solid-angle {BAD}", f"solid-angle polygon {BAD} 1,1,1 0,0,1", f"lambertian {BAD}",
     f"solid-angle zone --polar {BAD}:30deg", f"point-source --flux {BAD}", f"ev --iso {BAD}",
     f"point-source --distribution {BAD}", f"mesopic --luminance {BAD}",
+    f"dose {BAD}", f"dose - -d {BAD}", f"dose - --column {BAD}", f"dose - --unit {BAD}",
+    f"dose - --time-column {BAD}", f"dose - --time-zone {BAD}", f"dose - --time-format {BAD}",
+    f"spectrum - --column {BAD}", f"convert - lx fc --header --add {BAD}",
 )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ def test_fields_and_delimiters_are_read_as_written():
     assert list(Fields("1-2,2-").of(4)) == [0, 1, 2, 3]
     assert list(Fields("\u22122").of(3)) == [0, 1]  # a minus that was no option
     assert [read_delimiter(d) for d in ("tab", "\\t", "comma", ",", "·")] == [
-        b"\t", b"\t", b",", b",", "·".encode(),
+        "\t", "\t", ",", ",", "·",
     ]  # fmt: skip
     with pytest.raises(UsageError):
         Fields("")
