@@ -17,7 +17,7 @@ from radcalc.quantities.titles import find
 from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import VISIBLE, Table
+from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
 from radcalc.texts import Lines, Text, reading, refusal
 from radcalc.units.table import unit_of
 
@@ -285,6 +285,13 @@ class _Reader:
             self.notes.append(self.noise(grid, values, nanometres))
         if not any(values):
             raise self.error(0, "every value is 0", "a spectrum with light in it")
+        for place in (grid[0] * nanometres, grid[-1] * nanometres):
+            if not SHORTEST <= place <= LONGEST:
+                hint = f"wavelengths from {SHORTEST:g} to {LONGEST:g} nm"
+                raise self.error(0, f"a wavelength of {place:g} nm", hint)
+        if not WEAKEST <= max(values) <= STRONGEST:
+            problem = f"a greatest value of {max(values):g}"
+            raise self.error(0, problem, f"from {WEAKEST:g} to {STRONGEST:g}")
         if len(grid) <= MANY:
             self.notes += _gaps(grid)
         tables = [_table(self.name, grid, values, nanometres, meant) for meant in meanings]

@@ -8,7 +8,17 @@ from radcalc.errors import ConditionError, RadcalcError, TooMany, command, neare
 from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
-from radcalc.spectra.spectrum import VISIBLE, BlackBody, Lines, Spectrum, Table
+from radcalc.spectra.spectrum import (
+    LONGEST,
+    SHORTEST,
+    STRONGEST,
+    VISIBLE,
+    WEAKEST,
+    BlackBody,
+    Lines,
+    Spectrum,
+    Table,
+)
 from radcalc.texts import ENDINGS
 from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
@@ -17,7 +27,6 @@ from radcalc.units.scales import find
 from radcalc.units.table import Dimension, resolve
 
 SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives several
-SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
 ALIASES = {"SUN": "AM1.5G", "AM1.5": "AM1.5G", "AM15G": "AM1.5G", "AM15D": "AM1.5D"}
 LOOKED_AT = 100  # parts of a list in which something is wrong
@@ -304,8 +313,9 @@ def wavelength(parameter: str, text: str) -> float:
 def _line(part: str, text: str) -> tuple[float, float]:
     place, equals, weight = part.partition("=")
     watts = split_value(weight) if equals else (1.0, "")
-    if watts[1] or watts[0] <= 0:
-        raise _malformed(text, f"{example('line')}, with weights above 0 and no unit")
+    if watts[1] or not WEAKEST <= watts[0] <= STRONGEST:
+        weights = f"weights from {WEAKEST:g} to {STRONGEST:g}, without a unit"
+        raise _malformed(text, f"{example('line')}, with {weights}")
     return wavelength(place, text), watts[0]
 
 

@@ -13,6 +13,8 @@ from radcalc.spectra.observers import Observer
 Range = tuple[float, float]
 WHOLE: Range = (0.0, math.inf)
 VISIBLE: Range = (380.0, 780.0)
+SHORTEST, LONGEST = 1e-6, 1e12  # nm: from gamma rays to long waves
+WEAKEST, STRONGEST = 1e-100, 1e100  # the greatest value: its photons, too, are numbers
 PAR: Range = (400.0, 700.0)  # nm: the photosynthetically active photons that PPFD counts
 
 

@@ -218,6 +218,10 @@ BROKEN = {
     "a short row": ("400 1\n500\n600 2\n", "line 2: 1 columns"),
     "a long row": ("400 1\n500 2 3\n600 2\n", "line 2: 3 columns"),
     "twice the same": ("400 1\n500 2\n\n400 2\n", "line 4: the wavelength 400 nm stands in line 1"),
+    # 1e300 W at 500 nm are 2.5e318 photons a second (h c = 1.986e-25 J m), which no number holds
+    "a value beyond": ("400 1e300\n500 1\n", "a greatest value of 1e+300"),
+    "nearly darkness": ("400 1e-320\n500 1e-320\n", "a greatest value of 9.99989e-321"),
+    "a wavelength beyond": ("nm,E\n1e300,1\n1e301,2\n", "a wavelength of 1e+300 nm"),
     "darkness": ("400 0\n500 0\n", "every value is 0"),
     "a negative wavelength": ("-400 1\n500 2\n", "a wavelength of -400"),
     "a frequency": ("frequency (THz),x\n400,1\n700,1\n", "is no wavelength"),

@@ -140,8 +140,8 @@ def test_daylight_6504_k_is_d65():
 @pytest.mark.parametrize(
     "text",
     ["gaussian:530nm,1e-12nm", "gaussian:530nm,1um", "gaussian:530nm", "band:700nm:600nm",
-     "line:0nm", "line:555nm=0", "line:555nm=2W", "blackbody:5m", "daylight:1K", "line:",
-     "blackbody:", "band:1nm"],
+     "line:0nm", "line:555nm=0", "line:555nm=2W", "line:555nm=1e300", "blackbody:5m", "daylight:1K",
+     "line:", "blackbody:", "band:1nm"],
 )  # fmt: skip
 def test_a_source_that_makes_no_sense_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
