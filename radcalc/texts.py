@@ -14,7 +14,7 @@ ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # of files of columns
 
 BLOCK = 1 << 20  # bytes read at a time
 LONGEST = 1 << 22  # bytes of a line
-LARGEST = 1 << 29  # bytes of a file
+MOST_BYTES = 1 << 29  # of a file
 MARKS = {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}
 
 Lines = list[str]
@@ -76,7 +76,7 @@ class Text:
         name: str,
         read: Callable[[int], bytes],
         row: str,
-        largest: float = LARGEST,
+        largest: float = MOST_BYTES,
     ) -> None:
         """Hold what reads so many bytes of the file, none at its end.
 

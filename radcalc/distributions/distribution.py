@@ -35,7 +35,7 @@ class Peak(NamedTuple):
     azimuth: float
 
 
-class Lights(Protocol):
+class Integrable(Protocol):
     """What can be integrated over directions; `Distribution` has the details."""
 
     @property
@@ -100,7 +100,7 @@ class Distribution(Protocol):
 
 
 def integrated(
-    distribution: Lights,
+    distribution: Integrable,
     polar: Interval,
     azimuth: Interval,
     accuracy: float,
