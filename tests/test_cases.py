@@ -1,6 +1,6 @@
 """The console transcripts in `cases/` and in README.md are run, and print what they show.
 
-What takes no more of a shell than words, and lines that are piped in, is a call in this process.
+What takes no more of a shell than words, and pipes to it and from it, is a call in this process.
 """
 
 import os
@@ -13,7 +13,7 @@ import pytest
 from conftest import ROOT, entry_point, run
 
 BARE = r"[^\"|<>;&`$\\]*"  # without what a shell reads, but for '...'
-CALL = re.compile(rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE})")
+CALL = re.compile(rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE})(\|{BARE})?")
 FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
 
 
@@ -39,17 +39,22 @@ def answered(command: str) -> tuple[str, int]:
     """What a command line prints, errors among the rest, and its exit status."""
     unquoted = re.sub(r"'[^']*'", lambda quoted: "." * len(quoted[0]), command)
     found = CALL.fullmatch(unquoted.removesuffix(" < /dev/null"))
-    if found:
-        lines = in_shell(command[: found.end(1) - len(" | ")])[0] if found[1] else ""
-        done = run(*shlex.split(command[found.start(2) : found.end(2)]), input=lines, together=True)
+    if not found:
+        return in_shell(command)
+    before, words, behind = (command[slice(*found.span(k))] for k in (1, 2, 3))
+    lines = in_shell(before.removesuffix("| "))[0] if before else ""
+    done = run(*shlex.split(words), input=lines, together=not behind)
+    if not behind:
         return done.stdout, done.returncode
-    return in_shell(command)
+    printed, status = in_shell(behind.removeprefix("|"), done.stdout)
+    return done.stderr + printed, status
 
 
-def in_shell(command: str) -> tuple[str, int]:
+def in_shell(command: str, lines: str = "") -> tuple[str, int]:
     scripts = str(Path(entry_point()).parent)
     done = subprocess.run(
         ["sh", "-c", command],
+        input=lines.encode("utf-8", "surrogateescape"),
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         env=os.environ | {"PATH": scripts + os.pathsep + os.environ["PATH"]},
