@@ -54,9 +54,10 @@ PAGE = Page(
     ("receiver-area",),
     ("exposure", "energy", *MEANS, *PEAKS),
 )
-# What people read an exposure in, beside its coherent unit.
-ALSO = {"lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h",
-        "J": "Wh"}  # fmt: skip
+# What people read an exposure or an energy in, by the unit that is shown beside it.
+CUSTOMARY_UNITS = {
+    "lx s": "lx h", "J/m2": "Wh/m2", "umol/m2": "mol/m2", "umol": "mol", "lm s": "lm h", "J": "Wh",
+}  # fmt: skip
 
 Spans = Callable[[float], tuple[float, float, str]]  # the period of a time: from, to, its name
 
@@ -414,7 +415,7 @@ def _below(one: float, other: float, step: float) -> float:
 
 def _customary(result: Value) -> Value:
     """An exposure or energy in the unit that people read it in, too."""
-    also = ALSO.get(result.units[0]) if result.units else None
+    also = CUSTOMARY_UNITS.get(result.units[0]) if result.units else None
     return result._replace(units=(also, *result.units)) if also else result
 
 

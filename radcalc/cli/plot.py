@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from radcalc.plots.data import Picture
 
 FEW = 20  # answers of which a terminal has the table beside the picture
-SEVERAL = "--plot FILE.svg, which leaves the numbers alone"
+IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 
 
 def refuse(asked: Asked, output: Output) -> None:
@@ -30,9 +30,9 @@ def refuse(asked: Asked, output: Output) -> None:
         check_place(asked.plot)
         return
     if output.format in (JSON, CSV):
-        raise UsageError(f"a picture is no {output.format.upper()}", SEVERAL)
+        raise UsageError(f"a picture is no {output.format.upper()}", IN_A_FILE)
     if output.style.bare:
-        raise UsageError("-n prints numbers alone, and no picture", SEVERAL)
+        raise UsageError("-n prints numbers alone, and no picture", IN_A_FILE)
 
 
 def picture(

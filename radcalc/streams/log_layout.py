@@ -20,9 +20,10 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.quantities.light import describe
+from radcalc.quantities.light import PHOTON, describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
+from radcalc.quantities.symbols import light_unit
 from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
 from radcalc.streams import ABORT
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
@@ -36,7 +37,7 @@ HEAD = 100  # lines in which the data begin, without comments and blank lines
 MOST_REMARKS = 10_000  # lines that are looked through for them
 MISSING = ("", "--", "-", "nan", "n/a", "na", "null", "none", "#n/a", "---")
 SECONDS = resolve("s")
-PPFD_UNIT = "umol/m2/s"
+PPFD_UNIT = light_unit("irradiance", PHOTON)
 PAR_ALSO = " (meters give PAR in W/m2, too: its unit in the title, PAR [W/m2], tells)"
 OF_TIME = re.compile(r"\b(?:time|elapsed|timestamp|unix|epoch|zeit|čas|время)\b")
 
