@@ -273,7 +273,8 @@ def _temperature(parameter: str, text: str) -> float:
 
 
 def _width(parameter: str, text: str) -> float:
-    width = _quantity(parameter, text, LENGTH, f"a width, as in {example('gaussian')}") * 1e9
+    form = f"a width, as in {example('gaussian')}"
+    width = _in_nanometres(_quantity(parameter, text, LENGTH, form))
     if width <= 0:
         raise _malformed(text, "a width of more than 0")
     return width
@@ -293,6 +294,11 @@ def _in_si(parameter: str) -> tuple[float, Dimension]:
     return value * unit.factor, unit.dimension
 
 
+def _in_nanometres(metres: float) -> float:
+    """A length in nanometres: 632.8, and not what the factor of its unit makes of it."""
+    return float(f"{metres * 1e9:.15g}")
+
+
 def wavelength(parameter: str, text: str) -> float:
     """A wavelength [nm] from a length or a frequency."""
     size, dimension = _in_si(parameter)
@@ -304,10 +310,10 @@ def wavelength(parameter: str, text: str) -> float:
         raise _malformed(text, f"a wavelength, {size * 1e9:.6g}nm")
     if dimension == FREQUENCY:
         return size * 1e9
-    nanometres = size * 1e9
+    nanometres = _in_nanometres(size)
     if not SHORTEST <= nanometres <= LONGEST:
         raise _malformed(text, f"wavelengths from {SHORTEST:g}nm to {LONGEST:g}nm")
-    return round(nanometres, 9)
+    return nanometres
 
 
 def _line(part: str, text: str) -> tuple[float, float]:
@@ -328,7 +334,7 @@ def _gaussian(text: str, centre: float, fwhm: float) -> Table:
         raise _malformed(text, "a width from a millionth of the centre (or line:) to the centre")
     if pairs[0][0] <= 0:
         pairs = [
-            (SHORTEST, math.exp(-((centre / sigma) ** 2) / 2)),
-            *(p for p in pairs if p[0] > 1),
+            (SHORTEST, math.exp(-(((centre - SHORTEST) / sigma) ** 2) / 2)),
+            *(p for p in pairs if p[0] > SHORTEST),
         ]
     return Table(text, [x for x, _ in pairs], [y for _, y in pairs], is_whole=True)

@@ -115,6 +115,18 @@ def test_the_wrong_part_of_a_list_is_named(text, message, hint):
     assert hint in caught.value.hint
 
 
+@pytest.mark.parametrize("nanometres", ["0.5", "1.2", "1e3", "1e-6", "1e11"])
+def test_a_gaussian_as_wide_as_its_centre_is_cut_at_no_wavelength_above_0(nanometres):
+    bell = spectrum(f"gaussian:{nanometres}nm,{nanometres}nm")
+    peak, width = bell.peak()
+    assert peak == pytest.approx(float(nanometres), rel=1e-12)
+    # a normal distribution above 0 alone, sigma 0.424661: 1 - cdf(-2.354820) = 0.990734
+    area = 0.990734 * math.sqrt(2 * math.pi) * 0.424661 * float(nanometres)
+    if peak > 1e-5:  # what is below the shortest wavelength, 1e-6 nm, is little
+        assert bell.power(WHOLE) == pytest.approx(area, rel=1e-3)
+        assert width == pytest.approx(float(nanometres), rel=1e-3)
+
+
 def test_lines_bands_and_gaussians():
     # V(555) = 1, V(600) = 0.631, the CIE table
     lines = spectrum("line:555nm=40,600nm=30")
