@@ -74,7 +74,7 @@ def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
 def _say_horizon(sheet: Worksheet, shape: str, lowest: Any, highest: Any) -> None:
     """Say what is cut of a shape, by how high it reaches over the receiver's plane."""
     if any_true(lowest < -1e-12 * abs(highest)):
-        cut = "partly " if any_true(highest > 0) else ""
+        cut = "partly " if any_true(highest > 1e-12 * abs(lowest)) else ""
         sheet.notes.append(f"the {shape} is {cut}below the receiver's horizon")
 
 

@@ -50,6 +50,13 @@ def test_a_tilted_disc_above_the_horizon(tilt):
     close(projected.disc(1.0, 3.0, 0.5, tilt), tilted_disc_mp(1.0, 3.0, 0.5, tilt))
 
 
+@pytest.mark.parametrize("radius", [0.1, 1.0, 2.0, 7.0])
+def test_a_disc_that_just_touches_the_horizon_from_below_counts_for_nothing(radius):
+    for turn in (-1, 1):  # the highest point of its rim is on the receiver's horizon
+        tilt = turn * (math.pi - math.atan(1 / radius))
+        assert projected.disc(radius, 1.0, 0.0, tilt) == pytest.approx(0, abs=1e-15)
+
+
 def test_what_is_below_the_horizon_counts_for_nothing():
     assert projected.cone(0.5, math.pi) == 0
     assert projected.sphere(1.0, 2.0, 3.0) == 0
