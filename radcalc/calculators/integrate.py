@@ -8,6 +8,7 @@ from radcalc.answer import Answer
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, MissingInput, listed, mention, quote
+from radcalc.geometry.directions import TURN
 from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
@@ -18,7 +19,6 @@ from radcalc.quantities.units import composed
 from radcalc.units.dimensions import SOLID_ANGLE, times
 from radcalc.units.table import NUMBER, Dimension, resolve
 
-TURN = 2 * math.pi
 FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
 USUAL = 1e-9
 DIRECTIONS = ("sphere", "hemisphere", "half-angle", "polar")

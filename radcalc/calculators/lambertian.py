@@ -131,15 +131,12 @@ def _refuse_whole(shape: str, lit: Lit) -> None:
 
 def _judge(sheet: Worksheet) -> None:
     """Refuse what no Lambertian source does; say how far the far field is off."""
-    if sheet.has("projected-solid-angle") and any_true(
-        sheet.at("projected-solid-angle") > math.pi * (1 + 1e-9)
-    ):
-        filled = format_number(sheet.at("projected-solid-angle"))
-        raise ConditionError(
-            "more irradiance than a source of that radiance gives, though it filled all that the "
-            f"receiver sees (projected solid angle {filled} sr)",
-            "at most pi times the radiance",
-        )
+    sheet.refuse_impossible(
+        "projected-solid-angle",
+        because="that is more irradiance than a source of that radiance gives, though it filled "
+        "all that the receiver sees",
+        hint="at most pi times the radiance",
+    )
     sheet.refuse_impossible(
         "reflectance",
         because="more light leaves the reflector than reaches it",
@@ -210,7 +207,7 @@ def _refuse_near(sheet: Worksheet) -> None:
     longest = far_field.size(sheet.at("area"), *sides)
     if far_field.is_near(away, longest):
         size = format_number(longest)
-        raise TooNear(sheet.told("distance"), "source", size, "more distance, or less area")
+        raise TooNear(sheet.told("distance"), "source", size, far_field.MORE_ROOM)
     if CUT_DISC in (law for law, _ in sheet.solution.used):
         return
     tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")

@@ -28,7 +28,6 @@ REFLECTOR = Formula(
 REFLECTED = Formula(
     "reflected light", "{exitance} = {reflectance} {irradiance}", "ISO 80000-7, reflectance"
 )
-MORE_ROOM = "more distance, or less area"
 SLANTING_CONE = Formula(
     "cone aslant to a surface",
     "{projected-solid-angle} = integral of cos(theta) over the cone's part above the surface",
@@ -182,7 +181,7 @@ def aperture(given: Given, distance: Given, incidence: Given | None) -> Factor:
     factor = area(given)
     size = far_field.size(factor.value)
     if far_field.is_near(distance.value, size):
-        hint = MORE_ROOM
+        hint = far_field.MORE_ROOM
         if incidence is None and not maths.is_array(size) and not maths.is_array(distance.value):
             half = math.degrees(math.atan(size / 2 / distance.value))
             hint = (
@@ -252,7 +251,7 @@ def far_area(source: Given, distance: Given, incidence: Given | None, tilt: Give
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
     angle, slope = (abs(turn.value) if turn else 0.0 for turn in (incidence, tilt))
-    hint = MORE_ROOM
+    hint = far_field.MORE_ROOM
     if tilt is None:
         radius = "R" if maths.is_array(size) else f"{format_number(size / 2)}m"
         hint = (

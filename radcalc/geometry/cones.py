@@ -16,7 +16,7 @@ from radcalc.maths import LARGEST, SLACK, Number, any_true, asin, cos, piecewise
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
 # Arguments that are held to a least size besides the largest.
-SIZES = {"radius", "other", "distance", "height", "width", "length", "length_", "area", "reach"}
+SIZES = {"radius", "other", "distance", "height", "width", "length", "area", "reach"}
 
 F = TypeVar("F", bound=Callable[..., Any])
 

@@ -10,7 +10,7 @@ comes from, and to where it goes.
 
 import math
 
-from radcalc.errors import ConditionError
+from radcalc.errors import ConditionError, option
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.numerics.vectors import Vector, dot, length, minus, plus, scaled, times, unit
 from radcalc.maths import (
@@ -28,6 +28,7 @@ TURN = 2 * math.pi  # [rad]
 UP: Vector = (0.0, 0.0, 1.0)
 FORWARD: Vector = (1.0, 0.0, 0.0)  # what the middle of an image shows, unless it is aimed
 NO_DIRECTION = "0,0,0 has no direction", "a vector that is not zero"
+NO_NORMAL = "a normal of length 0 has no direction", option("normal", "0,0,1")
 OPPOSITE = "opposite directions are reflected by every mirror along them", "another direction"
 
 

@@ -17,6 +17,7 @@ from typing import Any
 from radcalc.geometry.cones import bounded, facing, refuse
 from radcalc.maths import Number, any_true, asin, is_array, larger, piecewise, sin, smaller
 
+MORE_ROOM = "more distance, or less area"  # the hint where a patch is too near
 REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at most
 
 

@@ -22,9 +22,8 @@ import math
 from functools import reduce
 from typing import Any
 
-from radcalc.errors import option
 from radcalc.geometry import cones, solid
-from radcalc.geometry.directions import UP
+from radcalc.geometry.directions import NO_NORMAL, UP
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
 from radcalc.geometry.numerics.vectors import dot, unit, vector
@@ -387,7 +386,7 @@ def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: 
 @cones.bounded
 def rectangle(
     width: Number,
-    length_: Number,
+    length: Number,
     height: Number,
     offset: Number = 0.0,
     offset_y: Number = 0.0,
@@ -397,7 +396,7 @@ def rectangle(
 
     Parameters
     ----------
-    width, length_ : float or ndarray [m]
+    width, length : float or ndarray [m]
         Whole sides along x and y, 0 or more (any one unit of length for all lengths).
     height : float or ndarray [m]
         Distance h of the receiver from the rectangle's *plane*, above 0.
@@ -455,7 +454,7 @@ def rectangle(
     >>> round(projected.rectangle(1e9, 1e9, 1.0, normal=(1.0, 0.0, 0.0)) / math.pi, 6)
     0.5
     """
-    first, sides = solid.corners(width, length_, height, offset, offset_y)
+    first, sides = solid.corners(width, length, height, offset, offset_y)
     return _clipped(first, sides, normal)
 
 
@@ -562,7 +561,7 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
 
     n = vector(normal)
     is_none = (n[0] == 0) & (n[1] == 0) & (n[2] == 0)
-    cones.refuse(is_none, "a normal of length 0 has no direction", option("normal", "0,0,1"))
+    cones.refuse(is_none, *NO_NORMAL)
     axis = unit(n)
     coordinates = [*first, *axis, *(x for side in sides for x in side)]
 

@@ -11,7 +11,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from radcalc.errors import ConditionError, mention, nearest, option, quote
+from radcalc.errors import ConditionError, mention, nearest, quote
+from radcalc.geometry.cones import refuse
+from radcalc.geometry.directions import NO_NORMAL
 from radcalc.geometry.numerics.quadrature import gauss
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
 from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt
@@ -289,8 +291,7 @@ def projected_sky(
     >>> [round(projected_sky(OVERCAST, normal)[0], 6) for normal in ((0, 0, 1), (1, 0, 0))]
     [2.443461, 0.968043]
     """
-    if not any(normal):
-        raise ConditionError("a normal of length 0 has no direction", option("normal", "0,0,1"))
+    refuse(not any(normal), *NO_NORMAL)
     facing = unit(normal)
     across = math.hypot(facing[0], facing[1])
     if 1 + facing[2] < ROUNDING:  # it faces the ground
