@@ -14,7 +14,7 @@ ways (`1/2 m` beside something else, `100 W / 5 W/m2`) is refused with both read
 import math
 
 from radcalc.errors import ExpressionError, NumberError, UnitError, command, measured, quote
-from radcalc.units.compiled import NAMES, UNITS
+from radcalc.units.compiled import NAMES
 from radcalc.units.dimensions import ANGLE
 from radcalc.units.grammar import (
     MAX_DEPTH,
@@ -39,11 +39,10 @@ from radcalc.units.numbers import (
     relative_rounding,
     typed_digits,
 )
-from radcalc.units.table import BASES, NUMBER, PARTS, Dimension, Unit, divide, lookup, resolve
+from radcalc.units.table import BASES, NUMBER, PARTS, PI, Dimension, Unit, divide, lookup, resolve
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
-PI = (UNITS["degree"][0] * 180, UNITS["degree"][1])  # as `functions.HALF_TURN`
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
 KEPT = 1e-12  # how far a sum may be off by the digits that its terms took away from each other
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"

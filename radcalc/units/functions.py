@@ -7,13 +7,12 @@ it is exact.
 import math
 from decimal import Context, Decimal, Overflow, Underflow, getcontext, localcontext
 
-from radcalc.units.compiled import UNITS
+from radcalc.units.table import PI
 
 DIGITS = 50  # of a result, beyond those that tell its argument from its neighbours
 MAX_DIGITS = 2000
 BITS = 170  # which are as many digits
-PI_BLUR = Decimal("1e-54")  # of the pi of the table of units
-HALF_TURN = UNITS["degree"][0] * 180, UNITS["degree"][1]  # that pi
+PI_BLUR = Decimal("1e-54")  # of PI
 LAST = Decimal(100)  # of the last digit: what the steps of a function round away, and more
 FINEST = 1e-300  # the least blur, for 0 is that of an exact number
 EXACT = (0, Decimal("0.5"), 1)
@@ -47,7 +46,7 @@ def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
     quarters = (2 * top + 90 * bottom) // (180 * bottom)
     rest = top - 90 * bottom * quarters
     with localcontext(_context(rest, bottom, blur, 2)):  # 1 less a cosine is as the square
-        x = Decimal(rest * HALF_TURN[0]) / Decimal(180 * bottom * HALF_TURN[1])
+        x = Decimal(rest * PI[0]) / Decimal(180 * bottom * PI[1])
         sine, cosine = _series(x, x, 1), _series(Decimal(1), x, 0)
         if abs(rest) == 30 * bottom:
             sine = Decimal("0.5").copy_sign(sine)

@@ -53,6 +53,7 @@ COMMON_PREFIXES = "GMkcmun"
 # How scales are called, which are above and not looked for in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
 PARTS = ("percent", "permille", "ppm", "ppb")
+PI = UNITS["degree"][0] * 180, UNITS["degree"][1]  # as a ratio of whole numbers
 LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
 
