@@ -8,8 +8,8 @@ from typing import Any
 from radcalc.answer import Input
 from radcalc.api.columns import of_conversion, taken
 from radcalc.api.keywords import Amount, ElectricField, Number, Observer, Text
-from radcalc.api.quantity import Quantity, is_lazy, is_quantity, quantity, unit_of
-from radcalc.api.reading import broadcast, is_absent, read_keyword, refuse_lazy
+from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
+from radcalc.api.reading import broadcast, is_absent, read_keyword, refuse_lazy, together
 from radcalc.api.result import Result
 from radcalc.api.spelling import in_python, in_words, keyword
 from radcalc.conversion.conditions import CONDITIONS
@@ -547,27 +547,15 @@ def _as_array(value: Sequence[Any]) -> Any:
     amounts = [read_amount(one) if isinstance(one, str) else None for one in value]
     if any(one and one.is_uncertain for one in amounts) or any(map(is_uncertain, value)):
         raise ConditionError("a list has an uncertain value", ONE_EACH)
-    each = [
-        amount.typed
-        if amount
-        else (one.magnitude, unit_of(one))
-        if is_quantity(one)
-        else (one, None)
+    read = [
+        amount.typed if amount else plain(one) if is_quantity(one) else (one, None)
         for one, amount in zip(value, amounts, strict=True)
     ]
-    units = [unit or resolve("1") for _, unit in each]
-    first = units[0]
-    if any(unit.is_scale for unit in units):
+    each = [(number, unit or resolve("1")) for number, unit in read]
+    if any(unit.is_scale for _, unit in each):
         problem = "a list has readings on a scale"
         raise ConditionError(problem, "one text a call, or what they stand for, in a unit")
-    if any(unit.dimension != first.dimension for unit in units):
-        several = " and ".join(dict.fromkeys(map(describe, units)))
-        raise ConditionError(f"a list mixes quantities: {several}", "one quantity")
-    sizes = [
-        number if unit == first else number * (unit.factor / first.factor)
-        for (number, _), unit in zip(each, units, strict=True)
-    ]
-    return quantity(real(sizes, "the list", "single values"), first)
+    return quantity(*together("a list", each))
 
 
 def _conditions(conditions: dict[str, Any]) -> list[Given]:

@@ -10,6 +10,7 @@ from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, unit_of
 from radcalc.errors import ConditionError, nearest, option, quote
 from radcalc.given import TOO_FAR, Given, Inputs, read, read_interval, read_place, values_of
 from radcalc.maths import LARGEST, is_column
+from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
     INNER,
@@ -93,17 +94,29 @@ def _gathered(name: str, value: Any) -> Any:
     if not any(isinstance(one, str) or is_quantity(one) for one in value):
         return value
     each = [read(name, plain(one)) for one in value]
-    first = each[0]
     if any(is_column(one.value) for one in each):
         raise ConditionError(f"{option(name)} is a list of arrays", "one array")
-    if any(one.dimension != first.dimension for one in each):
-        told = option(name, quote(", ".join(one.text for one in each)))
-        raise ConditionError(f"{told} mixes quantities", "one quantity")
-    unit = first.unit
-    if unit is None or isinstance(unit, ScaleUnit):
-        unit = resolve(COHERENT[first.dimension])
-    sizes = [one.number if one.unit == unit else one.value / unit.factor for one in each]
-    return numpy.array(sizes, float), unit
+    return together(option(name), [_with_unit(one) for one in each])
+
+
+def _with_unit(given: Given) -> tuple[Any, Unit]:
+    """A number and its unit; where it has none, or a scale, what it stands for in SI."""
+    if given.unit is None or isinstance(given.unit, ScaleUnit):
+        return given.value, resolve(COHERENT[given.dimension])
+    return given.number, given.unit
+
+
+def together(told: str, each: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
+    """Numbers and their units as an array in the unit of the first."""
+    units = [unit for _, unit in each]
+    first = units[0]
+    if any(unit.dimension != first.dimension for unit in units):
+        several = " and ".join(dict.fromkeys(map(describe, units)))
+        raise ConditionError(f"{told} mixes quantities: {several}", "one quantity")
+    sizes = [
+        number if unit == first else number * (unit.factor / first.factor) for number, unit in each
+    ]
+    return real(sizes, told, "single values"), first
 
 
 def as_text(value: Any) -> str:
