@@ -38,7 +38,7 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
-from radcalc.spectra.listing import described, listed
+from radcalc.spectra import listing
 from radcalc.texts import ENDINGS as COLUMNS
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.scales import on
@@ -86,7 +86,9 @@ class Compiler:
             f"    {name!r}: {('', False) if name in GENERIC else (unit, _leaves(name))},\n"
             for name, unit in names_starting("")
         )
-        spectra = "".join(f"    {name!r}: {said!r},\n" for name, said in described(listed()))
+        spectra = "".join(
+            f"    {name!r}: {said!r},\n" for name, said in listing.described(listing.search())
+        )
         return (
             f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own)})\n\n"
             f"# what a quantity is measured in: the units and what they are called\n"

@@ -106,15 +106,15 @@ def _source(text: str, column: str | None) -> Given:
 
 def _show_list(text: str, shown: Output) -> None:
     """Show the named sources that are searched for; without a text all, and the other forms."""
-    from radcalc.spectra.listing import figures, listed
+    from radcalc.spectra.listing import search, temperature_and_ratio
 
     refuse_number_options(shown, "spectrum --list")
     language = shown.style.language
     rows: list[dict[str, Any]] = []
     table: list[dict[str, str]] = []
     fields, none = (KEYS, None) if shown.format == JSON else (FIELDS, "")
-    for one in listed(text):
-        cct, lux = figures(one.name)
+    for one in search(text):
+        cct, lux = temperature_and_ratio(one.name)
         cells = one.name, one.kind_in(language), f"{cct:.0f}" if cct else "", number(lux, DIGITS)
         table.append(dict(zip(TITLES, cells, strict=True)))
         if shown.format in (JSON, CSV):

@@ -78,7 +78,7 @@ class Named(NamedTuple):
         return " ".join([self.name, *others, *map(self.kind_in, LANGUAGES)])
 
 
-def listed(text: str = "") -> list[Named]:
+def search(text: str = "") -> list[Named]:
     """The named spectra in whose name or kind, in any language, every word begins a word.
 
     Raises
@@ -88,7 +88,7 @@ def listed(text: str = "") -> list[Named]:
 
     Examples
     --------
-    >>> [one.name for one in listed("vysokotlaká sodíková")]
+    >>> [one.name for one in search("vysokotlaká sodíková")]
     ['HPS', 'Super HPS', 'C100S54 (HPS)', 'C100S54C (HPS)', 'SDW-T 100W/LV (Super HPS)']
     """
     every = [Named(name, kind_of(name)) for name in names()]
@@ -110,18 +110,17 @@ def kind_of(name: str) -> int | None:
     return next((k for k, pattern in enumerate(PATTERNS) if pattern.fullmatch(name)), None)
 
 
-def figures(name: str) -> tuple[float | None, float]:
+def temperature_and_ratio(name: str) -> tuple[float | None, float]:
     """The correlated colour temperature [K] of a named spectrum, and its lux per umol/m2/s.
 
     Examples
     --------
-    >>> cct, lux_per_ppfd = figures("D65")
+    >>> cct, lux_per_ppfd = temperature_and_ratio("D65")
     >>> round(cct), round(lux_per_ppfd, 2)
     (6503, 55.5)
     """
     source = find_named(name)
-    if source is None:
-        raise UsageError(f"no named spectrum is '{quote(name)}'", command("spectrum", list=""))
+    assert source is not None
     counts = Counts(source, OBSERVERS["photopic"], None, None)
     lux_per_ppfd = counts.amount(LUMINOUS) / (counts.amount(PHOTON) / AVOGADRO * 1e6)
     return temperature_of(source), lux_per_ppfd
@@ -131,7 +130,7 @@ def described(found: Iterable[Named]) -> list[tuple[str, str]]:
     """Names with a line on each: its colour temperature and its kind."""
     told = []
     for one in found:
-        cct, _ = figures(one.name)
+        cct, _ = temperature_and_ratio(one.name)
         said = [f"{cct:.0f} K"] if cct else []
         told.append((one.name, ", ".join([*said, *filter(None, [one.kind_in(ENGLISH)])])))
     return told

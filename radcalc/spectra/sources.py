@@ -2,6 +2,7 @@
 
 import math
 import os
+from functools import cache
 from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
@@ -190,6 +191,15 @@ def names() -> list[str]:
     return [*SOURCES, *SUNS]
 
 
+@cache
+def _spellings() -> dict[str, str]:
+    """The named sources but the suns, by all that they may be called."""
+    from radcalc.spectra.data.sources import SOURCES
+
+    found = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
+    return found | {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
+
+
 def find_named(text: str) -> Table | None:
     """A named source, or None; F1 is FL1, and `sun` is AM1.5G and says so."""
     folded = _spelled(text)
@@ -209,9 +219,7 @@ def find_named(text: str) -> Table | None:
         )
     from radcalc.spectra.data.sources import SOURCES
 
-    spellings = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
-    spellings |= {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
-    name = spellings.get(folded)
+    name = _spellings().get(folded)
     if name is None:
         return None
     start, step, values = SOURCES[name]

@@ -4,7 +4,7 @@ import pytest
 
 from radcalc.errors import UsageError
 from radcalc.quantities.language import LANGUAGES
-from radcalc.spectra.listing import LAMPS, PATTERNS, described, figures, listed
+from radcalc.spectra.listing import LAMPS, PATTERNS, described, search, temperature_and_ratio
 from radcalc.spectra.sources import names
 
 # Correlated colour temperatures [K] of CIE 15:2018, tables T.3 to T.12, and of the black body that
@@ -17,25 +17,25 @@ CIE = {"A": 2856, "C": 6774, "D50": 5003, "D65": 6504, "E": 5455, "FL1": 6430, "
 
 @pytest.mark.parametrize(("name", "temperature"), CIE.items())
 def test_the_colour_temperature_is_the_cies(name, temperature):
-    assert figures(name)[0] == pytest.approx(temperature, rel=2e-3)
+    assert temperature_and_ratio(name)[0] == pytest.approx(temperature, rel=2e-3)
 
 
 def test_lux_per_ppfd_is_of_photons_from_400_to_700_nm():
-    assert figures("E")[1] == pytest.approx(
+    assert temperature_and_ratio("E")[1] == pytest.approx(
         683.002 * 106.857 / (300 * 550 / 119.62656564), rel=1e-4
     )
 
 
 def test_what_has_no_colour_temperature_has_none():
-    assert figures("ISO 7589 Sensitometric Printer")[0] is None
+    assert temperature_and_ratio("ISO 7589 Sensitometric Printer")[0] is None
 
 
 def test_every_kind_is_that_of_a_spectrum_and_told_in_every_language():
-    used = {one.kind for one in listed()}
+    used = {one.kind for one in search()}
     assert used - {None} == set(range(len(LAMPS)))
     assert all(len(row) == 1 + len(LANGUAGES) and all(row) for row in LAMPS)
     assert len(PATTERNS) == len(LAMPS)
-    without = [one.name for one in listed() if one.kind is None]
+    without = [one.name for one in search() if one.kind is None]
     assert without == ["ISO 7589 Sensitometric Printer", "Natural", "Kinoton 75P"]
 
 
@@ -51,16 +51,16 @@ def test_every_kind_is_that_of_a_spectrum_and_told_in_every_language():
     ],
 )
 def test_a_spectrum_is_found_by_its_name_and_its_kind_in_three_languages(text, expected):
-    assert [one.name for one in listed(text)] == expected
+    assert [one.name for one in search(text)] == expected
 
 
 def test_all_are_listed_and_described_in_their_order():
-    assert [one.name for one in listed(" ")] == names()
-    assert dict(described(listed("LPS"))) == {"LPS": "1720 K, low-pressure sodium"}
+    assert [one.name for one in search(" ")] == names()
+    assert dict(described(search("LPS"))) == {"LPS": "1720 K, low-pressure sodium"}
 
 
 @pytest.mark.parametrize("text", ["zork", "LED zork", "-", "\ud800"])
 def test_what_is_not_found_is_refused_with_a_hint(text):
     with pytest.raises(UsageError) as caught:
-        listed(text)
+        search(text)
     assert caught.value.hint
