@@ -19,7 +19,7 @@ def test_a_constant_map(projection):
     assert around.solid_angle == pytest.approx(4 * math.pi, rel=1e-12)
     assert around.coverage == 1
     assert around.mean() == pytest.approx(3000, rel=1e-12)
-    for normal in TILTS:
+    for normal in TILTS[::4]:
         found = around.irradiance(normal)
         assert found.value == pytest.approx(math.pi * 3000, rel=1e-6), normal
         assert abs(found.value - math.pi * 3000) <= found.error + 1e-6
@@ -39,10 +39,8 @@ def test_a_map_of_a_cosine(projection):
     """L = 1 + x: E = pi + 2 pi/3 n . x, since max(0, cos) has the moments pi and 2 pi/3."""
     size = [count // 4 for count in SIZES[projection]]
     around = RadianceMap(image(projection, lambda x, y, z: 1 + x, size), projection)
-    for normal in TILTS:
-        true = math.pi + 2 * math.pi / 3 * unit(normal)[0]
-        found = around.irradiance(normal)
-        assert found.value == pytest.approx(true, abs=2e-4), normal
+    true = [math.pi + 2 * math.pi / 3 * unit(normal)[0] for normal in TILTS]
+    assert around.irradiances(TILTS) == pytest.approx(true, abs=2e-4)
 
 
 @pytest.mark.parametrize("projection", SIZES)
@@ -269,11 +267,12 @@ def test_pixels_that_are_no_radiances(bad):
 def test_outside_of_the_circle_pixels_may_be_anything(projection):
     clean = numpy.random.default_rng(9).random((20, 20))
     around = RadianceMap(clean, projection)
+    lit = around.irradiances(TILTS[-4:])  # one of their horizons passes next to the rim
     for odd in (math.nan, -math.inf, 1e30):
         values = clean.copy()
         values[[0, 0, -1, -1], [0, -1, 0, -1]] = odd
         other = RadianceMap(values, projection)
-        assert other.irradiances(TILTS).tolist() == around.irradiances(TILTS).tolist()
+        assert other.irradiances(TILTS[-4:]).tolist() == lit.tolist()
         assert other.peak() == around.peak()
 
 
