@@ -41,7 +41,7 @@ QUANTITIES = (
     "energy",
 )
 INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
-ONCE = 0.9999995, 1.000005  # between these six digits show 1
+SHOWN_AS_1 = 0.9999995, 1.000005  # a ratio between these, in six digits
 PAGE = Page(
     "",
     INPUTS,
@@ -146,9 +146,9 @@ def _judge(sheet: Worksheet) -> None:
         far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
         if is_array(far) or is_array(exact) or not exact:
             return
-        nearest = 5 * sheet.known["extent"].value
+        nearest = far_field.FAR * sheet.known["extent"].value
         times = far / exact
-        if ONCE[0] <= times <= ONCE[1]:
+        if SHOWN_AS_1[0] <= times <= SHOWN_AS_1[1]:
             return
         times = f"gives {format_number(times)} times that" if far else "gives no light"
         said = f"the inverse square law, from the centre, {times}"

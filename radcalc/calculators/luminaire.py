@@ -78,7 +78,6 @@ PAGE = Page(
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
 EXPRESSION = "expression"  # the format of what is typed
-UNEVEN = 0.01  # [1] the most by which the intensity may vary over a receiver that is turned
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
 
@@ -423,6 +422,7 @@ class _Luminaire:
     def _refuse_uneven(self, sheet: Worksheet) -> None:
         """A receiver that is turned, nobody says about which axis, has to be evenly lit."""
         from radcalc.distributions.places import unevenness
+        from radcalc.geometry.receivers import UNEVEN
 
         radius = (sheet.at("receiver-area") / math.pi) ** 0.5
         place = (sheet.at(name) for name in ("distance", "off-axis", "azimuth"))

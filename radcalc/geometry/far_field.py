@@ -18,6 +18,7 @@ from radcalc.geometry.cones import bounded, facing, refuse
 from radcalc.maths import Number, any_true, asin, is_array, larger, piecewise, sin, smaller
 
 MORE_ROOM = "more distance, or less area"  # the hint where a patch is too near
+FAR = 5  # [1] the least distance over the size
 REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at most
 
 
@@ -125,7 +126,7 @@ def nearer(distance: Number, extent: Number) -> Any:
     >>> far_field.nearer(4.9, 1.0), far_field.nearer(5.0, 1.0)
     (True, False)
     """
-    return distance < 5 * extent * (1 - 1e-9)
+    return distance < FAR * extent * (1 - 1e-9)
 
 
 @bounded

@@ -20,6 +20,9 @@ from radcalc.geometry.numerics.quadrature import adaptive
 from radcalc.maths import Number, each
 
 UNEVEN = 0.01  # [1] the most by which a lobe may vary over a receiver that is turned
+TURNED = mention(  # the hint where nothing tells about which axis a receiver is turned
+    "the same without {incidence}: a receiver in a plane across the axis, or a smaller one"
+)
 FAINT = 1e-18  # [1] what is left of a lobe where no more of it is integrated
 
 
@@ -130,11 +133,7 @@ def cone(
                 return 0.0
             if off + reach > half:
                 raise ConditionError(
-                    "the cone's edge may cross the receiver, which is turned",
-                    mention(
-                        "the same without {incidence}: a receiver in a plane across the axis, or a "
-                        "smaller one"
-                    ),
+                    "the cone's edge may cross the receiver, which is turned", TURNED
                 )
             return _isotropic(size, away, turn)
         height, aside = away * math.cos(off), away * math.sin(off)
@@ -209,10 +208,7 @@ def lobe(
             cones.refuse(
                 _unevenness(n, size, away, off) > UNEVEN,
                 "the lobe varies by more than 1 % over the receiver, which is turned",
-                mention(
-                    "the same without {incidence}: a receiver in a plane across the axis, or a "
-                    "smaller one"
-                ),
+                TURNED,
             )
             return _isotropic(size, away, turn) * math.exp(n * lobes.ln_cos(off))
         height, aside = away * math.cos(off), away * math.sin(off)
