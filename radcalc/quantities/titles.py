@@ -43,7 +43,9 @@ FACTOR = re.compile(
     r"|10(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])|(?<![^\W_])\d[\d.]*e[-+]?\d+(?![^\W_])"
     r"|(?<![^\W\d_])(?:thousand|million|hundred|tenth)(?:th)?s?(?![^\W\d_])"
     r"|(?<!\d)(?<!\d\s)(?:%|‰|(?<![^\W\d_])(?:per ?cent|pct)(?![^\W\d_]))"
-    rf"|{HERE}[\"')\]]*\s?(?:[/*·×^²³]|per\b)",
+    rf"|{HERE}[\"')\]]*\s?(?:[/*·×^²³]|per\b)"
+    # 1000 I (cd), but not 2 m (lx): the number before the symbol of a quantity
+    rf"|^\s*\d[\d.,e]*\s?(?-i:[EFHILMQΦφ])(?:_\w+|[evp])?[\s(\[/,_]*(?:in\s+)?{HERE}",
     re.IGNORECASE,
 )
 FUNCTION = re.compile(

@@ -89,7 +89,8 @@ def test_what_scales_its_numbers_or_has_an_unknown_unit_is_refused(text):
 
 NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost", "grid 3x3",
          "20 m²", "E1", "lamp 5 W", "at 2 m", "LG monitor", "logger 1", "1/2", "f/2.8", "50 %",
-         "400-700 nm", "2024-06-01", "max", "exp 1", "1/e2"]  # fmt: skip
+         "400-700 nm", "2024-06-01", "max", "exp 1", "1/e2",
+         "room 3 E", "2 m E", "5 m"]  # fmt: skip
 SET_OFF = ["{0} [{1}]", "{0} ({1})", "{0}, {1}", "{0}_{1}", "{0} in {1}"]
 UNITS = ["lx", "klx", "W/m2", "umol/m2/s", "cd/m2"]
 # What makes other numbers of those in the unit: behind or before a title, or in its name.
@@ -118,6 +119,17 @@ def test_a_factor_or_a_function_in_a_title_is_refused(name, style, unit, change,
     text = text or change.format(style.format(name, unit))
     with pytest.raises(UnitError, match=r"scales its|a function of|unit that is not known"):
         refuse_altered(read_title(text))
+
+
+@given(
+    st.sampled_from(["1000", "10 ", "1e3 ", "2.5 "]),
+    st.sampled_from(["E", "E_v", "Ev", "I", "L", "Φ_e"]),
+    st.sampled_from([*SET_OFF, "{0} / {1}"]),
+    st.sampled_from(UNITS),
+)
+def test_a_number_before_a_symbol_is_refused(number, symbol, style, unit):
+    with pytest.raises(UnitError, match=r"scales its|unit that is not known"):
+        read_title(number + style.format(symbol, unit))
 
 
 @given(
