@@ -153,12 +153,12 @@ def test_what_a_class_takes_and_keeps_is_explained(name):
 
 
 def test_what_these_tests_look_for_is_found():
-    from radcalc.geometry import directions, projected, solid
+    from radcalc.geometry import cones, directions, projected, solid
 
     assert len(FUNCTIONS) > 60
     assert {"radcalc.laws.law.law", "radcalc.laws.solver.solve"} <= FUNCTIONS.keys()
     assert errors_of(directions.spherical) == {"ConditionError"}  # its own
-    assert errors_of(solid.cone) == {"ConditionError"}  # by `refuse`
+    assert errors_of(cones.cone) == {"ConditionError"}  # by `refuse`
     assert errors_of(projected.sphere) == {"ConditionError"}  # by another module
     assert errors_of(solid.rectangle) == {"ConditionError"}  # by an import of its own
-    assert errors_of(solid.facing) == set()
+    assert errors_of(cones.facing) == set()

@@ -19,7 +19,7 @@ from radcalc.errors import (
     mention,
     option,
 )
-from radcalc.geometry import cones, far_field, projected, solid
+from radcalc.geometry import cones, far_field, projected, solid, spheres
 from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
@@ -272,9 +272,9 @@ def _sphere(sheet: Worksheet) -> list[AnyLaw]:
         flat = projected.sphere(size, away, incidence)
         shown = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
         _place(sheet, flat, shown)
-        sheet.know("solid-angle", solid.sphere(size, away))
+        sheet.know("solid-angle", spheres.solid_angle(size, away))
         sheet.know("extent", 2 * size)
-        within = solid.angular_radius(size, away)
+        within = spheres.angular_radius(size, away)
         up = math.pi / 2 - incidence
         _say_horizon(sheet, "sphere", up - within, up + within)
         return laws

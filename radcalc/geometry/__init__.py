@@ -2,7 +2,7 @@
 
 - `cones`: cones [sr], the cosine of the light on a surface, and the range checks of all.
 - `directions`: spherical coordinates and Cartesian ones [rad].
-- `solid`: solid angles of shapes [sr], which turn intensity into flux.
+- `solid` and `spheres`: solid angles of shapes [sr], which turn intensity into flux.
 - `projected`: projected solid angles [sr], which turn radiance into irradiance.
 - `etendue`: geometric extents of beams [m^2 sr], which turn radiance into flux.
 - `far_field`: how good the inverse square is for what is small beside its distance.

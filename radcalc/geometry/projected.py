@@ -22,7 +22,7 @@ import math
 from functools import reduce
 from typing import Any
 
-from radcalc.geometry import cones, solid
+from radcalc.geometry import cones, solid, spheres
 from radcalc.geometry.directions import NO_NORMAL, UP
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.special import less_arctangent
@@ -101,7 +101,7 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     >>> round(projected.cone(math.pi / 2, math.radians(60)) / math.pi, 12)
     0.75
     """
-    solid.cone(half_angle)  # refuses what is no cone
+    cones.cone(half_angle)  # refuses what is no cone
     cones.check_tilt(tilt)
     return each(_cone, half_angle, abs(tilt))
 
@@ -247,7 +247,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     >>> round(alpha - math.sin(alpha) * math.cos(alpha), 6)
     0.090586
     """
-    return cone(solid.angular_radius(radius, distance), tilt)
+    return cone(spheres.angular_radius(radius, distance), tilt)
 
 
 @cones.bounded

@@ -5,10 +5,9 @@ observer (CIE e-ILV 17-21-109).  All directions together are 4 pi sr, those abov
 2 pi sr.  It is what an intensity is multiplied by to give a flux; what a radiance is
 multiplied by to give an irradiance is the *projected* solid angle of `radcalc.geometry.projected`.
 
-Shapes: `cone`, `zone`, `sphere`, `disc`, `rectangle`, `pyramid`, `patch`; `triangle` and
-`polygon` are in `radcalc.geometry.polygons`.  `cone_of`, `sphere_distance` and
-`sphere_radius` solve for a size.  The functions whose names start with `check` refuse
-arguments out of range, for this module and for `projected`.
+Shapes: `zone`, `disc`, `rectangle`, `pyramid`, `patch`; those of `cones`, `spheres` and `polygons`
+are in the modules of these names.  The functions whose names start with `check` refuse arguments
+out of range, for this module and for `projected`.
 
 Units: angles are in radians, solid angles in steradians.  The lengths of one call are in any
 one unit, as only their ratios matter.  Every argument is a float or a NumPy array; arrays are
@@ -23,11 +22,9 @@ import math
 from typing import Any
 
 from radcalc.geometry.cones import (
-    FULL,
     HEMISPHERE,
     bounded,
     check_tilt,
-    cone,
     cone_of,
     facing,
     refuse,
@@ -47,22 +44,6 @@ from radcalc.maths import (
     smaller,
     sqrt,
 )
-
-__all__ = [
-    "FULL",
-    "HEMISPHERE",
-    "angular_radius",
-    "cone",
-    "cone_of",
-    "disc",
-    "patch",
-    "pyramid",
-    "rectangle",
-    "sphere",
-    "sphere_distance",
-    "sphere_radius",
-    "zone",
-]
 
 
 @bounded
@@ -162,205 +143,6 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
         "a zone of that width in azimuth is not possible",
         "from 0 to 360 deg",
     )
-
-
-@bounded
-def angular_radius(radius: Number, distance: Number) -> Number:
-    """Angular radius of a sphere: the half angle of the cone that touches it.
-
-    Parameters
-    ----------
-    radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
-    distance : float or ndarray [m]
-        Distance D from the observer to the *centre* of the sphere, above `radius`.
-
-    Returns
-    -------
-    float or ndarray [rad]
-        From 0 to below pi/2.
-
-    Raises
-    ------
-    ConditionError
-        If a radius is negative, or the observer is on the sphere or inside it.
-
-    Notes
-    -----
-    ::
-
-        sin(alpha) = R / D,  computed as  alpha = atan2(R, sqrt((D - R)(D + R)))
-
-    Exact.  It is the sine, not the tangent: the line of sight touches the sphere at a right angle
-    to the radius there, in front of the centre.  (A flat disc of the same radius and distance has
-    tan(alpha) = R/D.)  Close to the surface the arcsine of a number next to 1 would lose half of
-    the digits; D - R, and with it the arctangent, keeps them.
-
-    Examples
-    --------
-    At two radii from the centre, sin(alpha) = 1/2:
-
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(math.degrees(solid.angular_radius(1.0, 2.0)), 12)
-    30.0
-
-    The sun (radius 695 700 km) from a distance of one astronomical unit, in minutes of arc:
-
-    >>> round(60 * math.degrees(solid.angular_radius(695_700e3, 149_597_870_700.0)), 2)
-    15.99
-    """
-    refuse((radius < 0), "a negative radius is not possible", "0 or more")
-    refuse(
-        distance <= radius,
-        "the observer is on or inside the sphere",
-        "a distance to the centre above the radius (on the surface a sphere fills 2pi sr)",
-    )
-    # R / sqrt(D^2 - R^2), whose digits last up to the surface
-    return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
-
-
-def sphere(radius: Number, distance: Number) -> Number:
-    """Solid angle of a sphere, seen from outside.
-
-    Parameters
-    ----------
-    radius : float or ndarray [m]
-        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
-    distance : float or ndarray [m]
-        Distance D from the observer to the *centre* of the sphere, above `radius`.
-
-    Returns
-    -------
-    float or ndarray [sr]
-        From 0 to below 2 pi.
-
-    Raises
-    ------
-    ConditionError
-        If a radius is negative, or the observer is on the sphere or inside it.
-
-    Notes
-    -----
-    ::
-
-        Omega = 2 pi (1 - sqrt(1 - (R/D)^2)) = 4 pi sin^2(alpha/2),  sin(alpha) = R/D
-
-    Exact; the second form is computed, through `angular_radius` and `cone`, as the first one loses
-    the digits of small and distant spheres.  Far away it tends to pi R^2/D^2; at the surface to
-    2 pi, half of all directions.
-
-    Examples
-    --------
-    At two radii from the centre: 2 pi (1 - sqrt(3)/2).
-
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.sphere(1.0, 2.0), 6), round(2 * math.pi * (1 - math.sqrt(3) / 2), 6)
-    (0.841787, 0.841787)
-
-    The sun at its mean distance (radius 695 700 km, 1 au) fills 6.794e-5 sr:
-
-    >>> f"{solid.sphere(695_700e3, 149_597_870_700.0):.3e}"
-    '6.794e-05'
-    """
-    return cone(angular_radius(radius, distance))
-
-
-def _sine(solid_angle: Number) -> Number:
-    """Sine of the half angle of a sphere's cone, from its solid angle.
-
-    With p = Omega/(4 pi) = sin^2(alpha/2) it is sin(alpha) = 2 sqrt(p (1 - p)), which needs no
-    inverse function.
-    """
-    part = solid_angle / FULL
-    refuse(
-        (part <= 0) | (part >= 0.5),
-        "no sphere seen from outside fills that solid angle",
-        "more than 0 and less than 2pi sr",
-    )
-    return 2 * sqrt(part) * sqrt(1 - part)
-
-
-@bounded
-def sphere_distance(radius: Number, solid_angle: Number) -> Number:
-    """Distance of the centre of a sphere that fills a given solid angle.
-
-    Parameters
-    ----------
-    radius : float or ndarray [m]
-        Radius R of the sphere (or any other unit of length).
-    solid_angle : float or ndarray [sr]
-        Solid angle Omega that it fills, above 0 and below 2 pi: a sphere seen from outside
-        fills less than half of all directions.
-
-    Returns
-    -------
-    float or ndarray [m]
-        Distance from the observer to the *centre*, in the unit of `radius`.
-
-    Raises
-    ------
-    ConditionError
-        If a solid angle is not between 0 and 2 pi, both excluded.
-
-    Notes
-    -----
-    ::
-
-        D = R / sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
-
-    Exact; the inverse of `sphere` for the distance.
-
-    Examples
-    --------
-    A cone of half angle 30 degrees touches a sphere whose centre is two radii away:
-
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.sphere_distance(1.0, solid.cone(math.radians(30))), 12)
-    2.0
-    """
-    return radius / _sine(solid_angle)
-
-
-@bounded
-def sphere_radius(distance: Number, solid_angle: Number) -> Number:
-    """Radius of a sphere at a given distance that fills a given solid angle.
-
-    Parameters
-    ----------
-    distance : float or ndarray [m]
-        Distance D from the observer to the *centre* of the sphere (or any other unit of length).
-    solid_angle : float or ndarray [sr]
-        Solid angle Omega that it fills, above 0 and below 2 pi.
-
-    Returns
-    -------
-    float or ndarray [m]
-        Radius, in the unit of `distance`.
-
-    Raises
-    ------
-    ConditionError
-        If a solid angle is not between 0 and 2 pi, both excluded.
-
-    Notes
-    -----
-    ::
-
-        R = D sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
-
-    Exact; the inverse of `sphere` for the radius.
-
-    Examples
-    --------
-    >>> import math
-    >>> from radcalc.geometry import solid
-    >>> round(solid.sphere_radius(2.0, solid.cone(math.radians(30))), 12)
-    1.0
-    """
-    return distance * _sine(solid_angle)
 
 
 def check_height(height: Number) -> None:
@@ -593,14 +375,14 @@ def rectangle(
     From the centre of a cube each of the six faces fills 4 pi/6 sr:
 
     >>> import math
-    >>> from radcalc.geometry import solid
+    >>> from radcalc.geometry import cones, solid
     >>> round(solid.rectangle(2.0, 2.0, 1.0) / (4 * math.pi / 6), 12)
     1.0
 
     The part of a point source's light that falls on a rectangle of 1 m by 2 m, 0.5 m from the
     source above one of its corners, is published as 0.0836 (EES heat transfer library, FDiff_5):
 
-    >>> round(solid.rectangle(1.0, 2.0, 0.5, 0.5, 1.0) / solid.FULL, 4)
+    >>> round(solid.rectangle(1.0, 2.0, 0.5, 0.5, 1.0) / cones.FULL, 4)
     0.0836
     """
     from radcalc.geometry.polygons import fan

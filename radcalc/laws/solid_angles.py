@@ -12,7 +12,7 @@ Lengths [m], angles [rad], solid angles [sr].  Source: elementary geometry; for 
 disc F. Paxton, Rev. Sci. Instrum. 30 (1959) 254.
 """
 
-from radcalc.geometry import cones, solid
+from radcalc.geometry import cones, solid, spheres
 from radcalc.laws.law import Relation, law, relation
 from radcalc.maths import tan
 
@@ -20,9 +20,9 @@ SPHERE = relation(
     "sphere, its centre at a distance",
     "sin({half-angle}) = {radius} / {distance}",
     {
-        "half-angle": lambda at: solid.angular_radius(at("radius"), at("distance")),
-        "radius": lambda at: solid.sphere_radius(at("distance"), cones.cone(at("half-angle"))),
-        "distance": lambda at: solid.sphere_distance(at("radius"), cones.cone(at("half-angle"))),
+        "half-angle": lambda at: spheres.angular_radius(at("radius"), at("distance")),
+        "radius": lambda at: spheres.radius_of(at("distance"), cones.cone(at("half-angle"))),
+        "distance": lambda at: spheres.distance_of(at("radius"), cones.cone(at("half-angle"))),
     },
 )
 

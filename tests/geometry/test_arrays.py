@@ -7,17 +7,18 @@ import pytest
 from helpers import by_law
 
 from radcalc.errors import ConditionError
-from radcalc.geometry import cones, directions, etendue, lobes, projected, solid
+from radcalc.geometry import cones, directions, etendue, lobes, projected, solid, spheres
 from radcalc.geometry.numerics import special
 from radcalc.laws.etendue import APERTURE, LENS, PATCHES
 from radcalc.maths import CHUNK, in_chunks
 
 REFUSED = [
-    (solid.cone, (-1e-9,)), (solid.cone, (3.15,)), (solid.cone_of, (-1.0,)),
-    (solid.cone_of, (12.6,)), (solid.zone, (1.0, 0.5)), (solid.zone, (-0.1, 0.5)),
-    (solid.zone, (0.1, 3.2)), (solid.zone, (0.1, 1.0, 6.4)), (solid.sphere, (1.0, 1.0)),
-    (solid.sphere, (2.0, 1.0)), (solid.sphere, (-1.0, 1.0)), (solid.sphere_distance, (1.0, 6.3)),
-    (solid.sphere_radius, (1.0, 0.0)), (solid.disc, (1.0, 0.0)), (solid.disc, (-1.0, 1.0)),
+    (cones.cone, (-1e-9,)), (cones.cone, (3.15,)), (cones.cone_of, (-1.0,)),
+    (cones.cone_of, (12.6,)), (solid.zone, (1.0, 0.5)), (solid.zone, (-0.1, 0.5)),
+    (solid.zone, (0.1, 3.2)), (solid.zone, (0.1, 1.0, 6.4)), (spheres.solid_angle, (1.0, 1.0)),
+    (spheres.solid_angle, (2.0, 1.0)), (spheres.solid_angle, (-1.0, 1.0)),
+    (spheres.distance_of, (1.0, 6.3)),
+    (spheres.radius_of, (1.0, 0.0)), (solid.disc, (1.0, 0.0)), (solid.disc, (-1.0, 1.0)),
     (solid.rectangle, (1.0, -1.0, 1.0)), (solid.rectangle, (1.0, 1.0, 0.0)),
     (solid.pyramid, (3.2, 1.0)), (solid.patch, (1.0, 0.0)), (solid.patch, (-1.0, 1.0)),
     (projected.cone, (1.0, 3.2)), (projected.sphere, (1.0, 1.0)), (projected.disc, (1.0, -1.0)),
@@ -45,13 +46,13 @@ def test_what_no_observer_sees_is_refused(function, arguments):
 
 
 ARRAYS = [
-    (solid.cone, [0.0, 1e-9, 1.0, 3.0]),
-    (solid.cone_of, [0.0, 1e-9, 1.0, 12.566370614360]),
+    (cones.cone, [0.0, 1e-9, 1.0, 3.0]),
+    (cones.cone_of, [0.0, 1e-9, 1.0, 12.566370614360]),
     (solid.zone, [0.0, 0.1, 0.5], [0.5, 1.0, 3.0], [1.0, 6.0]),
-    (solid.angular_radius, [0.1, 1.0], [1.5, 1e9]),
-    (solid.sphere, [0.0, 0.1, 1.0], [1.0000001, 2.0, 1e9]),
-    (solid.sphere_distance, [0.1, 1.0], [1e-9, 1.0, 6.0]),
-    (solid.sphere_radius, [0.1, 1.0], [1e-9, 1.0, 6.0]),
+    (spheres.angular_radius, [0.1, 1.0], [1.5, 1e9]),
+    (spheres.solid_angle, [0.0, 0.1, 1.0], [1.0000001, 2.0, 1e9]),
+    (spheres.distance_of, [0.1, 1.0], [1e-9, 1.0, 6.0]),
+    (spheres.radius_of, [0.1, 1.0], [1e-9, 1.0, 6.0]),
     (solid.disc, [0.0, 1.0, 2.0], [1e-3, 0.5, 100.0], [-3.0, 0.0, 1.0, 2.0]),
     (solid.rectangle, [1e-3, 1.0], [0.5, 2.0], [0.1, 1.0], [0.0, 0.5], [0.0, 3.0]),
     (solid.pyramid, [0.0, 1e-9, 1.0, 3.14], [1e-9, 1.0, 3.1]),

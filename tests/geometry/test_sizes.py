@@ -6,18 +6,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc.geometry import projected, solid
+from radcalc.geometry import cones, projected, solid, spheres
 
 angles = st.floats(1e-6, 1.5)
 tilts = st.floats(-math.pi, math.pi)
 lengths = st.floats(1e-2, 1e2)
 PAIRS = {
-    "cone": lambda a, t, x, y, z: (solid.cone(a), projected.cone(a, t)),
+    "cone": lambda a, t, x, y, z: (cones.cone(a), projected.cone(a, t)),
     "zone": lambda a, t, x, y, z: (
         solid.zone(a, a + abs(t) / 4),
         projected.zone(a, a + abs(t) / 4),
     ),
-    "sphere": lambda a, t, x, y, z: (solid.sphere(x, x + y), projected.sphere(x, x + y, t)),
+    "sphere": lambda a, t, x, y, z: (spheres.solid_angle(x, x + y), projected.sphere(x, x + y, t)),
     "disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z, t)),
     "facing disc": lambda a, t, x, y, z: (solid.disc(x, y, z), projected.disc(x, y, z)),
     "rectangle": lambda a, t, x, y, z: (
@@ -39,9 +39,9 @@ def test_no_projection_is_larger_than_what_it_projects(shape, a, t, x, y, z):
 def test_what_is_larger_is_seen_larger(a, t, x, y, z, factor):
     bigger = min(a * factor, 1.57)
     for one, two in (
-        (solid.cone(bigger), solid.cone(a)),
+        (cones.cone(bigger), cones.cone(a)),
         (projected.cone(bigger, t), projected.cone(a, t)),
-        (solid.sphere(x * factor, 3 * x + y), solid.sphere(x, 3 * x + y * factor)),
+        (spheres.solid_angle(x * factor, 3 * x + y), spheres.solid_angle(x, 3 * x + y * factor)),
         (solid.disc(x * factor, y, z), solid.disc(x, y, z)),
         (projected.disc(x * factor, y, z), projected.disc(x, y, z)),
         (solid.rectangle(x * factor, y, z, t, a), solid.rectangle(x, y, z, t, a)),

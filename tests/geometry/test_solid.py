@@ -19,7 +19,7 @@ from geometry.references import (
 )
 from mpmath import mpf
 
-from radcalc.geometry import projected, solid
+from radcalc.geometry import cones, projected, solid, spheres
 
 # --- Closed forms.
 
@@ -29,7 +29,7 @@ TINY = [1e-9, 3e-7, 1e-4, 0.03, 0.5, 1.0, 7.0, 1e3, 1e6, 1e9]
 
 @pytest.mark.parametrize("angle", ANGLES)
 def test_a_cone_is_the_integral_of_its_zones(angle):
-    close(solid.cone(angle), cone_mp(angle))
+    close(cones.cone(angle), cone_mp(angle))
     want = mpmath.pi if angle >= math.pi / 2 else None  # from there on all that the receiver sees
     with mpmath.workdps(DIGITS):
         close(projected.cone(angle), want or mpmath.pi * mpmath.sin(mpf(angle)) ** 2)
@@ -67,10 +67,10 @@ SPHERES = [(1.0, 1 + 2.0**-k) for k in (52, 51, 40, 30, 20, 3)] + [
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES)
 def test_a_sphere_is_the_cone_that_touches_it(radius, distance):
-    close(solid.sphere(radius, distance), sphere_mp(radius, distance))
+    close(spheres.solid_angle(radius, distance), sphere_mp(radius, distance))
     with mpmath.workdps(DIGITS):
         want = mpmath.pi * (mpf(radius) / mpf(distance)) ** 2
-        close(solid.angular_radius(radius, distance), mpmath.asin(mpf(radius) / mpf(distance)))
+        close(spheres.angular_radius(radius, distance), mpmath.asin(mpf(radius) / mpf(distance)))
     close(projected.sphere(radius, distance), want)
 
 
@@ -171,13 +171,13 @@ def test_the_widest_pyramids():
 
 @pytest.mark.parametrize("angle", [1e-9, 1e-4, 0.3, 1.0, 2.0, 3.0])
 def test_a_cone_and_back(angle):
-    close(solid.cone_of(solid.cone(angle)), angle)
-    assert solid.cone_of(12.566370614359173) == pytest.approx(math.pi, rel=1e-7)
-    assert solid.cone_of(12.566370614360) == pytest.approx(math.pi, rel=1e-7)  # as typed
+    close(cones.cone_of(cones.cone(angle)), angle)
+    assert cones.cone_of(12.566370614359173) == pytest.approx(math.pi, rel=1e-7)
+    assert cones.cone_of(12.566370614360) == pytest.approx(math.pi, rel=1e-7)  # as typed
 
 
 @pytest.mark.parametrize(("radius", "distance"), SPHERES[1:])
 def test_a_sphere_and_back(radius, distance):
-    size = solid.sphere(radius, distance)
-    close(solid.sphere_distance(radius, size), distance)
-    close(solid.sphere_radius(distance, size), radius)
+    size = spheres.solid_angle(radius, distance)
+    close(spheres.distance_of(radius, size), distance)
+    close(spheres.radius_of(distance, size), radius)

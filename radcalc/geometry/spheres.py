@@ -1,0 +1,206 @@
+"""Spheres, seen from outside: their angular radius [rad] and solid angle [sr], and back.
+
+A sphere fills the cone that touches it.  Units and arguments are those of `radcalc.geometry.solid`.
+"""
+
+from radcalc.geometry.cones import FULL, bounded, cone, refuse
+from radcalc.maths import Number, atan2, sqrt
+
+
+@bounded
+def angular_radius(radius: Number, distance: Number) -> Number:
+    """Angular radius of a sphere: the half angle of the cone that touches it.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, above `radius`.
+
+    Returns
+    -------
+    float or ndarray [rad]
+        From 0 to below pi/2.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or the observer is on the sphere or inside it.
+
+    Notes
+    -----
+    ::
+
+        sin(alpha) = R / D,  computed as  alpha = atan2(R, sqrt((D - R)(D + R)))
+
+    Exact.  It is the sine, not the tangent: the line of sight touches the sphere at a right angle
+    to the radius there, in front of the centre.  (A flat disc of the same radius and distance has
+    tan(alpha) = R/D.)  Close to the surface the arcsine of a number next to 1 would lose half of
+    the digits; D - R, and with it the arctangent, keeps them.
+
+    Examples
+    --------
+    At two radii from the centre, sin(alpha) = 1/2:
+
+    >>> import math
+    >>> from radcalc.geometry import spheres
+    >>> round(math.degrees(spheres.angular_radius(1.0, 2.0)), 12)
+    30.0
+
+    The sun (radius 695 700 km) from a distance of one astronomical unit, in minutes of arc:
+
+    >>> round(60 * math.degrees(spheres.angular_radius(695_700e3, 149_597_870_700.0)), 2)
+    15.99
+    """
+    refuse((radius < 0), "a negative radius is not possible", "0 or more")
+    refuse(
+        distance <= radius,
+        "the observer is on or inside the sphere",
+        "a distance to the centre above the radius (on the surface a sphere fills 2pi sr)",
+    )
+    # R / sqrt(D^2 - R^2), whose digits last up to the surface
+    return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
+
+
+def solid_angle(radius: Number, distance: Number) -> Number:
+    """Solid angle of a sphere, seen from outside.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere, 0 or more (any one unit of length for both arguments).
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere, above `radius`.
+
+    Returns
+    -------
+    float or ndarray [sr]
+        From 0 to below 2 pi.
+
+    Raises
+    ------
+    ConditionError
+        If a radius is negative, or the observer is on the sphere or inside it.
+
+    Notes
+    -----
+    ::
+
+        Omega = 2 pi (1 - sqrt(1 - (R/D)^2)) = 4 pi sin^2(alpha/2),  sin(alpha) = R/D
+
+    Exact; the second form is computed, through `angular_radius` and `cone`, as the first one loses
+    the digits of small and distant spheres.  Far away it tends to pi R^2/D^2; at the surface to
+    2 pi, half of all directions.
+
+    Examples
+    --------
+    At two radii from the centre: 2 pi (1 - sqrt(3)/2).
+
+    >>> import math
+    >>> from radcalc.geometry import spheres
+    >>> round(spheres.solid_angle(1.0, 2.0), 6), round(2 * math.pi * (1 - math.sqrt(3) / 2), 6)
+    (0.841787, 0.841787)
+
+    The sun at its mean distance (radius 695 700 km, 1 au) fills 6.794e-5 sr:
+
+    >>> f"{spheres.solid_angle(695_700e3, 149_597_870_700.0):.3e}"
+    '6.794e-05'
+    """
+    return cone(angular_radius(radius, distance))
+
+
+def _sine(solid_angle: Number) -> Number:
+    """Sine of the half angle of a sphere's cone, from its solid angle.
+
+    With p = Omega/(4 pi) = sin^2(alpha/2) it is sin(alpha) = 2 sqrt(p (1 - p)), which needs no
+    inverse function.
+    """
+    part = solid_angle / FULL
+    refuse(
+        (part <= 0) | (part >= 0.5),
+        "no sphere seen from outside fills that solid angle",
+        "more than 0 and less than 2pi sr",
+    )
+    return 2 * sqrt(part) * sqrt(1 - part)
+
+
+@bounded
+def distance_of(radius: Number, solid_angle: Number) -> Number:
+    """Distance of the centre of a sphere that fills a given solid angle.
+
+    Parameters
+    ----------
+    radius : float or ndarray [m]
+        Radius R of the sphere (or any other unit of length).
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega that it fills, above 0 and below 2 pi: a sphere seen from outside
+        fills less than half of all directions.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Distance from the observer to the *centre*, in the unit of `radius`.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is not between 0 and 2 pi, both excluded.
+
+    Notes
+    -----
+    ::
+
+        D = R / sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact; the inverse of `solid_angle` for the distance.
+
+    Examples
+    --------
+    A cone of half angle 30 degrees touches a sphere whose centre is two radii away:
+
+    >>> import math
+    >>> from radcalc.geometry import cones, spheres
+    >>> round(spheres.distance_of(1.0, cones.cone(math.radians(30))), 12)
+    2.0
+    """
+    return radius / _sine(solid_angle)
+
+
+@bounded
+def radius_of(distance: Number, solid_angle: Number) -> Number:
+    """Radius of a sphere at a given distance that fills a given solid angle.
+
+    Parameters
+    ----------
+    distance : float or ndarray [m]
+        Distance D from the observer to the *centre* of the sphere (or any other unit of length).
+    solid_angle : float or ndarray [sr]
+        Solid angle Omega that it fills, above 0 and below 2 pi.
+
+    Returns
+    -------
+    float or ndarray [m]
+        Radius, in the unit of `distance`.
+
+    Raises
+    ------
+    ConditionError
+        If a solid angle is not between 0 and 2 pi, both excluded.
+
+    Notes
+    -----
+    ::
+
+        R = D sin(alpha),  sin(alpha) = 2 sqrt(p (1 - p)),  p = Omega / (4 pi)
+
+    Exact; the inverse of `solid_angle` for the radius.
+
+    Examples
+    --------
+    >>> import math
+    >>> from radcalc.geometry import cones, spheres
+    >>> round(spheres.radius_of(2.0, cones.cone(math.radians(30))), 12)
+    1.0
+    """
+    return distance * _sine(solid_angle)
