@@ -26,7 +26,7 @@ TITLES += ("width", "length", "luminance")
 # A number and its unit, which may be 1 times another.
 NUMBER = re.compile(r"\s*([-+]?(?:\d+[.,]?\d*|[.,]\d+)) *(?:1 +)?(\D?[^\s,;|]*)\s*")
 # What damage makes of a cell and radcalc reckons: a difference, or a unit over a number.
-RECKONED = re.compile(r"[\w.] *- *[\d.]|/\d")
+RECKONED = re.compile(r"[\w.,] *- *[\d.,]|/\d")
 CHARACTERS = "0123456789.,;- \n"
 
 
@@ -95,7 +95,7 @@ def damaged(lines: list[str]) -> list[str]:
 
 
 def read(lines: list[str]) -> list[dict[str, float | str]]:
-    """The cells of the rows in SI; a ValueError where one is no number in the file's way."""
+    """The cells of the rows in SI, or nothing where one is reckoned; a ValueError for no number."""
     delimiter = next(mark for mark in "\t;|," if mark in lines[0])
     titles = [title.partition(" (") for title in lines[0].split(delimiter)]
     rows: list[dict[str, float | str]] = []
@@ -110,6 +110,8 @@ def read(lines: list[str]) -> list[dict[str, float | str]]:
             if name == "distribution":
                 row[name] = text.strip().lower()
                 continue
+            if RECKONED.search(text):
+                return []
             found = NUMBER.fullmatch(text)
             if not found:
                 raise ValueError(text)
@@ -192,7 +194,8 @@ def sweep(count: int, seed: int) -> str:
                     assert not line or 1 <= int(line[1]) <= len(text), (answer, where)
                     refused += 1
                     continue
-                if any(map(RECKONED.search, text)) or any(map(is_far_out, rows := read(text))):
+                rows = read(text)
+                if not rows or any(map(is_far_out, rows)):
                     unclear += 1
                     continue
                 up = normal / numpy.linalg.norm(normal)
