@@ -317,7 +317,7 @@ def _disc(disc: Disc, made: Any) -> None:
 def _filled(
     made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
 ) -> None:
-    """Contours with their numbers, where it is inside, and colours between them everywhere."""
+    """Contours, whose numbers stand where it is inside, and colours between them."""
     import matplotlib
     import numpy
 
@@ -329,10 +329,14 @@ def _filled(
     bounds = [min(float(every.min()), found[0]), *found, max(float(every.max()), found[-1])]
     shades = matplotlib.colormaps[COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
     shown = axes.contourf(xs, ys, every, bounds, colors=shades)
-    seen = every if inside is None else numpy.where(inside, every, math.nan)
-    lines = axes.contour(xs, ys, seen, found, colors="white", linewidths=0.9)
+    lines = axes.contour(xs, ys, every, found, colors="white", linewidths=0.9)
     names = texts(found)
-    axes.clabel(lines, fmt=dict(zip(found, names, strict=True)), fontsize=8.5)
+    how: dict[str, Any] = {"fmt": dict(zip(found, names, strict=True)), "fontsize": 8.5}
+    if inside is not None:
+        within = axes.contour(xs, ys, numpy.where(inside, every, math.nan), found)
+        how["manual"] = [number.get_position() for number in axes.clabel(within, **how)]
+        within.remove()
+    axes.clabel(lines, **how)
     bar = made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
     bar.set_ticks(found, labels=names)
 
