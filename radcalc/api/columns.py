@@ -14,9 +14,9 @@ import numpy
 from radcalc.api.quantity import is_lazy, is_quantity, magnitude_of, quantity, unit_of
 from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
 from radcalc.api.spelling import symbol_name
-from radcalc.errors import ConditionError, option, quote
+from radcalc.errors import ConditionError, UnitError, option, quote
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
-from radcalc.quantities.titles import read_title
+from radcalc.quantities.titles import is_same, read_title, refuse_misnamed
 from radcalc.units.ranges import floats
 from radcalc.units.table import NUMBER, Unit, resolve
 
@@ -86,14 +86,10 @@ def _is_quantity(column: Any) -> bool:
 def _unit_of(key: str, given: Any) -> Unit | None:
     """The unit that a column tells; None for bare numbers."""
     column = magnitude_of(given)
-    if column is not given:
-        return unit_of(given)
+    if told := _told_unit(given):
+        _refuse_other(column, told)
+        return told
     name = symbol_name(key)
-    if library_of(column) == XARRAY:
-        if _is_quantity(column):
-            return unit_of(column.data)
-        if UNITS in column.attrs:
-            return resolve(str(column.attrs[UNITS]))
     like = resolve(SYMBOLS[name].unit) if name in SYMBOLS and SYMBOLS[name].unit else None
     unit = read_title(str(column.name), like).unit if column.name is not None else None
     if unit and unit.is_scale:
@@ -107,6 +103,30 @@ def _unit_of(key: str, given: Any) -> Unit | None:
         way = f'.rename("{likely}"), or radcalc.Quantity(column.to_numpy(), "{SYMBOLS[name].unit}")'
         raise ConditionError(problem, way)
     return unit
+
+
+def _told_unit(given: Any) -> Unit | None:
+    """The unit that stands beside the title of a column."""
+    column = magnitude_of(given)
+    if column is not given:
+        return unit_of(given)
+    if library_of(column) != XARRAY:
+        return None
+    if _is_quantity(column):
+        return unit_of(column.data)
+    return resolve(str(column.attrs[UNITS])) if UNITS in column.attrs else None
+
+
+def _refuse_other(column: Any, unit: Unit) -> None:
+    """Refuse a column whose title has another unit than stands beside it, or another quantity."""
+    if column.name is None:
+        return
+    title = read_title(str(column.name), unit)
+    if title.unit and not is_same(title.unit, unit):
+        own = quote(title.unit.text)
+        problem = f"the column '{quote(title.text)}' is in {own}, and in {quote(unit.text)}"
+        raise UnitError(f"{problem} by its units", "one of them")
+    refuse_misnamed(title, unit)
 
 
 def _is_text(column: Any) -> bool:

@@ -10,10 +10,13 @@ from typing import NamedTuple
 
 from radcalc.columns import IN_BRACKETS
 from radcalc.errors import UnitError, UsageError, listed, nearest, quote
-from radcalc.quantities.light import read
+from radcalc.quantities.light import NONE, Reading, describe, read
+from radcalc.quantities.names import PPF, PPFD, QUANTITIES, Quantity
+from radcalc.quantities.search import comparable, index
+from radcalc.quantities.targets import GENERIC
 from radcalc.units.scales import find as find_scale
 from radcalc.units.scales import scale_of
-from radcalc.units.table import PARTS, Unit, suggest, unit_of
+from radcalc.units.table import PARTS, Unit, resolve, suggest, unit_of
 
 AROUND = " \t,;:_/-–"  # what stands between a name and a unit
 LONGEST = 200  # characters of a title in which a unit is looked for
@@ -66,6 +69,9 @@ BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # no inch: E at 2 m in W/m2
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
 SYMBOL = re.compile(r"[EL](?![^\W_])")  # of an irradiance, of a radiance: no einstein, no lambert
 BRACKETS = re.compile(r"[()\[\]]")
+# Names of what is counted in photons: PPFD, but PAR is given in watts, too; PPF was once PPFD.
+PHOTON_IRRADIANCES = ("pfd", *[name for name in PPFD if name != "par"])
+PHOTONS = ("photon", "photons", "quanta", *PPF)
 COMPARED = 1000  # titles that a name is held against where it is none of them
 
 
@@ -109,7 +115,8 @@ def read_title(text: str, like: Unit | None = None) -> Title:
     what is in brackets is any unit, and a word of more than one letter is one of light.
 
     Raises UnitError where the title has a unit of light that is none here, as `E (klux)`, or
-    where its numbers are not those of its unit, as `refuse_altered` has it.
+    where its numbers are not those of its unit, as `refuse_altered` has it, or where it names a
+    quantity that its unit does not measure, as `refuse_misnamed` has it.
     """
     title = _read(text, like)
     if title.unit is None and (found := UNIT_OF_LIGHT.search(text)):
@@ -117,6 +124,7 @@ def read_title(text: str, like: Unit | None = None) -> Title:
         raise UnitError(f"the title '{quote(text)}' has a unit that is not known", known)
     if title.unit:
         refuse_altered(title)
+        refuse_misnamed(title, title.unit)
     return title
 
 
@@ -143,6 +151,54 @@ def refuse_altered(title: Title) -> None:
     if unit and (other := _other_unit(f"{before} {behind}", unit)):
         both = f"{quote(unit.text)} and {quote(other.text)}"
         raise UnitError(f"the title '{quote(text)}' has two units, {both}", "one of them")
+
+
+def refuse_misnamed(title: Title, unit: Unit) -> None:
+    """Refuse a title that is the name of another quantity than the unit of its numbers measures.
+
+    Raises UnitError for `illuminance [cd/m2]`, and for `PPFD (desk) 1` over numbers in lux.
+    """
+    if other := other_quantity(title.name, unit):
+        raise UnitError(
+            f"the title '{quote(title.text)}' names {other.name('en')}, not {describe(unit)}",
+            f"a unit of the first, such as {other.unit}, or another name",
+        )
+
+
+def other_quantity(name: str, unit: Unit) -> Quantity | None:
+    """The quantity of that name, where a unit of light measures another; None where it fits.
+
+    What stands in brackets is no part of a name, nor is a number behind a word.  A name that is
+    none of a quantity, or that has more words, fits any unit, as every name fits those of no light.
+    """
+    words = [word.rstrip("0123456789") for word in comparable(IN_BRACKETS.sub(" ", name)).split()]
+    folded = " ".join(filter(None, words))
+    named = index().names.get(folded, [])
+    symbols = index().misnomers.get(folded, {}) if named else {}
+    if folded in (*PHOTON_IRRADIANCES, *PHOTONS):
+        symbols = {"E_p": "", "Q_p": ""} if folded in PHOTONS else {"E_p": ""}
+    named = [*named, *(one for one in QUANTITIES if one.symbol in symbols)]
+    readings = [read(one) for one in (unit, *getattr(unit, "others", ()))]
+    if not named or any(
+        reading is None or _is_called(folded, one, reading) for reading in readings for one in named
+    ):
+        return None
+    return named[0]
+
+
+def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
+    """Whether the name of a quantity is also one of what a reading measures."""
+    own = read(resolve(quantity.unit))
+    if own is None:
+        return False
+    if own.retinal:  # there is one in lux, too
+        return reading.retinal or (reading.kind, reading.geometry) == (own.kind, (0, 1, 0))
+    return (
+        (own.kind == reading.kind or name in GENERIC)
+        and (own.geometry == reading.geometry or name in PHOTONS)
+        and not reading.retinal
+        and (own.axis == NONE or reading.axis != NONE)  # irradiance, per wavelength
+    )
 
 
 def _read(text: str, like: Unit | None) -> Title:

@@ -8,9 +8,15 @@ from collections.abc import Callable
 from radcalc.columns import DELIMITERS
 from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
 from radcalc.quantities.light import describe
-from radcalc.quantities.search import comparable, index
-from radcalc.quantities.targets import GENERIC
-from radcalc.quantities.titles import Title, find, is_same, read_title, refuse_altered
+from radcalc.quantities.titles import (
+    Title,
+    find,
+    is_same,
+    other_quantity,
+    read_title,
+    refuse_altered,
+    refuse_misnamed,
+)
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
 from radcalc.units.table import Unit, resolve
@@ -79,8 +85,12 @@ class Header:
             read = [read_title(titles[place], self.source) for place in places]
             names = self._names_above(above, len(titles))
             if self.cut:  # not a line of text
-                for title in [*read, *(read_title(names[place]) for place in places if names)]:
+                over = [read_title(names[place]) for place in places if names]
+                for title in [*read, *over]:
                     refuse_altered(title)
+                for title, own in zip(over, read, strict=False):
+                    if own.unit:
+                        refuse_misnamed(title, own.unit)
         except (NumberError, UnitError) as error:
             raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
         self._check_units(read)
@@ -221,9 +231,5 @@ def refuse_change(source: Unit, target: Unit) -> None:
 
 def _refuse_other(name: str, target: Unit) -> None:
     """Refuse a title that names another quantity than the one of the unit."""
-    folded = comparable(name)
-    named = [] if folded in GENERIC else index().names.get(folded, [])
-    units = [resolve(quantity.unit) for quantity in named]
-    measured = {one.dimension for one in (target, *getattr(target, "others", ()))}
-    if units and not measured & {unit.dimension for unit in units}:
+    if other_quantity(name, target):
         raise UsageError(f"the column '{quote(name)}' would have {describe(target)}", NEW_NAME)

@@ -24,7 +24,14 @@ from radcalc.quantities.light import PHOTON, describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.names import PPFD
 from radcalc.quantities.symbols import light_unit
-from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
+from radcalc.quantities.titles import (
+    find,
+    is_same,
+    read_title,
+    refuse_altered,
+    refuse_misnamed,
+    unit_in,
+)
 from radcalc.streams import ABORT
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
@@ -282,6 +289,8 @@ class Head:
                 )
             return declared
         told = resolve_any(self.settings.unit)
+        if title and declared is None:
+            refuse_misnamed(read_title(title), told)
         if declared and not is_same(declared, told):
             raise UsageError(
                 f"{option('unit', quote(told.text))} contradicts the title '{quote(title)}', "
@@ -295,11 +304,13 @@ class Head:
         own = [row[place] for row in titles]
         try:
             read = [read_title(title) for title in own]
+            units = [one.unit for one in read if one.unit and read_light(one.unit)]
             for one in read:
                 refuse_altered(one)
+                if units:
+                    refuse_misnamed(one, units[0])
         except UnitError as error:
             raise self.error(0, error.message, error.hint) from None
-        units = [one.unit for one in read if one.unit and read_light(one.unit)]
         for unit in units[1:]:
             if not is_same(unit, units[0]):
                 problem = f"the titles '{quote(' '.join(own))}' have two units"

@@ -84,6 +84,33 @@ def test_an_array_of_xarray_keeps_its_coordinates_and_its_units():
     assert radcalc.convert(lamp(wrapped).illuminance, "fc").data.m == pytest.approx(FC)
 
 
+def _of_xarray(name, unit):
+    return xr.DataArray([100.0], dims="x", name=name, attrs={"units": unit})
+
+
+@pytest.mark.parametrize(
+    ("column", "said"),
+    [
+        (_of_xarray("E [lx]", "fc"), "'E [lx]' is in lx, and in fc"),
+        (_of_xarray("E [lx]", "klx"), "'E [lx]' is in lx, and in klx"),
+        (_of_xarray("E_lx", "W/m2"), "'E_lx' is in lx, and in W/m2"),
+        (_of_xarray("illuminance", "cd/m2"), "names illuminance, not luminance (cd/m2)"),
+        (xr.DataArray(Q([1.0], "fc"), dims="x", name="E [lx]"), "'E [lx]' is in lx, and in "),
+        (pd.Series([100.0], name="illuminance [W/m2]"), "names illuminance, not irradiance"),
+        (pl.Series("PPFD [lx]", [100.0]), "names photon irradiance, not illuminance (lx)"),
+    ],
+)
+def test_a_title_that_contradicts_its_unit_is_refused(column, said):
+    with pytest.raises(radcalc.UnitError) as refused:
+        radcalc.convert(column, "lx", efficacy="100 lm/W")
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(("name", "unit"), [("E [lx]", "lux"), ("E [lux]", "lm/m2"), ("E", "lx")])
+def test_a_title_and_a_unit_beside_it_that_are_the_same_are_taken(name, unit):
+    assert radcalc.convert(_of_xarray(name, unit), "klx").item() == pytest.approx(0.1)
+
+
 def test_arrays_of_xarray_are_broadcast_by_the_names_of_their_dimensions():
     distance = xr.DataArray(METRES, dims="d", attrs={"units": "m"})
     intensity = xr.DataArray([100.0, 200.0], dims="lamp", attrs={"units": "cd"})

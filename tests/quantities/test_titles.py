@@ -87,7 +87,7 @@ def test_what_scales_its_numbers_or_has_an_unknown_unit_is_refused(text):
         read_title(text, resolve_any("lx"))
 
 
-NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost", "grid 3x3",
+NAMES = ["E", "E_v", "Ev", "desk", "room 7", "sensor-2", "x1 y2", "Osvětlenost stolu", "grid 3x3",
          "20 m²", "E1", "lamp 5 W", "at 2 m", "LG monitor", "logger 1", "1/2", "f/2.8", "50 %",
          "400-700 nm", "2024-06-01", "max", "exp 1", "1/e2",
          "room 3 E", "2 m E", "5 m"]  # fmt: skip
@@ -161,6 +161,82 @@ def test_every_command_refuses_such_a_title(title, command):
     done = subprocess.run([entry_point(), command, *told[command]], input=data, capture_output=True)
     assert (done.returncode, done.stdout) == (2, b"")
     assert re.search(rb"scales its|a function of|two units|not known|not light", done.stderr)
+
+
+# Quantities, and what ISO 80000-7 measures them in; PAR is given in W/m2, too (FAO 56), and PPF was
+# what PPFD is now.  Of one unit and other names of its quantity, none is refused.
+NAMED = {
+    "illuminance": ["lx", "klx", "fc", "lm/m2"],
+    "Illuminance (desk)": ["lx"],
+    "illuminance_2": ["lx"],
+    "luminance": ["cd/m2", "fL", "EV"],
+    "irradiance": ["W/m2", "umol/m2/s", "W/m2/nm"],
+    "spectral irradiance": ["W/m2/nm", "W/m2/Hz"],
+    "PPFD": ["umol/m2/s", "mol/m2/d", "umol/m2/s/nm"],
+    "photons": ["umol/m2/s", "umol/s", "umol/m2/s/nm"],
+    "PAR": ["umol/m2/s", "W/m2"],
+    "PPF": ["umol/s", "umol/m2/s"],
+    "jas": ["cd/m2"],
+    "Osvětlenost": ["lx"],
+    "сила света": ["cd"],
+    "ozáření": ["J/m2", "W/m2"],
+    "retinal illuminance": ["td", "lx"],
+    "radiant flux": ["W", "dBm"],
+    "luminous flux": ["lm", "lm/m"],
+    "illuminance of the desk": ["lx", "cd/m2", "W/m2"],
+    "photon energy": ["J"],
+}
+MISNAMED = {
+    "illuminance": ["cd/m2", "W/m2", "lm", "td", "umol/m2/s"],
+    "Illuminance (desk)": ["cd/m2"],
+    "illuminance_2": ["W/m2"],
+    "luminance": ["lx", "td"],
+    "irradiance": ["cd/m2", "W/sr", "J/m2"],
+    "spectral irradiance": ["W/m2"],
+    "PPFD": ["lx", "W/m2", "W/m2/nm", "umol/s"],
+    "photons": ["mW/m2/nm", "lx"],
+    "PPF": ["W"],
+    "jas": ["lx"],
+    "Osvětlenost": ["W/m2"],
+    "сила света": ["lx"],
+    "retinal illuminance": ["cd/m2"],
+    "luminous efficacy": ["lx"],
+}
+
+
+@pytest.mark.parametrize("style", ["{} [{}]", "{} ({})"])
+@pytest.mark.parametrize(("name", "unit"), [(n, u) for n, units in NAMED.items() for u in units])
+def test_a_name_of_what_the_unit_measures_is_none_of_another(name, unit, style):
+    assert read_title(style.format(name, unit)).unit.text == unit
+
+
+@pytest.mark.parametrize("style", ["{} [{}]", "{} ({})"])
+@pytest.mark.parametrize(("name", "unit"), [(n, u) for n, units in MISNAMED.items() for u in units])
+def test_a_name_of_another_quantity_than_the_units_is_refused(name, unit, style):
+    with pytest.raises(UnitError, match=r" names [^,]+, not ") as caught:
+        read_title(style.format(name, unit))
+    assert f"({unit})" in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("words", "titles"),
+    [
+        ("convert - fL --header", "illuminance [cd/m2]"),
+        ("convert - fc --header", "PPFD [lx]"),
+        ("convert - fc --header -d , --column PPFD", "t,PPFD\n,lx"),
+        ("dose -", "t [s],illuminance [W/m2]"),
+        ("dose -", "t [s],PPFD [lx]"),
+        ("dose -", "t,illuminance\ns,W/m2"),
+        ("dose - --unit W/m2", "t [s],illuminance"),
+        ("spectrum -", "nm,PPFD [W/m2/nm]"),
+        ("spectrum -", "nm,photons [mW/m2/nm]"),
+    ],
+)
+def test_every_command_refuses_numbers_under_the_name_of_another_quantity(words, titles):
+    data = f"{titles}\n400,1\n500,2\n600,1\n".encode()
+    done = subprocess.run([entry_point(), *words.split()], input=data, capture_output=True)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert re.search(rb" names \w+.*, not \w+| would have ", done.stderr), done.stderr
 
 
 def test_a_unit_is_seen_whatever_else_the_title_says():
