@@ -12,6 +12,7 @@ from radcalc.cli.cases import Case, cases, is_stream
 from radcalc.cli.command import CONVERSION, LIGHT, define
 from radcalc.cli.options import STEPS, Output
 from radcalc.conversion.plan import answer, plan, target_of
+from radcalc.conversion.several import Planned, plans
 from radcalc.errors import (
     MINUS,
     ConversionError,
@@ -104,7 +105,8 @@ def command(
     in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
     shown.  A condition's value carries its unit and is one word (2m, 30deg).
     VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), TARGET a list, for an answer
-    each; the last of several runs fastest.  Values and conditions
+    each; the last of several runs fastest.  Each answer uses the conditions that it needs, and
+    one that none needs is refused.  Values and conditions
     may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
 
     With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
@@ -149,7 +151,7 @@ def command(
         amount, value = first.amount, first.value
         question = of_conversion(value, first.source, target, conditions, steps, amount)
         return checking.judge(question, check, tolerance, shown, first.inputs)
-    shown.show([call.answer(steps) for call in calls])
+    shown.show(answers(calls, steps))
     return stdio.ANSWERED
 
 
@@ -174,23 +176,16 @@ class Conversion(NamedTuple):
         value = Input("value", self.value, self.source.text, text, off)
         return (value, *inputs_of(self.case.given))
 
-    @property
-    def is_uncertain(self) -> bool:
-        """Whether the value or a condition has an uncertainty."""
-        return self.amount.is_uncertain or any_uncertain(self.conditions)
+    def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
+        """The value in the targets' units, by a plan for each, and everything about it."""
+        told = []
+        for made, used in planned:
+            one = answer(made, self.value, self.case.label, steps)
+            if self.amount.is_uncertain or any_uncertain(used):
+                from radcalc.calculators.uncertainty import converted, of_conversion
 
-    def answer(self, steps: bool) -> Result:
-        """The value in the targets' units, and everything about it."""
-        number = f"{self.value:.12g}"
-        plans = [plan(self.source, target, self.conditions, number) for target in self.targets]
-        told = [answer(made, self.value, self.case.label, steps) for made in plans]
-        if self.is_uncertain:
-            from radcalc.calculators.uncertainty import converted, of_conversion
-
-            told = [
-                of_conversion(one, converted(made, self.amount, self.conditions))
-                for one, made in zip(told, plans, strict=True)
-            ]
+                one = of_conversion(one, converted(made, self.amount, used))
+            told.append(one)
         return Result(
             tuple(row for one in told for row in one.rows),
             tuple(dict.fromkeys(text for one in told for text in one.assumptions)),
@@ -199,6 +194,17 @@ class Conversion(NamedTuple):
             self.inputs,
             named=False,
         )
+
+
+def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
+    """The answers to all conversions, each under those of the conditions that it uses."""
+    asked = [
+        (call.source, target, call.conditions, f"{call.value:.12g}")
+        for call in calls
+        for target in call.targets
+    ]
+    planned = iter(plans(asked))
+    return [call.answer([next(planned) for _ in call.targets], steps) for call in calls]
 
 
 def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
@@ -318,7 +324,7 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
         try:
             made = plan(source, target)
             number, off = made.apply(call.value), 0.0
-            if call.is_uncertain:
+            if call.amount.is_uncertain:
                 found = uncertainty.converted(made, call.amount, ())
                 off, assumed = found.uncertainty, (found.assumed,)
                 bent = bent or found.notes(name_of(made.target) or "the value", target.text)

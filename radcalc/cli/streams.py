@@ -12,7 +12,7 @@ from radcalc.cli.cases import Case
 from radcalc.cli.options import WITHOUT_NUMBERS, Output
 from radcalc.cli.spelling import spelled
 from radcalc.conversion.plan import Plan, answer, plan, target_of
-from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
+from radcalc.errors import NumberError, RadcalcError, Unused, UsageError, command, option, quote
 from radcalc.given import Given, Inputs, inputs_of, refuse_uncertain
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render.formats import CSV, JSON, TABLE
@@ -144,7 +144,12 @@ def convert(
             said.update(told)
 
     def planned(unit: Unit, *assumptions: str) -> Plan:
-        made = plan(unit, target, given)
+        try:
+            made = plan(unit, target, given)
+        except Unused as error:
+            if not (source or assumptions):  # lines to come may be in units that use it
+                error.hint += ", or a call for each kind of line"
+            raise
         if lines and name is None:
             refuse_change(made.source, made.target)
         made.assumptions = (*assumptions, *made.assumptions)

@@ -1,0 +1,98 @@
+"""Several answers under the same conditions: each is what it is alone, under those it uses."""
+
+import json
+from itertools import permutations
+from math import cos, pi, radians
+
+import pytest
+from conftest import run
+
+
+def answers(words):
+    """The objects of a call, a list of them where it has one answer."""
+    told = run(*words.split(), "--json")
+    assert told.returncode == 0, told.stderr
+    found = json.loads(told.stdout)
+    return found if isinstance(found, list) else [found]
+
+
+def values(words):
+    return [row["value"] for one in answers(words) for row in results(one)]
+
+
+def results(one):
+    each = one["results"].values()
+    return [row for found in each for row in (found if isinstance(found, list) else [found])]
+
+
+# what is converted, the targets with the conditions that each needs
+CALLS = {
+    "100 lx": {
+        "fc": "",
+        "cd": "--distance 2m",
+        "lm": "--area 3m2",
+        "lx.s": "--time 5s",
+        "W/m2": "--efficacy 200lm/W",
+        "cd/m2": "--reflectance 0.8",
+    },
+    "800 lm": {
+        "cd": "--isotropic",
+        "klm": "",
+        "lx": "--isotropic --distance 2m",
+        "lm.s": "--time 5s",
+    },
+    "1 klx": {
+        "W/m2": "--spectrum AM1.5G --range 400nm:700nm",
+        "umol/m2/s": "--spectrum AM1.5G",
+        "klx": "",
+    },
+}
+
+
+@pytest.mark.parametrize("value", CALLS)
+def test_each_target_has_the_answer_that_it_has_alone(value):
+    needs = CALLS[value]
+    for targets in permutations(needs, 2):
+        given = {text.strip() for one in targets for text in needs[one].split("--")} - {""}
+        conditions = " ".join(f"--{text}" for text in sorted(given))
+        alone = [number for one in targets for number in values(f"{value} {one} {needs[one]}")]
+        assert values(f"{value} {','.join(targets)} {conditions}") == alone
+
+
+def test_what_is_left_of_idle_conditions_finds_its_use():
+    # 1000 W/m2 * cos(60 deg) * 2 m2 on the surface; 1000 W/m2 * (1 m)^2 / cos(60 deg) from a point
+    turned = cos(radians(60))
+    words = "1000 W/m2 W,W/sr --area 2m2 --distance 1m --incidence 60deg"
+    assert values(words) == pytest.approx([1000 * turned * 2, 1000 / turned], rel=1e-14)
+
+
+def test_each_answer_tells_what_it_assumed():
+    plain, linked = answers("100lx,5W/m2 fc --spectrum D65")
+    assert not plain["assumptions"]
+    assert "spectrum D65" in linked["assumptions"][0]
+
+
+def test_an_uncertain_condition_is_of_those_that_use_it():
+    one = answers("100 lx fc,cd/m2 --reflectance 0.80+-0.08")[0]
+    plain, reflected = results(one)
+    assert "uncertainty" not in plain
+    assert reflected["uncertainty"] == pytest.approx(100 * 0.08 / pi, rel=1e-9)  # a slope
+    certain = answers("100lx,5cd/m2 fc --reflectance 0.80+-0.08")[0]
+    assert not certain["assumptions"]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("100 lx fc,W/m2 --spectrum D65 --area 2m2", "--area has no use in"),
+        ("5 W/m2 W,kW --distance 1m --area 1m2", "--distance has no use in any"),
+        ("100lx,50lx fc,klx --spectrum D65 --area 2m2", "--spectrum and --area have no use"),
+        ("100 lx fc,W/m2 --area 2m2", "a wavelength, a spectrum or an efficacy is missing"),
+        ("100 lx fc,kg --area 2m2", "they are different quantities"),
+    ],
+)
+def test_what_no_answer_uses_is_refused(words, message):
+    told = run(*words.split())
+    assert told.returncode == 2
+    assert message in told.stderr
+    assert not told.stdout
