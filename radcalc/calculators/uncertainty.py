@@ -374,11 +374,12 @@ def _shares(label: str, number: Any, unit: str) -> list[Step]:
     """What each input adds to the uncertainty of a result: in its unit, and of its square."""
     if not is_uncertain(number):
         return []
-    parts = {one.tag or "an input": size for one, size in number.error_components().items()}
+    # a list: inputs that look alike are still two
+    parts = [(one.tag or "an input", size) for one, size in number.error_components().items()]
     whole = number.std_dev
     told = [
         f"{format_number(size)} by {name} ({(size / whole) ** 2 * 100:.3g} %)" if whole else name
-        for name, size in sorted(parts.items(), key=lambda part: -part[1])
+        for name, size in sorted(parts, key=lambda part: -part[1])
     ]
     numbers = f"{_amount(whole, unit)}: {', '.join(told)}"
     return [Step(f"uncertainty of {label}", FORMULA, numbers, REFERENCE)]

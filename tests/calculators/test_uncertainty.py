@@ -250,6 +250,13 @@ def test_measurements_of_pint_and_readings_are_taken(call, value, uncertainty):
     assert parts(call()) == pytest.approx((value, uncertainty), rel=1e-6)
 
 
+def test_inputs_that_look_alike_have_a_share_each():
+    # u^2 = (100 * 3)^2 + (100 * 3)^2 = 424.264^2: half of it each
+    steps = radcalc.explain("(100+-3) lx * (100+-3) m2", "lm").steps
+    share = "300 by value 100±3 (50 %)"
+    assert steps[-1].numbers == f"424.264 lm: {share}, {share}"
+
+
 def test_texts_are_explained_with_their_shares_and_bends():
     """Of 200 lm 6 lm are of 3 lx and 10 lm of 0.1 m2; 1/1.5 and 1/2.5 of 0.09290304 fc."""
     told = radcalc.explain("(100±3) lx * (2.0±0.1) m2", "lm").steps[-1].numbers
