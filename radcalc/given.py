@@ -100,8 +100,8 @@ class Given(NamedTuple):
 
     @property
     def rounding(self) -> float:
-        """How far the value may be off as typed, relative to it."""
-        if self.is_exact:
+        """How far the value may be off as typed, relative to it; what is counted is exact."""
+        if self.is_exact or self.name in COUNTS:
             return 0.0
         if self.uncertainty:
             return abs(self.uncertainty / self.value) if self.value else 0.0
@@ -120,6 +120,7 @@ NO_SHARES = (  # numbers of which nothing is a part, so that they have no percen
     "exponent", "beam-exponent", "falloff", "f-number", "working-f-number", "ev", "ev100", "iso",
     "nd", "stops", "luminaires", "room-index", "electrons", "snr",
 )  # fmt: skip
+COUNTS = ("luminaires",)  # of things: 12 is no 12.0
 DIFFERENCES = ("temperature-rise",)  # which may be told in degrees Celsius, and not in mired
 
 

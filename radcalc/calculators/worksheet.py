@@ -40,6 +40,7 @@ from radcalc.units.dimensions import AREA, LENGTH
 GOALS = frozenset(
     {name for name, symbol in SYMBOLS.items() if symbol.generic == name} | {"projected-solid-angle"}
 )
+LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
 ROUNDING = 1e-9  # of what follows, beyond a limit
 FARTHEST = 1e75  # between lengths, whose ratio is squared
 OFFSETS = ("offset", "offset-y")
@@ -209,7 +210,7 @@ class Worksheet:
     def solve(self, laws: Sequence[AnyLaw], steps: dict[str, float] | None = None) -> None:
         """Work out what follows; a contradiction is said in the units given."""
         try:
-            self.solutions = solve_all(laws, self.known, steps)
+            self.solutions = solve_all(laws, self.known, steps, LIGHT)
             self.solution = self.solutions[0]
         except Disagreement as error:
             raise self.contradiction(error, steps or {}) from None

@@ -7,7 +7,7 @@
 Values are in coherent SI units, floats or arrays.
 """
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from functools import cached_property
 from itertools import product
 from typing import Any, NamedTuple
@@ -97,7 +97,12 @@ class Disagreement(ConditionError):
         self.law, self.name, self.given, self.found = law, name, given, found
 
 
-def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None) -> Solution:
+def solve(
+    laws: Sequence[AnyLaw],
+    given: Values,
+    steps: dict[str, float] | None = None,
+    last: Set[str] = frozenset(),
+) -> Solution:
     """Work out everything that follows from what is given, and check what is given twice.
 
     Parameters
@@ -108,6 +113,9 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
         Values by the names of symbols [SI].
     steps : dict of str to float, optional
         By how much the marked values of logarithmic symbols differ from exact ones.
+    last : set of str, optional
+        Symbols whose laws wait until no other law gives anything, where what is given is not
+        consistent to the last digit.
 
     Returns
     -------
@@ -129,6 +137,10 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     and gave none, is checked to the precision typed: as far as the values given may be off, so may
     what follows from them.
 
+    Where two laws could give a symbol, and differ by what the digits typed leave open, it matters
+    which one does: the sides of a room fix its area, and a flux typed with three digits does not.
+    Such values are worked out anew, through the symbols of `last` at the end.
+
     Examples
     --------
     >>> from radcalc.laws.sizes import CIRCLE, DIAMETER
@@ -136,17 +148,20 @@ def solve(laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None 
     >>> found.values["radius"].value, round(found.values["area"].value, 6)
     (1.0, 3.141593)
     """
-    return solve_all(laws, given, steps)[0]
+    return solve_all(laws, given, steps, last)[0]
 
 
 def solve_all(
-    laws: Sequence[AnyLaw], given: Values, steps: dict[str, float] | None = None
+    laws: Sequence[AnyLaw],
+    given: Values,
+    steps: dict[str, float] | None = None,
+    last: Set[str] = frozenset(),
 ) -> list[Solution]:
     """Work out every set of values that fits what is given, as `solve` does the first of them.
 
     Parameters
     ----------
-    laws, given, steps
+    laws, given, steps, last
         As of `solve`.
 
     Returns
@@ -165,16 +180,36 @@ def solve_all(
     >>> len(solve_all([CIRCLE], {"area": Known(1.0)}))
     1
     """
-    return _follow_all(list(laws), _Sheet(dict(given), {}, given, steps or {}))
+    sheet = _Sheet(dict(given), {}, given, steps or {}, frozenset(), [])
+    refused: Disagreement | None = None
+    try:
+        solutions = _follow_all(list(laws), sheet)
+        if not (sheet.rounded and last):
+            return solutions
+    except Disagreement as error:
+        if not last:
+            raise
+        refused = error
+    try:
+        return _follow_all(list(laws), sheet._replace(values=dict(given), laws={}, last=last))
+    except ConditionError as error:
+        if refused and not (isinstance(error, Disagreement) and error.name in given):
+            raise refused from None  # of a value that was given there is more to say
+        raise
 
 
 class _Sheet(NamedTuple):
-    """The values so far, the law that gave each of those that follow, and what was given."""
+    """The values so far, the law that gave each of those that follow, and what was given.
+
+    `rounded` are the laws that hold within the digits typed and no closer.
+    """
 
     values: Values
     laws: dict[str, AnyLaw]
     given: Values
     steps: dict[str, float]
+    last: Set[str]
+    rounded: list[AnyLaw]
 
     def off(self, name: str) -> Any:
         """How far a value may be off [SI], by the roundings of all that it follows from."""
@@ -192,11 +227,15 @@ UNKNOWN = None  # the rounding of a value that nobody has asked for yet
 
 
 def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
-    values = sheet.values
+    values, last = sheet.values, sheet.last
     found = True
-    while found:
+    while found or last:
+        if not found:
+            last = frozenset()
         found = False
         for law in tuple(waiting):
+            if not last.isdisjoint(law.names):
+                continue
             missing = set(law.names).difference(values)
             if not missing:
                 _check(law, sheet)
@@ -359,6 +398,7 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
     if any_true(difference > allowed):
         raise Disagreement(law, name, value, other)
+    sheet.rounded.append(law)
 
 
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:

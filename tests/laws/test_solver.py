@@ -2,11 +2,12 @@
 
 import math
 import random
+from functools import partial
 
 import pytest
 from helpers import number
 
-from radcalc import lambertian, point_source
+from radcalc import lambertian, point_source, room, screen
 from radcalc.errors import Contradiction
 from radcalc.laws import etendue, exposure, heat, mesopic, point, sizes, surface
 from radcalc.laws.solver import Disagreement, Known, solve
@@ -114,4 +115,41 @@ def test_a_wrong_value_does_not_widen_what_is_allowed_of_the_others():
         point_source(
             distribution="lobe", exposure="0.3577lx.s", flux="13.28lm", height="13.35m",
             intensity="40.654cd", offset="14.552m", time="3679.1s",
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize("off", [0.9985, 1, 1.0015])
+@pytest.mark.parametrize(
+    ("work_out", "area", "name", "size", "unit"),
+    [
+        # 6 x 9 m2, and 12 (3600) (0.7) (0.9) / 54 = 504 lx
+        (
+            partial(room, width="6m", length="9m", luminaires="12", flux="3600lm",
+                    utilance="0.7", maintenance="0.9"),
+            54, "illuminance", 504, "lx",
+        ),
+        # pi 0.25^2 m2, and pi (100) pi 0.25^2 = 61.685 lm
+        (partial(lambertian, "disc", luminance="100cd/m2", radius="25cm"),
+         PI / 16, "flux", 61.685, "lm"),
+        # 0.25^2 m2, and pi (100) 0.25^2 = 19.635 lm
+        (partial(lambertian, "rectangle", luminance="100cd/m2", width="25cm", length="25cm"),
+         0.0625, "flux", 19.635, "lm"),
+        # 2 x 1.2 m2, and 3000 / 2.4 = 1250 lx
+        (partial(screen, flux="3000lm", width="2m", height="1.2m"),
+         2.4, "illuminance", 1250, "lx"),
+    ],
+    ids=["room", "disc", "rectangle", "screen"],
+)  # fmt: skip
+def test_what_sizes_fix_is_not_taken_from_rounded_light(work_out, area, name, size, unit, off):
+    found = work_out(**{name: f"{size * off:.4g}{unit}"})
+    assert number(found, "area", "m2") == pytest.approx(area, rel=1e-12)
+
+
+@pytest.mark.parametrize("redundant", [{}, {"area": "54m2"}])
+def test_what_is_counted_is_exact(redundant):
+    # 12 (3600) (0.7) (0.9) / 54 = 504 lx; 500 lx would be 11.9 luminaires
+    with pytest.raises(Contradiction, match="504 lx"):
+        room(
+            width="6m", length="9m", luminaires="12", flux="3600lm", utilance="0.7",
+            maintenance="0.9", illuminance="500lx", **redundant,
         )  # fmt: skip
