@@ -29,11 +29,11 @@ class Verdict(Judged):
 
     def __bool__(self) -> bool:
         """Whether it is right."""
-        return self.is_right
+        return self.right
 
     def __repr__(self) -> str:
         """Right or wrong, and the likely mistakes."""
-        row = Row(self.name, "", self.right, self.unit)
+        row = Row(self.name, "", self.value, self.unit)
         return words_of(Judgement(self, row, (), (), ()), Style()).rstrip()
 
 
@@ -57,9 +57,9 @@ def check(
     Returns
     -------
     Verdict
-        True or false, with the `right` value, the `ratio` of the answer to it, and the
-        `diagnoses`: each a `mistake` that reproduces the number, what was `done`, and what would
-        be `right`.
+        True or false, which is `right` as well, with the right `value` in its `unit`, the `ratio`
+        of the answer to it, and the `diagnoses`: each a `mistake` that reproduces the number,
+        what was `done`, and what would be `right`.
 
     Raises
     ------

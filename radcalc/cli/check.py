@@ -64,6 +64,6 @@ def judge(
     is_given = right.given is not None
     about = right.label, right.letter
     off = verdict.uncertainty
-    row = Row(*about, verdict.right, verdict.unit, "", name, is_given, off)
+    row = Row(*about, verdict.value, verdict.unit, "", name, is_given, off)
     shown.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
-    return stdio.ANSWERED if verdict.is_right else stdio.WRONG
+    return stdio.ANSWERED if verdict.right else stdio.WRONG

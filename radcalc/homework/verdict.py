@@ -26,15 +26,16 @@ WAYS = 4  # to say an answer clearly, that are shown
 
 
 class Verdict(NamedTuple):
-    """What is said of an answer; `ratio` is the answer over the right value, if that is not 0.
+    """What is said of an answer; `value` is the right one.
 
-    The standard uncertainties are those of the right value and of the answer.
+    The `ratio` is the answer over the right value, if that is not 0.  The standard
+    uncertainties are those of the right value and of the answer.
     """
 
-    is_right: bool
+    right: bool
     name: str
     unit: str
-    right: float
+    value: float
     claimed: float
     claimed_unit: str
     ratio: float | None
@@ -59,7 +60,7 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
         for answer, other in zip((question.answer, *question.answer.more), others, strict=False)
     )
     first = next(verdicts)
-    return first if first.is_right else next((v for v in verdicts if v.is_right), first)
+    return first if first.right else next((v for v in verdicts if v.right), first)
 
 
 def _check(question: Question, claim: str, asked: str | None) -> Verdict:
@@ -118,20 +119,20 @@ def _judged(
         off,
         said.uncertainty,
     )
-    if verdict.is_right:
+    if verdict.right:
         found = uncertainty.judge(number, said, unit_text, allowed.width(right))
-        return verdict._replace(is_right=not found, diagnoses=found)
+        return verdict._replace(right=not found, diagnoses=found)
     if is_of_another:
         return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
     if marked := _marked(question, said, target, unit):
         if asked:
             return verdict._replace(diagnoses=(marked,))
-        return verdict._replace(is_right=True, tolerance=marked.done, diagnoses=(marked,))
+        return verdict._replace(right=True, tolerance=marked.done, diagnoses=(marked,))
     if said.value and abs(right - said.value) <= max(said.half_unit, said.widest):
         rounded = _rounded(said, right)
         if asked or said.digits < LEAST_MEANT:
             return verdict._replace(diagnoses=(rounded,))
-        return verdict._replace(is_right=True, tolerance=rounded.done, diagnoses=(rounded,))
+        return verdict._replace(right=True, tolerance=rounded.done, diagnoses=(rounded,))
     from radcalc.homework.diagnosis import diagnose  # which right answers do without
 
     scale = float(target.amount) / right if right else unit.factor
@@ -155,7 +156,7 @@ def _stands_for(said: Claim, scale: ScaleUnit) -> Claim:
 
 def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
     """A verdict with readings for what they stand for, which have no ratio."""
-    right = scale.reading(verdict.right)
+    right = scale.reading(verdict.value)
     tolerance = verdict.tolerance
     if tolerance.endswith("%"):
         tolerance += " of what it stands for"
@@ -163,7 +164,7 @@ def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
         _rounded(said, right) if one.mistake == ROUNDED else one for one in verdict.diagnoses
     )
     return verdict._replace(
-        right=right,
+        value=right,
         unit=scale.text,
         claimed=said.value,
         claimed_unit=scale.text,
@@ -177,7 +178,7 @@ def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
 
 def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
     """How the likeliest mistake leads from the right value to the answer."""
-    sizes = (verdict.right, verdict.ratio, verdict.claimed)
+    sizes = (verdict.value, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
     return Step(f"as it was answered: {found.done}", "", numbers)

@@ -39,9 +39,9 @@ def verdict(judgement: Judgement, style: Style) -> str:
     """One object, whose `check` is the judgement; its result is the right value."""
     said, right = judgement.verdict, judgement.right
     check = {
-        "right": said.is_right,
+        "right": said.right,
         "name": right.name,
-        "value": _rounded(said.right, style),
+        "value": _rounded(said.value, style),
         **({"uncertainty": _rounded(said.uncertainty, style)} if said.uncertainty else {}),
         "unit": said.unit,
         "claimed": said.claimed,

@@ -92,9 +92,9 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
         refuse_verdict()
     said = judgement.verdict
     digits = style.precision or digits
-    size = uncertain(said.right, said.uncertainty, style.precision, digits)
+    size = uncertain(said.value, said.uncertainty, style.precision, digits)
     right = f"{said.name} is {size}{unit_behind(said.unit)}"
-    if said.is_right:
+    if said.right:
         nearer = "".join(f"; {diagnosis.right}" for diagnosis in said.diagnoses)
         return f"right ({said.tolerance}): {right}{nearer}\n"
     times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)

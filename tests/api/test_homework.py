@@ -11,7 +11,9 @@ def test_a_right_answer_is_true_and_a_wrong_one_false():
     assert radcalc.check(CONE, "0.842 sr")
     wrong = radcalc.check(CONE, "3.14 sr")
     assert not wrong
-    assert wrong.right == pytest.approx(0.841787)
+    assert wrong.value == pytest.approx(0.841787)
+    assert wrong.right is False  # as the schema of --json has both
+    assert radcalc.check(CONE, "0.842 sr").right is True
     assert wrong.ratio == pytest.approx(3.14 / 0.841787)
     assert repr(wrong).startswith(
         "wrong (within 1%): solid-angle is 0.841787214477 sr, not 3.14 sr"

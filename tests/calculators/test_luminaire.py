@@ -199,7 +199,7 @@ def test_no_mistake_is_what_a_distribution_is(table):
     """The scale of a table in candelas is 1 cd: to leave it out is no mistake that one makes."""
     given = {"distribution": read("distribution", table)}
     verdict = check(of_calculator("point-source", "", given, work_out), "flux=79.13485lm")
-    assert not verdict.is_right
+    assert not verdict.right
     assert "power of ten" in str(verdict)
     assert "weighted solid angle" not in str(verdict)
 

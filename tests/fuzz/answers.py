@@ -135,7 +135,7 @@ def sweep(count: int, seed: int) -> str:
         digits = chance.randint(2, 5)
         for text in (claim_of(case.name, right, digits, case.unit), _whole(case, right, digits)):
             found = check(question, text, f"{digits + 2}sf")
-            assert found.is_right or [one.mistake for one in found.diagnoses] == ["rounded"], (
+            assert found.right or [one.mistake for one in found.diagnoses] == ["rounded"], (
                 words,
                 text,
                 found,

@@ -64,7 +64,7 @@ def test_formulas_are_typed_exactly():
     ],
 )  # fmt: skip
 def test_a_claim_needs_no_more_than_tells_it_apart(words, claim):
-    assert verdict(words, claim).is_right
+    assert verdict(words, claim).right
 
 
 def test_tolerances_read():
@@ -98,4 +98,4 @@ def test_tolerances_read():
 )  # fmt: skip
 def test_the_bounds_of_the_three_kinds_of_tolerance(claim, tolerance, is_right):
     words = "convert 130 cd lx --distance 2m"
-    assert verdict(words, claim, tolerance).is_right is is_right
+    assert verdict(words, claim, tolerance).right is is_right

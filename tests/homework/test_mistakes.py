@@ -26,7 +26,7 @@ def digits_of(k: int) -> int:
 def diagnosed(k: int, wrong: Wrong) -> tuple[str, list[str]]:
     claim = claim_of(wrong.name, wrong.number, digits_of(k), wrong.unit)
     found = verdict(wrong.question, claim)
-    assert not found.is_right, (wrong, claim)
+    assert not found.right, (wrong, claim)
     return claim, [one.mistake for one in found.diagnoses]
 
 
@@ -61,7 +61,7 @@ def test_what_ties_reproduces_the_number_as_well():
         )
         problem = Problem(question, target)
         single = candidates(problem)
-        scale = problem.right / found.right
+        scale = problem.right / found.value
         for one in found.diagnoses:
             near = [
                 abs(c.value / scale - said.value)
@@ -155,7 +155,7 @@ def test_a_mistake_is_found_by_whichever_name_its_input_was_given(
 )
 def test_extreme_inputs_have_a_verdict_without_a_diagnosis(words, claim):
     found = verdict(words, claim)
-    assert not found.is_right
+    assert not found.right
     assert found.diagnoses == ()
     assert found.ratio is None or math.isfinite(found.ratio)
 
@@ -171,7 +171,7 @@ UNRELATED, MOST_NAMED = 1200, 0.03
 
 @cache
 def right_of(words: str, name: str, unit: str) -> float:
-    return verdict(words, claim_of(name, 1.0, 2, unit)).right
+    return verdict(words, claim_of(name, 1.0, 2, unit)).value
 
 
 def unrelated() -> list[tuple[str, str, float]]:
@@ -197,7 +197,7 @@ def test_few_unrelated_numbers_are_given_a_mistake():
     named = []
     for words, claim, ratio in unrelated():
         found = verdict(words, claim)
-        assert not found.is_right
+        assert not found.right
         if found.diagnoses:
             ids = [one.mistake for one in found.diagnoses]
             named.append(f"{words} --check {claim} ({ratio:.4g}): {ids}")
@@ -227,7 +227,7 @@ def test_few_unrelated_numbers_are_given_a_mistake():
 )
 def test_a_wrong_unit_comes_before_the_number(words, claim, part):
     found = verdict(words, claim)
-    assert not found.is_right
+    assert not found.right
     assert [one.mistake for one in found.diagnoses] == ["wrong-unit"]
     assert part in found.diagnoses[0].done
     assert found.diagnoses[0].right.endswith(f"is in {found.unit}")
