@@ -1,12 +1,13 @@
 """Judging an answer, and naming the mistake."""
 
+from collections.abc import Sequence
 from typing import Any
 
-from radcalc.answer import Row
+from radcalc.answer import Row, Value
 from radcalc.api.quantity import Quantity
 from radcalc.api.reading import as_text
 from radcalc.api.result import Result
-from radcalc.api.spelling import in_python, in_words
+from radcalc.api.spelling import in_python, in_words, keyword
 from radcalc.errors import ConditionError
 from radcalc.homework.verdict import Verdict as Judged
 from radcalc.quantities.symbols import article
@@ -49,7 +50,7 @@ def check(
         Of a calculator, or of `explain` for a conversion.
     claim : str, Quantity or float
         The answer: ``"16 lx"``, ``"illuminance=16 lx"`` where several results have the unit, or
-        a number alone where it is clear what it is.
+        a number alone where it is clear what it is.  A name may have hyphens or underscores.
     tolerance : str, Quantity or float, optional
         ``"1%"``, which it is by default, ``"0.5 lx"``, or ``"3sf"`` for significant digits; a
         number alone is a part of the right value.
@@ -79,8 +80,16 @@ def check(
         problem = f"{article(type(result).__name__)} is no result to check"
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
     allowed = None if tolerance is None else as_text(tolerance)
-    found = judge(result.question, as_text(claim), allowed)
+    question = result.question
+    found = judge(question, _as_named(as_text(claim), question.answer.values), allowed)
     return Verdict(*found._replace(diagnoses=tuple(map(_in_python, found.diagnoses))))
+
+
+def _as_named(claim: str, values: Sequence[Value]) -> str:
+    """A claim with the name of a result as the result has it: NAME=VALUE UNIT."""
+    name, equals, rest = claim.partition("=")
+    names = {keyword(one): one for value in values for one in (value.name, value.also)}
+    return f"{names.get(keyword(name.strip()), name)}{equals}{rest}" if equals else claim
 
 
 def _in_python(found: Any) -> Any:

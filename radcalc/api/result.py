@@ -31,8 +31,9 @@ class MissingResult(RadcalcError, KeyError, AttributeError):
 class Result(Mapping[str, Quantity]):
     """What was given and what follows: quantities by the names of results.
 
-    They are attributes and items, by the names that ``radcalc -g`` takes, with underscores: of a
-    light quantity ``r.irradiance`` is also ``r.illuminance``, as its kind is called.  A value that
+    They are attributes and items, by the names that ``radcalc -g`` takes; those of attributes
+    have underscores for hyphens, and those of items either: ``r["solid-angle"]``.  Of a light
+    quantity ``r.irradiance`` is also ``r.illuminance``, as its kind is called.  A value that
     is an array is an array in every quantity that depends on it; where columns of pandas, Polars
     or xarray were given, these are columns too.
 
@@ -77,12 +78,12 @@ class Result(Mapping[str, Quantity]):
         self._solved = solved
 
     def __getitem__(self, name: str) -> Quantity:
-        """A result by its name, or by another name that it has."""
-        every = self.every
-        if name not in every:
-            near = ", ".join(nearest(str(name), every, 3) or self._found)
+        """A result by its name, or by another name that it has; hyphens are underscores."""
+        every, called = self.every, keyword(str(name))
+        if called not in every:
+            near = ", ".join(nearest(called, every, 3) or self._found)
             raise MissingResult(f"there is no result '{quote(str(name))}'", near)
-        return every[name]  # type: ignore[no-any-return]
+        return every[called]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
         """The names of the results, each once."""

@@ -32,6 +32,12 @@ def test_the_mistake_is_named_in_pythons_words():
     assert far.diagnoses
 
 
+@pytest.mark.parametrize("name", ["solid-angle", "solid_angle"])
+def test_a_claim_names_the_result_with_hyphens_or_underscores(name):
+    assert radcalc.check(CONE, f"{name} = 0.842 sr")
+    assert not radcalc.check(CONE, f"{name}=0.9 sr")
+
+
 def test_an_answer_at_one_point_is_judged_and_at_several_is_not():
     """100 cd at 2 m are 100/4 lx."""
     assert radcalc.check(radcalc.uberlight((0, 0, 2), intensity="100 cd"), "irradiance=25 lx")

@@ -27,6 +27,16 @@ def test_results_are_attributes_and_items_by_every_name_that_they_have():
     assert {**LAMP}["flux"] == Q(800, "lm")
 
 
+def test_an_item_has_its_name_with_hyphens_or_underscores():
+    daylight = radcalc.spectrum("D65")
+    names = {row.name for row in daylight.rows}  # as the repr has them
+    assert "peak-wavelength" in names
+    assert {name.replace("-", "_") for name in names} == {*daylight}
+    for name in names:
+        assert name in daylight
+        assert daylight[name] == daylight[name.replace("-", "_")]
+
+
 def test_kinds_of_light_that_are_linked_have_their_own_names():
     green = radcalc.point_source(flux="5 mW", distance="1 m", wavelength="555 nm")
     assert green.luminous_flux.m_as("lm") == pytest.approx(0.005 * 683.002)  # CIE 018:2019
