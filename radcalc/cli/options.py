@@ -83,7 +83,8 @@ class Output(NamedTuple):
         stdio.write(renderer(self.format).records(records, self._on_terminal()))
 
     def judge(self, judgement: Judgement) -> None:
-        """Write whether an answer is right."""
+        """Write whether an answer is right; the listener hears the right one."""
+        self.hear([Result((judgement.right,))])
         said = Result(
             (),
             tuple(judgement.assumptions),

@@ -177,6 +177,8 @@ def _stream(
     for answer in survey.at_points(points.blocks()):
         wanted = asked.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
         rows = [pick(answer.values, name) for name in wanted]
+        if is_first:  # which tells that the answer is no single number
+            shown.hear([Result(tuple(rows))])
         if shown.format == CSV:
             at = _coordinates(answer)
             units = {one.name: one.unit for one in at}

@@ -92,6 +92,33 @@ def test_a_line_without_an_answer_leaves_the_last_one(typed):
     assert typed("100 lx fc", "units lux", "vars", "100 zork fc", "help", "ans lx") == "100\tlx\n"
 
 
+@pytest.mark.parametrize(
+    ("claim", "last"),
+    [
+        ("200 lx fc --check 3", "200\tlx\n"),
+        ("200 lx fc --check 18.6", "200\tlx\n"),
+        # 100 cd at 2 m are 100 / 2^2 = 25 lx
+        ("point-source --intensity 100cd --distance 2m --check irradiance=3lx", "25\tlx\n"),
+    ],
+)
+def test_the_right_value_of_what_is_checked_is_the_last_answer(session, capsys, claim, last):
+    for line in ("100 lx fc", claim, "ans lx"):
+        capsys.readouterr()
+        session.answer(line)
+    assert capsys.readouterr().out == last
+
+
+def test_a_right_answer_is_kept_under_a_name(typed):
+    assert typed("x = 200 lx fc --check 18.6", "x lx") == "200\tlx\n"
+
+
+def test_points_by_the_line_are_no_value(typed, tmp_path):
+    file = tmp_path / "lamp.csv"
+    file.write_text("x,y,z,intensity\n0,0,2,100cd\n")
+    typed("100 lx fc", f"scene {file} --grid 0:1:2,0,0 -g irradiance")
+    assert "no number" in typed("ans fc")
+
+
 def test_one_of_several_results_is_asked_for_by_its_name(typed):
     typed("point-source --flux 800lm --distance 2m")
     assert "ans stands for one value, and the answer has several" in typed("ans fc")
