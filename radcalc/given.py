@@ -373,8 +373,12 @@ def _density(text: str) -> Amount | None:
 
     None for a density alone, which is read as other numbers are.
     """
-    mark = text.upper().removesuffix("X")
-    number = mark.removeprefix("ND").removesuffix("ND").strip()
+    number = text[:-1] if text[-1:] in ("X", "x") else text
+    if number[:2].upper() == "ND":
+        number = number[2:]
+    if number[-2:].upper() == "ND":
+        number = number[:-2]
+    number = number.strip()
     if not number[:1].isdecimal():
         return None
     if number == text:
@@ -415,6 +419,8 @@ def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
 
 def _refuse_extreme(name: str, text: str, value: Any) -> None:
     """Refuse extremes that no light reaches, and that would only overflow later [SI]."""
+    if isinstance(value, float) and value != value:
+        raise ConditionError(f"{option(name, quote(text))} is no number", "a finite number")
     size = abs(value)
     extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
     if maths.any_true(extreme):

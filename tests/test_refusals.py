@@ -517,6 +517,13 @@ COMMANDS = {
         "ev --f-number 3stops --time 1s", "--f-number takes a number, not stops", "--f-number"),
     "an exposure value is given as one": (
         "ev --luminance 12EV", "--luminance 12EV is an exposure value", "--ev100 12"),
+    "a filter is shown as it was typed": (
+        "ev --ev100 15 --iso 200 --f-number 16 --nd 3stops", "not stops", "--nd 0.9"),
+    "a mark of a filter is shown as it was typed": (
+        "ev --ev100 15 --iso 200 --f-number 16 --nd ND8x2stops", "'8x2stops'"),
+    "a second uncertain parameter is told as one": (
+        "spectrum gaussian:530+-1nm,30+-1nm", "'30+-1nm' has an uncertainty, which is not taken",
+        "the value alone"),
     "an exposure value has no reading on a scale": (
         "ev --ev100 12 -g ev100:stops", "ev100 is not measured in stops", "ev100:1"),
     "a difference of temperature has no reciprocal": (

@@ -29,6 +29,7 @@ from radcalc.render.formats import CSV, JSON
 from radcalc.texts import ENDINGS
 from radcalc.units.ranges import MOST
 
+COORDINATES = ("x", "y", "z")
 FEW = 12  # sources whose shares are shown unasked
 AT = click.Option(
     ["--at"],
@@ -180,7 +181,7 @@ def _stream(
         if is_first:  # which tells that the answer is no single number
             shown.hear([Result(tuple(rows))])
         if shown.format == CSV:
-            at = _coordinates(answer)
+            at = () if _has_places(asked) else _coordinates(answer)
             units = {one.name: one.unit for one in at}
             text = csv.block(Result(tuple(rows), inputs=at), units, shown.style, is_first)
         else:
@@ -198,6 +199,8 @@ def _list(
     if points.size > MOST:
         raise UsageError(f"a table of {points.size} points is too long", "--format csv")
     each, _ = _each(survey, inputs, points)
+    if shown.format == CSV and _has_places(asked):
+        each = [one._replace(inputs=inputs) for one in each]
     show(each, asked, shown)
     return stdio.ANSWERED
 
@@ -235,6 +238,11 @@ def _each(
 def _coordinates(answer: Answer) -> tuple[Input, ...]:
     """The place of an answer, or the places of a block."""
     return tuple(Input(one.name, one.si, one.units[0]) for one in answer.values[:3])
+
+
+def _has_places(asked: Asked) -> bool:
+    """Whether coordinates are asked for, so that no others stand before what is asked for."""
+    return any(name_of(name) in COORDINATES for name in asked.wanted)
 
 
 class Points(NamedTuple):

@@ -62,7 +62,9 @@ class Plan:
         """
         if isinstance(value, (int, float)):
             value = _as_float(value)
-            if value - value != 0:  # inf and nan
+            if value != value:
+                raise ConversionError("the value is no number (nan)", "a finite number")
+            if value - value != 0:  # inf
                 raise self._not_held()
         if self.links:
             self._refuse_negative(value)

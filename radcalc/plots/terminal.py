@@ -41,7 +41,7 @@ from radcalc.plots.sheet import (
     line,
     sample,
 )
-from radcalc.plots.ticks import levels, limits, log_ticks, rings, shades, texts, ticks
+from radcalc.plots.ticks import ends, levels, limits, log_ticks, rings, shades, texts, ticks
 from radcalc.stdio import can_show, fold
 
 BRAILLE = "\u28ff"  # a letter of it
@@ -243,7 +243,7 @@ def _contours(
             canvas.line(*start, *end)
             places.append(start)
         _name_contour(sheet, places, name, color, full)
-    low, high = texts([float(f"{x:.4g}") for x in (min(every), max(every))])
+    low, high = texts([float(f"{x:.4g}") for x in ends(every)])
     return f"{value.title}, from {low} to {high}"
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 FAR = 20.0  # ratio of the ends from where on contours are not evenly apart
+ROUNDED = 1e-12  # of the greatest value: what is less is told as 0
 NEGLIGIBLE = 1e-9  # of the greatest value: what rounding leaves of a 0
 SPAN = 1000.0  # between the darkest and the brightest of an image
 CLIPPED = 0.995  # of an image: the rest is as bright as the brightest of these
@@ -131,6 +132,20 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
     is_far = low > NEGLIGIBLE * high and high > FAR * low
     found = log_ticks(low, high, most) if is_far else ticks(low, high, most)
     return [x for x in found if low < x < high]
+
+
+def ends(values: Iterable[float]) -> tuple[float, float]:
+    """The least and the greatest of many; 0 for what rounding leaves of it.
+
+    Examples
+    --------
+    >>> ends([6e-17, 210.0])
+    (0.0, 210.0)
+    """
+    every = [*values]
+    low, high = min(every), max(every)
+    least = ROUNDED * max(abs(low), abs(high))
+    return low if abs(low) > least else 0.0, high if abs(high) > least else 0.0
 
 
 def shades(values: list[float]) -> tuple[float, float]:

@@ -25,7 +25,7 @@ def range_text(limits: Range) -> str:
         return "all wavelengths"
     if high == math.inf:
         return f"from {low:.6g} nm"
-    return f"{low:.6g}-{high:.6g} nm"
+    return f"{low if low > SHORTEST else 0:.6g}-{high:.6g} nm"
 
 
 OUTSIDE = f"lies outside {range_text(PAR)}, where PPFD is counted"

@@ -95,11 +95,12 @@ def wavelengths(
 
     Declared in the title, if there is one, or in a comment, or else plain from the numbers.
     """
+    typed = {plain(title): title.strip() for title in (*titles, *comments)}
     own = [plain(title) for title in titles]
     for text in own:
         if AXES.search(text) and not DECLARED.search(text):
-            raise ConditionError(f"'{quote(text)}' is no wavelength", "wavelengths in nm")
-    for text in own + [plain(comment) for comment in comments]:
+            raise ConditionError(f"'{quote(typed[text])}' is no wavelength", "wavelengths in nm")
+    for text in typed:
         found = DECLARED.search(text)
         word = found.group(1) if found else ""
         if text in own:
@@ -107,12 +108,12 @@ def wavelengths(
             bare = text if text.rstrip("s") in NANOMETRES else word
             word = bracket.group(1) if bracket else bare
             if bracket and word.rstrip("s") not in NANOMETRES:
-                problem = f"wavelengths in '{quote(word)}', which is no unit of length here"
+                shown = quote(_typed(typed[text], word))
+                problem = f"wavelengths in '{shown}', which is no unit of length here"
                 raise ConditionError(problem, "nm, um, angstrom, mm or m")
         if word and word.rstrip("s") in NANOMETRES:
-            return NANOMETRES[
-                word.rstrip("s")
-            ], f"the wavelengths are in {quote(word)}, as declared"
+            said = f"the wavelengths are in {quote(_typed(typed[text], word))}, as declared"
+            return NANOMETRES[word.rstrip("s")], said
     for unit, factor, fits in (
         ("nanometres", 1.0, 100 <= low < 2000 and high <= 20000),
         ("micrometres", 1e3, 0.1 <= low < 2.5 and high <= 100),
@@ -122,6 +123,12 @@ def wavelengths(
             return factor, f"the wavelengths are taken as {unit}, from their size"
     problem = f"wavelengths from {low:g} to {high:g} in a unit that is not declared"
     raise ConditionError(problem, "a header such as: wavelength (nm), value")
+
+
+def _typed(text: str, word: str) -> str:
+    """The last place of a word of a plain text, as it was typed."""
+    at = plain(text).rindex(word)
+    return text[at : at + len(word)]
 
 
 def values(title: str) -> Meaning:

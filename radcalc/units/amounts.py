@@ -187,6 +187,9 @@ def split_value(text: str) -> tuple[float, str]:
             return number, unit
     except NumberError as error:
         problem = error
+    if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
+        said = f"'{quote(text)}' has an uncertainty, which is not taken there"
+        raise NumberError(said, "the value alone")
     from radcalc.units.expressions import read_expression
 
     found = read_expression(text)

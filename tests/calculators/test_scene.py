@@ -216,6 +216,23 @@ def test_a_file_that_is_none_is_refused(tmp_path):
     assert "the file of the scene is missing" in nothing.stderr
 
 
+@pytest.mark.parametrize(
+    "points", [("--grid", "0:2:3,0:2:3,0"), ("--at", "0,0,0", "--at", "1,2,0")]
+)
+@pytest.mark.parametrize(
+    ("names", "heads"),
+    [
+        (("x", "y", "illuminance"), ["x:m", "y:m", "illuminance:lx"]),
+        (("illuminance", "z:cm"), ["illuminance:lx", "z:cm"]),
+        (("illuminance",), ["x:m", "y:m", "z:m", "illuminance:lx"]),
+    ],
+)
+def test_csv_has_the_places_that_are_asked_for_or_all_of_them(tmp_path, points, names, heads):
+    words = [word for name in names for word in ("-g", name)]
+    done = scene(tmp_path, LAMPS, *points, *words, "--format", "csv", "-q")
+    assert done.stdout.splitlines()[0].split(",") == heads
+
+
 def test_a_grid_of_four_lamps_is_symmetric_and_its_figures_are_those_of_its_rows(tmp_path):
     text = "x,y,z,exponent,flux\n" + "".join(
         f"{x},{y},2.5,2,500lm\n" for x in (1, 3) for y in (1, 2)

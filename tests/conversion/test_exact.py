@@ -1,5 +1,6 @@
 """Units of one quantity: the ratio of any two is exact, and rounded once."""
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConversionError
 from radcalc.units import compiled
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
 FOOT, INCH = Fraction("0.3048"), Fraction("0.0254")
@@ -179,6 +181,12 @@ def test_a_plain_conversion_is_rounded_once():
 def test_a_result_beyond_a_float_is_refused(value):
     with pytest.raises(ConversionError, match="cannot be held"):
         plan(resolve("km"), resolve("qm")).apply(value)
+
+
+@pytest.mark.parametrize(("source", "target"), [("lx", "fc"), ("mW", "dBm")])
+def test_what_is_no_number_is_refused_as_none(source, target):
+    with pytest.raises(ConversionError, match="no number"):
+        plan(resolve(source), resolve_any(target)).apply(math.nan)
 
 
 def test_a_result_below_a_float_is_refused():

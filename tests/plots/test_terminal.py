@@ -182,6 +182,14 @@ def test_a_contour_is_where_the_value_is():
     assert all(abs(place - places[0] - k * step) <= 1 for k, place in enumerate(places))
 
 
+def test_what_rounding_leaves_of_0_is_told_as_0():
+    """3000 cos 90 deg is 1.8e-13 in floats; 1e-6 of the greatest value is a value."""
+    dark = SLOPE._replace(rows=[[3000 * math.cos(math.pi / 2), 10.0, 1000.0, 2000.0, 3000.0]] * 3)
+    assert draw(dark, Style(80)).splitlines()[-1].endswith(", from 0 to 3000")
+    dim = SLOPE._replace(rows=[[0.003, 10.0, 1000.0, 2000.0, 3000.0]] * 3)
+    assert draw(dim, Style(80)).splitlines()[-1].endswith(", from 0.003 to 3000")
+
+
 def test_an_even_field_has_no_contours():
     even = SLOPE._replace(rows=[[5.0] * 5] * 3)
     assert draw(even, Style(80)).splitlines()[-1] == "illuminance E_v [lx], from 5 to 5"

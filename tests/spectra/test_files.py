@@ -547,6 +547,14 @@ def test_scaled_values_and_other_axes_are_refused(titles, tmp_path):
         read_file(str(path))
 
 
+@pytest.mark.parametrize("title", ["wavelength [A]", "Wavelength (Ly)", "Energy [keV]"])
+def test_a_unit_of_wavelengths_that_is_refused_is_shown_as_typed(title, tmp_path):
+    path = tmp_path / "lamp.csv"
+    path.write_text(f"{title},W/m2/nm\n400,1\n500,3\n700,2\n", encoding="utf-8")
+    with pytest.raises(RadcalcError, match=r"'A'|'Ly'|'Energy \[keV\]'"):
+        read_file(str(path))
+
+
 @pytest.mark.parametrize("title", ["relative power (%)", "E [W/m2/nm]", "W*m-2*nm-1", "lamp 2"])
 def test_what_only_looks_like_a_scale_is_read(title, tmp_path):
     path = tmp_path / "lamp.csv"

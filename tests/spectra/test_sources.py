@@ -7,7 +7,7 @@ import pytest
 from radcalc.errors import ConditionError, RadcalcError
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.sources import MEANT, names, read_spectra, spectrum
-from radcalc.spectra.spectrum import WHOLE
+from radcalc.spectra.spectrum import WHOLE, range_text
 
 PHOTOPIC, SCOTOPIC = OBSERVERS["photopic"], OBSERVERS["scotopic"]
 MICROMOLE = 6.02214076e17
@@ -141,6 +141,11 @@ def test_lines_bands_and_gaussians():
     area = 30 * math.sqrt(math.pi / math.log(2)) / 2  # of a Gaussian of that FWHM
     assert bell.power(WHOLE) == pytest.approx(area, rel=1e-6)
     assert spectrum("line:540THz").seen(PHOTOPIC) == pytest.approx(683 / 683.002, rel=1e-6)
+
+
+def test_a_wide_gaussian_that_begins_at_no_wavelength_is_told_from_0():
+    """150/21 standard deviations of 300 nm / (2 sqrt(2 ln 2)) above 555 nm are 909.99 nm."""
+    assert range_text(spectrum("gaussian:555nm,300nm").limits) == "0-1464.99 nm"
 
 
 def test_daylight_6504_k_is_d65():
