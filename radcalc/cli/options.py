@@ -72,7 +72,7 @@ class Output(NamedTuple):
         if self.style.auto:
             from radcalc.render.prefixes import with_prefixes
 
-            results = with_prefixes(results)
+            results = with_prefixes(results, self.format, self.style.precision)
         form = renderer(self.format)
         stdio.write(form.results(results, self._on_terminal()))
         if form.REMARKS_ARE_APART:

@@ -1,32 +1,81 @@
-"""Answers in units with the SI prefixes that fit."""
+"""Answers in units with SI prefixes that put numbers from 1 to below 1000: 2.1 mlx."""
 
+import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 from radcalc.answer import Result, Row
-from radcalc.conversion.plan import exact_ratio, plan
-from radcalc.units.prefixes import prefixed
+from radcalc.conversion.plan import LARGEST, exact_ratio, plan
+from radcalc.render import plain
+from radcalc.render.formats import CSV, TABLE
+from radcalc.units.numbers import SMALLEST
+from radcalc.units.prefixes import prefixes_of
 from radcalc.units.table import resolve
 
+LEAST, MOST = 1.0, 1000.0
+_units = lru_cache(maxsize=64)(prefixes_of)
+DIGITS = {TABLE: 6, CSV: 16}  # of numbers, of which CSV has all
 
-def with_prefixes(results: Sequence[Result]) -> list[Result]:
-    """The answers with a prefix for each result, which is that of its greatest value.
 
-    What was given stays as it was typed.
+def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -> list[Result]:
+    """The answers in a format, with a prefix for each number that has its own unit.
+
+    Where several have one, in a column, the prefix is that of the smallest.  What was given stays
+    as it was typed.
     """
-    sizes: dict[tuple[str, str], float] = {}
+    digits = DIGITS.get(form, plain.DIGITS)
+    heads = {tuple((row.name, row.unit) for row in result.rows) for result in results}
+    is_wide = form == TABLE and len(results) > 1 == len(heads) and results[0].named
+    of_columns = form == CSV or is_wide
+    columns: dict[tuple[str, str], list[Row]] = {}
     for row in (row for result in results for row in result.rows if not row.given):
-        key = row.name, row.unit
-        sizes[key] = max(sizes.get(key, 0.0), abs(row.value))
-    units = {(name, unit): prefixed(unit, size) for (name, unit), size in sizes.items()}
-    return [
-        result._replace(
-            rows=tuple(
-                row if row.given else _in_unit(row, units[row.name, row.unit])
-                for row in result.rows
-            )
-        )
-        for result in results
+        columns.setdefault((row.name, row.unit), []).append(row)
+    units = {key: _suited(rows, precision, digits) for key, rows in columns.items() if of_columns}
+
+    def shown(row: Row) -> Row:
+        if row.given:
+            return row
+        unit = units.get((row.name, row.unit)) or _suited([row], precision, digits)
+        return _in_unit(row, unit)
+
+    return [result._replace(rows=tuple(map(shown, result.rows))) for result in results]
+
+
+def _suited(rows: Sequence[Row], precision: int | None, digits: int) -> str:
+    """The unit of rows with the prefix that suits them, as they are rounded; as it is for zeros.
+
+    As few of them as possible have an exponent, and the smallest is from 1 to below 1000.
+    """
+    amounts = [(row.value, row.uncertainty) for row in rows]
+    unit = rows[0].unit
+    sizes = [max(abs(value), off) for value, off in amounts]
+    if not any(sizes):
+        return unit
+    least = amounts[sizes.index(min(size for size in sizes if size))]
+
+    def unsuited(power: int) -> tuple[int, bool, float, int]:
+        times = 10.0**-power
+        texts = [plain.uncertain(x * times, off * times, precision, digits) for x, off in amounts]
+        size = _rounded(least[0] * times, least[1] * times, precision, digits)
+        fits = LEAST <= size < MOST
+        away = 0.0 if fits else abs(math.log10(size / (LEAST if size < LEAST else MOST)))
+        return sum("e" in text for text in texts), not fits, away, abs(power)
+
+    if unsuited(0)[:2] == (0, False):
+        return unit
+    held = [
+        power
+        for power in _units(unit)
+        if all(SMALLEST <= size * 10.0**-power <= LARGEST for size in sizes if size)
     ]
+    return _units(unit)[min(held, key=unsuited)]
+
+
+def _rounded(value: float, off: float, precision: int | None, digits: int) -> float:
+    """The size of an amount that is not 0, as it is shown."""
+    digits = min(precision or digits, plain.DIGITS)  # 999.9999999999999 is 1000
+    text = plain.uncertain(value, off, precision, digits).partition(" ")[0]
+    return max(abs(float(text)), off) if text[0] != "(" else max(abs(value), off)
 
 
 def _in_unit(row: Row, unit: str) -> Row:

@@ -1,36 +1,28 @@
-"""SI prefixes that put numbers from 1 to below 1000: 0.0021 lx are 2.1 mlx."""
+"""The SI prefixes that a unit takes: lx, mlx, klx."""
 
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS
 from radcalc.units.grammar import parse_unit, plain
 from radcalc.units.table import lookup, unit_of
 
-LEAST, MOST = 1.0, 1000.0
-DIGITS = 12  # in which a number is told: 999.9999999999999 is 1000
 
+def prefixes_of(text: str) -> dict[int, str]:
+    """A unit with each prefix of a power of 1000, by the power of ten that it is of the unit.
 
-def prefixed(text: str, size: float) -> str:
-    """A unit with the prefix that suits a size in it; as it is where it takes none.
-
-    The prefix goes before the first of several units, unless that has an exponent: kcd/m2, but m2.
+    The unit itself is the first, and alone where it takes none.  The prefix goes before the first
+    of several units, unless that has an exponent: kcd/m2, but m2.
     """
-    if not size or _fits(size) or unit_of(text) is None:
-        return text
+    found = {0: text}
+    if unit_of(text) is None:
+        return found
     folded = plain(text)
     spelling, exponent, _ = parse_unit(folded)[0]
     read = lookup(spelling)
     if read is None or exponent != 1 or not folded.startswith(spelling):
-        return text
+        return found
     own = PREFIX_NAMES.get(read[0], 0)
-    others = _spellings(spelling, *read)
-    suited = [shift for shift in others if _fits(size * 10.0 ** (own - shift))]
-    if not suited:  # beyond the last of them
-        suited = [max([own, *others]) if abs(size) >= MOST else min([own, *others])]
-    text_of_first = others.get(suited[0], spelling)
-    return text if suited[0] == own else text_of_first + folded[len(spelling) :]
-
-
-def _fits(size: float) -> bool:
-    return LEAST <= abs(float(f"{size:.{DIGITS}g}")) < MOST
+    for shift, first in _spellings(spelling, *read).items():
+        found.setdefault(shift - own, first + folded[len(spelling) :])
+    return found
 
 
 def _spellings(spelling: str, prefix: str, unit: str) -> dict[int, str]:

@@ -106,7 +106,11 @@ def test_every_answer_of_a_log_is_valid(text, words):
     assert {one["command"] for one in answers(done.stdout)} == {"dose"}
 
 
-@pytest.mark.parametrize("text", [text for text in ANSWERS if "--check" not in text])
+# with --auto a column has one prefix, and in JSON each answer has its own
+NUMBERS = [text for text in ANSWERS if "--check" not in text and "--auto" not in text]
+
+
+@pytest.mark.parametrize("text", NUMBERS)
 def test_csv_has_the_same_numbers_on_a_line_an_answer(text):
     found = as_json(text)
     done = call([*shlex.split(text), "--format", "csv"])
