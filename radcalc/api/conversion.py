@@ -10,7 +10,7 @@ from radcalc.api.columns import of_conversion, taken
 from radcalc.api.keywords import Amount, ElectricField, Number, Observer, Text
 from radcalc.api.quantity import Quantity, is_lazy, is_quantity, plain, quantity, unit_of
 from radcalc.api.reading import broadcast, is_absent, read_keyword, refuse_lazy, together
-from radcalc.api.result import Result
+from radcalc.api.result import Result, Undrawn
 from radcalc.api.spelling import in_python, in_words, keyword
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import Plan, plan, target_of
@@ -443,7 +443,8 @@ def _explain(value: Any, target: str, conditions: dict[str, Any]) -> Result:
         amount = magnitude if isinstance(magnitude, ReadAmount) else None
         return of_conversion(number, made.source, made.target, given, True, amount)
 
-    return Result("convert", lambda: shown, {name: found}, {}, ask)
+    undrawn = Undrawn("a conversion has no picture", "a calculator's, as of radcalc.point_source")
+    return Result("convert", lambda: shown, {name: found}, {}, ask, undrawn)
 
 
 def _value_of(value: Any, number: float, made: Plan) -> Input:

@@ -2,12 +2,12 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc import answer
 from radcalc.answer import Answer, Input, Row, Step
 from radcalc.api.drawing import Drawing
-from radcalc.api.quantity import Quantity, is_lazy, quantity, unit_of
+from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, quantity, unit_of
 from radcalc.api.spelling import in_python, in_words, keyword, symbol_name
 from radcalc.calculators.results import in_unit, name_of, rows
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
@@ -22,6 +22,13 @@ if TYPE_CHECKING:
 
 Told = Callable[[], answer.Result]
 Drawn = tuple[Inputs, Answer, Any]  # with what a picture takes beside the inputs
+
+
+class Undrawn(NamedTuple):
+    """Why a result has no picture, and what has."""
+
+    problem: str
+    hint: str
 
 
 class MissingResult(RadcalcError, KeyError, AttributeError):
@@ -67,8 +74,8 @@ class Result(Mapping[str, Quantity]):
         told: Told,
         found: Mapping[str, Any],
         others: Mapping[str, Any],
-        ask: "Callable[[], Question] | None" = None,
-        solved: "Drawn | None" = None,
+        ask: "Callable[[], Question] | None",
+        solved: Drawn | Undrawn,
     ) -> None:
         self.command = command
         self._told = told
@@ -98,6 +105,20 @@ class Result(Mapping[str, Quantity]):
         if name.startswith("_"):
             raise AttributeError(name, name=name, obj=self)
         return self[name]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether another has the same results: those of arrays, where every element is equal."""
+        if not isinstance(other, Mapping):
+            return NotImplemented
+        return len(self) == len(other) and all(
+            name in other and _is_same(one, other[name]) for name, one in self.items()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What pickle keeps: all that is shown, without what works it out anew."""
+        return _restored, (self.command, self._shown, self._found, self._others)
 
     def __dir__(self) -> list[str]:
         """The results, by all of their names, among the rest."""
@@ -217,7 +238,7 @@ class Result(Mapping[str, Quantity]):
             return self
         found = {name: columns.result(name, one) for name, one in self._found.items()}
         others = {name: columns.result(name, one) for name, one in self._others.items()}
-        return Result(self.command, self._told, found, others, solved=self._solved)
+        return Result(self.command, self._told, found, others, None, self._solved)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
         """The same with other results, as those of which Dask has not computed the values."""
@@ -229,7 +250,31 @@ class Result(Mapping[str, Quantity]):
 
         found = {name: results[name] for name in self._found}
         others = {name: results[name] for name in self._others}
-        return Result(self.command, told, found, others)
+        waits = Undrawn("what Dask has not computed is not drawn", "the same of NumPy's arrays")
+        return Result(self.command, told, found, others, None, waits)
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    """Whether two quantities, or two columns, are equal in every element."""
+    if hasattr(one, "equals"):  # a column of pandas, Polars or xarray
+        return type(one) is type(other) and bool(one.equals(other))
+    sizes = (getattr(magnitude_of(each), "shape", ()) for each in (one, other))
+    same = one == other if len({*sizes}) == 1 else False
+    return bool(same.all() if hasattr(same, "all") else same)
+
+
+def _restored(
+    command: str, shown: answer.Result, found: Mapping[str, Any], others: Mapping[str, Any]
+) -> Result:
+    """A result that pickle kept."""
+
+    problem = "a result that was pickled is not worked out anew"
+
+    def ask() -> "Question":
+        raise ConditionError(problem, "radcalc.check of what the function gives")
+
+    undrawn = Undrawn(problem, ".plot() of what the function gives")
+    return Result(command, lambda: shown, found, others, ask, undrawn)
 
 
 def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
@@ -243,9 +288,9 @@ def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
 
 
 @in_python
-def _drawing(result: Result, solved: "Drawn | None", wanted: tuple[str, ...]) -> Drawing:
-    if solved is None:
-        raise ConditionError("there is nothing to be drawn here", "a calculator's answer")
+def _drawing(result: Result, solved: Drawn | Undrawn, wanted: tuple[str, ...]) -> Drawing:
+    if isinstance(solved, Undrawn):
+        raise ConditionError(*solved)
     from radcalc.plots.answers import depends, picture
     from radcalc.plots.curves import Solved
 
@@ -275,7 +320,7 @@ def of_answer(
     found: Answer,
     inputs: tuple[Input, ...],
     ask: "Callable[[], Question] | None",
-    solved: "Drawn | None" = None,
+    solved: Drawn | Undrawn,
 ) -> Result:
     """The result of a calculator, each quantity in the first unit it is shown in."""
     answers = (found, *found.more)

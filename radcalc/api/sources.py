@@ -24,7 +24,7 @@ from radcalc.api.keywords import (
 )
 from radcalc.api.quantity import plain
 from radcalc.api.reading import one_of, read_inputs, read_points
-from radcalc.api.result import Result, of_answer
+from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_python
 from radcalc.errors import ConditionError, option
 from radcalc.given import inputs_of, read, refuse_uncertain
@@ -530,7 +530,9 @@ def _scene(given: dict[str, Any]) -> Result:
     ]
     answer = remarks._replace(values=[*values, *remarks.values])
     told = texts_of({"file": sources if isinstance(sources, str) else ""})
-    return of_answer("scene", answer, (*told, *inputs_of(inputs)), None)
+    grid = "the isolux lines of a grid, which `radcalc scene` draws at a shell"
+    undrawn = Undrawn("a scene at points has no picture", grid)
+    return of_answer("scene", answer, (*told, *inputs_of(inputs)), None, undrawn)
 
 
 def _joined(parts: Sequence[Value]) -> Value:

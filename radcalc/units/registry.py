@@ -4,6 +4,7 @@ Only this module and `compile.py` import Pint.  Whatever text reaches the regist
 through radcalc's own grammar, never through Pint's parser.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -80,7 +81,24 @@ def light_registry() -> LightRegistry:
         str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False
     )
     registry.closed = True
+    for kind in (registry.Quantity, registry.Measurement, registry.Unit):
+        # Pint's own leads to the registry of the application
+        kind.__reduce__ = _reduced  # type: ignore[method-assign]
     return registry
+
+
+def _reduced(one: Any) -> tuple[Any, ...]:
+    """What pickle keeps of a quantity or a unit."""
+    return _restored, (type(one).__name__, getattr(one, "magnitude", None), dict(one._units))
+
+
+def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
+    """A quantity or a unit that pickle kept, in the registry of this process."""
+    registry = light_registry()
+    for name in powers:
+        registry.get_name(name)  # which defines a prefixed unit
+    units = UnitsContainer(powers)
+    return getattr(registry, kind)(*([] if magnitude is None else [magnitude]), units)
 
 
 def exact_registry() -> Registry:

@@ -1,10 +1,14 @@
 """What a function gives: attributes, aliases, remarks, and how a notebook shows it."""
 
 import json
+import pickle
 import shlex
+from concurrent.futures import ProcessPoolExecutor
 from html.parser import HTMLParser
+from multiprocessing import get_context
 
 import numpy as np
+import pandas
 import pytest
 from conftest import ROOT, run
 
@@ -280,8 +284,78 @@ def test_a_picture_is_shown_by_a_notebook_and_written_to_a_file(tmp_path):
     assert (tmp_path / "fall-off.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(radcalc.RadcalcError, match="fall-off"):
         drawn.save(tmp_path / "fall-off.txt")
-    with pytest.raises(radcalc.RadcalcError, match="nothing to be drawn"):
-        radcalc.explain("800 lm", "cd", isotropic=True).plot()
+
+
+UNDRAWN = {
+    "a conversion has no picture": lambda: radcalc.explain("800 lm", "cd", isotropic=True),
+    "a scene at points has no picture": lambda: radcalc.scene(
+        [{"x": 0, "y": 0, "z": 2, "flux": "8 lm"}], (0, 0, 0)
+    ),
+    "pickled": lambda: pickle.loads(pickle.dumps(LAMP)),
+}
+
+
+@pytest.mark.parametrize("said", UNDRAWN)
+def test_what_has_no_picture_says_what_has(said):
+    with pytest.raises(radcalc.RadcalcError, match=said) as caught:
+        UNDRAWN[said]().plot()
+    assert caught.value.hint
+
+
+KEPT = {
+    "numbers": lambda: radcalc.spectrum("D65"),
+    "an array": lambda: radcalc.point_source(flux="800 lm", distance=Q(np.array([1, 2]), "m")),
+    "a column": lambda: radcalc.point_source(
+        flux="800 lm", distance=pandas.Series([1.0, 2.0], name="distance [m]")
+    ),
+    "points": lambda: radcalc.uberlight([(0, 0, 1), (0, 0, 2)], intensity="100 cd"),
+    "a conversion": lambda: radcalc.explain("500 lx", "cd/m2", reflectance=0.8),
+}
+
+
+@pytest.mark.parametrize("what", KEPT)
+def test_a_result_is_kept_by_pickle_and_is_equal_to_itself(what):
+    found = KEPT[what]()
+    again = pickle.loads(pickle.dumps(found))
+    assert (found == again) is True
+    assert (found != again) is False
+    assert repr(again) == repr(found)
+    assert again.to_dict() == found.to_dict()
+    with pytest.raises(radcalc.ConditionError):
+        radcalc.check(again, "1")
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        lambda: radcalc.point_source(flux="800 lm", distance=["1 m", "3 m"]),
+        lambda: radcalc.point_source(flux="800 lm", distance=["1 m", "2 m", "3 m"]),
+        lambda: LAMP,
+        lambda: radcalc.spectrum("D65"),
+        lambda: {},
+        lambda: 5,
+    ],
+)
+def test_results_with_other_values_or_names_are_not_equal(other):
+    found = radcalc.point_source(flux="800 lm", distance=["1 m", "2 m"])
+    assert (found == other()) is False
+
+
+@pytest.mark.parametrize(
+    "kept", [Q(3, "klx"), Q(np.array([1.0, 2.0]), "umol/s"), Q(3, "lx").plus_minus(0.1)]
+)
+def test_a_quantity_that_was_pickled_is_of_the_registry_that_functions_take(kept):
+    again = pickle.loads(pickle.dumps(kept))
+    assert repr(again) == repr(kept)
+    assert type(again) is type(kept)
+    assert pickle.loads(pickle.dumps(kept.units)) == kept.units
+
+
+def test_another_process_gives_results():
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        found = pool.submit(radcalc.spectrum, "D65").result()
+    assert found == radcalc.spectrum("D65")
+    assert radcalc.convert(found.peak_wavelength, "um").m == pytest.approx(0.46)  # 117.8 at 460 nm
 
 
 @pytest.mark.parametrize(
