@@ -6,6 +6,7 @@ little, and the slopes found so are combined by the `uncertainties` package.
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Result, Step, Value
@@ -25,9 +26,9 @@ from radcalc.given import Given, Inputs, any_uncertain, moved
 from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import Amount
-from radcalc.units.slopes import slopes
-from radcalc.units.table import resolve
-from radcalc.units.uncertain import hold, variable
+from radcalc.units.slopes import reach, slopes
+from radcalc.units.table import Unit, resolve
+from radcalc.units.uncertain import Part, hold, variable
 
 ASSUMED = "standard uncertainties (k = 1), carried linearly"
 INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, carried linearly"
@@ -44,17 +45,38 @@ VALUE = Symbol("", "", (), limits=ANY)  # of a conversion: no option names it
 class Bend(NamedTuple):
     """What is uncertain, as a note names it, and within which a result is no straight line.
 
-    `ends` are the results at both ends; `problem` says why there is none at one of them.
+    `bent` are those results, and `at` gives all where the input is moved by so much of what is
+    uncertain, from -1 to 1; `problem` says why there are none at one of the ends.
     """
 
     named: str
-    ends: dict[Key, tuple[float, float]]
+    bent: tuple[Key, ...]
+    at: Callable[[float], Numbers]
     problem: str = ""
 
-    def note(self, label: str, low: float, high: float, unit: str) -> str:
-        """What to say of a result, in digits that tell its ends from each other."""
-        digits = digits_apart(low, high)
-        ends = f"{_amount(low, unit, digits)} to {_amount(high, unit, digits)}"
+    def note(self, label: str, key: Key, in_its_unit: Callable[[float], Any], unit: str) -> str:
+        """What to say of a result: how far it reaches, in digits that tell its ends apart."""
+
+        def number(shift: float) -> float | None:
+            found = self.at(shift).get(key)
+            try:
+                shown = None if found is None else float(in_its_unit(found))
+            except RadcalcError:
+                if not shift:
+                    raise
+                return None
+            return shown if shown is not None and math.isfinite(shown) else None
+
+        low, high = reach(number)
+        digits = DIGITS if math.inf in (-low, high) else digits_apart(low, high)
+        least, most = (_amount(end, unit, digits) for end in (low, high))
+        ends = f"{least} to {most}"
+        if math.inf in (-low, high):
+            ends = f"{least} and more, without a bound"
+            if low == -math.inf:
+                ends = f"{most} and less, without a bound"
+                if high == math.inf:
+                    ends = "without a bound, down or up"
         return f"{label} is far from linear within {self.named}: {ends}"
 
 
@@ -111,8 +133,8 @@ class Converted(NamedTuple):
         """What to say of the bends, where the number is called so and in that unit."""
         notes = [bend.problem for bend in self.bends if bend.problem]
         for bend in self.bends:
-            for ends in bend.ends.values():
-                notes.append(bend.note(name, *ends, unit))
+            for key in bend.bent:
+                notes.append(bend.note(name, key, float, unit))
         return notes
 
 
@@ -252,37 +274,46 @@ class _Run:
         one, named = self.input, _named(self.input)
         off, factor = one.uncertainty, one.unit.factor if one.unit else 1
         if not one.parts:
-            yield from self._bend(numbers, named, -off, off, off)
+            yield from self._bend(numbers, named, lambda times: times * off, off)
         for part in one.parts:
             where = f"{quote(part.text)} of {named}" if len(one.parts) > 1 else named
-            low, high = (
-                end if end is None else end * factor - one.size for end in (part.low, part.high)
-            )
-            yield from self._bend(numbers, where, low, high, part.size * factor)
+
+            def shift(times: float, part: Part = part) -> float | None:
+                whole = part.at(times)
+                return None if whole is None else float(whole * factor - one.size)
+
+            yield from self._bend(numbers, where, shift, part.size * factor)
 
     def _bend(
-        self, numbers: Numbers, named: str, low: float | None, high: float | None, rise: float
+        self,
+        numbers: Numbers,
+        named: str,
+        shift: Callable[[float], float | None],
+        rise: float,
     ) -> Iterator[Bend]:
-        """A bend between two shifts of the input, which is taken to rise by so much to each."""
+        """A bend where the input is shifted as a part of it is moved; it is taken to rise so."""
+
+        @cache
+        def at(times: float) -> Numbers:
+            size = shift(times)
+            return {} if size is None else self.at(size)
+
         self.refused = None
-        sides = [
-            (sign, self.at(shift)) for sign, shift in ((-1, low), (1, high)) if shift is not None
-        ]
+        sides = [(sign, at(float(sign))) for sign in (-1, 1)]
         problem = ""
-        if self.refused or None in (low, high):
+        if self.refused or not all(found for _, found in sides):
             limit = f": {self.refused.limit}" if isinstance(self.refused, Impossible) else ""
             problem = f"{named} reaches what is not possible{limit}"
-        ends = {}
+        bent = []
         for key, value in self.nominal.items():
             line = self.slopes[key] * rise
-            found = [(sign, at[key]) for sign, at in sides if key in at]
+            found = [(sign, end[key]) for sign, end in sides if key in end]
             away = max((abs(number - value - sign * line) for sign, number in found), default=0.0)
             total = getattr(numbers[key], "std_dev", 0.0)
             if found and (key in self.steep or away > max(CURVED * total, 1e-9 * abs(value))):
-                every = value, *(number for _, number in found)
-                ends[key] = min(every), max(every)
-        if ends or problem:
-            yield Bend(named, ends, problem)
+                bent.append(key)
+        if bent or problem:
+            yield Bend(named, tuple(bent), at, problem)
 
 
 def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
@@ -324,17 +355,21 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
     """What to say of the bends of one answer: one result of each, and how many more there are."""
     notes = [bend.problem for bend in bends if bend.problem]
     for bend in bends:
-        bent = [key for key in bend.ends if key[:-1] in values and not key[-1]]
+        bent = [key for key in bend.bent if key[:-1] in values and not key[-1]]
         if not bent:
             continue
         value = values[bent[0][:-1]]
         unit = value.units[0]
-        ends = (value._replace(si=end, given=None, exact=None) for end in bend.ends[bent[0]])
-        low, high = (in_unit(end, resolve(unit)) for end in ends)
+        in_its_unit = partial(_in_unit, value, resolve(unit))
         others = len(bent) - 1
         more = f" (and {others} more result{'s' if others > 1 else ''})" if others else ""
-        notes.append(bend.note(value.label, low, high, unit) + more)
+        notes.append(bend.note(value.label, bent[0], in_its_unit, unit) + more)
     return notes
+
+
+def _in_unit(value: Value, unit: Unit, amount: float) -> Any:
+    """A result in a unit, where it came to another amount [SI]."""
+    return in_unit(value._replace(si=amount, given=None, exact=None), unit)
 
 
 def _amount(number: float, unit: str, digits: int = DIGITS) -> str:

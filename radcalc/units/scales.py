@@ -322,15 +322,15 @@ def amount_on(
         return Amount(text, quantity, scale.unit, 0.0, told, scale, reading)
     from radcalc.units.uncertain import Part, hold
 
-    def at(moved: float) -> float | None:
+    def at(times: float) -> float | None:
         try:
-            return float(scale.quantity(moved))
+            return float(scale.quantity(reading + times * uncertainty))
         except RadcalcError:
             return None
 
     size = scale.slope(reading) * uncertainty
     hold(abs(size) or math.nan, text)
-    part = Part(text, size, at(reading - uncertainty), at(reading + uncertainty))
+    part = Part(text, size, at)
     return Amount(text, quantity, scale.unit, abs(size), told, scale, reading, parts=(part,))
 
 

@@ -1,8 +1,11 @@
-"""How numbers follow an uncertain one: their slopes, by differences."""
+"""How numbers follow an uncertain one: their slopes, by differences, and how far they reach."""
 
 import math
 from collections.abc import Callable, Hashable, Mapping
+from itertools import pairwise
 from typing import TypeVar
+
+from radcalc.maths import limit
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -13,6 +16,13 @@ NOISE = 1e-14  # what the arithmetic adds to a number, relative to it
 FLAT = 1e-5  # of the changes within a step: what a slope beside an extremum may be off by
 SAME = 0.1  # by what part of it a slope next to a limit may grow in a narrower step
 DIGITS = 11  # that a slope is good for
+SAMPLES = 8  # on either side of the nominal value, between which a number turns at most once
+GOLDEN = (math.sqrt(5) - 1) / 2
+NARROWINGS = 35  # of the interval with an extremum, to 5e-8 of it
+ZERO = 1e-12  # of the change towards the end: what the search leaves of an extremum of 0
+NEARER = (1e-2, 1e-4, 1e-6)  # of the way to where a number may have no bound
+FAINT = 1e-6  # of the range of the samples
+ENDLESS = 0.7  # by what part of the last change it changes then, and more: a logarithm by 1
 
 
 def slopes(
@@ -70,3 +80,69 @@ def _slope(
     if math.isfinite(most) and abs(rise) <= max(NOISE * abs(value), FLAT * most):
         return 0.0
     return float(f"{rise / step:.{DIGITS}g}")
+
+
+def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
+    """The least and the greatest number that `at` gives from -1 to 1; infinite without a bound.
+
+    None is what cannot be, and 0 can; the extrema are sought between samples by the golden section.
+    """
+    samples = [(k / SAMPLES, at(k / SAMPLES)) for k in range(-SAMPLES, SAMPLES + 1)]
+    numbers = [value for _, value in samples if value is not None]
+    least = FAINT * (max(numbers) - min(numbers))
+    edges, found = [], []
+    for (left, one), (right, other) in pairwise(samples):
+        if (one is None) != (other is None):
+            inside, outside = (right, left) if one is None else (left, right)
+            edge = limit(lambda t: at(t) is not None, outside, inside)
+            edges.append((edge, at(edge)))
+            found.append(_trend(at, edge, inside, least))
+    points = sorted((t, value) for t, value in samples + edges if value is not None)
+    for sign in (1, -1):
+        k = max(range(len(points)), key=lambda k: sign * points[k][1])
+        around = [points[j][0] for j in (max(k - 1, 0), k, min(k + 1, len(points) - 1))]
+        peak = _peak(at, sign, *around)
+        value = at(peak)
+        if value and peak not in around and abs(value) <= ZERO * abs(points[0][1] - value):
+            value = 0.0
+        found += [points[k][1], value, *(_trend(at, peak, side, least) for side in around[::2])]
+    reached = [number for number in found if number is not None]
+    return min(reached), max(reached)
+
+
+def _peak(
+    at: Callable[[float], float | None], sign: int, left: float, middle: float, right: float
+) -> float:
+    """Where a number, or its negative, is greatest between two places, by the golden section."""
+
+    def height(t: float) -> float:
+        value = at(t)
+        return -math.inf if value is None else sign * value
+
+    if middle in (left, right):  # an end, from which it may rise before it falls
+        aside = middle + NEARER[0] * (left + right - 2 * middle)
+        if height(aside) <= height(middle):
+            return middle
+    low, high = right - GOLDEN * (right - left), left + GOLDEN * (right - left)
+    for _ in range(NARROWINGS):
+        if height(low) < height(high):
+            left, low, high = low, high, low + GOLDEN * (right - low)
+        else:
+            right, low, high = high, high - GOLDEN * (high - left), low
+    return (left + right) / 2
+
+
+def _trend(
+    at: Callable[[float], float | None], end: float, start: float, least: float
+) -> float | None:
+    """The infinity that a number tends to on the way to an end; None where it has a bound.
+
+    Changes up to the `least` are the noise of an integration.
+    """
+    a, b, c = (at(end + part * (start - end)) for part in NEARER)
+    if a is None or b is None or c is None:
+        return None
+    change = c - b
+    if abs(change) <= max(ENDLESS * abs(b - a), least):
+        return None
+    return math.copysign(math.inf, change)

@@ -46,14 +46,14 @@ HINT = "100±3 lx, 100(3) lx or 100 lx ± 3%"
 class Part(NamedTuple):
     """What follows of an uncertain number of an expression, or of a reading on a scale.
 
-    Its text; what it adds to the uncertainty, with a sign; and what the whole comes to where the
-    number is less by its uncertainty, and more by it; None where there is no such value.
+    Its text; what it adds to the uncertainty, with a sign; and a function that gives what the
+    whole comes to where the number is moved by so many of its uncertainties, from -1 to 1; None
+    where there is no such value.
     """
 
     text: str
     size: float
-    low: float | None
-    high: float | None
+    at: Callable[[float], float | None]
 
 
 class Reading(NamedTuple):
@@ -272,12 +272,11 @@ def _part(
             return {}
 
     off = leaf.uncertainty
-    low, high = (at(shift).get("") for shift in (-off, off))
     slope = slopes(at, {"": number}, abs(leaf.number), off)[""]
     if slope is None:
         problem = f"the uncertainty of '{quote(told)}' cannot be carried through '{quote(text)}'"
         raise NumberError(f"{problem}{why}", "the same without it")
-    return Part(told, float(f"{slope * off:.7g}"), low, high)
+    return Part(told, float(f"{slope * off:.7g}"), lambda times: at(times * off).get(""))
 
 
 def _leaf(text: str) -> Reading:

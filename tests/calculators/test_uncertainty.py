@@ -400,7 +400,7 @@ def test_a_result_may_be_asked_for_on_a_scale():
             "etendue --area 1cm2 --na 0.9999+-0.01 -g half-angle",
             math.degrees(math.asin(0.9999)),
             math.degrees(0.01 / math.sqrt(1 - 0.9999**2)),
-            "81.8499 deg to 89.1897 deg",
+            "81.8499 deg to 90 deg",
         ),
         # pi A NA^2 at 1: 2 * 1 % of it, and a note on the angle
         ("etendue --area 1cm2 --na 1.0+-0.01 -g etendue:cm2.sr", math.pi, 0.02 * math.pi, "90 deg"),
@@ -439,6 +439,36 @@ def test_what_bends_is_said(words, value, uncertainty, note):
     bends = [told for told in answer["notes"] if "far from linear" in told]
     assert len(bends) == bool(note)
     assert note in "".join(bends)
+
+
+# What lies between the ends counts, and what has no bound has none.
+@pytest.mark.parametrize(
+    ("words", "note"),
+    [
+        # V is 1 at 555 nm; at 540 nm 0.954: 683.002 (0.9540) = 651.584
+        ("1 W lm --wavelength 550+-10nm", "651.584 lm to 683.002 lm"),
+        # 100 cos / d^2 = 200 / (4 + x^2)^1.5: at 0.7 m 200 / 4.49^1.5, at 0 m 25
+        ("point-source --intensity 100cd --height 2m --offset 0.2+-0.5m", "21.0213 lx to 25 lx"),
+        # the same at 0.98 m: 200 / 4.9604^1.5; 0 m is next to the other end, -0.02 m
+        ("point-source --intensity 100cd --height 2m --offset 0.48+-0.5m", "18.1032 lx to 25 lx"),
+        # 100 / 2^2 = 25, and towards 0 m 100 / d^2 grows beyond all bounds
+        ("point-source --intensity 100cd --distance 1+-1m", "25 lx and more, without a bound"),
+        ("point-source --intensity 100cd --distance 1+-2m", "11.1111 lx and more, without"),
+        # 10 lg 250 = 23.9794, and towards 0 mW there is none
+        ("100+-150mW dBm", "23.9794 dBm and less, without a bound"),
+        # 100 / 4.5^2, over a pole between the ends: -0.5 and 4.5
+        ("100lx/(2.0+-2.5)^2 lx", "4.93827 lx and more, without a bound"),
+        ("100lx/(0.3+-2.5) lx", "without a bound, down or up"),
+        # 2.81^2 = 7.8961, over 0 at 0
+        ("100lx*(0.31+-2.5)^2 lx", "0 lx to 789.61 lx"),
+        # a power of 10 may reach far, and is no 0
+        ("10+-10OD 1", "1e-20 to 1"),
+    ],
+)
+def test_a_range_has_what_lies_within(words, note):
+    (answer,) = answers(call([*words.split(), "--json"]).output)
+    told = [told for told in answer["notes"] if "far from linear" in told]
+    assert any(one.partition(": ")[2].startswith(note) for one in told), answer["notes"]
 
 
 def test_every_unit_of_a_value_has_the_note_once():

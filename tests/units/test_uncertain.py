@@ -232,7 +232,7 @@ def test_each_number_of_an_expression_has_its_part():
     amount = read_amount("(100±3) lx - 20(1) lx")
     sizes = {part.text: part.size for part in amount.parts}
     assert sizes == pytest.approx({"100±3": 3, "20(1)": -1}, rel=1e-6)
-    assert [(part.low, part.high) for part in amount.parts] == [(77, 83), (81, 79)]
+    assert [(part.at(-1), part.at(1)) for part in amount.parts] == [(77, 83), (81, 79)]
 
 
 @pytest.mark.parametrize(
@@ -276,7 +276,7 @@ def test_the_parts_of_an_amount_have_their_ends(text, size, ends):
     assert amount.is_uncertain
     (part,) = amount.parts
     assert part.size == pytest.approx(size, rel=1e-5)
-    for end, other in zip((part.low, part.high), ends, strict=True):
+    for end, other in zip((part.at(-1), part.at(1)), ends, strict=True):
         assert end == other or end == pytest.approx(other, rel=1e-12)
 
 
