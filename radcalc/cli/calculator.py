@@ -6,11 +6,19 @@ from typing import Any, NamedTuple
 
 from radcalc import stdio
 from radcalc.answer import Answer, Input, Result, Row
-from radcalc.calculators.results import element, name_of, pick, rows, saying_how_read, scales_of
+from radcalc.calculators.results import (
+    LINKS_HINT,
+    element,
+    name_of,
+    pick,
+    rows,
+    saying_how_read,
+    scales_of,
+)
 from radcalc.cli import check, streams
 from radcalc.cli.cases import Case, label
 from radcalc.cli.options import Output
-from radcalc.errors import UsageError, nearest, option, quote
+from radcalc.errors import MissingInput, UsageError, nearest, option, quote
 from radcalc.given import Inputs, any_uncertain, inputs_of
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import QUANTITY
@@ -207,7 +215,7 @@ def show(
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
         hint = "--format table, or a unit: -g NAME:UNIT"
         output.refuse_auto("--get prints bare numbers", hint)
-        _show_columns(_picked(answers, asked.wanted), output, inputs)
+        _show_columns(_picked(answers, asked.wanted, in_columns=True), output, inputs)
     else:
         picked = _picked(_spread(answers), asked.wanted)
         output.show([result(one, chosen) for one, chosen in picked])
@@ -218,19 +226,43 @@ def _are_arrays(inputs: Sequence[Sequence[Input]]) -> bool:
 
 
 def _picked(
-    answers: Iterable[Answered], wanted: Sequence[str]
+    answers: Iterable[Answered], wanted: Sequence[str], in_columns: bool = False
 ) -> Iterator[tuple[Answered, list[Row]]]:
-    """Each answer with the results that were asked for, in the units of the first."""
+    """Each answer with the results that were asked for, in the units of the first.
+
+    What was asked for without a unit, and is of another kind of light than in the first, is in its
+    own unit; columns, each of one unit, are refused then.
+    """
     said: tuple[str, ...] | None = None  # of scales
+    first = wanted
     for one in answers:
-        chosen = [pick(one.answer.values, name, one.case) for name in wanted]
-        wanted = [f"{row.name}:{row.unit}" for row in chosen]
+        chosen = [
+            _in_first(one, name, in_unit, in_columns)
+            for name, in_unit in zip(wanted, first, strict=True)
+        ]
+        if first is wanted:
+            first = [f"{row.name}:{row.unit}" for row in chosen]
         if said is None:
-            said = scales_of(one.answer.values, wanted)
+            said = scales_of(one.answer.values, first)
         if said:
             assumptions = dict.fromkeys((*one.answer.assumptions, *said))
             one = one._replace(answer=one.answer._replace(assumptions=tuple(assumptions)))
         yield one, chosen
+
+
+def _in_first(one: Answered, name: str, in_unit: str, in_columns: bool) -> Row:
+    """A result in the unit that it has in the first answer; or in its own, if that is not named."""
+    try:
+        return pick(one.answer.values, in_unit, one.case)
+    except MissingInput:
+        if name == in_unit or ":" in name:
+            raise
+        own = pick(one.answer.values, name, one.case)
+        if not in_columns:
+            return own
+        units = f"{in_unit.partition(':')[2]} and {own.unit}"
+        problem = f"a column of {own.name} would have two units, {units}"
+        raise UsageError(problem, f"--format table, or {LINKS_HINT}") from None
 
 
 def _show_columns(
