@@ -177,6 +177,10 @@ class NumberError(RadcalcError):
     """A text that is not a number radcalc reads, or a number that cannot be held."""
 
 
+class OutOfRange(NumberError):
+    """A number that is larger or smaller than a float holds."""
+
+
 class ExpressionError(NumberError):
     """Arithmetic that has no value: malformed, of unlike quantities, beyond all bounds."""
 

@@ -50,7 +50,7 @@ PROSE = (
     r"a line of \d+ fields", r"- once, and files",
     r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
     r"an intensity behind it, .*",
-    r"a call for each (conversion|kind of line)", r"a comparison by .*",
+    r"a result between .*", r"a call for each (conversion|kind of line)", r"a comparison by .*",
     r"a product of comparisons .*", r"angles with their units, .*",
 )  # fmt: skip
 STANDING_FOR = {  # words in capitals of commands that are not symbols

@@ -36,6 +36,7 @@ from radcalc.errors import (
     MissingInput,
     MissingUnit,
     NumberError,
+    OutOfRange,
     OutputError,
     RadcalcError,
     TooNarrow,
@@ -88,6 +89,9 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
     "a number is refused in plain words": (
         lambda: NumberError("'1,5' has a comma in its number", "1.5"),
         *[("'1,5' has a comma in its number", "1.5")] * 3),
+    "what no number holds is refused in plain words": (
+        lambda: OutOfRange("'1e400' is too large for a number", "less than 1.8e308"),
+        *[("'1e400' is too large for a number", "less than 1.8e308")] * 3),
     "quantities are named at both gates": (
         lambda: ExpressionError(f"cannot add {measured('lx')} and {measured('lm')}", "one"),
         ("cannot add illuminance (lx) and luminous flux (lm)", "one"),

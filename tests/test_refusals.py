@@ -433,6 +433,16 @@ COMMANDS = {
         "convert 100 cd lx --distance 1m,2m --check 25lx", "--check takes one answer"),
     "a range of distances has no one answer to check": (
         "point-source --intensity 9cd --distance 1m:3m:1m --check 1lx", "--check takes one"),
+    "a list with a number that is too large says which": (
+        "convert 100,1e400 lx fc", "'1e400' is too large", "less than 1.8e308"),
+    "so does one with a unit behind each": (
+        "convert 100lx,1e400lx fc", "'1e400' is too large", "less than 1.8e308"),
+    "so does a condition": (
+        "convert 800 lm lx --isotropic --distance 1m,1e400m", "'1e400' is too large", "1.8e308"),
+    "a list with a number that is too small says which": (
+        "convert 1e-400,100 lx fc", "'1e-400' is too small", "more than 2.3e-308"),
+    "a result that is too large is told of, and not the value": (
+        "convert 1e308 lx ulx", "the result in ulx cannot be held", "a result between"),
     "a list of temperatures has no one answer to check": (
         "spectrum blackbody:3000K,4000K --check x=0.4", "--check takes one answer"),
     "a list of wavelengths has no one answer to check": (

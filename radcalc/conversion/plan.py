@@ -99,7 +99,7 @@ class Plan:
     def _not_held(self) -> ConversionError:
         return ConversionError(
             f"the result in {quote(self.target.text)} cannot be held by a number",
-            "a value between 2.3e-308 and 1.7e308",
+            "a result between 2.3e-308 and 1.7e308, by another value or unit",
         )
 
     def _refuse_negative(self, value: "Any") -> None:

@@ -10,7 +10,7 @@ A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
 import math
 from sys import float_info
 
-from radcalc.errors import MINUS, NumberError, quote
+from radcalc.errors import MINUS, NumberError, OutOfRange, quote
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -181,12 +181,12 @@ def _refuse_pi_below(text: str, bare: int) -> None:
         )
 
 
-def _too_large(number: str) -> NumberError:
-    return NumberError(f"'{quote(number)}' is too large for a number", "less than 1.8e308")
+def _too_large(number: str) -> OutOfRange:
+    return OutOfRange(f"'{quote(number)}' is too large for a number", "less than 1.8e308")
 
 
-def _too_small(number: str) -> NumberError:
-    return NumberError(f"'{quote(number)}' is too small for a number", "more than 2.3e-308")
+def _too_small(number: str) -> OutOfRange:
+    return OutOfRange(f"'{quote(number)}' is too small for a number", "more than 2.3e-308")
 
 
 def _not_a_number(text: str) -> NumberError:

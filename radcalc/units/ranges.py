@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, NumberError, RadcalcError, TooMany, quote
+from radcalc.errors import ConditionError, NumberError, OutOfRange, RadcalcError, TooMany, quote
 from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, read_amount, sides, split_value
 from radcalc.units.numbers import DIGITS, SIGNS, read_number, without_commas
 from radcalc.units.scales import resolve_given, scale_of
@@ -143,6 +143,8 @@ def _unit_in(text: str) -> str:
             unit = read_amount(text).typed[1]
             return unit.text if unit else ""
         return split_value(text)[1]
+    except OutOfRange:  # which is what is wrong with the list
+        raise
     except RadcalcError:
         return ""
 
