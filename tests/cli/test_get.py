@@ -77,6 +77,15 @@ def test_a_bare_name_is_in_the_unit_of_the_listing(text, capfd):
                 assert found == number or is_near(found, number), name
 
 
+def test_a_result_is_in_its_own_unit_where_the_first_is_of_another_kind(capfd):
+    """E = Phi / (4 pi d^2): 800 / (16 pi) = 15.9155 lx, and 900 / (16 pi) = 17.9049 W/m2."""
+    lamps = ["point-source", "--flux", "800lm,900W", "--distance", "2m", "-g", "irradiance", "-q"]
+    assert run([*lamps, "--format", "csv", "--precision", "6"]) == 0
+    assert capfd.readouterr().out.splitlines() == [
+        "flux,irradiance:lx,irradiance:W/m2", "800lm,15.9155,", "900W,,17.9049"
+    ]  # fmt: skip
+
+
 def is_near(found, uncertain):
     """Whether a number is within an uncertain one: 63.7 ± 1.6, or (3.77 ± 0.12)e-05."""
     size, off, power = re.fullmatch(r"\(?(\S+) ± ([^)]+?)\)?(e\S+)?", uncertain).groups("")
