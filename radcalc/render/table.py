@@ -22,8 +22,9 @@ from radcalc.render.plain import derivation, number, uncertain, unit_behind
 from radcalc.stdio import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
 
 DIGITS = 6
-BLANK = 1  # columns of the terminal between two of a table, which have one at either side
-GAP = BLANK + 2
+# Columns of the terminal between two of a table: a column of blanks with one at either side, or
+# where words would be parted otherwise a single one.
+WIDE, NARROW = 3, 1
 LONG = 12  # letters of a word that may be folded
 LONGEST_FRACTION = 0.3  # seconds: longer exposure times are marked as decimals
 KEPT = "\xa0"  # a blank at which no line is folded
@@ -49,7 +50,8 @@ def results(results: Sequence[Result], style: Style) -> str:
     if alike:
         results = [one._replace(rows=_others(one.rows, alike)) for one in results]
     wide = _wide(results, precision, language)
-    if wide and _widths(wide, wide[0], style.width):
+    fitting = _widths(wide, wide[0], style.width) if wide else None
+    if wide and fitting and fitting[1] == WIDE:
         head, *lines = wide
         rows = results[0].rows
         said = [f"{_letter(row)}: {_quantity(row, language)}" for row in rows if row.symbol]
@@ -248,8 +250,9 @@ def draw(drawn: Drawn, style: Style) -> str:
     whole = [name for name in header if name in (*drawn.right, *drawn.whole, "unit")]
     if "unit" in header[:1]:  # the name of what the row is about
         whole.remove("unit")
-    widths = _widths([header, *rows], whole, width)
-    if widths:
+    fitting = _widths([header, *rows], whole, width)
+    if fitting:
+        widths, gap = fitting
         console = Console(
             file=out,
             width=width,
@@ -265,8 +268,8 @@ def draw(drawn: Drawn, style: Style) -> str:
         # at the edges as well, where there is none, and a table as wide as its room was squeezed.
         table = Table(box=_box(), padding=0, show_edge=False, header_style="")
         for name, columns in zip(header, widths, strict=True):
-            if table.columns:
-                table.add_column(width=BLANK)
+            if table.columns and gap == WIDE:
+                table.add_column(width=WIDE - 2)
             table.add_column(
                 Text(name, "bold"),
                 width=columns,
@@ -275,11 +278,11 @@ def draw(drawn: Drawn, style: Style) -> str:
             )
         for number, cells in enumerate(rows):
             texts = [  # styled in themselves, and not the blanks that fill a cell
-                Text.assemble((cell, drawn.style(number, name)))
-                for name, cell in zip(header, cells, strict=True)
+                Text.assemble((_parted(cell, columns), drawn.style(number, name)))
+                for name, cell, columns in zip(header, cells, widths, strict=True)
             ]
             apart = [part for text in texts for part in (None, text)]
-            table.add_row(*apart[1:])
+            table.add_row(*(apart[1:] if gap == WIDE else texts))
         console.print(table)
     else:
         out.write(
@@ -306,22 +309,30 @@ def _folded(lines: Iterable[str], style: Style) -> str:
     return text.replace(KEPT, " ")
 
 
-def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> list[int] | None:
-    """How wide each column is; None where they do not fit beside each other.
+def _widths(
+    rows: Sequence[Sequence[str]], whole: Sequence[str], room: int
+) -> tuple[list[int], int] | None:
+    """How wide each column is, and the gap between two; None where they do not fit.
 
     The first row has the names.  A column that is `whole` is not folded, since a number or a
-    unit over two lines is another one.  Long words are folded only where nothing else helps.
+    unit over two lines is another one.  The columns stand closer before a word is parted, at its
+    slashes first; long ones of more than letters are folded only where nothing else helps.
     """
     columns = list(zip(*rows, strict=True))
     most = [max(cell_len(line) for text in cells for line in text.split("\n")) for cells in columns]
-    for long in (room, LONG):
+    for gap, is_parted, long in (
+        (WIDE, False, room),
+        (NARROW, False, room),
+        (NARROW, True, room),
+        (NARROW, True, LONG),
+    ):
         widths = [
             size
             if cells[0] in whole
-            else max(_least(word, long) for text in cells for word in _words(text))
+            else max(_least(word, long) for text in cells for word in _words(text, is_parted))
             for size, cells in zip(most, columns, strict=True)
         ]
-        spare = room - sum(widths) - GAP * (len(widths) - 1)
+        spare = room - sum(widths) - gap * (len(widths) - 1)
         if spare >= 0:
             break
     else:
@@ -330,7 +341,7 @@ def _widths(rows: Sequence[Sequence[str]], whole: Sequence[str], room: int) -> l
         folds = [size / max(given, 1) for size, given in zip(most, widths, strict=True)]
         widths[folds.index(max(folds))] += 1
         spare -= 1
-    return widths
+    return widths, gap
 
 
 def _lines(
@@ -345,11 +356,21 @@ def _lines(
     return [line.replace(KEPT, " ") for line in fold("  ".join(said), width, HANGING)]
 
 
-def _words(text: str) -> list[str]:
-    return text.split() or [""]
+def _words(text: str, is_parted: bool = False) -> list[str]:
+    """The words of a text, or what stands between its blanks and behind its slashes."""
+    return (text.replace("/", "/ ") if is_parted else text).split() or [""]
+
+
+def _parted(text: str, columns: int) -> str:
+    """The text with lines that end at the slashes of words that are wider than their column."""
+    words = [
+        word if cell_len(word) <= columns else word.replace("/", "/\n").removesuffix("\n")
+        for word in text.split(" ")
+    ]
+    return " ".join(words)
 
 
 def _least(word: str, long: int) -> int:
-    """The columns that a word needs: all of its own, but for a long one that is no number."""
+    """The columns that a word needs: all of its own, but for a long one of more than letters."""
     size = cell_len(word)
-    return size if word[:1].isdigit() else min(size, long)
+    return size if word[:1].isdigit() or word.isalpha() else min(size, long)

@@ -8,6 +8,7 @@ from conftest import process, run
 from helpers import answers, screen_of, terminal_of
 
 from radcalc.answer import FRACTION, Result, Row
+from radcalc.quantities.language import translate
 from radcalc.render import table
 from radcalc.render.formats import Style
 
@@ -76,6 +77,24 @@ def test_no_word_is_folded_where_all_fit():
     assert "───" in screen
     words = ("Astrophysical", "transmittance", "illuminance")
     assert all(word in screen for word in words)
+
+
+@pytest.mark.parametrize("columns", range(36, 64))
+@pytest.mark.parametrize("language", ["en", "cs", "ru"])
+def test_words_of_names_are_parted_at_slashes_only(columns, language):
+    """What stands between blanks is a word of a name, or a part of one up to its slash."""
+    names = ("scotopic/photopic ratio", "correlated colour temperature", "lux per PPFD")
+    rows = tuple(Row(name, "T_cp", 0.000600783, "lm.s/umol") for name in names)
+    words = {
+        word
+        for name in (*names, "quantity")
+        for text in translate(name, language).split()
+        for word in (text, *text.replace("/", "/ ").split())
+    }
+    shown = table.results([Result(rows)], Style(width=columns, language=language))
+    seen = {word for word in shown.split() if word[0].isalpha()}
+    assert seen - {"symbol", "value", "unit", "T_cp", "lm.s/umol"} <= words
+    assert max(map(len, shown.splitlines())) <= columns
 
 
 def test_two_answers_with_the_same_rows_are_a_line_each():
