@@ -27,7 +27,7 @@ from radcalc.api.reading import one_of, read_inputs, read_points
 from radcalc.api.result import Result, Undrawn, of_answer
 from radcalc.api.spelling import in_python
 from radcalc.errors import ConditionError, option
-from radcalc.given import inputs_of, read, refuse_uncertain
+from radcalc.given import IN_METRES, inputs_of, read, refuse_uncertain
 from radcalc.maths import is_array
 
 
@@ -438,7 +438,7 @@ def uberlight(
 def scene(
     sources: Path | Iterable[Mapping[str, Any]],
     points: Points,
-    normal: Vector = (0.0, 0.0, 1.0),
+    normal: Vector = None,
     *,
     wavelength: Amount = None,
     spectrum: Text = None,
@@ -453,8 +453,9 @@ def scene(
     Parameters
     ----------
     sources : str, path, or list of dicts
-        A CSV file with a row for each source, or a dict for each, with the columns of
-        ``radcalc scene`` as keys and texts, quantities or numbers as values.
+        A CSV file with a row for each source, or a dict for each, with the titles of the columns
+        of ``radcalc scene`` as keys (``"x"``, ``"x (cm)"``) and texts, quantities or numbers as
+        values.
     points : Points, of the shape (n, 3)
         The points, in metres unless they have a unit; a text such as ``"1,2,0.75"`` for one.
     normal : Vector, optional
@@ -519,8 +520,11 @@ def _scene(given: dict[str, Any]) -> Result:
             f"the sources are of the type {type(sources).__name__}",
             "the path of a CSV file, or a list with a dict for each",
         )
-    places = numpy.atleast_2d(numpy.stack(read_points(points).value, -1))
-    survey = page.Survey(page.scene(sources, inputs), read("normal", normal).value, shares)
+    read_at = read_points(points)
+    places = numpy.atleast_2d(numpy.stack(read_at.value, -1))
+    facing = None if normal is None else read("normal", normal).value
+    said = () if read_at.unit else (IN_METRES,)
+    survey = page.Survey(page.scene(sources, inputs, said), facing, shares)
     parts = [*survey.at_points(blocks(places))]
     remarks = survey.remarks(with_values=True)
     values = [

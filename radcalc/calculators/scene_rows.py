@@ -168,9 +168,15 @@ def _read_numbers(rows: Sequence[Row], units: Mapping[str, Unit], have_commas: b
         for row, column in places:
             row[column] = row[column].replace(",", ".")
     for row, column in places:
-        if column in units and _is_bare(row[column]):
-            number = split_value(row[column])[0]
-            row[column] = (number, units[column], f"{row[column]} {units[column].text}")
+        row[column] = _in_unit(row[column], units.get(column))
+
+
+def _in_unit(value: Any, unit: Unit | None) -> Any:
+    """A bare number in the unit of its title, as it is typed; anything else as it is."""
+    if unit is None or not _is_bare(value):
+        return value
+    number = split_value(value)[0] if isinstance(value, str) else value
+    return number, unit, f"{value} {unit.text}"
 
 
 def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
@@ -239,24 +245,24 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
 
 
 def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
-    """The rows of a list of dicts, whose keys are the columns; None is as if it were not there."""
+    """The rows of a list of dicts, whose keys are titles; None is as if it were not there."""
     rows = []
+    headers: dict[tuple[str, ...], tuple[dict[str, str], dict[str, Unit]]] = {}
     for number, source in enumerate(sources, 1):
         if not isinstance(source, Mapping):
             raise ConditionError(
                 f"source {number} is a {type(source).__name__}", "a dict for each source"
             )
-        cells = {}
-        for key, value in source.items():
-            name = str(key).replace("_", "-").lower()
-            if name not in KNOWN:
-                near = [typed(one) for one in nearest(name, KNOWN, 3)]
-                problem = f"source {number}: there is no column '{quote(str(key))}'"
-                raise ConditionError(problem, ", ".join(near or map(typed, KNOWN[:8])))
-            is_blank = value is None or (isinstance(value, str) and not value.strip())
-            if not is_blank:
-                cells[name] = value
-        rows.append(Row(f"source {number}", cells, {}))
+        where, keys = f"source {number}", tuple(map(str, source))
+        if keys not in headers:
+            headers[keys] = _header(keys, where)
+        titles, units = headers[keys]
+        cells = {
+            column: _in_unit(value, units.get(column))
+            for column, value in zip(titles, source.values(), strict=True)
+            if value is not None and not (isinstance(value, str) and not value.strip())
+        }
+        rows.append(Row(where, cells, {}))
     if not rows:
         raise ConditionError("there is no source", "a dict for each")
     return rows

@@ -24,6 +24,7 @@ from radcalc.given import (
     read_place,
     refuse_uncertain,
 )
+from radcalc.quantities.symbols import SYMBOLS
 from radcalc.render import arrays
 from radcalc.render.formats import CSV, JSON
 from radcalc.texts import ENDINGS
@@ -108,6 +109,11 @@ def command(
         other = next(name for name in names if name not in of_all)
         problem = f"{quote(of_all[0])} is of all the points, {quote(other)} of each"
         raise UsageError(problem, "one call for each")
+    if asked.check is not None and points.size > 1:
+        claimed = name_of(asked.check.partition("=")[0])
+        if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
+            problem = f"--check {quote(claimed)} is of one point, and there are {points.size}"
+            raise UsageError(problem, "--at X,Y,Z once, or --check mean-irradiance=VALUE")
     if asked.steps and points.size > 1:
         raise UsageError("--steps is of one point", "--at X,Y,Z once")
 

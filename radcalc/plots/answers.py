@@ -5,7 +5,7 @@ from typing import Any
 
 from radcalc.errors import UsageError, mention
 from radcalc.given import Inputs
-from radcalc.plots.curves import RANGE, Solved, curves, varied
+from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied
 from radcalc.plots.data import Picture
 from radcalc.spectra.observers import OBSERVERS, Observer
 from radcalc.spectra.spectrum import WHOLE
@@ -43,7 +43,8 @@ def picture(
     if along and command not in LISTS:
         return curves(solved, wanted)
     if command not in OF_ONE:
-        raise UsageError("there is no picture of a single answer here", mention(RANGE))
+        hint = ranged(solved[0].given) or mention(RANGE)
+        raise UsageError("there is no picture of a single answer here", hint)
     return OF_ONE[command](solved, wanted, operand)
 
 

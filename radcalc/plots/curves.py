@@ -42,6 +42,17 @@ def varied(solved: Sequence[Solved]) -> list[str]:
     ]
 
 
+def ranged(given: Inputs) -> str:
+    """A range of an input that may be drawn over: up to what was given; nothing without any."""
+    for name, one in given.items():
+        is_size = isinstance(one.number, (int, float)) and one.number > 0
+        if one.symbol.form == QUANTITY and is_size and not isinstance(one.unit, ScaleUnit):
+            ends = (f"{one.number * part:.6g}" for part in (0.5, 1, 0.05))
+            unit = one.unit_text if one.unit else ""
+            return "a range of values: " + option(name, ":".join(f"{end}{unit}" for end in ends))
+    return ""
+
+
 def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     """Results over what varies; of several lists the last one of numbers is along the axis.
 

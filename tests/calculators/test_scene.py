@@ -388,3 +388,36 @@ def test_a_million_points_take_no_more_memory_than_a_tenth_of_them(tmp_path):
         int(python(MEMORY, *command, "--grid", f"0:1:{n},0:1:1000,0").stdout) for n in (100, 1000)
     ]
     assert sizes[1] < sizes[0] + 20_000  # KiB; the answers alone would be 8 MB, as text 13
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        {"x (cm)": 0, "y": 0, "z (cm)": 200, "Intensity [cd]": 100},
+        {"x_m": "0", "y_m": "0", "z_m": "2", "intensity": "100 cd"},
+    ],
+)
+def test_the_keys_of_a_dict_are_read_as_titles(source):
+    """100 cd at 2 m: 100 / 2^2 = 25 lx."""
+    found = radcalc.scene([source], "0,0,0")
+    assert found.illuminance.m_as("lx") == pytest.approx([25])
+    with pytest.raises(RadcalcError, match="stands there twice"):
+        radcalc.scene([source | {"Y": 1, "y": 1, "y (m)": 1}], "0,0,0")
+
+
+def test_a_scene_in_python_says_how_its_points_are_read():
+    lamp = [{"x": "0 m", "y": "0 m", "z": "2 m", "intensity": "100 cd"}]
+    told = {"coordinates without a unit are in metres", "the receivers face up"}
+    assert told <= {*radcalc.scene(lamp, [0, 0, 0]).assumptions}
+    assert not told & {*radcalc.scene(lamp, "0m,0m,0m", (0, 0, 1)).assumptions}
+
+
+def test_a_result_of_each_point_is_checked_at_one(tmp_path):
+    """100 cd at 2 m: 25 lx."""
+    file = tmp_path / "lamp.csv"
+    file.write_text("x,y,z,intensity\n0,0,2,100cd\n")
+    places = ["scene", str(file), "--at", "0,0,0", "--at", "1,0,0"]
+    refused = run(*places, "--check", "irradiance=25lx")
+    assert refused.returncode == 2
+    assert "--check irradiance is of one point, and there are 2" in refused.stderr
+    assert run(*places, "--check", "maximum-irradiance=25lx").returncode == 0

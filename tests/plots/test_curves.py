@@ -91,7 +91,7 @@ def test_what_cannot_be_on_one_axis_is_refused(wanted, problem):
 def test_a_number_alone_has_no_picture():
     with pytest.raises(UsageError, match="no picture of a single answer") as caught:
         picture("lambertian", [solved(lambda g: lambertian("patch", g), luminance="1cd/m2")])
-    assert "distance 1m:10m:0.1m" in str(caught.value)
+    assert "luminance 0.5cd/m2:1cd/m2:0.05cd/m2" in str(caught.value)  # an input of its own
 
 
 def surveyed(*axes):
