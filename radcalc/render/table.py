@@ -250,7 +250,7 @@ def draw(drawn: Drawn, style: Style) -> str:
     whole = [name for name in header if name in (*drawn.right, *drawn.whole, "unit")]
     if "unit" in header[:1]:  # the name of what the row is about
         whole.remove("unit")
-    fitting = _widths([header, *rows], whole, width)
+    fitting = _widths([header, *rows], whole, width) if header else None
     if fitting:
         widths, gap = fitting
         console = Console(
