@@ -9,10 +9,9 @@ from typing import Any
 
 from radcalc.answer import Input, Result, Row
 from radcalc.maths import is_column
-from radcalc.render.plain import derivation, number, uncertain, unit_behind
+from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain, unit_behind
 from radcalc.stdio import remarks
 
-DIGITS = 6
 MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
 QUIET = ' style="opacity: 0.7"'
 STYLE = ' style="border-collapse: collapse"'
@@ -79,7 +78,7 @@ def _given(row: Row) -> str:
 def _value(row: Row) -> str:
     if is_column(row.value):
         return _number(row.value)
-    return uncertain(float(row.value), row.uncertainty, None, DIGITS)
+    return uncertain(float(row.value), row.uncertainty, None, TABLE_DIGITS)
 
 
 def _number(values: Any) -> str:
@@ -88,12 +87,12 @@ def _number(values: Any) -> str:
         return f"an array of the shape {values.shape}, not computed yet"
     if values.ndim > 1:
         return f"[{' '.join(map(_number, values))}]" if values.size <= MOST else _shape(values)
-    every = [number(one, DIGITS) for one in values.tolist()]
+    every = [number(one, TABLE_DIGITS) for one in values.tolist()]
     if len(every) > MOST:
         every = [*every[:ENDS], "...", *every[-ENDS:]]
     return f"[{' '.join(every)}]"
 
 
 def _shape(values: Any) -> str:
-    least, most = (number(float(one), DIGITS) for one in (values.min(), values.max()))
+    least, most = (number(float(one), TABLE_DIGITS) for one in (values.min(), values.max()))
     return f"an array of the shape {values.shape}, from {least} to {most}"

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from radcalc.answer import Result, Step
     from radcalc.render.formats import Judgement, Records, Style
 
-DIGITS, RATIO_DIGITS = 12, 4
+DIGITS, TABLE_DIGITS, RATIO_DIGITS = 12, 6, 4
 LEAST_FIXED, MOST_FIXED = -4, 6  # powers of ten of an uncertain number without an exponent
 MOST_TOGETHER = 15  # digits of a number to the last of its uncertainty, as many as it has
 REMARKS_ARE_APART = True

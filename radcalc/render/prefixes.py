@@ -14,7 +14,7 @@ from radcalc.units.table import resolve
 
 LEAST, MOST = 1.0, 1000.0
 _units = lru_cache(maxsize=64)(prefixes_of)
-DIGITS = {TABLE: 6, CSV: 16}  # of numbers, of which CSV has all
+DIGITS = {TABLE: plain.TABLE_DIGITS, CSV: 16}  # of numbers, of which CSV has all
 
 
 def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -> list[Result]:

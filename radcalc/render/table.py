@@ -18,10 +18,9 @@ from radcalc.answer import FRACTION, Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import derivation, number, uncertain, unit_behind
+from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain, unit_behind
 from radcalc.stdio import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
 
-DIGITS = 6
 # Columns of the terminal between two of a table: a column of blanks with one at either side, or
 # where words would be parted otherwise a single one.
 WIDE, NARROW = 3, 1
@@ -106,7 +105,7 @@ def records(records: Records, style: Style) -> str:
 
 def verdict(judgement: Judgement, style: Style) -> str:
     """The words of plain text, with the digits of a table, folded."""
-    lines = plain.verdict(judgement, style, DIGITS).splitlines()
+    lines = plain.verdict(judgement, style, TABLE_DIGITS).splitlines()
     return _folded(lines, style)
 
 
@@ -216,8 +215,8 @@ def _number(row: Row, precision: int | None) -> str:
     """The number of a row, with its uncertainty; of a short exposure time 1/60."""
     is_fraction = row.form == FRACTION and row.unit == "s"
     if is_fraction and 0 < row.value < LONGEST_FRACTION and not row.uncertainty:
-        return f"1/{number(1 / row.value, precision or DIGITS)}"
-    return uncertain(row.value, row.uncertainty, precision, DIGITS)
+        return f"1/{number(1 / row.value, precision or TABLE_DIGITS)}"
+    return uncertain(row.value, row.uncertainty, precision, TABLE_DIGITS)
 
 
 class Drawn(NamedTuple):
