@@ -8,6 +8,7 @@ from radcalc.answer import Step
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
+from radcalc.units.table import unit_behind
 
 # What derivations write in other than coherent units, and how many of these are in one.
 CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01, "mrad": 1e3}
@@ -72,7 +73,7 @@ def format_value(value: Any, unit: str, digits: int = DIGITS) -> str:
 
 def with_unit(number: str, unit: str) -> str:
     """A number and its unit; one without a unit alone."""
-    return number if unit == "1" else f"{number} {unit}"
+    return number + unit_behind(unit)
 
 
 def letter_of(name: str) -> str:

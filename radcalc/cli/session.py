@@ -32,11 +32,10 @@ from radcalc.quantities.symbols import (
 )
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
-from radcalc.render.plain import unit_behind
 from radcalc.units import scales
 from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
 from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
-from radcalc.units.table import unit_of
+from radcalc.units.table import unit_behind, unit_of
 from radcalc.units.uncertain import SIGN
 
 ANS = "ans"

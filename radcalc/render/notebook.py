@@ -9,8 +9,9 @@ from typing import Any
 
 from radcalc.answer import Input, Result, Row
 from radcalc.maths import is_column
-from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain, unit_behind
+from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.stdio import remarks
+from radcalc.units.table import unit_behind
 
 MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
 QUIET = ' style="opacity: 0.7"'

@@ -1,5 +1,7 @@
 """Plain text: one result a line, fields separated by tabs."""
 
+from radcalc.units.table import unit_behind
+
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,11 +43,6 @@ def uncertain(value: float, off: float, precision: int | None = None, digits: in
     return (
         f"({round(value / scale, places) + 0.0:.{places}f} ± {off / scale:.{places}f})e{first:+03d}"
     )
-
-
-def unit_behind(unit: str) -> str:
-    """A unit as it stands behind a number, with a blank: none is behind a plain number."""
-    return "" if unit == "1" else f" {unit}"
 
 
 def line(

@@ -18,8 +18,9 @@ from radcalc.answer import FRACTION, Result, Row, shows, varying
 from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
-from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain, unit_behind
+from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
 from radcalc.stdio import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
+from radcalc.units.table import unit_behind
 
 # Columns of the terminal between two of a table: a column of blanks with one at either side, or
 # where words would be parted otherwise a single one.

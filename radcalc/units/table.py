@@ -348,6 +348,11 @@ def suggest(spelling: str, count: int = 3) -> list[str]:
     return list(dict.fromkeys(near))[:count]
 
 
+def unit_behind(unit: str) -> str:
+    """A unit as it stands behind a number, with a blank: none is behind a plain number."""
+    return "" if unit == "1" else f" {unit}"
+
+
 def _prefixed() -> list[str]:
     """The symbols, and those with a common prefix."""
     found = list(SYMBOLS)
