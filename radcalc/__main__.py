@@ -51,31 +51,34 @@ def quick_lane(words: list[str]) -> int | None:
         return None
     if any(w[:1] == "-" and not w[1:2].isdigit() for w in operands):
         return None
-    from radcalc import stdio
-    from radcalc.conversion.plan import plan
+    from radcalc import terminal
+    from radcalc.conversion.linear import between, is_function
     from radcalc.errors import RadcalcError
     from radcalc.render.plain import line
-    from radcalc.units.amounts import read_operands
+    from radcalc.units.reading import read_operands
     from radcalc.units.table import resolve
 
-    if stdio.is_terminal():
+    if terminal.is_terminal():
         return None
     try:
         amount, target = read_operands(operands)
         if not target or amount.unit is None or amount.is_uncertain or amount.scale:
             return None
-        made = plan(amount.unit, resolve(target))
+        unit = resolve(target)
+        if is_function(amount.unit, unit):
+            return None
+        made = between(amount.unit, unit)
         if amount.number < 0 and made.source.is_light:  # there is more to say
             return None
         text = line(made.apply(amount.number), made.target.text, bare=number)
     except Exception:  # an error or a bug: Click's boundary says it properly
         return None
     try:
-        stdio.write(text)
+        terminal.write(text)
     except RadcalcError as error:
-        return stdio.complain(error)
-    stdio.say(stdio.remarks(made.assumptions, made.notes))
-    return stdio.ANSWERED
+        return terminal.complain(error)
+    terminal.say(terminal.remarks(made.assumptions, made.notes))
+    return terminal.ANSWERED
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from radcalc.errors import RadcalcError
 from radcalc.maths import is_array
-from radcalc.units.table import Dimension
+from radcalc.units.unit import Dimension
 
 
 class Step(NamedTuple):
@@ -17,7 +17,7 @@ class Step(NamedTuple):
     reference: str = ""
 
 
-class Input(NamedTuple):
+class ShownInput(NamedTuple):
     """What somebody gave: a number in a unit, a text that is none, or True for a flag.
 
     `uncertainty` is the standard one of the number, in the unit.  What `tells` an answer from
@@ -33,13 +33,13 @@ class Input(NamedTuple):
 
     @property
     def is_quantity(self) -> bool:
-        """Whether it is a number in a unit."""
+        """Check whether it is a number in a unit."""
         return bool(self.unit)
 
 
-def texts_of(texts: Mapping[str, str]) -> tuple[Input, ...]:
+def texts_of(texts: Mapping[str, str]) -> tuple[ShownInput, ...]:
     """Inputs that are texts, but for empty ones."""
-    return tuple(Input(name, text=text) for name, text in texts.items() if text)
+    return tuple(ShownInput(name, text=text) for name, text in texts.items() if text)
 
 
 FRACTION = "fraction"  # of a second, as the times of a shutter are marked: 1/60
@@ -74,11 +74,11 @@ class Result(NamedTuple):
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
-    inputs: tuple[Input, ...] = ()
+    inputs: tuple[ShownInput, ...] = ()
     named: bool = True
 
     def spelled(self, spell: Callable[[str], str]) -> "Result":
-        """The same with the symbols that its texts mention spelled as a gate spells them."""
+        """Return the same with the symbols that its texts mention spelled as a gate spells them."""
         return self._replace(
             assumptions=tuple(map(spell, self.assumptions)), notes=tuple(map(spell, self.notes))
         )
@@ -127,7 +127,7 @@ class Value(NamedTuple):
 
     @property
     def is_absent(self) -> bool:
-        """Whether it does not follow from what is given."""
+        """Check whether it does not follow from what is given."""
         return self.lacking is not None or self.because is not None
 
 
@@ -141,24 +141,26 @@ class Answer(NamedTuple):
     more: "Sequence[Answer]" = ()
 
 
-def varying(inputs: Sequence[Sequence[Input]]) -> list[str]:
-    """The names of the inputs that are not the same in all answers, and of arrays.
+def varying(inputs: Sequence[Sequence[ShownInput]]) -> list[str]:
+    """Return the names of the inputs that are not the same in all answers, and of arrays.
 
     And of those that tell an answer from others, of which there may be none.
     """
-    each = [{one.name: one for one in some} for some in inputs]
-    names = dict.fromkeys(name for some in each for name in some)
+    by_name = [{shown_input.name: shown_input for shown_input in group} for group in inputs]
+    names = dict.fromkeys(name for group in by_name for name in group)
     return [
-        name for name in names if any(_differ(some.get(name), each[0].get(name)) for some in each)
+        name
+        for name in names
+        if any(_differ(group.get(name), by_name[0].get(name)) for group in by_name)
     ]
 
 
-def _differ(one: Input | None, other: Input | None) -> bool:
-    if one is None or other is None:
-        return one is not other
-    return one.tells or is_array(one.value) or is_array(other.value) or one != other
+def _differ(first: ShownInput | None, second: ShownInput | None) -> bool:
+    if first is None or second is None:
+        return first is not second
+    return first.tells or is_array(first.value) or is_array(second.value) or first != second
 
 
 def shows(row: Row, name: str) -> bool:
-    """Whether a row has what was given under a name."""
+    """Check whether a row has what was given under a name."""
     return row.given and name in (row.name, row.quantity.replace(" ", "-"))

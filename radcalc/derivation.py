@@ -8,7 +8,7 @@ from radcalc.answer import Step
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import SYMBOLS, light_unit
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import unit_behind
+from radcalc.units.unit import unit_behind
 
 # What derivations write in other than coherent units, and how many of these are in one.
 CUSTOMARY = {"nm": 1e9, "THz": 1e-12, "cm-1": 0.01, "mrad": 1e3}
@@ -48,11 +48,11 @@ def format_number(value: Any, digits: int = DIGITS) -> str:
     return f"{value + 0.0:.{digits}g}"  # no -0
 
 
-def digits_apart(one: Any, other: Any) -> int:
-    """How many digits tell two numbers from each other, and their ratio from 1."""
+def digits_apart(first: Any, second: Any) -> int:
+    """Return how many digits tell two numbers from each other, and their ratio from 1."""
     digits = DIGITS
-    if isinstance(one, float) and isinstance(other, float) and one != other:
-        while abs(one - other) < 10.0 ** (1 - digits) * abs(one) and digits < MOST_DIGITS:
+    if isinstance(first, float) and isinstance(second, float) and first != second:
+        while abs(first - second) < 10.0 ** (1 - digits) * abs(first) and digits < MOST_DIGITS:
             digits += 1
     return digits
 
@@ -77,19 +77,19 @@ def with_unit(number: str, unit: str) -> str:
 
 
 def letter_of(name: str) -> str:
-    """How a formula in ASCII writes a symbol."""
+    """Return how a formula in ASCII writes a symbol."""
     return in_ascii(SYMBOLS[name].letter or name)
 
 
 def in_ascii(letter: str) -> str:
-    """The letter of a symbol without Greek and signs."""
+    """Return the letter of a symbol without Greek and signs."""
     for sign, word in ASCII.items():
         letter = letter.replace(sign, word)
     return letter
 
 
 def coherent_unit_of(name: str, kind: str = "") -> str:
-    """The unit in which a derivation shows a symbol; a light quantity is of a kind."""
+    """Return the unit in which a derivation shows a symbol; a light quantity is of a kind."""
     symbol = SYMBOLS[name]
     if symbol.geometry:
         return light_unit(symbol.generic, symbol.kind or kind, coherent=True)
@@ -125,7 +125,7 @@ class Formula(NamedTuple):
         """The formula in letters."""
         return fill(self.template, lambda name, _: letter_of(name))
 
-    def step(self, values: Mapping[str, Any], found: str, kind: str = "") -> Step:
+    def step(self, values: Mapping[str, Any], result: str, kind: str = "") -> Step:
         """The formula with values [SI] put in, and what was found; other symbols stay letters.
 
         Light quantities are of a kind.
@@ -139,10 +139,10 @@ class Formula(NamedTuple):
 
         body = self.template.partition(", ")[0]  # what stands behind a comma is a remark
         numbers = fill(body.replace("Omega0", "sr"), write)
-        return self.told(f"{numbers} = {found}")
+        return self.with_numbers(f"{numbers} = {result}")
 
-    def told(self, numbers: str) -> Step:
-        """The formula, and a sentence where its numbers are too many to be put in."""
+    def with_numbers(self, numbers: str) -> Step:
+        """Return the formula, and a sentence where its numbers are too many to be put in."""
         left, _, right = self.text.partition(" = ")
         formula = "" if left == right else self.text  # cos(theta) = cos(theta)
         return Step(self.name, formula, numbers, self.reference)

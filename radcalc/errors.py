@@ -10,7 +10,9 @@ which the two gates spell in their own ways: `--height 6m` at the shell, `height
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
-    from typing import Any
+    from typing import Any, TypeVar
+
+    Kind = TypeVar("Kind", bound="RadcalcError")
 
 MINUS = "\u2212"  # people paste it, and the command line has it for the - of a number
 SHOWN = 60  # letters of a text
@@ -40,8 +42,8 @@ def quote_path(path: str) -> str:
 def listed(names: "Sequence[str]") -> str:
     """Name the first few of a user's own names, and how many more there are."""
     more = len(names) - LISTED
-    shown = ", ".join([quote(name) for name in names[:LISTED]])
-    return f"{shown} and {more} more" if more > 0 else shown
+    listing = ", ".join([quote(name) for name in names[:LISTED]])
+    return f"{listing} and {more} more" if more > 0 else listing
 
 
 def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:
@@ -62,16 +64,19 @@ def options(names: "Iterable[str]", word: str = " or ") -> str:
 
 
 def mention(text: str) -> str:
-    """A text of radcalc's own, in which {name} and {name=value} mention symbols."""
+    """Return a text of radcalc's own in which {name} and {name=value} mention symbols.
+
+    A brace before a blank mentions nothing.
+    """
     head, *parts = text.split("{")
     for part in parts:
         inner, _, rest = part.partition("}")
-        head += option(*inner.split("=", 1)) + rest
+        head += f"{{{part}" if part[:1] == " " else option(*inner.split("=", 1)) + rest
     return head
 
 
 def mentioned(text: str) -> tuple[str, ...]:
-    """The symbols that a text mentions."""
+    """Return the symbols that a text mentions."""
     names = [part.partition(VALUE)[0] for part in text.split(START)[1:]]
     return tuple(dict.fromkeys(filter(None, names)))
 
@@ -121,22 +126,22 @@ class Plain:
 
     @staticmethod
     def option(name: str, value: str) -> str:
-        """The name, and the value behind it."""
+        """Return the name, and the value behind it."""
         return f"{name} {value}".strip()
 
     @staticmethod
     def command(*words: str) -> str:
-        """The command and its words."""
+        """Return the command and its words."""
         return " ".join(["radcalc", *words])
 
     @staticmethod
     def manual(name: str) -> str:
-        """Where the help is."""
+        """Return where the help is."""
         return f"the help of {name}"
 
     @staticmethod
     def measured(unit: str) -> str:
-        """The unit alone."""
+        """Return the unit alone."""
         return f"'{unit}'"
 
 
@@ -152,8 +157,14 @@ class RadcalcError(Exception):
         self.hint = hint
 
     def __reduce__(self) -> "tuple[Any, ...]":
-        """How it is pickled, with its fields, for another process to raise."""
+        """Return how it is pickled, with its fields, for another process to raise."""
         return _remade, (type(self), self.args, self.__dict__)
+
+    def reworded(self: "Kind", message: str = "", hint: str = "") -> "Kind":
+        """Return the same error with another message, or another hint."""
+        error: Kind = _remade(type(self), self.args, self.__dict__)
+        error.message, error.hint = message or self.message, hint or self.hint
+        return error
 
     def spelled(self, spelling: "Any") -> tuple[str, str]:
         """Message and hint with the names of symbols and commands as a gate spells them."""
@@ -165,9 +176,7 @@ class RadcalcError(Exception):
         return f"{message}\ntry: {hint}" if hint else message
 
 
-def _remade(
-    kind: "type[RadcalcError]", args: "tuple[str]", fields: "dict[str, Any]"
-) -> RadcalcError:
+def _remade(kind: "type[Kind]", args: "tuple[Any, ...]", fields: "dict[str, Any]") -> "Kind":
     error = kind.__new__(kind, *args)
     error.__dict__.update(fields)
     return error
@@ -282,10 +291,10 @@ class TooNear(ConditionError):
     """
 
     def __init__(
-        self, told: str, what: str, size: str, hint: str, law: str = INVERSE_SQUARE
+        self, distance: str, body: str, size: str, hint: str, law: str = INVERSE_SQUARE
     ) -> None:
         super().__init__(
-            f"{told} is less than five times the size of the {what} ({size} m): {law} does not "
+            f"{distance} is less than five times the size of the {body} ({size} m): {law} does not "
             "hold",
             hint,
         )

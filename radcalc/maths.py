@@ -1,13 +1,16 @@
 """Elementary functions that serve floats with `math` and arrays with NumPy.
 
-A scalar answer needs no NumPy: it is imported only when an argument is an array.
+A scalar answer needs no NumPy: it is imported only when an argument is an array.  NumPy's functions
+may differ from those of `math` in the last bit; within `exactly` those of `math` serve arrays too.
 """
 
 import math
-from collections.abc import Callable
-from functools import wraps
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from itertools import repeat
 from sys import float_info
-from typing import Any, TypeVar
+from typing import Any
 
 SMALLEST = float_info.min  # below it a float loses digits
 # [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
@@ -17,54 +20,67 @@ SLACK = 1e-12
 # stay within a float.
 LARGEST = 1e100
 FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
-T = TypeVar("T")
+IS_EXACT = ContextVar("IS_EXACT", default=False)
 Number = Any  # a float, or anything that NumPy can work on element by element
 
 
 def is_array(x: Any) -> bool:
-    """Whether NumPy must serve x: neither a number nor a text, a flag or nothing."""
+    """Check whether NumPy must serve x: neither a number nor a text, a flag or nothing."""
     return hasattr(x, "dtype") and not isinstance(x, float) and not is_uncertain(x)
 
 
 def is_uncertain(x: Any) -> bool:
-    """Whether x is a number of the `uncertainties` package, which counts as no array."""
+    """Check whether x is a number of the `uncertainties` package, which counts as no array."""
     return hasattr(x, "error_components")
 
 
 def is_column(x: Any) -> bool:
-    """Whether x is an array of elements, and no single number."""
+    """Check whether x is an array of elements, and no single number."""
     return is_array(x) and x.ndim > 0
 
 
-def is_recorded(x: Any) -> bool:
-    """Whether what is done with x is noted down (`streams/traces.py`): it then calls functions."""
-    return hasattr(x, "call")
+@contextmanager
+def exactly() -> Iterator[None]:
+    """Give the elements of arrays the last bit that floats have, which takes longer."""
+    token = IS_EXACT.set(True)
+    try:
+        yield
+    finally:
+        IS_EXACT.reset(token)
 
 
-def in_one_step(function: Callable[..., T]) -> Callable[..., T]:
-    """A function of floats that is recorded whole, where an argument is: not what it does."""
+def each(function: Callable[..., float], *xs: Number) -> Number:
+    """Apply a function of floats to every element of arrays that are broadcast together."""
+    for x in xs:
+        if type(x) is not float and is_array(x):  # the type first, since nearly all are floats
+            return _mapped(function, xs)
+    return function(*xs)
 
-    @wraps(function)
-    def called(*xs: Any) -> T:
-        for x in xs:
-            if type(x) is not float and is_recorded(x):
-                return x.call(function, *xs)  # type: ignore[no-any-return]
-        return function(*xs)
 
-    return called
+def _mapped(function: Callable[..., float], xs: tuple[Number, ...]) -> Number:
+    import numpy
+
+    shape = numpy.broadcast_shapes(*[numpy.shape(x) for x in xs])
+    size = math.prod(shape)
+    columns = [
+        numpy.broadcast_to(x, shape).ravel().tolist() if is_array(x) else repeat(x, size)
+        for x in xs
+    ]
+    return numpy.fromiter(map(function, *columns), float, size).reshape(shape)[()]
 
 
 def _call(name: str, *xs: Number) -> Number:
+    """Call a function of `math` or of NumPy, which alone has values outside the domain."""
+    function = getattr(math, name)
     for x in xs:
-        if type(x) is float:  # the type first, since nearly all are floats
-            continue
-        if is_array(x):
+        if type(x) is not float and is_array(x):
+            if IS_EXACT.get():
+                with suppress(ValueError, OverflowError):
+                    return _mapped(function, xs)
             import numpy
 
             return getattr(numpy, name)(*xs)
-        if is_recorded(x):
-            return x.call(getattr(math, name), *xs)
-    return getattr(math, name)(*xs)
+    return function(*xs)
 
 
 def is_lost(value: Number, *of: Number) -> bool:
@@ -78,96 +94,126 @@ def is_lost(value: Number, *of: Number) -> bool:
 
 
 def product(a: Number, b: Number) -> tuple[Number, bool]:
-    """The product of arrays, and whether an element of it is beyond what a float holds."""
+    """Return the product of arrays, and whether an element of it is beyond what a float holds."""
     import numpy
 
     with numpy.errstate(all="ignore"):
-        found = a * b
-        gone = ~numpy.isfinite(found) & numpy.isfinite(a) & numpy.isfinite(b)
-        gone |= (abs(found) < SMALLEST) & (a != 0) & (b != 0)
-    return found, bool(numpy.any(gone))
+        products = a * b
+        gone = ~numpy.isfinite(products) & numpy.isfinite(a) & numpy.isfinite(b)
+        gone |= (abs(products) < SMALLEST) & (a != 0) & (b != 0)
+    return products, bool(numpy.any(gone))
 
 
 def sin(x: Number) -> Number:
-    """The sine of x [rad]."""
-    return _call("sin", x)
+    """Return the sine of x [rad]."""
+    return math.sin(x) if type(x) is float else _call("sin", x)
 
 
 def cos(x: Number) -> Number:
-    """The cosine of x [rad]."""
-    return _call("cos", x)
+    """Return the cosine of x [rad]."""
+    return math.cos(x) if type(x) is float else _call("cos", x)
 
 
 def tan(x: Number) -> Number:
-    """The tangent of x [rad]."""
-    return _call("tan", x)
+    """Return the tangent of x [rad]."""
+    return math.tan(x) if type(x) is float else _call("tan", x)
 
 
 def atan(x: Number) -> Number:
-    """The arc tangent of x, in radians."""
-    return _call("atan", x)
+    """Return the arc tangent of x, in radians."""
+    return math.atan(x) if type(x) is float else _call("atan", x)
 
 
 def atan2(y: Number, x: Number) -> Number:
-    """The angle of the point (x, y), in radians from -pi to pi."""
+    """Return the angle of the point (x, y), in radians from -pi to pi."""
     return _call("atan2", y, x)
 
 
 def asin(x: Number) -> Number:
-    """The arc sine of x, in radians."""
-    return _call("asin", x)
+    """Return the arc sine of x, in radians."""
+    return math.asin(x) if type(x) is float else _call("asin", x)
 
 
 def acos(x: Number) -> Number:
-    """The arc cosine of x, in radians."""
-    return _call("acos", x)
+    """Return the arc cosine of x, in radians."""
+    return math.acos(x) if type(x) is float else _call("acos", x)
 
 
 def exp(x: Number) -> Number:
     """e to the power of x."""
-    return _call("exp", x)
+    return math.exp(x) if type(x) is float else _call("exp", x)
 
 
 def expm1(x: Number) -> Number:
     """e to the power of x, less 1."""
-    return _call("expm1", x)
+    return math.expm1(x) if type(x) is float else _call("expm1", x)
 
 
 def log2(x: Number) -> Number:
-    """The logarithm of x to the base 2."""
-    return _call("log2", x)
+    """Return the logarithm of x to the base 2."""
+    return math.log2(x) if type(x) is float else _call("log2", x)
 
 
 def log10(x: Number) -> Number:
-    """The logarithm of x to the base 10."""
-    return _call("log10", x)
+    """Return the logarithm of x to the base 10."""
+    return math.log10(x) if type(x) is float else _call("log10", x)
 
 
 def sqrt(x: Number) -> Number:
-    """The square root of x."""
-    return _call("sqrt", x)
+    """Return the square root of x, which NumPy rounds as `math` does."""
+    if type(x) is not float and is_array(x):
+        import numpy
+
+        return numpy.sqrt(x)
+    return math.sqrt(x)
+
+
+def power(x: Number, exponent: Number) -> Number:
+    """Return x to a power."""
+    if IS_EXACT.get() and (is_array(x) or is_array(exponent)):
+        with suppress(ZeroDivisionError, OverflowError, TypeError):  # the last of complex numbers
+            return _mapped(pow, (x, exponent))
+    return x**exponent
+
+
+def square(x: Number) -> Number:
+    """Return x squared, by `power`."""
+    return x**2 if type(x) is float else power(x, 2)
+
+
+def rounded(x: Number, digits: int) -> Number:
+    """Return x rounded to so many decimals."""
+    if not is_array(x):
+        return round(x, digits)
+    import numpy
+
+    return _mapped(round, (x, digits)) if IS_EXACT.get() else numpy.round(x, digits)
 
 
 def log(x: Number) -> Number:
-    """The natural logarithm of x."""
-    return _call("log", x)
+    """Return the natural logarithm of x."""
+    return math.log(x) if type(x) is float else _call("log", x)
 
 
 def log1p(x: Number) -> Number:
-    """The natural logarithm of 1 + x."""
-    return _call("log1p", x)
+    """Return the natural logarithm of 1 + x."""
+    return math.log1p(x) if type(x) is float else _call("log1p", x)
 
 
 def hypot(x: Number, y: Number) -> Number:
-    """The length of (x, y)."""
+    """Return the length of (x, y)."""
+    if type(x) is float and type(y) is float:
+        return math.hypot(x, y)
     return _call("hypot", x, y)
 
 
 def power_of_two(x: Number) -> Number:
-    """The power of two just above x: to divide by it rounds nothing."""
-    if type(x) is not float and is_recorded(x):
-        return x.call(power_of_two, x)
-    return _call("ldexp", 1.0, _call("frexp", x)[1])
+    """Return the power of two just above x: to divide by it rounds nothing."""
+    if type(x) is not float and is_array(x):
+        import numpy
+
+        return numpy.ldexp(1.0, numpy.frexp(x)[1])
+    return math.ldexp(1.0, math.frexp(x)[1])
 
 
 def any_true(condition: Any) -> bool:
@@ -175,13 +221,22 @@ def any_true(condition: Any) -> bool:
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
+def chosen(x: Number, condition: Any) -> Number:
+    """Return the elements for which a condition holds; of a single one x itself."""
+    if isinstance(condition, bool):
+        return x
+    import numpy
+
+    return numpy.broadcast_to(x, condition.shape)[condition]
+
+
 def larger(x: Number, y: Number) -> Number:
-    """The larger of two, element by element."""
+    """Return the larger of two, element by element."""
     return piecewise(x >= y, lambda a, b: a, lambda a, b: b, x, y)
 
 
 def smaller(x: Number, y: Number) -> Number:
-    """The smaller of two, element by element."""
+    """Return the smaller of two, element by element."""
     return piecewise(x <= y, lambda a, b: a, lambda a, b: b, x, y)
 
 
@@ -243,15 +298,3 @@ def in_chunks(function: Callable[..., Number], *xs: Number) -> Number:
         part = slice(start, start + CHUNK)
         result[part] = function(*(x[part] for x in xs))
     return result
-
-
-def each(function: Callable[..., float], *xs: Number) -> Number:
-    """A function of floats for every element of arrays that are broadcast together."""
-    for x in xs:
-        if is_array(x):
-            import numpy
-
-            return numpy.vectorize(function, otypes=[float])(*xs)
-        if type(x) is not float and is_recorded(x):
-            return x.call(function, *xs)
-    return function(*xs)

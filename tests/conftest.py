@@ -13,7 +13,7 @@ from typing import IO, Any
 import pytest
 from hypothesis import HealthCheck, settings
 
-from radcalc import __main__, stdio
+from radcalc import __main__, terminal
 
 # No test depends on how fast the machine is, nor does the drawing of its examples.
 settings.register_profile("untimed", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -60,7 +60,7 @@ def run(
     With `together`, errors stand in the output.  As a process leaves without flushing, what is in
     a buffer at the end is lost here as well.
     """
-    stdio.choose_color(stdio.AUTO)
+    terminal.choose_color(terminal.AUTO)
     given = input.encode("utf-8", "surrogateescape")
     with standard_streams(given, together) as files, chdir(cwd):
         status = __main__.run(list(words))
@@ -110,8 +110,9 @@ def python(code: str, *words: str) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(autouse=True)
 def _plain_environment(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No colour or debug settings of the caller's."""
-    for name in ("NO_COLOR", "FORCE_COLOR", "RADCALC_DEBUG", "COLUMNS"):
+    """Remove the settings of the caller for colour, debugging and encodings."""
+    display = ("NO_COLOR", "FORCE_COLOR", "RADCALC_DEBUG", "COLUMNS")
+    for name in (*display, "PYTHONUTF8", "PYTHONIOENCODING"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("LC_ALL", "C.UTF-8")  # tables have the names of the caller's language
     os.environ.setdefault("TERM", "xterm")

@@ -7,13 +7,16 @@ part alternatives.  A hint in prose, which leaves to the reader what to type, is
 import re
 import shlex
 from collections.abc import Iterator
+from functools import cache
 from itertools import product
 from typing import Any, NamedTuple
 from unittest import mock
 
 from conftest import standard_streams
 
-from radcalc import cli, stdio
+from radcalc import cli, terminal
+from radcalc.calculators.page import Page
+from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.cases import is_stream
 from radcalc.cli.spelling import Shell
 from radcalc.errors import END, START, VALUE, WORD, Impossible, RadcalcError
@@ -76,9 +79,9 @@ def call(words: Words, lines: bytes = LINES[0]) -> Outcome:
 
     def complain(error: RadcalcError, spelling: Any = None) -> int:
         caught.append(error)
-        return stdio.FAILED
+        return terminal.FAILED
 
-    with standard_streams(lines) as (out, _), mock.patch.object(stdio, "complain", complain):
+    with standard_streams(lines) as (out, _), mock.patch.object(terminal, "complain", complain):
         status = cli.run(list(words))
         out.seek(0)
         return Outcome(status, out.read().decode(), caught[0] if caught else None)
@@ -163,7 +166,8 @@ def examples(option: Option, words: Words) -> list[str]:
     if name not in SYMBOLS:
         return [""]
     symbol = SYMBOLS[name]
-    example = symbol.narrower.get(words[0], (symbol.example, ""))[0] or symbol.example
+    page = page_of(words[0]) if words[0] in SUMMARIES else Page()
+    example = page.symbol(name).example or symbol.example
     if name == "efficacy":
         return [example, "2.1umol/J", "54lm.s/umol"]
     found = [symbol.example, example]
@@ -311,10 +315,16 @@ def _in_place(words: Words, quoted: list[str], one: str) -> Words:
 
 def answered(words: Words, steps: int = STEPS) -> bool:
     """Whether a call is answered; where it is refused, by following some hint, or up to prose."""
+    return _is_answered(tuple(words), steps)
+
+
+@cache  # many hints lead to the same call
+def _is_answered(typed: tuple[str, ...], steps: int) -> bool:
+    words = list(typed)
     for lines in LINES if any(map(is_stream, words)) else LINES[:1]:
         outcome = call(words, lines)
         if outcome.error is None:
-            is_answer = outcome.status in (stdio.ANSWERED, stdio.WRONG)
+            is_answer = outcome.status in (terminal.ANSWERED, terminal.WRONG)
             return is_answer and outcome.output.strip() != ""
         ways = candidates(words, outcome.error) if steps else []
         if ways is None:

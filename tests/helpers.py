@@ -4,20 +4,24 @@ import json
 import os
 import pty
 import select
+import shutil
 import subprocess
 import sys
 import termios
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from inspect import signature
 from pathlib import Path
 from types import FrameType
 from typing import Any
 from unittest import mock
 
+import pytest
 from conftest import entry_point, run
 
 import radcalc
-from radcalc import lambertian, stdio
+from radcalc import lambertian, terminal
+from radcalc.calculators.pages import SUMMARIES, page_of
 from radcalc.cli.spelling import Shell
 from radcalc.derivation import coherent_unit_of
 from radcalc.errors import RadcalcError
@@ -66,11 +70,47 @@ OTHER = {
 }  # fmt: skip
 
 
+def for_each(rows: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[[], None]]:
+    """Make one test of a check of a single row, for a table of many rows that are cheap to check.
+
+    Every row is checked.  The failure names all rows that fail, and shows the first few errors.
+    """
+    table = [*rows]
+    assert table, "a table without rows checks nothing"
+
+    def decorate(check: Callable[..., None]) -> Callable[[], None]:
+        takes_whole_row = len(signature(check).parameters) == 1
+
+        def test() -> None:
+            errors = []
+            for row in table:
+                try:
+                    check(*((row,) if takes_whole_row else row))
+                except (Exception, pytest.fail.Exception) as error:
+                    errors.append((row, error))
+            if errors:
+                rows = "".join(f"\n{repr(row)[:200]}" for row, _ in errors)
+                message = f"{len(errors)} of {len(table)} rows fail:{rows}"
+                raise BaseExceptionGroup(message, [error for _, error in errors[:3]])
+
+        test.__name__, test.__doc__ = check.__name__, check.__doc__
+        return test
+
+    return decorate
+
+
 def unit_of(name: str, kind: str) -> Any:
     if name in LIGHT:
         return Q(1, LIGHT[name].format(*KINDS[kind]))
     # The few symbols that one calculator's page alone has are in the vocabulary's unit.
     return Q(1, OTHER.get(name) or coherent_unit_of(name))
+
+
+def require(*tools: str) -> None:
+    """Skip the test where one of the tools is not installed; fail it where CI is set."""
+    for tool in tools:
+        if not shutil.which(tool):
+            (pytest.fail if os.environ.get("CI") else pytest.skip)(f"{tool} is not installed")
 
 
 def number(answer: dict[str, Any], name: str, unit: str) -> float:
@@ -87,6 +127,17 @@ def by_law(law: AnyLaw) -> Callable[..., Any]:
     return lambda *values: law.solve(
         law.names[0], dict(zip(law.names[1:], values, strict=True)).__getitem__
     )
+
+
+PLAIN = [  # the calculators that take options alone
+    name for name in SUMMARIES if page_of(name).examples and not page_of(name).operand
+]
+
+
+def example_of(name: str) -> list[str]:
+    """The inputs of the first example on a calculator's page, NAME=VALUE."""
+    words = page_of(name).examples[0].split()
+    return [word for word in words if word.partition("=")[0] not in ("get", "plot")]
 
 
 def flagged(shape, *flags, **given):
@@ -159,12 +210,14 @@ def on_terminal(
         os.close(leader)
 
 
-def terminal_of(*words: str, **environment: str) -> str:
-    """What `screen_of` gives, by a call in this process that takes its output for a terminal."""
+def terminal_of(*words: str, columns: int = 80, **environment: str) -> str:
+    """Return what `screen_of` does, by a call in this process that takes a file for a terminal."""
+    size = os.terminal_size((columns, 24))
     with (
-        mock.patch.dict(os.environ, {"TERM": "xterm"} | environment),
-        mock.patch.object(stdio, "is_terminal", return_value=True),
-        mock.patch.object(stdio, "error_is_terminal", return_value=True),
+        mock.patch.dict(os.environ, {"TERM": "xterm", "COLUMNS": str(columns)} | environment),
+        mock.patch.object(os, "get_terminal_size", return_value=size),
+        mock.patch.object(terminal, "is_terminal", return_value=True),
+        mock.patch.object(terminal, "error_is_terminal", return_value=True),
     ):
         return run(*words, together=True).stdout
 

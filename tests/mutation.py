@@ -29,7 +29,7 @@ from unittest.mock import patch
 
 HERE = Path(__file__).resolve().parent
 CORE = ["units", "quantities", "conversion", "laws", "calculators", "geometry", "spectra"]
-CORE += ["homework", "streams", "render", "given.py", "derivation.py", "answer.py", "maths.py"]
+CORE += ["homework", "inputs", "streams", "render", "derivation.py", "answer.py", "maths.py"]
 GENERATED = ("compiled.py", "catalogue.py", "compile.py", "registry.py")
 LAST = ["test_api.py", "test_refusals.py", "calculators"]
 TOO_LONG = 1800  # s, a stage: a mutant that runs on is noticed, too
@@ -121,7 +121,7 @@ def transcripts(known: set[str]) -> list[str]:
         said = io.TextIOWrapper(io.BytesIO(), "utf-8", newline="")
         redirected = contextlib.redirect_stdout(said), contextlib.redirect_stderr(said)
         try:
-            with redirected[0], redirected[1], patch("radcalc.stdio.is_terminal", lambda: False):
+            with redirected[0], redirected[1], patch("radcalc.terminal.is_terminal", lambda: False):
                 status = run(words[1:])
         except BaseException as error:
             status = repr(error)

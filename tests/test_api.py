@@ -1,5 +1,5 @@
 import doctest
-import importlib
+import inspect
 import math
 import re
 
@@ -7,13 +7,13 @@ import numpy as np
 import pint
 import pytest
 from conftest import ROOT, python
+from helpers import for_each
 
 import radcalc
 from radcalc.errors import ConditionError, ConversionError, NumberError, RadcalcError, UnitError
+from radcalc.spectra import arrays, observers
 
 Q = radcalc.Quantity
-API = [f"radcalc.api.{name}" for name in ("conversion", "geometry", "instruments", "result",
-       "sources", "spectra", "surroundings")]  # fmt: skip
 
 
 def test_text_and_quantities_go_in_and_quantities_come_out():
@@ -124,8 +124,7 @@ def _lamp(**cells):
     return radcalc.scene([{**LAMPS[0], **cells}], FLOOR)
 
 
-@pytest.mark.parametrize(
-    "call",
+@for_each(
     [
         lambda: _spot(distance="1m", toward=Q([0, 30], "deg")),
         lambda: _spot(distance="1m", toward=(1, "x", 0)),
@@ -244,13 +243,21 @@ def test_an_unknown_name_is_an_attribute_error():
         radcalc.nothing  # noqa: B018
 
 
-@pytest.mark.parametrize(
-    "name", ["radcalc", *API, "radcalc.spectra.observers", "radcalc.spectra.arrays"]
-)
-def test_the_examples_in_the_docstrings_run(name):
-    result = doctest.testmod(importlib.import_module(name), raise_on_error=False)
-    assert result.attempted > 0
-    assert result.failed == 0
+PUBLIC = {name: getattr(radcalc, name) for name in radcalc.__all__}
+DOCUMENTED = [
+    *(one for one in PUBLIC.values() if inspect.isfunction(one)),
+    *(radcalc, radcalc.Result, radcalc.Verdict, observers, arrays),
+]
+
+
+@for_each(DOCUMENTED)
+def test_the_examples_in_the_docstrings_run(documented):
+    names = PUBLIC | vars(documented) | {"radcalc": radcalc}
+    finder = doctest.DocTestFinder()
+    examples = finder.find(documented, documented.__name__, module=False, globs=names)
+    assert any(one.examples for one in examples)
+    for one in examples:
+        assert not doctest.DocTestRunner().run(one).failed
 
 
 def test_the_python_example_of_the_readme_runs():

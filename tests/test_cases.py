@@ -13,7 +13,9 @@ import pytest
 from conftest import ROOT, entry_point, run
 
 BARE = r"[^\"|<>;&`$\\]*"  # without what a shell reads, but for '...'
-CALL = re.compile(rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE})(\|{BARE})?")
+CALL = re.compile(
+    rf"((?:printf|echo|seq) {BARE}\| )?radcalc ({BARE}?)( 2> ?(?:&1|/dev/null))?(?: ?(\|.*))?"
+)
 FILES = [*sorted((ROOT / "tests" / "cases").glob("*.md")), ROOT / "README.md"]
 
 
@@ -41,13 +43,14 @@ def answered(command: str) -> tuple[str, int]:
     found = CALL.fullmatch(unquoted.removesuffix(" < /dev/null"))
     if not found:
         return in_shell(command)
-    before, words, behind = (command[slice(*found.span(k))] for k in (1, 2, 3))
+    before, words, errors, after = (command[slice(*found.span(k))] for k in range(1, 5))
     lines = in_shell(before.removesuffix("| "))[0] if before else ""
-    done = run(*shlex.split(words), input=lines, together=not behind)
-    if not behind:
+    are_together = errors.endswith("1") or not (after or errors)
+    done = run(*shlex.split(words), input=lines, together=are_together)
+    if not after:
         return done.stdout, done.returncode
-    printed, status = in_shell(behind.removeprefix("|"), done.stdout)
-    return done.stderr + printed, status
+    printed, status = in_shell(after.removeprefix("|"), done.stdout)
+    return ("" if errors else done.stderr) + printed, status
 
 
 def in_shell(command: str, lines: str = "") -> tuple[str, int]:
@@ -63,7 +66,16 @@ def in_shell(command: str, lines: str = "") -> tuple[str, int]:
     return done.stdout.decode("utf-8", "surrogateescape"), done.returncode
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    """A folder for the files that some commands write, and remove."""
+    path = tmp_path_factory.mktemp("cases")
+    (path / "examples").symlink_to(ROOT / "examples")
+    return path
+
+
 @pytest.mark.parametrize(("command", "output"), CASES)
-def test_the_transcript_is_what_is_printed(command, output):
+def test_the_transcript_is_what_is_printed(command, output, folder, monkeypatch):
+    monkeypatch.chdir(folder)
     printed, status = answered(command)
     assert printed + (f"[{status}]\n" if status else "") == output

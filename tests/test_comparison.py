@@ -2,12 +2,12 @@
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 
 import pytest
 from conftest import ROOT, run
+from helpers import require
 
 SECTION = (ROOT / "README.md").read_text("utf-8").partition("## What others answer\n")[2]
 ABOUT, _, TABLE = SECTION.partition("\n\n| question ")
@@ -26,7 +26,7 @@ def codes(cell):
 
 def said(*words, home):
     """What a command prints, on either stream."""
-    env = os.environ | {"HOME": str(home), "LC_ALL": "C.UTF-8"}
+    env = os.environ | {"HOME": str(home), "QALCULATE_USER_DIR": str(home), "LC_ALL": "C.UTF-8"}
     done = subprocess.run(
         words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", env=env
     )
@@ -53,7 +53,8 @@ def test_the_table_is_read():
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
 @pytest.mark.parametrize("tool", TOOLS)
 def test_another_calculator_answers_what_the_table_says(tool, row, tmp_path):
-    assert tool == "Pint" or shutil.which(tool), f"{tool} is needed here"
+    if tool != "Pint":
+        require(tool)
     source, target = codes(row[0])
     found, answer = asked(tool, source, target, tmp_path)
     if not found.startswith(VERSIONS.get(tool, "")):

@@ -12,6 +12,7 @@ from types import ModuleType
 from typing import Any
 
 import pytest
+from helpers import for_each
 
 SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}$", re.MULTILINE)
 ROOMS = ("radcalc.geometry", "radcalc.laws")
@@ -100,12 +101,12 @@ def errors_of(function: Callable[..., Any], seen: set[Any] | None = None) -> set
     return found - caught
 
 
-@pytest.mark.parametrize("name", MODULES)
+@for_each(MODULES)
 def test_every_module_says_what_is_in_it(name):
     assert (MODULES[name].__doc__ or "").strip()
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@for_each(EXAMPLES)
 def test_the_examples_run(name):
     report: list[str] = []
     failed, tried = doctest.DocTestRunner(verbose=False).run(EXAMPLES[name], out=report.append)
@@ -113,7 +114,7 @@ def test_the_examples_run(name):
     assert not failed, "".join(report)
 
 
-@pytest.mark.parametrize("name", sorted(PUBLIC))
+@for_each(sorted(PUBLIC))
 def test_a_summary_of_one_sentence_and_an_example(name):
     documented = sections(PUBLIC[name])
     summary = documented[""].split("\n\n")[0]
@@ -125,7 +126,7 @@ def test_a_summary_of_one_sentence_and_an_example(name):
     assert headings == [heading for heading in order if heading in headings]
 
 
-@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+@for_each(sorted(FUNCTIONS))
 def test_every_parameter_and_what_is_returned_are_explained(name):
     function, documented = FUNCTIONS[name], sections(FUNCTIONS[name])
     signature = inspect.signature(function)
@@ -136,7 +137,7 @@ def test_every_parameter_and_what_is_returned_are_explained(name):
         assert documented["Returns"].strip()
 
 
-@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+@for_each(sorted(FUNCTIONS))
 def test_every_error_that_is_raised_is_named(name):
     assert errors_of(FUNCTIONS[name]) <= entries(sections(FUNCTIONS[name]).get("Raises", ""))
 

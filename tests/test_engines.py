@@ -3,7 +3,6 @@
 import csv
 import os
 import re
-import shutil
 import sqlite3
 import subprocess
 import sys
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT, entry_point
+from helpers import require
 
 SECTION = (
     (ROOT / "README.md").read_text("utf-8").partition("### Tables larger than memory\n")[2]
@@ -80,8 +80,7 @@ def test_dask_works_over_many_files_and_keeps_the_checks(tmp_path):
 
 
 def test_a_shell_puts_the_factor_into_sql(tmp_path):
-    if not shutil.which("sqlite3"):
-        (pytest.fail if os.environ.get("CI") else pytest.skip)("sqlite3 is not installed")
+    require("sqlite3")
     with sqlite3.connect(tmp_path / "log.db") as log:
         log.execute("CREATE TABLE log (lux REAL, ppfd REAL)")
         log.executemany("INSERT INTO log VALUES (?, NULL)", [(lux,) for lux in LUX])

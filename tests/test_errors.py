@@ -3,11 +3,12 @@
 import inspect
 import pickle
 from collections.abc import Callable
+from itertools import product
 from typing import Any
 
 import pytest
 from conftest import run
-from helpers import shell
+from helpers import for_each, shell
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,7 +18,7 @@ from radcalc.calculators.integrate import integrate
 from radcalc.calculators.point_source import point_source
 from radcalc.calculators.results import pick
 from radcalc.calculators.solid_angle import solid_angle
-from radcalc.cli import COMMANDS
+from radcalc.cli.help import COMMANDS
 from radcalc.conversion.plan import plan
 from radcalc.errors import (
     END,
@@ -51,12 +52,13 @@ from radcalc.errors import (
     options,
     quote,
 )
-from radcalc.given import read, read_direction, read_interval, read_point
+from radcalc.inputs.places import read_direction, read_point
+from radcalc.inputs.reading import read, read_interval
 from radcalc.quantities import search, typical
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.units.amounts import read_operands
 from radcalc.units.numbers import parse_number
 from radcalc.units.ranges import read_series
+from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 
 
@@ -202,14 +204,13 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("row", ERRORS.values(), ids=ERRORS)
-@pytest.mark.parametrize("gate", GATES)
+@for_each(product(GATES, ERRORS.values()))
 def test_an_error_is_said_as_one_types_at_the_gate(gate, row):
     error, *said = row
     assert GATES[gate](error()) == said[list(GATES).index(gate)]
 
 
-@pytest.mark.parametrize("row", ERRORS.values(), ids=ERRORS)
+@for_each(ERRORS.values())
 def test_an_error_reaches_another_process_whole(row):
     error = row[0]()
     arrived = pickle.loads(pickle.dumps(error))
@@ -299,7 +300,7 @@ HOSTILE = st.one_of(
 
 
 @given(text=HOSTILE)
-@settings(max_examples=25)
+@settings(max_examples=8)
 def test_no_text_of_a_users_becomes_a_mention(text):
     for name, takes in TAKES.items():
         try:
@@ -318,8 +319,7 @@ def test_a_quoted_text_has_no_mark_in_it(text):
 MENTION = option("height", "6m")
 
 
-@pytest.mark.parametrize(
-    "words",
+@for_each(
     [
         ("convert", "1", MENTION, "fc"),
         ("convert", MENTION),
@@ -345,8 +345,7 @@ MENTION = option("height", "6m")
         ("typical", MENTION),
         (MENTION,),
         ("ev", f"--{MENTION}"),
-    ],
-    ids=lambda words: " ".join(words).replace(MENTION, "?"),
+    ]
 )
 def test_a_mention_on_the_command_line_is_not_spelled(words):
     done = run(*words, input="1\n")

@@ -5,15 +5,9 @@ import math
 import pytest
 
 from radcalc.errors import START, RadcalcError, option
-from radcalc.given import (
-    Given,
-    read,
-    read_as,
-    read_direction,
-    read_interval,
-    read_place,
-    values_of,
-)
+from radcalc.inputs.given import Input
+from radcalc.inputs.places import read_direction, read_place
+from radcalc.inputs.reading import read, read_as, read_interval, split_values
 from radcalc.quantities.symbols import DIRECTION, SYMBOLS, VECTOR
 from radcalc.units.table import resolve
 
@@ -85,18 +79,18 @@ def test_what_is_no_vector_is_refused_with_its_option(name, text):
 
 def test_a_symbol_takes_a_direction():
     assert read_as(TOWARD, "90deg,90deg").value == (math.pi / 2, math.pi / 2)
-    assert read_as(TOWARD, (90.0, resolve("deg"))) == Given(TOWARD, "90.0 deg", (math.pi / 2, 0.0))
+    assert read_as(TOWARD, (90.0, resolve("deg"))) == Input(TOWARD, "90.0 deg", (math.pi / 2, 0.0))
 
 
 def test_directions_are_a_range_of_polar_angles(monkeypatch):
     monkeypatch.setitem(SYMBOLS, "toward", TOWARD)
-    assert values_of("toward", "0deg:60deg:30deg") == ["0deg", "30deg", "60deg"]
-    assert values_of("toward", "0deg:60deg:30deg,90deg") == [
+    assert split_values("toward", "0deg:60deg:30deg") == ["0deg", "30deg", "60deg"]
+    assert split_values("toward", "0deg:60deg:30deg,90deg") == [
         "0deg,90deg",
         "30deg,90deg",
         "60deg,90deg",
     ]
-    assert values_of("toward", "60deg,90deg") == ["60deg,90deg"]
+    assert split_values("toward", "60deg,90deg") == ["60deg,90deg"]
 
 
 def test_an_interval_without_a_unit_is_quoted_in_its_hint():
@@ -154,13 +148,13 @@ def test_what_is_no_size_is_refused(size):
     ],
 )
 def test_a_list_may_have_its_unit_last_where_its_values_have_one(name, text, values):
-    assert values_of(name, text) == values
+    assert split_values(name, text) == values
 
 
 @pytest.mark.parametrize("text", ["0.2,80%", "0.5,0.6%", "0.1:0.3:0.1%", "0.1:0.9:40%"])
 def test_a_percentage_at_the_end_of_a_list_of_shares_is_refused(text):
     with pytest.raises(RadcalcError, match="two ways"):
-        values_of("reflectance", text)
+        split_values("reflectance", text)
 
 
 @pytest.mark.parametrize("name", ["f-number", "nd", "iso", "stops", "ev100", "exponent"])
@@ -170,7 +164,7 @@ def test_a_number_that_is_no_share_has_no_percentage(name):
 
 
 def test_a_long_range_may_have_its_unit_last():
-    [(numbers, unit, text)] = values_of("distance", "1:3000:1m", arrays=True)
+    [(numbers, unit, text)] = split_values("distance", "1:3000:1m", arrays=True)
     assert (len(numbers), numbers[-1], unit.text, text) == (3000, 3000, "m", "1:3000:1m")
 
 
@@ -198,14 +192,14 @@ def test_degrees_beside_anything_else_are_no_difference(text):
 
 
 def test_differences_may_be_a_range():
-    values = values_of("temperature-rise", "2°C:4°C:1°C")
+    values = split_values("temperature-rise", "2°C:4°C:1°C")
     assert [read("temperature-rise", one).value for one in values] == [2.0, 3.0, 4.0]
     with pytest.raises(RadcalcError, match="not accepted as a unit"):
-        read("temperature", values_of("temperature", "2°C:4°C:1°C")[0])
+        read("temperature", split_values("temperature", "2°C:4°C:1°C")[0])
 
 
 def test_a_long_range_has_the_decimals_that_would_be_typed():
-    [(numbers, *_)] = values_of("distance", "0.1m:200.1m:0.1m", arrays=True)
+    [(numbers, *_)] = split_values("distance", "0.1m:200.1m:0.1m", arrays=True)
     assert [float(number) for number in numbers] == [float(f"{k / 10:.1f}") for k in range(1, 2002)]
-    [(numbers, *_)] = values_of("distance", "1e-30m:2e-27m:1e-30m", arrays=True)
+    [(numbers, *_)] = split_values("distance", "1e-30m:2e-27m:1e-30m", arrays=True)
     assert numbers[-1] == pytest.approx(2e-27, rel=1e-12)

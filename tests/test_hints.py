@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from following import call, liars
-from helpers import shell
+from helpers import for_each, shell
 from test_cases import FILES, transcripts
 from test_refusals import COMMANDS, CONVERSIONS, STREAMS
 
@@ -36,11 +36,13 @@ def _aside(tmp_path, monkeypatch):
 
 
 CALLS = {" ".join(words)[:90]: words for words in corpus()}
+FIRST_WORDS = sorted({words[0] for words in CALLS.values()})
 
 
-@pytest.mark.parametrize("words", CALLS.values(), ids=CALLS)
-def test_a_hint_leads_to_an_answer(words):
-    found = liars(words)
+@pytest.mark.parametrize("first", FIRST_WORDS)
+def test_a_hint_leads_to_an_answer(first):
+    calls = [words for words in CALLS.values() if words[0] == first]
+    found = [line for words in calls for line in liars(words)]
     assert not found, "\n".join(found)
 
 
@@ -106,7 +108,7 @@ MEANT = [
 ]
 
 
-@pytest.mark.parametrize(("line", "part"), MEANT, ids=[line[:60] for line, _ in MEANT])
+@for_each(MEANT)
 def test_a_hint_answers_what_was_meant(line, part):
     error = call(line.split()).error
     assert error is not None

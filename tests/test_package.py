@@ -9,12 +9,15 @@ import tomllib
 import zipfile
 from pathlib import Path
 
-import pytest
 from conftest import ROOT
+from helpers import for_each
+
+from radcalc.cli.compile import Compiler
 
 PACKAGE = ROOT / "radcalc"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 BUILD = PROJECT["tool"]["hatch"]["build"]["targets"]
+TABLE = "radcalc/completion/built.py"  # printed for a wheel
 LEFTOVERS = {"__pycache__", ".pytest_cache", ".hypothesis", ".mypy_cache", ".ruff_cache"}
 # What could run a text, reach a network, or read more than what is named.
 NEVER_CALLED = {"eval", "exec", "compile", "__import__", "system", "popen"}
@@ -47,12 +50,14 @@ def built(kind: str, folder: Path) -> Path:
     return folder / done.stdout.split()[-1]
 
 
-def test_the_wheel_has_the_package_and_the_manual_and_no_more(tmp_path):
+def test_the_wheel_has_the_package_its_table_and_the_manual_and_no_more(tmp_path):
     with zipfile.ZipFile(built("wheel", tmp_path)) as wheel:
         names = {name for name in wheel.namelist() if not name.endswith("/")}
+        table = wheel.read(TABLE).decode()
     data = {name for name in names if ".data/" in name}
     about = {name for name in names if ".dist-info/" in name}
-    assert names - data - about == files("radcalc")
+    assert names - data - about == files("radcalc") | {TABLE}
+    assert table == Compiler().text()
     pages = {os.path.basename(name) for name in data if "/share/man/" in name}
     assert pages == {os.path.basename(name) for name in files("man")}
     scripts = {name.partition(".data/")[2] for name in data if "/scripts/" in name}
@@ -69,7 +74,7 @@ def test_the_source_distribution_has_all_that_the_tests_need(tmp_path):
     assert {"SECURITY.md", "CHANGELOG.md", "tests/conftest.py", "tests/cases/streams.md"} <= names
 
 
-@pytest.mark.parametrize("path", sorted(PACKAGE.rglob("*.py")), ids=lambda path: path.stem)
+@for_each(sorted(PACKAGE.rglob("*.py")))
 def test_no_module_runs_a_text_or_reaches_a_network(path):
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):

@@ -6,11 +6,11 @@ what the refusal has to say.
 
 import pytest
 from conftest import run
-from helpers import shell
+from helpers import for_each, shell
 
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConditionError, RadcalcError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.quantities.search import search
 from radcalc.units.table import resolve
 
@@ -207,9 +207,7 @@ CONVERSIONS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("source", "target", "conditions", "message", "hint"), CONVERSIONS.values(), ids=CONVERSIONS
-)
+@for_each(CONVERSIONS.values())
 def test_a_conversion_is_refused(source, target, conditions, message, hint):
     with pytest.raises(RadcalcError) as caught:
         plan(resolve(source), resolve(target), [read(k, v) for k, v in conditions.items()])
@@ -543,9 +541,7 @@ COMMANDS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("words", "parts"), [(words, parts) for words, *parts in COMMANDS.values()], ids=COMMANDS
-)
+@for_each([(words, parts) for words, *parts in COMMANDS.values()])
 def test_a_command_is_refused(words, parts):
     done = run(*words.split())
     assert done.returncode == 2, done.stdout
@@ -626,7 +622,7 @@ STREAMS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("words", "message"), STREAMS.values(), ids=STREAMS)
+@for_each(STREAMS.values())
 def test_a_stream_is_refused(words, message):
     done = run("convert", "-", *words, input="5 zork\n" if words == ("zork",) else "a\n1\n")
     assert (done.stdout, done.returncode) == ("", 2)

@@ -4,12 +4,36 @@ Dask's arrays too, where a function works element by element: what depends on th
 of Dask's, and what is impossible among their elements raises its error as that is computed.
 """
 
-from radcalc.api.conversion import convert, explain, factor
-from radcalc.api.geometry import direction, etendue, solid_angle
-from radcalc.api.homework import Verdict, check
-from radcalc.api.instruments import calorimeter, ev, laser, room, screen, sensor
-from radcalc.api.quantity import Quantity
-from radcalc.api.result import Result
-from radcalc.api.sources import lambertian, point_source, scene, uberlight
-from radcalc.api.spectra import mesopic, photon, spectrum
-from radcalc.api.surroundings import environment, irradiance_map, reproject, sky
+from importlib import import_module
+from typing import Any
+
+# The public names by their modules; the other functions are made from the pages alone.
+MODULES = {
+    "radcalc.api.conversion": ("convert", "explain", "factor"),
+    "radcalc.api.geometry": ("direction", "solid_angle"),
+    "radcalc.api.homework": ("Verdict", "check"),
+    "radcalc.api.quantity": ("Quantity",),
+    "radcalc.api.result": ("Result",),
+    "radcalc.api.scene": ("scene",),
+    "radcalc.api.sources": ("lambertian", "point_source", "uberlight"),
+    "radcalc.api.spectra": ("photon", "spectrum"),
+    "radcalc.api.surroundings": ("environment", "irradiance_map", "reproject", "sky"),
+    "radcalc.errors": (
+        "ConditionError",
+        "ConversionError",
+        "NumberError",
+        "RadcalcError",
+        "UnitError",
+        "UsageError",
+    ),
+}
+
+
+def public(name: str) -> Any:
+    """Return a function or a class by its public name."""
+    for module, names in MODULES.items():
+        if name in names:
+            return getattr(import_module(module), name)
+    from radcalc.api.pages import function
+
+    return function(name)

@@ -2,7 +2,7 @@
 
 A column has its unit in its name (`distance [m]`), as the columns of files have; one of xarray also
 in its attribute `units`, or in its data, which may be a quantity.  A result that depends on columns
-is one like them: of the same index or coordinates, and with its unit told in the same way.
+is one like them: of the same index or coordinates, and with its unit in the same place.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,10 +15,11 @@ from radcalc.api.quantity import is_lazy, is_quantity, magnitude_of, quantity, u
 from radcalc.api.reading import LIBRARIES, gathered, library_of, refuse_column
 from radcalc.api.spelling import symbol_name
 from radcalc.errors import ConditionError, UnitError, option, quote
+from radcalc.quantities.column_titles import is_same, read_title, refuse_misnamed
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
-from radcalc.quantities.titles import is_same, read_title, refuse_misnamed
 from radcalc.units.ranges import floats
-from radcalc.units.table import NUMBER, Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Unit
 
 PANDAS, POLARS, XARRAY = LIBRARIES
 COLUMNS = {PANDAS: "Series", POLARS: "Series", XARRAY: "DataArray"}
@@ -45,38 +46,38 @@ class Columns(NamedTuple):
             raise ConditionError(problem, "radcalc.Quantity(column.to_numpy(), UNIT)")
         unit = unit_of(value).text if is_quantity(value) else ""
         if self.library == XARRAY:
-            made = self.like.copy(data=value if self.quantities else magnitude)
-            made.attrs = {} if self.quantities or not unit else {UNITS: unit}
-            return made.rename(name)
+            column = self.like.copy(data=value if self.quantities else magnitude)
+            column.attrs = {} if self.quantities or not unit else {UNITS: unit}
+            return column.rename(name)
         title = title or (f"{name} [{unit}]" if unit not in ("", "1") else name)
         if self.library == POLARS:
-            made = type(self.like)(title, magnitude)
+            column = type(self.like)(title, magnitude)
             missing = self.like.is_null()  # a null is no NaN there
-            return made.set(missing, None) if missing.any() else made
+            return column.set(missing, None) if missing.any() else column
         return type(self.like)(magnitude, index=self.like.index, name=title)
 
 
-def taken(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
-    """What was given with the columns as arrays in their units, and what they are like."""
-    found = {key: one for key, one in given.items() if library_of(magnitude_of(one))}
-    if not found:
+def take_columns(given: Mapping[str, Any]) -> tuple[Columns | None, dict[str, Any]]:
+    """Return the columns among the arguments, and the arguments with arrays in their places."""
+    columns = {key: value for key, value in given.items() if library_of(magnitude_of(value))}
+    if not columns:
         return None, dict(given)
-    for key, one in found.items():
-        column = magnitude_of(one)
+    for key, value in columns.items():
+        column = magnitude_of(value)
         symbol = SYMBOLS.get(symbol_name(key))
         if type(column).__name__ != COLUMNS[library_of(column)] or (
             key != "value" and (symbol is None or symbol.form != QUANTITY)
         ):
             refuse_column(column, key)
-    units = {key: _unit_of(key, one) for key, one in found.items()}
-    each = _aligned(found)
-    first = each[0]
-    like = Columns(library_of(first), first, library_of(first) == XARRAY and _is_quantity(first))
+    units = {key: _unit_of(key, value) for key, value in columns.items()}
+    aligned = _aligned(columns)
+    first = aligned[0]
+    pattern = Columns(library_of(first), first, library_of(first) == XARRAY and _is_quantity(first))
     arrays = {
         key: _array(key, column, unit)
-        for (key, unit), column in zip(units.items(), each, strict=True)
+        for (key, unit), column in zip(units.items(), aligned, strict=True)
     }
-    return like, {**given, **arrays}
+    return pattern, {**given, **arrays}
 
 
 def _is_quantity(column: Any) -> bool:
@@ -86,12 +87,12 @@ def _is_quantity(column: Any) -> bool:
 def _unit_of(key: str, given: Any) -> Unit | None:
     """The unit that a column tells; None for bare numbers."""
     column = magnitude_of(given)
-    if told := _told_unit(given):
-        _refuse_other(column, told)
-        return told
+    if stated := _stated_unit(given):
+        _refuse_other(column, stated)
+        return stated
     name = symbol_name(key)
-    like = resolve(SYMBOLS[name].unit) if name in SYMBOLS and SYMBOLS[name].unit else None
-    unit = read_title(str(column.name), like).unit if column.name is not None else None
+    usual_unit = resolve(SYMBOLS[name].unit) if name in SYMBOLS and SYMBOLS[name].unit else None
+    unit = read_title(str(column.name), usual_unit).unit if column.name is not None else None
     if unit and unit.is_scale:
         problem = f"the column '{quote(str(column.name))}' has readings on a scale"
         raise ConditionError(problem, "what they stand for, in a unit")
@@ -100,12 +101,14 @@ def _unit_of(key: str, given: Any) -> Unit | None:
             return None
         likely = f"{key} [{SYMBOLS[name].unit}]"
         problem = f"{option(name)} is a column without a unit, '{quote(str(column.name))}'"
-        way = f'.rename("{likely}"), or radcalc.Quantity(column.to_numpy(), "{SYMBOLS[name].unit}")'
-        raise ConditionError(problem, way)
+        hint = (
+            f'.rename("{likely}"), or radcalc.Quantity(column.to_numpy(), "{SYMBOLS[name].unit}")'
+        )
+        raise ConditionError(problem, hint)
     return unit
 
 
-def _told_unit(given: Any) -> Unit | None:
+def _stated_unit(given: Any) -> Unit | None:
     """The unit that stands beside the title of a column."""
     column = magnitude_of(given)
     if column is not given:
@@ -123,8 +126,8 @@ def _refuse_other(column: Any, unit: Unit) -> None:
         return
     title = read_title(str(column.name), unit)
     if title.unit and not is_same(title.unit, unit):
-        own = quote(title.unit.text)
-        problem = f"the column '{quote(title.text)}' is in {own}, and in {quote(unit.text)}"
+        titled = quote(title.unit.text)
+        problem = f"the column '{quote(title.text)}' is in {titled}, and in {quote(unit.text)}"
         raise UnitError(f"{problem} by its units", "one of them")
     refuse_misnamed(title, unit)
 
@@ -132,35 +135,37 @@ def _refuse_other(column: Any, unit: Unit) -> None:
 def _is_text(column: Any) -> bool:
     if getattr(column.dtype, "kind", "O") not in "OTU":
         return False
-    return any(isinstance(one, str) for one in column.to_numpy().flat)
+    return any(isinstance(element, str) for element in column.to_numpy().flat)
 
 
-def _aligned(found: Mapping[str, Any]) -> Sequence[Any]:
+def _aligned(given: Mapping[str, Any]) -> Sequence[Any]:
     """The columns with the same rows, or with all of their dimensions."""
-    each = [magnitude_of(one) for one in found.values()]
-    first, *others = each
+    columns = [magnitude_of(column) for column in given.values()]
+    first, *others = columns
     library = library_of(first)
-    names = " and ".join(found)
-    if any(library_of(one) != library for one in others):
+    names = " and ".join(given)
+    if any(library_of(column) != library for column in others):
         raise ConditionError(f"{names} are columns of two libraries", "columns of one")
     if library == XARRAY:
         xarray: Any = import_module(XARRAY)
         try:
-            return list(xarray.broadcast(*xarray.align(*each, join="exact")))
+            return list(xarray.broadcast(*xarray.align(*columns, join="exact")))
         except ValueError:
             problem = f"{names} have other coordinates"
             raise ConditionError(problem, "xarray.align before the call") from None
-    for one in others:
-        if len(one) != len(first) or (library == PANDAS and not one.index.equals(first.index)):
+    for column in others:
+        if len(column) != len(first) or (
+            library == PANDAS and not column.index.equals(first.index)
+        ):
             raise ConditionError(f"{names} have other rows", "columns of one table")
-    return each
+    return columns
 
 
 def _array(key: str, column: Any, unit: Unit | None) -> Any:
     """The values of a column, with their unit."""
     if unit is None and _is_text(column):
         texts = column.to_numpy().tolist()
-        if not all(isinstance(one, str) for one in texts):
+        if not all(isinstance(text, str) for text in texts):
             _refuse_missing(key, column)
         return gathered(key, texts)
     values = column.data if library_of(column) == XARRAY else column.to_numpy()
@@ -181,10 +186,10 @@ def _refuse_missing(key: str, column: Any) -> None:
     raise ConditionError(problem, "the rows that have one: .dropna(), or .drop_nulls()")
 
 
-def of_conversion(like: Columns, value: Any, target: Unit, name: str) -> Any:
-    """What a column is converted to: by its own name, if it stays the same quantity."""
-    own = str(like.like.name) if like.like.name is not None else ""
-    title = read_title(own) if own and like.library != XARRAY else None
+def of_conversion(columns: Columns, value: Any, target: Unit, name: str) -> Any:
+    """Return the values as a column, with its own name if it remains the same quantity."""
+    column_name = str(columns.like.name) if columns.like.name is not None else ""
+    title = read_title(column_name) if column_name and columns.library != XARRAY else None
     if title and title.unit and title.unit.dimension == target.dimension:
-        return like.result(name, value, title.with_unit(target.text))
-    return like.result(name, value, f"{name} [{target.text}]")
+        return columns.result(name, value, title.with_unit(target.text))
+    return columns.result(name, value, f"{name} [{target.text}]")

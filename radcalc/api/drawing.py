@@ -22,7 +22,7 @@ class Drawing:
 
     def __repr__(self) -> str:
         """The picture in characters, as an interpreter shows it."""
-        from radcalc.plots.terminal import draw, style_of
+        from radcalc.plots.characters import draw, style_of
 
         return draw(self.picture, style_of()).rstrip("\n")
 

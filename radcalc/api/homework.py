@@ -1,5 +1,7 @@
 """Judging an answer, and naming the mistake."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,20 +18,20 @@ from radcalc.render.plain import verdict as words_of
 
 
 class Verdict(Judged):
-    """What is said of an answer; true where it is right.
+    """The judgement of an answer; true where it is right.
 
     Examples
     --------
     >>> import radcalc
-    >>> said = check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
-    >>> bool(said), said.diagnoses[0].done
+    >>> verdict = check(radcalc.explain("500 lx", "cd/m2", reflectance=0.8), "400")
+    >>> bool(verdict), verdict.diagnoses[0].done
     (False, 'pi was forgotten')
     """
 
     __slots__ = ()
 
     def __bool__(self) -> bool:
-        """Whether it is right."""
+        """Return true for a right answer."""
         return self.right
 
     def __repr__(self) -> str:
@@ -81,17 +83,17 @@ def check(
         raise ConditionError(problem, "radcalc.explain, or a calculator's function")
     allowed = None if tolerance is None else as_text(tolerance)
     question = result.question
-    found = judge(question, _as_named(as_text(claim), question.answer.values), allowed)
-    return Verdict(*found._replace(diagnoses=tuple(map(_in_python, found.diagnoses))))
+    judgement = judge(question, _as_named(as_text(claim), question.answer.values), allowed)
+    return Verdict(*judgement._replace(diagnoses=tuple(map(_in_python, judgement.diagnoses))))
 
 
 def _as_named(claim: str, values: Sequence[Value]) -> str:
     """A claim with the name of a result as the result has it: NAME=VALUE UNIT."""
-    name, equals, rest = claim.partition("=")
-    names = {keyword(one): one for value in values for one in (value.name, value.also)}
-    return f"{names.get(keyword(name.strip()), name)}{equals}{rest}" if equals else claim
+    name, equals, claimed = claim.partition("=")
+    names = {keyword(known): known for value in values for known in (value.name, value.also)}
+    return f"{names.get(keyword(name.strip()), name)}{equals}{claimed}" if equals else claim
 
 
-def _in_python(found: Any) -> Any:
+def _in_python(diagnosis: Any) -> Any:
     """A diagnosis with keywords."""
-    return found._replace(done=in_words(found.done), right=in_words(found.right))
+    return diagnosis._replace(done=in_words(diagnosis.done), right=in_words(diagnosis.right))

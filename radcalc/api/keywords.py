@@ -21,7 +21,7 @@ class Column(Protocol):
 
     @property
     def name(self) -> Any:
-        """What it is called."""
+        """Its title."""
 
     def to_numpy(self) -> Any:
         """Its values alone."""

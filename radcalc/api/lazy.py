@@ -5,16 +5,16 @@ It is run on arrays without elements, which tells what results there are, in whi
 which axes, and later on each block, where what is wrong with a value raises its error.
 """
 
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import dask.array
 import numpy
 
-from radcalc import api
 from radcalc.api.quantity import Quantity, is_lazy, magnitude_of, unit_of
 from radcalc.api.reading import gathered
 from radcalc.api.result import Result
-from radcalc.api.spelling import symbol_name
+from radcalc.api.spelling import in_python, symbol_name
 from radcalc.errors import ConditionError, option
 from radcalc.maths import is_column
 from radcalc.quantities.symbols import QUANTITY, SYMBOLS
@@ -23,12 +23,12 @@ ALONE = ""  # the name of the result of a function that gives one
 
 
 class Place(NamedTuple):
-    """Where an array stands in a call, by number or keyword, and the unit if it is a quantity's.
+    """The place of an array in a call: its keyword, and the unit if it is a quantity's.
 
     Of a point there are three arrays, one for each coordinate.
     """
 
-    key: int | str
+    key: str
     unit: str
     parts: int
 
@@ -44,25 +44,24 @@ class Expected(NamedTuple):
 class Call(NamedTuple):
     """A call that can be sent to another process, and where it takes the arrays of a block.
 
-    Arguments are magnitudes with a unit, as Pint's quantities would lose their registry.
+    The function takes its arguments as one mapping.  They are magnitudes with a unit, as Pint's
+    quantities would lose their registry, or None where an array of a block belongs.
     """
 
-    function: str
-    words: tuple[Any, ...]
-    given: dict[str, Any]
+    function: Callable[[dict[str, Any]], Any]
+    given: dict[str, tuple[Any, str] | None]
     places: tuple[Place, ...]
 
+    @in_python
     def answer(self, *blocks: Any) -> Any:
-        """What the function gives for these blocks."""
-        arguments = [*enumerate(self.words), *self.given.items()]
-        values: dict[Any, Any] = {key: _quantity(*one) for key, one in arguments if one}
-        left = iter(blocks)
+        """Call the function with these blocks."""
+        values = {key: pair and _quantity(*pair) for key, pair in self.given.items()}
+        remaining = iter(blocks)
         for place in self.places:
-            parts = [next(left) for _ in range(place.parts)]
+            parts = [next(remaining) for _ in range(place.parts)]
             array = parts[0] if place.parts == 1 else numpy.stack(parts, -1)
             values[place.key] = _quantity(array, place.unit)
-        words = [values.pop(key) for key in range(len(self.words))]
-        return getattr(api, self.function)(*words, **values)
+        return self.function(values)
 
     def results(self, *blocks: Any) -> dict[str, Any]:
         """The results for these blocks by all of their names."""
@@ -70,37 +69,45 @@ class Call(NamedTuple):
 
 
 class Rows(NamedTuple):
-    """The results of a call that are arrays, one behind the other along a first axis."""
+    """The results of a call that are arrays, one after the other along a first axis."""
 
     call: Call
     expected: dict[str, Expected]
 
     def __call__(self, *blocks: Any) -> Any:
         """The results for these blocks, which must be those that there are for no elements."""
-        found = self.call.results(*blocks)
-        if not (found.keys() == self.expected.keys() and all(map(self._fits, found.items()))):
+        results = self.call.results(*blocks)
+        if not (results.keys() == self.expected.keys() and all(map(self._fits, results.items()))):
             problem = "not all elements have the same results, in number and unit"
             raise ConditionError(problem, "arrays in memory: .compute() before the call")
         shape = numpy.broadcast_shapes(*(block.shape for block in blocks))
-        rows = [magnitude_of(found[name]) for name, one in self.expected.items() if one.shape]
+        rows = [
+            magnitude_of(results[name])
+            for name, expected in self.expected.items()
+            if expected.shape
+        ]
         rows = [row if row.shape == shape else numpy.broadcast_to(row, shape) for row in rows]
         return rows[0][None] if len(rows) == 1 else numpy.stack(rows)
 
-    def _fits(self, found: tuple[str, Any]) -> bool:
-        name, value = found
+    def _fits(self, result: tuple[str, Any]) -> bool:
+        name, value = result
         unit, shape, known = self.expected[name]
         same = bool(shape) or numpy.array_equal(magnitude_of(value), known, equal_nan=True)
         return same and _unit(value) == unit
 
 
-def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> Any:
-    """What a function of the API gives for Dask's arrays: the same as for NumPy's, but waiting.
+def blockwise(
+    name: str, function: Callable[[dict[str, Any]], Any], given: Mapping[str, Any]
+) -> Any:
+    """Call a function with Dask's arrays: as with NumPy's, but the results wait.
 
     Parameters
     ----------
-    function : str
-        The name of a function of `radcalc.api` that works element by element.
-    words, given
+    name : str
+        What the tasks of Dask are called.
+    function
+        A function of a mapping that works element by element, and that can be pickled.
+    given
         Its arguments, a Dask array or a quantity that has one among them.
 
     Returns
@@ -115,20 +122,14 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
         results are computed.
     """
     given = {key: gathered(key, value) for key, value in given.items()}
-    rest: dict[Any, Any] = dict([*enumerate(words), *given.items()])
-    parts = {key: found for key, value in rest.items() if (found := _arrays(function, key, value))}
-    places = [Place(key, _unit(rest[key]), len(found)) for key, found in parts.items()]
-    arrays = [array for found in parts.values() for array in found]
+    parts = {key: blocks for key, value in given.items() if (blocks := _arrays(key, value))}
+    places = [Place(key, _unit(given[key]), len(blocks)) for key, blocks in parts.items()]
+    arrays = [array for blocks in parts.values() for array in blocks]
     plain = {
         key: None if key in parts else (magnitude_of(value), _unit(value))
-        for key, value in rest.items()
+        for key, value in given.items()
     }
-    call = Call(
-        function,
-        tuple(plain[key] for key in range(len(words))),
-        {key: plain[key] for key in given},
-        tuple(places),
-    )
+    call = Call(function, plain, tuple(places))
     is_single = not any(array.ndim for array in arrays)
     arrays = [array if array.ndim else array.reshape(1) for array in arrays]
     answer = call.answer(*map(_without_elements, arrays))
@@ -137,7 +138,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
         name: Expected(_unit(value), numpy.shape(magnitude_of(value)), magnitude_of(value))
         for name, value in empty.items()
     }
-    names = [name for name, one in expected.items() if one.shape]
+    names = [name for name, entry in expected.items() if entry.shape]
     axes = tuple(range(max(array.ndim for array in arrays)))
     try:
         rows: Any = dask.array.blockwise(
@@ -147,7 +148,7 @@ def blockwise(function: str, words: tuple[Any, ...], given: dict[str, Any]) -> A
             new_axes={len(axes): len(names)},
             dtype=numpy.result_type(*(expected[name].value.dtype for name in names)),
             meta=numpy.empty((0,) * (len(axes) + 1)),
-            token=f"radcalc-{function}",
+            token=f"radcalc-{name}",
         )
     except ValueError:
         hint = "arrays of one shape, or of shapes that NumPy broadcasts, with known chunks"
@@ -164,17 +165,17 @@ def _by_name(answer: Any) -> dict[str, Any]:
     return answer.every if isinstance(answer, Result) else {ALONE: answer}
 
 
-def _arrays(function: str, key: int | str, value: Any) -> list[Any]:
+def _arrays(key: str, value: Any) -> list[Any]:
     """The arrays of an argument, NumPy's too, as Dask's; none, if it is one value for all."""
     array = magnitude_of(value)
-    symbol = SYMBOLS.get(symbol_name(str(key)))
+    symbol = SYMBOLS.get(symbol_name(key))
     if isinstance(array, (list, tuple)) and (symbol is None or symbol.form == QUANTITY):
         array = numpy.asarray(array)
     waits = is_lazy(array)
     if waits and not isinstance(array, dask.array.Array):
         problem = f"a {type(array).__name__} of Dask is no array"
         raise ConditionError(problem, "its values: .to_dask_array(), or .values")
-    if function == "uberlight" and key in (0, "point"):
+    if key == "point":
         if not waits and numpy.ndim(array) < 2:
             return []
         if array.shape[-1:] != (3,):
@@ -198,7 +199,7 @@ def _without_elements(array: Any) -> Any:
 
 
 def _index(shape: tuple[int, ...], count: int, is_single: bool) -> tuple[Any, ...]:
-    """Where a result stands in rows with so many axes: it may have fewer, or be one long."""
+    """Return the index of a result in rows with so many axes: it may have fewer, or be one long."""
     if is_single:
         return (0,)
     kept = (slice(None, 1) if length == 1 else slice(None) for length in shape)

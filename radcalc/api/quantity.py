@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from radcalc.errors import UnitError, quote
 from radcalc.units.registry import from_container, light_registry
-from radcalc.units.table import Unit
+from radcalc.units.unit import Unit
 
 if TYPE_CHECKING:
     import pint
@@ -15,7 +15,7 @@ else:
 
 
 def is_quantity(value: Any) -> bool:
-    """Whether it is one of them; that of another registry is refused."""
+    """Check for one of them, and refuse one of another registry."""
     if isinstance(value, light_registry().Quantity):
         return True
     if hasattr(value, "magnitude"):
@@ -33,7 +33,7 @@ def magnitude_of(value: Any) -> Any:
 
 
 def is_lazy(value: Any) -> bool:
-    """Whether it is a collection of Dask's, or a quantity that has one."""
+    """Check for a collection of Dask's, or a quantity that has one."""
     return hasattr(magnitude_of(value), "__dask_graph__")
 
 
@@ -49,5 +49,5 @@ def plain(value: Any) -> Any:
 
 def quantity(magnitude: Any, unit: Unit) -> Quantity:
     """A number, or an array, in a unit."""
-    made: Quantity = Quantity(magnitude, light_registry().container(unit))
-    return made
+    result: Quantity = Quantity(magnitude, light_registry().container(unit))
+    return result

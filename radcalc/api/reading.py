@@ -1,19 +1,20 @@
 """What is given to a function, read: texts, quantities, numbers, and lists of them."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy
 
-from radcalc.api import spelling
 from radcalc.api.quantity import is_lazy, is_quantity, plain, quantity, unit_of
-from radcalc.errors import ConditionError, nearest, option, quote
-from radcalc.given import TOO_FAR, Given, Inputs, read, read_interval, read_place, values_of
+from radcalc.api.spelling import symbol_name
+from radcalc.errors import ConditionError, option, quote
+from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs.places import TOO_FAR, read_place
+from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import LARGEST, is_column
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import (
     DIRECTION,
-    INNER,
     INTERVAL,
     NUMBERS,
     POINT,
@@ -25,39 +26,28 @@ from radcalc.quantities.symbols import (
 from radcalc.units.dimensions import COHERENT, LENGTH
 from radcalc.units.ranges import real
 from radcalc.units.scales import ScaleUnit
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 T = TypeVar("T")
 LIBRARIES = ("pandas", "polars", "xarray")  # of tables, whose columns `radcalc.api.columns` takes
-KNOWN = [name for name, symbol in SYMBOLS.items() if symbol.help and name not in INNER]
 
 
 def read_inputs(given: Mapping[str, Any], intervals: Sequence[str] = ()) -> Inputs:
-    """Read what a calculator is given; `intervals` are A:B."""
-    return {
-        name: one
-        for keyword, value in given.items()
-        if (one := read_keyword(keyword, value, KNOWN, "input", intervals)) and (name := one.name)
-    }
+    """Read the symbols that a function is given by their keywords; `intervals` are A:B."""
+    inputs = [
+        _read(keyword, value, intervals) for keyword, value in given.items() if not is_absent(value)
+    ]
+    return {entry.name: entry for entry in inputs}
 
 
 def is_absent(value: Any) -> bool:
-    """Whether an argument is as if it were not given: None, or a flag that is False."""
+    """Check for an argument that counts as not given: None, or a flag that is False."""
     return value is None or value is False
 
 
-def read_keyword(
-    keyword: str, value: Any, known: Iterable[str], what: str, intervals: Sequence[str] = ()
-) -> Given | None:
-    """Read one keyword; None if it is absent."""
-    name = spelling.symbol_name(keyword)
-    if name not in known:
-        known = [*known]
-        near = nearest(name, known) if what == "input" else known
-        keywords = ", ".join(map(spelling.keyword, near))
-        raise ConditionError(f"there is no {what} '{quote(keyword)}'", keywords or "help(radcalc)")
-    if is_absent(value):
-        return None
+def _read(keyword: str, value: Any, intervals: Sequence[str]) -> Input:
+    name = symbol_name(keyword)
     refuse_lazy(value, keyword)
     if name in intervals:
         return read_interval(name, as_interval(value))
@@ -77,46 +67,46 @@ def gathered(keyword: str, value: Any) -> Any:
 
     A text may be a list or a range itself: "1m,2m,5m", "1m:5m:1m".
     """
-    name = spelling.symbol_name(keyword)
-    found = _gathered(name, value) if name in SYMBOLS else value
-    return value if found is value else quantity(*found)
+    name = symbol_name(keyword)
+    array_and_unit = _gathered(name, value) if name in SYMBOLS else value
+    return value if array_and_unit is value else quantity(*array_and_unit)
 
 
 def _gathered(name: str, value: Any) -> Any:
-    """The same as an array and its unit; what is no such list as it is."""
+    """Return the same as an array and its unit, and anything else unchanged."""
     if SYMBOLS[name].form != QUANTITY:
         return value
     if isinstance(value, str):
-        each_text = values_of(name, value)
-        value = each_text if len(each_text) > 1 else value
+        texts = split_values(name, value)
+        value = texts if len(texts) > 1 else value
     if not isinstance(value, (list, tuple)):
         return value
-    if not any(isinstance(one, str) or is_quantity(one) for one in value):
+    if not any(isinstance(element, str) or is_quantity(element) for element in value):
         return value
-    each = [read(name, plain(one)) for one in value]
-    if any(is_column(one.value) for one in each):
+    inputs = [read(name, plain(element)) for element in value]
+    if any(is_column(entry.value) for entry in inputs):
         raise ConditionError(f"{option(name)} is a list of arrays", "one array")
-    return together(option(name), [_with_unit(one) for one in each])
+    return together(option(name), [_with_unit(entry) for entry in inputs])
 
 
-def _with_unit(given: Given) -> tuple[Any, Unit]:
+def _with_unit(given: Input) -> tuple[Any, Unit]:
     """A number and its unit; where it has none, or a scale, what it stands for in SI."""
     if given.unit is None or isinstance(given.unit, ScaleUnit):
         return given.value, resolve(COHERENT[given.dimension])
     return given.number, given.unit
 
 
-def together(told: str, each: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
+def together(label: str, pairs: Sequence[tuple[Any, Unit]]) -> tuple[Any, Unit]:
     """Numbers and their units as an array in the unit of the first."""
-    units = [unit for _, unit in each]
+    units = [unit for _, unit in pairs]
     first = units[0]
     if any(unit.dimension != first.dimension for unit in units):
         several = " and ".join(dict.fromkeys(map(describe, units)))
-        raise ConditionError(f"{told} mixes quantities: {several}", "one quantity")
+        raise ConditionError(f"{label} mixes quantities: {several}", "one quantity")
     sizes = [
-        number if unit == first else number * (unit.factor / first.factor) for number, unit in each
+        number if unit == first else number * (unit.factor / first.factor) for number, unit in pairs
     ]
-    return real(sizes, told, "single values"), first
+    return real(sizes, label, "single values"), first
 
 
 def as_text(value: Any) -> str:
@@ -149,7 +139,7 @@ def refuse_column(value: Any, what: str) -> None:
         raise ConditionError(problem, ".to_numpy(), for its values alone")
 
 
-def read_points(point: Any) -> Given:
+def read_points(point: Any) -> Input:
     """Points, as a text, lengths or numbers of metres."""
     refuse_lazy(point, "the array of points")
     refuse_column(point, "the array of points")
@@ -162,7 +152,7 @@ def read_points(point: Any) -> Given:
     if not (abs(array) <= LARGEST).all():
         raise ConditionError(*TOO_FAR)
     place = tuple(array.tolist() if array.ndim == 1 else numpy.moveaxis(array, -1, 0))
-    return Given(SYMBOLS["point"], "the points", place, unit=unit)
+    return Input(SYMBOLS["point"], "the points", place, unit=unit)
 
 
 def in_metres(value: Any, what: str, hint: str) -> tuple[Any, Unit | None]:
@@ -177,7 +167,7 @@ def in_metres(value: Any, what: str, hint: str) -> tuple[Any, Unit | None]:
 
 
 def broadcast(work_out: Callable[[], T]) -> T:
-    """What comes of arrays, which have to fit together."""
+    """Work out what follows from arrays, which have to fit together."""
     try:
         return work_out()
     except ValueError as error:

@@ -4,20 +4,21 @@ from collections.abc import Callable
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
-from radcalc import __all__ as PUBLIC
 from radcalc.errors import NumberError, RadcalcError, spell
 from radcalc.quantities.light import describe
 from radcalc.quantities.symbols import FLAG, SYMBOLS
 from radcalc.units.numbers import read_number
 from radcalc.units.table import resolve
 
-OWN = {"check": "claim"}  # options whose keywords have another name
+OTHER_KEYWORDS = {"check": "claim"}  # options whose keywords have another name
+# The commands that are no functions.
+AT_A_SHELL = ("dose", "integrate", "prompt", "quantities", "typical", "units")
 P = ParamSpec("P")
 T = TypeVar("T")
 
 
 def keyword(name: str) -> str:
-    """How Python writes a name that has hyphens: `half_angle`."""
+    """Return a name as Python writes it, without hyphens: `half_angle`."""
     return name.replace("-", "_")
 
 
@@ -27,33 +28,33 @@ def symbol_name(keyword: str) -> str:
 
 
 class Python:
-    """How Python spells the symbols and commands that messages mention."""
+    """Python's spelling of the symbols and commands that messages mention."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
         """`height="6 m"`; a value in capitals stands for any, and a flag is set to True."""
-        own = OWN.get(name) or keyword(name)
+        spelled = OTHER_KEYWORDS.get(name) or keyword(name)
         if not value:
-            return own
+            return spelled
         if value.isupper() and value.isalpha():
-            return f"{own}={value}"
-        return f'{own}="{_apart(value)}"'
+            return f"{spelled}={value}"
+        return f'{spelled}="{_apart(value)}"'
 
     @staticmethod
     def command(*words: str) -> str:
         """`radcalc.lambertian("disc")`, or the shell's command where there is no function."""
         function = keyword(words[0])
         pairs = [word.partition("=") for word in words[1:]]
-        if function not in PUBLIC or any(key == "list" for key, *_ in pairs):
-            told = " ".join(word for word in words if "=" not in word)
-            return f"`radcalc {told}` at a shell"
+        if words[0] in AT_A_SHELL or any(key == "list" for key, *_ in pairs):
+            call = " ".join(word for word in words if "=" not in word)
+            return f"`radcalc {call}` at a shell"
         arguments = [
-            Python.option(key, value) if eq else f'"{_apart(key)}"'
+            PythonHint.option(key, value) if eq else f'"{_apart(key)}"'
             for key, eq, value in pairs
             if key != "get"
         ]
-        wanted = "".join(Python.result(value) for key, _, value in pairs if key == "get")
-        return f"radcalc.{function}({', '.join(arguments)}){wanted}"
+        result_calls = "".join(Python.result(value) for key, _, value in pairs if key == "get")
+        return f"radcalc.{function}({', '.join(arguments)}){result_calls}"
 
     @staticmethod
     def result(text: str) -> str:
@@ -63,7 +64,7 @@ class Python:
 
     @staticmethod
     def manual(name: str) -> str:
-        """Where the function is described."""
+        """Return the call that shows the documentation."""
         return f"help(radcalc.{keyword(name)})"
 
     @staticmethod
@@ -80,6 +81,15 @@ class PythonHint(Python):
         """`isotropic=True`."""
         is_flag = name in SYMBOLS and SYMBOLS[name].form == FLAG
         return f"{Python.option(name, '')}=True" if is_flag else Python.option(name, value)
+
+
+class Documented(Python):
+    """The spelling of keywords in docstrings."""
+
+    @staticmethod
+    def option(name: str, value: str) -> str:
+        """`half_angle`, in quotes of its own."""
+        return f"``{Python.option(name, value)}``" if value else f"`{Python.option(name, '')}`"
 
 
 def _apart(value: str) -> str:
@@ -99,9 +109,8 @@ def in_python(function: Callable[P, T]) -> Callable[P, T]:
         try:
             return function(*args, **kwargs)
         except RadcalcError as error:
-            error.message = spell(error.message, Python)
-            error.hint = spell(error.hint, PythonHint)
-            raise
+            message, hint = spell(error.message, Python), spell(error.hint, PythonHint)
+            raise error.reworded(message, hint).with_traceback(error.__traceback__) from None
 
     return call
 

@@ -1,9 +1,11 @@
 """Light measured by the heat it leaves in a body that absorbs it."""
 
 from radcalc.answer import Answer
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.page import Page
+from radcalc.calculators.solved import solve
+from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import ConditionError, MissingInput, mention
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.heat import LAWS
 from radcalc.quantities.light import RADIANT
 
@@ -19,6 +21,13 @@ PAGE = Page(
         "Light": QUANTITIES,
         "Body": (*BODY, "absorptance", "receiver-area", "time"),
     },
+    texts={
+        "receiver-area": "The area that the light falls on.",
+        "time": "How long it is in the light.",
+        "flux": ("100W", "The flux on the body."),
+        "irradiance": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
+        "energy": ("100J", "The energy that reaches the body (with {time})."),
+    },
     examples=(
         "mass=10g specific-heat=385J/kg/K temperature-rise=2K time=30s",
         "irradiance=1000W/m2 receiver-area=20cm2 absorptance=0.95 time=1min mass=10g "
@@ -30,7 +39,7 @@ PAGE = Page(
 
 def calorimeter(given: Inputs) -> Answer:
     """Radiant flux and energy from a temperature rise, or any of them from the others."""
-    sheet = Worksheet(PAGE, given)
+    sheet, placed = worksheet(PAGE, given), Placed()
     if sheet.lit.kind != RADIANT or sheet.lit.links:
         raise ConditionError(
             "a calorimeter measures watts and joules",
@@ -39,12 +48,12 @@ def calorimeter(given: Inputs) -> Answer:
     if not given:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
         raise MissingInput("nothing is given", hint)
-    sheet.default(LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
-    sheet.assume("no heat is lost")
-    sheet.solve(LAWS)
-    sheet.refuse_impossible(
+    placed.default(sheet, LAWS, "absorptance", 1.0, "a black body: all of the light is absorbed")
+    placed.assume("no heat is lost")
+    solved = solve(sheet, LAWS, placed)
+    solved.refuse_impossible(
         "absorptance",
         because="the body gets more heat than light",
         hint="more light, or less heat",
     )
-    return sheet.answer(LAWS)
+    return solved.answer()

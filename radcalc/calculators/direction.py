@@ -1,24 +1,52 @@
 """A direction, or what a mirror makes of it, in spherical coordinates and as a unit vector."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
-from radcalc.answer import Answer, Step, Value
+from radcalc.answer import Answer, Step, Value, texts_of
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
+from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import ConditionError, Exclusive, option, quote
+from radcalc.errors import ConditionError, Exclusive, UsageError, command, mention, option, quote
 from radcalc.geometry.directions import cartesian, mirror_normal, reflected, spherical
-from radcalc.geometry.numerics.vectors import cross, dot, length, unit
+from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, unit
 from radcalc.geometry.projections import direction_at, is_outside, place_of
-from radcalc.given import Given, Inputs, Point, one_of
-from radcalc.maths import SLACK, atan2, cos, hypot, sin, sqrt
+from radcalc.inputs.given import Input, Inputs, one_of
+from radcalc.inputs.places import read_coordinates
+from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin, sqrt
 from radcalc.quantities.symbols import MIRROR_BALL
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.table import NUMBER
+from radcalc.units.unit import NUMBER
 
 ANGLES, MIRRORS = ("polar", "elevation", "azimuth"), ("reflect-at", "reflect-to")
 ON_BALL = ("mirror-ball-u", "mirror-ball-v", "mirror-ball-w")
+PAGE = Page(
+    about="Give a direction in spherical coordinates and as a unit vector, or what a mirror makes "
+    "of it.",
+    operand=Operand("vector", "[X Y Z]"),
+    sections={"Angles": ANGLES, "Mirrors": ("mirror-ball", *MIRRORS)},
+    examples=(
+        "1 1 1",
+        "3m 4m 0m get=length:cm get=azimuth:deg",
+        "polar=45deg azimuth=30deg",
+        "elevation=10deg:80deg:10deg azimuth=0deg get=z",
+        "mirror-ball=0.6,0",
+        "0.96 0 0.28 get=mirror-ball-u get=mirror-ball-v",
+        "polar=30deg azimuth=0deg reflect-at=0,0,1",
+        "0 0 1 reflect-to=1,0,0                (the mirror's normal)",
+    ),
+    remarks="The polar angle is counted from +z, the azimuth from +x towards +y; the elevation "
+    "is 90 degrees less the polar angle. Directions point away from a mirror: to where "
+    "the light comes from, and to where it goes. A mirror ball is seen along -z from "
+    "far away, x to the right and y up; where it shows a direction is a result when "
+    "asked for by name: mirror-ball-u and mirror-ball-v, and mirror-ball-w, with which "
+    "they are the ball's normal there.",
+    mistakes=("direction",),
+)
+
 CONVENTION = "polar angle from +z, azimuth from +x towards +y (ISO 80000-2)"
 UNIT = "x, y and z are those of the unit vector"
 AWAY = "the direction d and its reflection r point away from the mirror"
@@ -38,10 +66,37 @@ POLE = "at a pole every azimuth is right"
 LEAST = 2**-53  # of a unit vector's coordinate: below it is what the angle's rounding makes of 0
 
 
+def task(words: Sequence[str], wants: Wants) -> Task:
+    """Return the task of a call, whose words may be the coordinates of a vector."""
+    coordinates = words[0].split(",") if len(words) == 1 else list(words)
+    vector, unit = _read(coordinates) if words else (None, "")
+    with_ball = any(map(wants, ON_BALL))
+
+    def work_out(given: Inputs) -> Answer:
+        names = [name for name in given if name not in MIRRORS]
+        if vector and names:
+            what = option("mirror-ball") if "mirror-ball" in names else "angles"
+            raise ConditionError(f"a vector and {what} contradict each other", "one of them")
+        if not vector and not names:
+            hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
+            raise UsageError("a direction is missing", hint)
+        return direction(given, vector, unit, with_ball)
+
+    return Task("direction", work_out, texts_of({"vector": ",".join(coordinates)}))
+
+
+def _read(coordinates: list[str]) -> tuple[Vector, str]:
+    if len(coordinates) != 3:
+        problem = f"a vector has three coordinates, not {len(coordinates)}"
+        raise UsageError(problem, command("direction", "1", "1", "1"))
+    (x, y, z), unit = read_coordinates(coordinates)
+    return (x, y, z), unit
+
+
 def direction(
-    given: Inputs, vector: Point | None = None, unit: str = "", with_ball: bool = False
+    given: Inputs, vector: Vector | None = None, unit: str = "", with_ball: bool = False
 ) -> Answer:
-    """The answer to a direction that is given by its coordinates, its angles or a mirror ball.
+    """Return the answer to a direction given by coordinates, by angles or by a mirror ball.
 
     `given` are the angles or the place on the ball, and the mirror that reflects it; a `vector`
     is in SI units where its coordinates had a `unit`.  `with_ball` adds the place on a mirror
@@ -56,7 +111,7 @@ def direction(
     if all(name in given for name in MIRRORS):
         raise Exclusive(MIRRORS)
     if any(name in given for name in MIRRORS):
-        answer = _mirrored(given, vector, unit)
+        answer = _reflect(given, vector, unit)
     elif vector:
         answer = of_vector(*vector, unit)
     else:
@@ -64,17 +119,15 @@ def direction(
     return _on_ball(answer) if with_ball else answer
 
 
-def of_vector(x: float, y: float, z: float, unit: str = "") -> Answer:
-    """The direction of a vector; its coordinates in SI units where they had a unit."""
+def of_vector(x: Number, y: Number, z: Number, unit: str = "") -> Answer:
+    """Return the direction of a vector; its coordinates in SI units where they had a unit."""
     polar, azimuth, length = spherical(x, y, z)
     unit_vector = (x / length, y / length, z / length)
-    notes = []
-    if not (x or y):
-        notes = [f"{POLE}, and 0 is given"]
-    aside, far = format_number(math.hypot(x, y)), format_number(z)
+    notes = [f"{POLE}, and 0 is given"] if any_true(_is_at_pole(x, y)) else []
+    from_axis, far = format_number(hypot(x, y)), format_number(z)
     steps = [
-        POLAR.told(f"theta = atan2({aside}, {far}) = {format_angle(polar)}"),
-        AZIMUTH.told(
+        POLAR.with_numbers(f"theta = atan2({from_axis}, {far}) = {format_angle(polar)}"),
+        AZIMUTH.with_numbers(
             f"phi = atan2({format_number(y)}, {format_number(x)}) = {format_angle(azimuth)}"
         ),
     ]
@@ -83,73 +136,85 @@ def of_vector(x: float, y: float, z: float, unit: str = "") -> Answer:
 
 
 def of_angles(given: Inputs) -> Answer:
-    """The unit vector of a polar angle or an elevation, and an azimuth."""
+    """Return the unit vector of a polar angle or an elevation, and an azimuth."""
     polar, azimuth, vector, step = _from_angles(given)
     rows = [*_rows(polar, azimuth, vector, given), _length(1.0)]
-    notes = [] if any(vector[:2]) else [POLE]
+    notes = [POLE] if any_true(_is_at_pole(*vector[:2])) else []
     return Answer(rows, [CONVENTION], notes, [step])
 
 
-def _from_angles(given: Inputs) -> tuple[float, float, Point, Step]:
+def _is_at_pole(x: Number, y: Number) -> Any:
+    return (x == 0) & (y == 0)
+
+
+def _from_angles(given: Inputs) -> tuple[Number, Number, Vector, Step]:
     """Polar angle, azimuth and unit vector, with its derivation."""
-    one = one_of(given, "the polar angle or the elevation", "polar", "elevation")
+    given_angle = one_of(given, "the polar angle or the elevation", "polar", "elevation")
     azimuth = one_of(given, "the azimuth", "azimuth").value
-    polar = one.value if one.name == "polar" else math.pi / 2 - one.value
+    polar = given_angle.value if given_angle.name == "polar" else math.pi / 2 - given_angle.value
     x, y, z = cartesian(polar, azimuth)
-    if one.name == "elevation":
-        z = sin(one.value)  # without the rounding of a right angle
-        x, y = cos(one.value) * cos(azimuth), cos(one.value) * sin(azimuth)
+    if given_angle.name == "elevation":
+        z = sin(given_angle.value)  # without the rounding of a right angle
+        x, y = cos(given_angle.value) * cos(azimuth), cos(given_angle.value) * sin(azimuth)
     x, y, z = _without_rounding((x, y, z), LEAST)
     numbers = f"theta = {format_angle(polar)}, phi = {format_angle(azimuth)}; "
     numbers += f"x = {format_number(x)}, y = {format_number(y)}, z = {format_number(z)}"
-    return polar, azimuth, (x, y, z), UNIT_VECTOR.told(numbers)
+    return polar, azimuth, (x, y, z), UNIT_VECTOR.with_numbers(numbers)
 
 
-def _without_rounding(vector: Point, least: float) -> Point:
-    x, y, z = (0.0 if abs(size) < least else size for size in vector)
+def _without_rounding(vector: Vector, least: Number) -> Vector:
+
+    def rounded(size: Number) -> Number:
+        return piecewise(abs(size) < least, lambda s: 0.0 * abs(s), lambda s: s, size)
+
+    x, y, z = map(rounded, vector)
     return x, y, z
 
 
-def _mirrored(given: Inputs, vector: Point | None, unit: str) -> Answer:
-    """The reflection of a direction, or the normal of the mirror that reflects it."""
+def _reflect(given: Inputs, vector: Vector | None, unit: str) -> Answer:
+    """Return the reflection of a direction, or the normal of the mirror that reflects it."""
     steps = []
     if vector is None:
         *_, vector, step = _from_angles(given)
         steps.append(step)
     size = spherical(*vector)[2]
-    told = f"d = {_told(vector)}"
+    numbers = f"d = {_format_vector(vector)}"
     if "reflect-at" in given:
         normal = given["reflect-at"].value
         incidence = _angle(vector, normal)
         _refuse_behind(given["reflect-at"], incidence)
-        found = _without_rounding(reflected(vector, normal), 4 * LEAST * size)
-        told += f", n = {_told(normal)}; r = {_told(found)}"
-        steps.append(REFLECTION.told(told))
-        meant = "the results are those of the reflection"
+        result = _without_rounding(reflected(vector, normal), 4 * LEAST * size)
+        numbers += f", n = {_format_vector(normal)}; r = {_format_vector(result)}"
+        steps.append(REFLECTION.with_numbers(numbers))
+        assumption = "the results are those of the reflection"
     else:
         to = given["reflect-to"].value
-        found, unit = _without_rounding(mirror_normal(vector, to), 4 * LEAST), ""
-        incidence = _angle(vector, found)
-        steps.append(BISECTOR.told(f"{told}, r = {_told(to)}; n = {_told(found)}"))
-        meant = "the results are those of the mirror's normal"
-    answer = of_vector(*found, unit)
+        result, unit = _without_rounding(mirror_normal(vector, to), 4 * LEAST), ""
+        incidence = _angle(vector, result)
+        steps.append(
+            BISECTOR.with_numbers(
+                f"{numbers}, r = {_format_vector(to)}; n = {_format_vector(result)}"
+            )
+        )
+        assumption = "the results are those of the mirror's normal"
+    answer = of_vector(*result, unit=unit)
     return answer._replace(
         values=[*answer.values, value("incidence", incidence)],
-        assumptions=[*answer.assumptions, f"{AWAY}; {meant}"],
+        assumptions=[*answer.assumptions, f"{AWAY}; {assumption}"],
         steps=[*steps, *answer.steps],
     )
 
 
-def _angle(one: Point, other: Point) -> float:
-    """The angle between two vectors, to all digits."""
-    a, b = unit(one), unit(other)
-    return math.atan2(length(cross(a, b)), dot(a, b))
+def _angle(first: Vector, second: Vector) -> Number:
+    """Return the angle between two vectors, to all digits."""
+    a, b = unit(first), unit(second)
+    return atan2(length(cross(a, b)), dot(a, b))
 
 
-def _refuse_behind(normal: Given, incidence: float) -> None:
+def _refuse_behind(normal: Input, incidence: Number) -> None:
     """Refuse a direction from which only the back of a mirror is seen."""
-    if incidence > math.pi / 2 * (1 + SLACK):
-        turned = ",".join(format_number(-one, 15) for one in normal.value)
+    if any_true(incidence > math.pi / 2 * (1 + SLACK)):
+        turned = ",".join(format_number(-component, 15) for component in normal.value)
         raise ConditionError(
             f"{option('reflect-at', quote(normal.text))}: the direction is behind the mirror, "
             f"{format_angle(incidence)} from its normal",
@@ -157,25 +222,25 @@ def _refuse_behind(normal: Given, incidence: float) -> None:
         )
 
 
-def _told(vector: Point) -> str:
+def _format_vector(vector: Vector) -> str:
     return f"({', '.join(map(format_number, vector))})"
 
 
-def _of_ball(place: Given) -> Answer:
-    """The direction that a mirror ball shows at a place."""
+def _of_ball(place: Input) -> Answer:
+    """Return the direction that a mirror ball shows at a place."""
     u, v = place.value
     if is_outside(MIRROR_BALL, u, v):
-        aside = format_number(hypot(u, v))
+        ratio = format_number(hypot(u, v))
         raise ConditionError(
-            f"{option('mirror-ball', quote(place.text))} is beside the ball, {aside} times its "
+            f"{option('mirror-ball', quote(place.text))} is beside the ball, {ratio} times its "
             "radius from the middle",
             "u and v with u^2 + v^2 of at most 1",
         )
     z, x, y = direction_at(MIRROR_BALL, u, v)  # whose x is towards the camera
     answer = _on_ball(of_vector(x, y, z), (u, v))
-    w = next(one.si for one in answer.values if one.name == "mirror-ball-w")
-    told = f"u = {format_number(u)}, v = {format_number(v)}, w = {format_number(w)}; "
-    step = BALL.told(f"{told}(x, y, z) = {_told((x, y, z))}")
+    w = next(row.si for row in answer.values if row.name == "mirror-ball-w")
+    numbers = f"u = {format_number(u)}, v = {format_number(v)}, w = {format_number(w)}; "
+    step = BALL.with_numbers(f"{numbers}(x, y, z) = {_format_vector((x, y, z))}")
     notes = ["at its rim the ball shows what is behind it"] if w == 0 else []
     return answer._replace(
         assumptions=[CONVENTION, BALL_AXES],
@@ -186,11 +251,17 @@ def _of_ball(place: Given) -> Answer:
 
 def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer:
     """An answer with the place on a mirror ball that shows its direction, and the normal there."""
-    found = {one.name: one.si for one in answer.values}
-    x, y, z = (found[name] for name in "xyz")
+    coordinates = {item.name: item.si for item in answer.values}
+    x, y, z = (coordinates[name] for name in "xyz")
     u, v = given or place_of(MIRROR_BALL, z, x, y)
     # 1 + z, next to -z without losing digits
-    w = sqrt((1 + z) / 2) if z > 0 else hypot(x, y) / sqrt(2 * (1 - z))
+    w = piecewise(
+        z > 0,
+        lambda across, z: sqrt((1 + z) / 2),
+        lambda across, z: across / sqrt(2 * (1 - z)),
+        hypot(x, y),
+        z,
+    )
     rows = [value(name, size) for name, size in zip(ON_BALL, (u, v, w), strict=True)]
     if given:
         rows[:2] = [row._replace(given=row.si) for row in rows[:2]]
@@ -200,18 +271,19 @@ def _on_ball(answer: Answer, given: tuple[float, float] | None = None) -> Answer
 
 
 def _length(length: Any, unit: str = "") -> Value:
-    """The length of the vector, in the unit of its coordinates if they have one."""
+    """Return the length of the vector, in the unit of its coordinates if they have one."""
     dimension = LENGTH if unit else NUMBER
-    found = value("length", length, unit or "1", letter="r")
-    return found._replace(dimensions=(dimension,))
+    row = value("length", length, unit or "1", letter="r")
+    return row._replace(dimensions=(dimension,))
 
 
-def _rows(polar: Any, azimuth: Any, vector: Point, given: Inputs) -> list[Value]:
-    """The results that both have; an angle that was given as it was given."""
+def _rows(polar: Any, azimuth: Any, vector: Vector, given: Inputs) -> list[Value]:
+    """Return the results that both have; an angle that was given as it was given."""
     x, y, z = vector
-    found = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}
+    angles = {"polar": polar, "azimuth": azimuth, "elevation": atan2(z, hypot(x, y))}
     rows = [
-        known(given[name]) if name in given else value(name, angle) for name, angle in found.items()
+        known(given[name]) if name in given else value(name, angle)
+        for name, angle in angles.items()
     ]
     rows += [value(name, size, label=name) for name, size in zip("xyz", vector, strict=True)]
     return rows

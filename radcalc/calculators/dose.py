@@ -11,8 +11,10 @@ from operator import add, mul, sub
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Value
+from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import absent, value
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.solved import solve
+from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import (
     Formula,
     coherent_unit_of,
@@ -21,11 +23,13 @@ from radcalc.derivation import (
     letter_of,
 )
 from radcalc.errors import ConditionError, NumberError, TooMany, mention, option
-from radcalc.given import Inputs
+from radcalc.files.text import ENDINGS
+from radcalc.inputs.given import Inputs
 from radcalc.laws.law import law
 from radcalc.quantities.light import describe
 from radcalc.quantities.light import read as read_light
-from radcalc.units.table import Unit, divide
+from radcalc.quantities.symbols import LINKS, REFINEMENTS
+from radcalc.units.unit import Unit, divide
 
 FLUX, IRRADIANCE = (0, 0, 0), (0, 1, 0)  # geometries that have a dose
 WHOLE = (3600, 86400)  # seconds of an hour and of a day without a change of clocks
@@ -53,6 +57,13 @@ PAGE = Page(
     "a dose",
     ("receiver-area",),
     ("exposure", "energy", *MEANS, *PEAKS),
+    about="Add up samples of light in time: exposure, energy, daily light integral.",
+    operand=Operand("file", "FILE|-", FILE, ENDINGS),
+    sections={
+        "Times": ("max-gap",),
+        "Light": ("receiver-area", *LINKS, *REFINEMENTS),
+    },
+    takes_lines=False,
 )
 # What people read an exposure or an energy in, by the unit that is shown beside it.
 CUSTOMARY_UNITS = {
@@ -89,7 +100,7 @@ NO_STEP = SampleStep(0, 0, 0)
 
 
 class Period:
-    """What the samples of a day, an hour or a whole log add up to, in their unit and in ticks.
+    """The sums over the samples of a day, an hour or a whole log, in their unit and in ticks.
 
     The sum is kept in two floats, so that ten million terms lose no digits.
     """
@@ -186,7 +197,7 @@ class Dose:
         if high > self.peak:
             self.peak, self.peak_at = high, times[values.index(high)]
         if low < 0:
-            self.negative += sum(one < 0 for one in values)
+            self.negative += sum(value < 0 for value in values)
             if low < self.least:
                 self.least, self.least_at = low, times[values.index(low)]
 
@@ -209,7 +220,7 @@ class Dose:
                 at = steps.index(longest)
                 self.step = SampleStep(longest, times[at], times[at + 1])
             if min(values) < 0:
-                self.below += fsum(map(_below, values, values[1:], steps))
+                self.below += fsum(map(_area_below, values, values[1:], steps))
         elif not counted:
             self._period(times[0]).is_in_gap = True
         while True:
@@ -220,11 +231,13 @@ class Dose:
             if cut == len(times):
                 period.take(times, values, steps)
                 return
-            left = end - times[cut - 1]
+            step_to_end = end - times[cut - 1]
             value = values[cut]
             if times[cut] != end:  # on the straight line between two samples
-                value = values[cut - 1] + (value - values[cut - 1]) * (left / steps[cut - 1])
-            period.take([*times[:cut], end], [*values[:cut], value], [*steps[: cut - 1], left])
+                value = values[cut - 1] + (value - values[cut - 1]) * (step_to_end / steps[cut - 1])
+            period.take(
+                [*times[:cut], end], [*values[:cut], value], [*steps[: cut - 1], step_to_end]
+            )
             counted = int(times[cut] != end)
             if counted:
                 times, values = [end, *times[cut:]], [value, *values[cut:]]
@@ -267,7 +280,7 @@ class SummedLog(NamedTuple):
             problem = "one sample makes no dose" if dose.count else "there is no sample"
             raise ConditionError(problem, "two samples or more")
         if not any(period.covered for period in dose.periods):
-            longest = _typed(self.seconds(dose.widest.length))
+            longest = _duration_text(self.seconds(dose.widest.length))
             raise ConditionError(
                 "every step is a gap, and nothing is added up",
                 f"{option('max-gap', longest)}, which bridges all of them",
@@ -280,57 +293,58 @@ class SummedLog(NamedTuple):
             )
 
     def remarks(self) -> list[str]:
-        """What is to be said of the samples."""
+        """Return what is to be said of the samples."""
         dose, unit = self.dose, self.unit.text
         notes = [
             f"the greatest sample, {format_number(dose.peak)} {unit}, is at "
             f"{self.say(dose.peak_at)}"
         ]
         if dose.gaps:
-            told = f"a gap of {self._told(dose.widest)}"
+            longest = self._describe(dose.widest)
+            gap_text = f"a gap of {longest}"
             if dose.gaps > 1:
-                whole = _duration(self.seconds(dose.gap_time))
-                told = f"{dose.gaps} gaps of {whole} in all; the longest, {self._told(dose.widest)}"
-            notes.append(f"not bridged: {told}")
-        if others := dose.count - dose.gaps - 2:
+                gap_time = _duration(self.seconds(dose.gap_time))
+                gap_text = f"{dose.gaps} gaps of {gap_time} in all; the longest, {longest}"
+            notes.append(f"not bridged: {gap_text}")
+        if other_steps := dose.count - dose.gaps - 2:
             bridged = dose.time - dose.first - dose.gap_time
-            mean = (bridged - dose.step.length) / others
-            if others > 0 and dose.step.length > LONG * mean:
+            mean = (bridged - dose.step.length) / other_steps
+            if other_steps > 0 and dose.step.length > LONG * mean:
                 between = self._between(mean, dose.step.length)
                 notes.append(
-                    f"bridged by a straight line: a step of {self._told(dose.step)}; the others "
-                    f"have {_duration(self.seconds(mean))} on average "
+                    f"bridged by a straight line: a step of {self._describe(dose.step)}; the "
+                    f"others have {_duration(self.seconds(mean))} on average "
                     f"({option('max-gap', between)} would leave it out)"
                 )
         if dose.negative:
             below = format_number(_exact(dose.below, self.tick))
-            many = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
+            count = "a sample" if dose.negative == 1 else f"{dose.negative} samples"
             notes.append(
-                f"kept as a meter's offset: {many} below 0, down to {format_number(dose.least)} "
+                f"kept as a meter's offset: {count} below 0, down to {format_number(dose.least)} "
                 f"{unit}, together {below} {unit} s"
             )
         return notes
 
     def _between(self, mean: float, longest: float) -> str:
         """A duration that is as far from both, as one types it."""
-        return _typed(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
+        return _duration_text(self.seconds(mean) ** 0.5 * self.seconds(longest) ** 0.5)
 
-    def _told(self, step: SampleStep) -> str:
+    def _describe(self, step: SampleStep) -> str:
         length = _duration(self.seconds(step.length))
         return f"{length}, from {self.say(step.start)} to {self.say(step.end)}"
 
     def samples(self) -> dict[str, float]:
-        """The first sample, the last, and the plain sum of all [SI]."""
+        """Return the first sample, the last, and the plain sum of all [SI]."""
         dose, factor = self.dose, self.unit.factor
-        found = {"first": dose.first_value, "last": dose.value, "sum": dose.plain}
-        return {name: number * factor for name, number in found.items()}
+        numbers = {"first": dose.first_value, "last": dose.value, "sum": dose.plain}
+        return {name: number * factor for name, number in numbers.items()}
 
     def of_all(self, given: Inputs) -> Answer:
-        """The dose of the whole log."""
+        """Return the dose of the whole log."""
         dose = self.dose
-        whole = dose.periods[0]
-        whole.end = dose.time
-        answer = self._answer(whole, given)
+        period = dose.periods[0]
+        period.end = dose.time
+        answer = self._answer(period, given)
         gaps = [
             value("gaps", float(dose.gaps)),
             value("gap-time", self.seconds(dose.gap_time)),
@@ -341,20 +355,23 @@ class SummedLog(NamedTuple):
         )
 
     def of_periods(self, given: Inputs) -> Iterator[tuple[str, Answer]]:
-        """The dose of each day or hour, by its name; the first has the remarks on all."""
+        """Yield the dose of each day or hour, by its name; the first has the remarks on all."""
         notes = self.remarks()
         for period in self.dose.periods:
             if period.covered or period.is_in_gap:
                 answer = self._answer(period, given)
                 seconds = self.seconds(period.end - period.start)
-                covered, whole = _duration(self.seconds(period.covered)), _duration(seconds)
+                covered, length = _duration(self.seconds(period.covered)), _duration(seconds)
                 if period.count and not period.covered:
                     notes = [f"{period.label}: nothing is covered", *notes]
-                elif period.covered and covered != whole:
-                    notes = [f"{period.label}: {covered} of {whole} are covered", *notes]
+                elif period.covered and covered != length:
+                    notes = [f"{period.label}: {covered} of {length} are covered", *notes]
                 if seconds not in WHOLE:
-                    told = f"{period.label} has {whole}: the clocks are changed, and"
-                    notes = [f"{told} time-of-maximum is what has passed since it began", *notes]
+                    beginning = f"{period.label} has {length}: the clocks are changed, and"
+                    notes = [
+                        f"{beginning} time-of-maximum is what has passed since it began",
+                        *notes,
+                    ]
                 yield period.label, answer._replace(notes=[*answer.notes, *notes])
                 notes = []
 
@@ -365,18 +382,18 @@ class SummedLog(NamedTuple):
         amount, peak = OF[geometry]
         factor = self.unit.top, self.unit.bottom
         total, covered = period.total + period.low, self.seconds(period.covered)
-        sheet = Worksheet(PAGE, given, preferred=reading.kind)
-        sheet.know(amount, _exact(total, self.tick, factor))
-        sheet.know("covered-time", covered)
+        sheet, placed = worksheet(PAGE, given, preferred=reading.kind), Placed()
+        size = _exact(total, self.tick, factor)
+        placed.add(amount, size)
+        placed.add("covered-time", covered)
         if period.peak > -inf:
-            sheet.know(peak, _exact(period.peak, factor))
-        whole = coherent_unit_of(amount, reading.kind)
-        sum_told = f"{format_value(sheet.known[amount].value, whole)}, of {period.count} samples"
-        sheet.placed.append(SUM[geometry].told(f"{letter_of(amount)} = {sum_told}"))
-        sheet.assume("the light runs straight between samples (the trapezoidal rule)")
+            placed.add(peak, _exact(period.peak, factor))
+        unit = coherent_unit_of(amount, reading.kind)
+        sum_text = f"{format_value(size, unit)}, of {period.count} samples"
+        placed.steps.append(SUM[geometry].with_numbers(f"{letter_of(amount)} = {sum_text}"))
+        placed.assume("the light runs straight between samples (the trapezoidal rule)")
         laws = [MEAN[geometry], RECEIVED] if covered else [RECEIVED]
-        sheet.solve(laws)
-        answer = sheet.answer(laws)
+        answer = solve(sheet, laws, placed).answer()
         duration = self.seconds(period.end - period.start)
         times = [
             value("time-of-maximum", self.seconds(period.when - period.start))
@@ -389,25 +406,25 @@ class SummedLog(NamedTuple):
         ]
         lacking = () if covered else MEANS if period.count else (*MEANS, *PEAKS)
         results = [
-            absent(one.name, *EMPTY)._replace(also=one.also)
-            if one.name in lacking
-            else _customary(one)
-            for one in answer.values
+            absent(row.name, *EMPTY)._replace(also=row.also)
+            if row.name in lacking
+            else _customary(row)
+            for row in answer.values
         ]
         return answer._replace(values=[*results, *times])
 
 
 def _sum(values: list[float], steps: list[Any]) -> float:
-    """The area under straight lines between values."""
+    """Return the area under straight lines between values."""
     try:
         return fsum(map(mul, map(add, values[1:], values), steps)) / 2
     except (OverflowError, ValueError):  # beyond a float, in sum or with both signs
         return inf
 
 
-def _below(one: float, other: float, step: float) -> float:
-    """The area below 0 under a straight line."""
-    low, high = min(one, other), max(one, other)
+def _area_below(first: float, second: float, step: float) -> float:
+    """Return the area below 0 under a straight line."""
+    low, high = min(first, second), max(first, second)
     if low >= 0:
         return 0.0
     return (low + high) / 2 * step if high <= 0 else low * (low / (low - high)) / 2 * step
@@ -438,7 +455,7 @@ def _duration(seconds: float) -> str:
     return f"{format_number(seconds / size)} {unit}"
 
 
-def _typed(seconds: float) -> str:
+def _duration_text(seconds: float) -> str:
     """A duration as one types it, of two digits, and no shorter."""
     size, unit = _unit_of_time(seconds)
     number = seconds / size
@@ -447,7 +464,7 @@ def _typed(seconds: float) -> str:
 
 
 def _unit_of_time(seconds: float) -> tuple[int, str]:
-    """The unit in which people tell a duration, and its seconds."""
+    """Return the unit in which people tell a duration, and its seconds."""
     for least, size, unit in ((172800, 86400, "d"), (3600, 3600, "h"), (60, 60, "min")):
         if seconds >= least:
             return size, unit

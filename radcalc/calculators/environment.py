@@ -1,21 +1,34 @@
 """What surrounds a place: a map of radiances, a sky, an expression; what a receiver gets of it."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators import light
+from radcalc.calculators import kinds
+from radcalc.calculators.maps import RenderedMap
+from radcalc.calculators.page import ENVIRONMENT, Operand, Page
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import format_number, format_value
 from radcalc.errors import ConditionError, MissingInput, Unused, option, options
 from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.given import Inputs, at_most_one, read, require_azimuth, sort
+from radcalc.geometry.sky import NAMES
+from radcalc.inputs.given import Inputs, at_most_one, split_by_light
+from radcalc.inputs.places import require_azimuth
+from radcalc.inputs.reading import read
 from radcalc.maths import is_array
-from radcalc.quantities.symbols import LATLONG, LINKS, SYMBOLS, light_unit, specific_name
+from radcalc.quantities.symbols import (
+    LATLONG,
+    LINKS,
+    REFINEMENTS,
+    SYMBOLS,
+    light_unit,
+    specific_name,
+)
 from radcalc.units.dimensions import SOLID_ANGLE
-from radcalc.units.table import NUMBER, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER
 
 if TYPE_CHECKING:
     from radcalc.distributions.distribution import Peak
@@ -31,6 +44,49 @@ OF_MAP = ("unit", "projection", "aim", "channel")
 OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
+PAGE = Page(
+    about="Give what a receiver gets of all that surrounds it: of a map, a sky or an expression.",
+    operand=Operand("source", "SOURCE", ENVIRONMENT, NAMES),
+    sections={
+        "Map": OF_MAP,
+        "Sky": (*OF_SKY, *SCALES),
+        "Receiver": RECEIVER,
+        "Maps that are written": ("size",),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    texts={
+        "toward": "A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z.",
+        "aim": "What the middle of the map shows (1,0,0).",
+        "normal": "Where the receiver faces (0,0,1: up).",
+    },
+    draws=True,
+    takes_lines=False,
+    like={"error": "irradiance"},
+    examples=(
+        "room.hdr unit=W/m2/sr",
+        "room.exr unit=cd/m2 normal=1,0,0 toward=60deg,90deg",
+        "ball.hdr projection=mirror-ball aim=0,-1,0 unit=1",
+        "sky:overcast zenith-luminance=9000cd/m2 normal=1,0,0",
+        "sky:12 sun-elevation=40deg sun-azimuth=0deg toward=0deg:90deg:15deg,90deg",
+        "room.hdr unit=cd/m2 plot=room.png",
+        "'3000*max(cos(theta), 0) cd/m2' steps=",
+        "room.hdr unit=cd/m2 irradiance-map=lux.exr size=64x32",
+        "ball.hdr projection=mirror-ball unit=1 reproject=room.exr to=latlong",
+    ),
+    remarks="""
+    SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
+    radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
+    +x towards +y), with a unit behind a blank, or relative.  Directions are those that light comes
+    from.
+
+    The middle of a map shows the direction {aim}, and its up is as near to +z as can be.  A map
+    that is 2:1 is latlong; a square one has to be told.  Few files say in which {unit} they are;
+    with {unit} 1 every result is relative.  R, G and B are weighted to a luminance, by the file's
+    primaries or those of Rec. 709; in W/m2/sr they are Radiance's, and a watt counts as 179 lm.
+    """,
+    mistakes=("all around",),
+)
+
 EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak's own, up to rounding
 SMALL = (64, 32)  # pixels of an irradiance map
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
@@ -48,7 +104,7 @@ IS_RELATIVE = (
 
 
 class Source:
-    """What a user named, read once for all answers about it.
+    """The source that a user named, read once for all answers about it.
 
     `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture; where it
     `is_path`, the first of these alone.
@@ -57,42 +113,42 @@ class Source:
     def __init__(self, named: "str | Picture", is_path: bool = False) -> None:
         self.named, self.is_path = named, is_path
         self.pictures: dict[str, Picture] = {}  # by the channel that they are read for
-        self.found: dict[tuple[Any, ...], Environment] = {}
+        self.environments: dict[tuple[Any, ...], Environment] = {}
         self.sums: dict[tuple[int, Vector], tuple[Integral, float, Peak]] = {}
 
-    def environment(self, own: Inputs, lit: light.Lit) -> "Environment":
-        """The radiances, by the inputs that are about them."""
-        key = tuple((name, one.text) for name, one in own.items())
-        if key not in self.found:
-            self.found[key] = self._read(own, lit)
-        return self.found[key]
+    def environment(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
+        """Return the radiances, by the inputs that are about them."""
+        key = tuple((name, given.text) for name, given in settings.items())
+        if key not in self.environments:
+            self.environments[key] = self._read(settings, lit)
+        return self.environments[key]
 
     def figures(self, radiances: "Radiances", normal: Vector) -> "tuple[Integral, float, Peak]":
-        """The irradiance, the mean and the peak, once for a list of directions."""
+        """Return the irradiance, the mean and the peak, once for a list of directions."""
         key = (id(radiances), normal)
         if key not in self.sums:
             self.sums[key] = radiances.irradiance(normal), radiances.mean(), radiances.peak()
         return self.sums[key]
 
-    def _read(self, own: Inputs, lit: light.Lit) -> "Environment":
+    def _read(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
         from radcalc.distributions import environments
 
         named = self.named
         if isinstance(named, str) and not self.is_path:
             if named.lower().startswith(SKY):
-                _refuse_others(own, (*OF_SKY, *SCALES), "a sky")
-                return _sky(named.lower().removeprefix(SKY).strip(), own, lit)
+                _refuse_others(settings, (*OF_SKY, *SCALES), "a sky")
+                return _sky(named.lower().removeprefix(SKY).strip(), settings, lit)
             if not environments.is_map(named):
-                _refuse_others(own, (), "an expression")
+                _refuse_others(settings, (), "an expression")
                 return environments.expression(named)
-        _refuse_others(own, OF_MAP, "a map")
-        given = {name: one.value for name, one in own.items()}
+        _refuse_others(settings, OF_MAP, "a map")
+        values = {name: given.value for name, given in settings.items()}
         if isinstance(named, str):
-            named = self._picture(named, given.get("channel", ""))
-        return environments.of_picture(named, **given)
+            named = self._picture(named, values.get("channel", ""))
+        return environments.of_picture(named, **values)
 
     def _picture(self, path: str, channel: str) -> "Picture":
-        """The picture of a map, which is read once."""
+        """Return the picture of a map, which is read once."""
         from radcalc.distributions.maps.pictures import read_picture
 
         if channel not in self.pictures:
@@ -100,14 +156,14 @@ class Source:
         return self.pictures[channel]
 
 
-def _refuse_others(own: Inputs, takes: tuple[str, ...], what: str) -> None:
+def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
     """Refuse what is about another source."""
-    others = [one.name for name, one in own.items() if name not in takes]
-    if others:
-        raise Unused(others, f"with {what}")
+    foreign = [item.name for name, item in settings.items() if name not in takes]
+    if foreign:
+        raise Unused(foreign, f"with {what}")
 
 
-def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
+def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
     """A sky, scaled by what is given or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
@@ -115,29 +171,29 @@ def _sky(name: str, own: Inputs, lit: light.Lit) -> "Environment":
     from radcalc.geometry.sky import IS_EVEN, MISSING_AZIMUTH, sky_type
 
     sun: Any = None
-    useless = [one for one in OF_SKY if one in own]
+    useless = [symbol_name for symbol_name in OF_SKY if symbol_name in settings]
     if not sky_type(name).follows_sun and useless:
         raise Unused(useless, IS_EVEN.format(name))
-    if "sun-elevation" in own:
-        if "sun-azimuth" not in own:
+    if "sun-elevation" in settings:
+        if "sun-azimuth" not in settings:
             raise MissingInput(*MISSING_AZIMUTH)
-        sun = place_of_sun(own)
+        sun = place_of_sun(settings)
     sky = Sky(name, sun)  # which asks for the sun where it is missing
-    said = [f"sky {name}: {sky.type.name}; below the horizon it is dark"]
+    assumptions = [f"sky {name}: {sky.type.name}; below the horizon it is dark"]
     if sun:
-        said.append("the sun is no part of the sky")
-    scale = at_most_one(own, "how bright the sky is", *SCALES)
+        assumptions.append("the sun is no part of the sky")
+    scale = at_most_one(settings, "how bright the sky is", *SCALES)
     if scale is None:
-        said.append("the radiances are those over the zenith's")
-        return Environment(sky, assumptions=tuple(said))
+        assumptions.append("the radiances are those over the zenith's")
+        return Environment(sky, assumptions=tuple(assumptions))
     zenith = lit.amounts[scale.symbol.generic]
     if scale.symbol.generic == "horizontal-irradiance":
         zenith = zenith / sky.irradiance(UP).value
-    return Environment(Sky(name, sun, zenith, lit.kind), assumptions=tuple(said))
+    return Environment(Sky(name, sun, zenith, lit.kind), assumptions=tuple(assumptions))
 
 
 def environment(source: Source, given: Inputs) -> Answer:
-    """What a receiver gets of its surroundings, and what they are like.
+    """Return what a receiver gets of its surroundings, and what they are like.
 
     `given` are what tells how a map is to be read, how bright a sky is and where the sun, where the
     receiver faces, a direction, and what links the kinds.
@@ -146,27 +202,14 @@ def environment(source: Source, given: Inputs) -> Answer:
 
 
 def surroundings(source: Source, given: Inputs) -> "Radiances":
-    """The radiances that `environment` is about; `given` as there."""
-    return _surroundings(source, given, RECEIVER).found.radiances
-
-
-class Made(NamedTuple):
-    """A picture that was made, what it is in words, and what is to be said of its values.
-
-    `pixels` are the picture's with all their digits, in the `unit`.
-    """
-
-    picture: "Picture"
-    pixels: Any
-    unit: str
-    what: str
-    answer: Answer
+    """Return the radiances that `environment` is about; `given` as there."""
+    return _surroundings(source, given, RECEIVER).environment.radiances
 
 
 def irradiance_map(
     source: Source, given: Inputs, order: int | None = None, progress: "Progress | None" = None
-) -> Made:
-    """The irradiances of receivers that face in all directions, as a latlong map.
+) -> RenderedMap:
+    """Return the irradiances of receivers that face in all directions, as a latlong map.
 
     `given` are as of `environment`, but for the receiver's, and the size of the map.
     """
@@ -175,55 +218,61 @@ def irradiance_map(
 
 def reprojection(
     source: Source, given: Inputs, to: str, progress: "Progress | None" = None
-) -> Made:
-    """The radiances as a map in a projection of `PROJECTIONS`; `given` as of `irradiance_map`."""
+) -> RenderedMap:
+    """Return the radiances as a map in one of `PROJECTIONS`; `given` as of `irradiance_map`."""
     return _surroundings(source, given, ("size",)).reprojected(to, progress)
 
 
 def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Surroundings":
-    """The radiances that a user named, with what is given."""
-    quantities, links, rest = sort(given)
+    """Return the radiances that a user named, with what is given."""
+    quantities, links, rest = split_by_light(given)
     takes = (*OF_MAP, *OF_SKY, *SCALES, *more)
     refuse_foreign(rest, takes, "an environment")
-    lit = light.read_light(quantities, links)
+    lit = kinds.read_light(quantities, links)
     refuse_foreign(lit.values, takes, "an environment")
-    for one in given.values():
-        if is_array(one.value):
-            raise ConditionError(f"{option(one.name)} is an array", "one value at a time")
-    own = {name: one for name, one in rest.items() if name not in more}
-    return _Surroundings(source, source.environment({**own, **lit.values}, lit), lit, rest)
+    for item in given.values():
+        if is_array(item.value):
+            raise ConditionError(f"{option(item.name)} is an array", "one value at a time")
+    settings = {name: item for name, item in rest.items() if name not in more}
+    return _Surroundings(source, source.environment({**settings, **lit.values}, lit), lit, rest)
 
 
 class _Surroundings:
     """Radiances, in their kind or in none, and what is said of them."""
 
-    def __init__(self, source: Source, found: "Environment", lit: light.Lit, given: Inputs) -> None:
+    def __init__(
+        self, source: Source, environment: "Environment", lit: kinds.LightInputs, given: Inputs
+    ) -> None:
         self.source = source
-        self.found, self.kind, self.given = found, found.radiances.kind, given
+        self.environment, self.kind, self.given = environment, environment.radiances.kind, given
         links = lit.links
-        self.assumptions, self.notes = [*found.assumptions], [*found.notes]
+        self.assumptions, self.notes = [*environment.assumptions], [*environment.notes]
         if not self.kind:
             if links:
                 raise Unused(tuple(links), "with relative radiances")
             self.assumptions.append(IS_RELATIVE)
-        self.counts = bool(found.efficacy) and not set(LINKS) & set(links)
+        self.counts = bool(environment.efficacy) and not set(LINKS) & set(links)
         if self.counts:
-            links = {**links, "efficacy": read("efficacy", f"{found.efficacy:g} lm/W")}
-        self.lit = light.read_light({}, links)._replace(kind=self.kind)
+            links = {**links, "efficacy": read("efficacy", f"{environment.efficacy:g} lm/W")}
+        self.lit = kinds.read_light({}, links)._replace(kind=self.kind)
 
     def answer(self) -> Answer:
-        """The irradiance, the mean, the peak, and the radiance from a direction."""
-        given, radiances = self.given, self.found.radiances
+        """Return the irradiance, the mean, the peak, and the radiance from a direction."""
+        given, radiances = self.given, self.environment.radiances
         normal = given["normal"].value if "normal" in given else UP
         if "normal" not in given:
             self.assumptions.append("the receiver faces up")
         irradiance, mean, peak = self.source.figures(radiances, normal)
-        found = {"irradiance": irradiance.value, "mean-radiance": mean, "peak-radiance": peak.value}
+        amounts = {
+            "irradiance": irradiance.value,
+            "mean-radiance": mean,
+            "peak-radiance": peak.value,
+        }
         if "toward" in given:
             if not radiances.is_axial:
                 require_azimuth(given["toward"], "the radiance depends on it")
-            found["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
-        shown = self._shown(found)
+            amounts["radiance-toward"] = float(radiances.radiance(*given["toward"].value))
+        results = self._show_light(amounts)
         ends = [
             value("peak-polar", peak.polar, letter="θ_max"),
             value("peak-azimuth", peak.azimuth, letter="φ_max"),
@@ -236,9 +285,9 @@ class _Surroundings:
             self.notes.append("the radiance is the same in every direction that is covered")
             even = "the radiance is the same in all directions", "peak-radiance"
             ends = [absent("peak-polar", *even), absent("peak-azimuth", *even)]
-        values = [*shown.values["irradiance"], *shown.values["mean-radiance"]]
-        values += [*shown.values["peak-radiance"], *ends]
-        values += shown.values.get("radiance-toward") or [
+        values = [*results.values["irradiance"], *results.values["mean-radiance"]]
+        values += [*results.values["peak-radiance"], *ends]
+        values += results.values.get("radiance-toward") or [
             absent("radiance-toward", "no direction is given", option("toward", "60deg,90deg"))
         ]
         if "toward" in given:  # which tells the answers to a list apart
@@ -249,38 +298,39 @@ class _Surroundings:
         values.append(value("coverage", radiances.coverage))
         if irradiance.error:
             values.append(self._error(irradiance.error))
-        steps = [*self._steps(normal, irradiance.value, mean), *shown.steps]
+        steps = [*self._steps(normal, irradiance.value, mean), *results.steps]
         return Answer(
             values,
-            (*self.assumptions, *shown.assumptions),
-            (*self.notes, *shown.notes),
+            (*self.assumptions, *results.assumptions),
+            (*self.notes, *results.notes),
             steps,
         )
 
-    def irradiance_map(self, order: int | None, progress: "Progress | None") -> Made:
-        """The irradiances by the normals that the pixels of a latlong map show."""
+    def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
+        """Return the irradiances by the normals that the pixels of a latlong map show."""
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
         size = self._size(LATLONG, *SMALL)
-        found = irradiance_map(self._map(), *size, order, progress)
+        result = irradiance_map(self._map(), *size, order, progress)
         if order:
             self.notes.append(
                 f"of spherical harmonics up to order {order}: off the exact sum by up to "
-                f"{100 * found.largest:.2g} % of the largest irradiance, by {100 * found.rms:.2g} "
-                f"% in the root mean square, of receivers in {DIRECTIONS} directions"
+                f"{100 * result.largest:.2g} % of the largest irradiance, by "
+                f"{100 * result.rms:.2g} % in the root mean square, of receivers in "
+                f"{DIRECTIONS} directions"
             )
-            if found.raised:
+            if result.raised:
                 self.notes.append(
-                    f"the harmonics are below 0 in {found.raised} pixels, by up to "
-                    f"{100 * found.deepest:.2g} % of the largest irradiance, and count as 0 there"
+                    f"the harmonics are below 0 in {result.raised} pixels, by up to "
+                    f"{100 * result.deepest:.2g} % of the largest irradiance, and count as 0 there"
                 )
         formula, reference = BY_HARMONICS if order else IRRADIANCE
-        each = "n = the direction that the middle of a pixel shows"
-        step = Step("irradiance of each receiver", formula, each, reference)
-        return self._made("irradiance", found.pixels, LATLONG, step)
+        numbers = "n = the direction that the middle of a pixel shows"
+        step = Step("irradiance of each receiver", formula, numbers, reference)
+        return self._render("irradiance", result.pixels, LATLONG, step)
 
-    def reprojected(self, to: str, progress: "Progress | None") -> Made:
-        """The radiances in another projection."""
+    def reprojected(self, to: str, progress: "Progress | None") -> RenderedMap:
+        """Return the radiances in another projection."""
         from radcalc.distributions.maps.resampling import reproject
 
         chart = self._map()
@@ -288,10 +338,10 @@ class _Surroundings:
         size = self._size(to, 2 * height if to == LATLONG else height, height)
         self.assumptions.append("the middle of what is written shows +x")
         step = Step("radiance of each pixel", MEAN.format("L'"), "over what the pixel shows")
-        return self._made("radiance", reproject(chart, to, *size, progress=progress), to, step)
+        return self._render("radiance", reproject(chart, to, *size, progress=progress), to, step)
 
     def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
-        """The size of a map to be made: what is asked for, or one that goes without saying."""
+        """Return the size of a map to be made: the one asked for, or a default."""
         from radcalc.calculators.pixel import refuse_shape
         from radcalc.distributions.maps.pictures import check_size
         from radcalc.distributions.maps.radiance_map import check_shape
@@ -304,20 +354,20 @@ class _Surroundings:
         return width, height
 
     def _map(self) -> "RadianceMap":
-        """The radiances as a map; skies and expressions are sampled."""
+        """Return the radiances as a map; skies and expressions are sampled."""
         from radcalc.distributions import environments
         from radcalc.distributions.maps.radiance_map import RadianceMap
         from radcalc.geometry.projections import USUAL_SIZE
 
-        if isinstance(self.found.radiances, RadianceMap):
-            return self.found.radiances
+        if isinstance(self.environment.radiances, RadianceMap):
+            return self.environment.radiances
         width, height = USUAL_SIZE
         self.assumptions.append(
             f"sampled at the middles of {width} x {height} pixels of a {LATLONG} map"
         )
-        return environments.sampled(self.found.radiances, width, height)
+        return environments.sampled(self.environment.radiances, width, height)
 
-    def _made(self, name: str, values: Any, projection: str, step: Step) -> Made:
+    def _render(self, name: str, values: Any, projection: str, step: Step) -> RenderedMap:
         """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
         from radcalc.distributions.maps.pictures import Picture, as_floats
         from radcalc.geometry.projections import name_of_map, pixel_solid_angles
@@ -329,73 +379,80 @@ class _Surroundings:
         pixels = values / float(resolve(unit).factor)
         floats = as_floats(pixels, unit)
         height, width, _ = pixels.shape
-        sums = values @ self.found.weights
-        told = sums[pixel_solid_angles(projection, width, height) + 0 * sums > 0]
-        ends = {f"minimum-{name}": float(told.min()), f"{MOST[name]}-{name}": float(told.max())}
-        shown = self._shown(ends)
+        sums = values @ self.environment.weights
+        covered = sums[pixel_solid_angles(projection, width, height) + 0 * sums > 0]
+        ends = {
+            f"minimum-{name}": float(covered.min()),
+            f"{MOST[name]}-{name}": float(covered.max()),
+        }
+        results = self._show_light(ends)
         picture = Picture(
             floats,
-            self.found.channels,
-            self.found.weights,
+            self.environment.channels,
+            self.environment.weights,
             "",
             unit,
             projection,
         )
         answer = Answer(
-            [row for end in ends for row in shown.values[end]],
-            (*self.assumptions, *shown.assumptions),
-            (*self.notes, *shown.notes),
-            [*self._weighting(), step, *shown.steps],
+            [row for end in ends for row in results.values[end]],
+            (*self.assumptions, *results.assumptions),
+            (*self.notes, *results.notes),
+            [*self._weighting(), step, *results.steps],
         )
         what = f"{name_of_map(projection)} of {width} x {height} pixels"
         what += f", of {label} in {unit}"
-        return Made(picture, pixels, unit, what, answer)
+        return RenderedMap(picture, pixels, unit, what, answer)
 
-    def _shown(self, found: dict[str, float]) -> light.Shown:
+    def _show_light(self, amounts: dict[str, float]) -> kinds.LightResults:
         """Light quantities as results: in every kind that is linked, or relative."""
         if not self.kind:
-            rows = {name: [_relative(name, amount)] for name, amount in found.items()}
-            return light.Shown(rows, (), (), ())
-        shown = light.show_light(self.lit, found)
+            rows = {name: [_relative(name, amount)] for name, amount in amounts.items()}
+            return kinds.LightResults(rows, (), (), ())
+        results = kinds.show_light(self.lit, amounts)
         if self.counts:
-            said = (
-                f"a watt counts as {self.found.efficacy:g} lm, as in Radiance "
+            assumption = (
+                f"a watt counts as {self.environment.efficacy:g} lm, as in Radiance "
                 f"({options(LINKS)} for another light)"
             )
-            return shown._replace(assumptions=(said,), notes=())
-        return shown
+            return results._replace(assumptions=(assumption,), notes=())
+        return results
 
-    def _told(self, name: str, amount: float) -> str:
+    def _format(self, name: str, amount: float) -> str:
         """A light quantity in a derivation."""
         relative = _relative(name, amount).units[0]
         unit = light_unit(name, self.kind, coherent=True) if self.kind else relative
         return format_value(amount, unit)
 
     def _error(self, error: float) -> Value:
-        """How far the irradiance may be off."""
-        row = self._shown({"irradiance": error}).values["irradiance"][0]
+        """Return how far the irradiance may be off."""
+        row = self._show_light({"irradiance": error}).values["irradiance"][0]
         return value("error", error, *row.units, label="estimate of the error")._replace(
             dimensions=row.dimensions
         )
 
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
-        """How the numbers follow."""
+        """Yield how the numbers follow."""
         yield from self._weighting()
         facing = ",".join(map(format_number, normal))
-        told = f"n = {facing}; E = {self._told('irradiance', irradiance)}"
-        yield Step("irradiance of a receiver", IRRADIANCE[0], told, IRRADIANCE[1])
-        told = f"L_mean = {self._told('mean-radiance', mean)}"
-        yield Step("mean radiance", MEAN.format("L_mean"), told)
+        numbers = f"n = {facing}; E = {self._format('irradiance', irradiance)}"
+        yield Step("irradiance of a receiver", IRRADIANCE[0], numbers, IRRADIANCE[1])
+        numbers = f"L_mean = {self._format('mean-radiance', mean)}"
+        yield Step("mean radiance", MEAN.format("L_mean"), numbers)
 
     def _weighting(self) -> Iterator[Step]:
-        """How the radiance of a pixel follows from its channels, if it has several."""
-        if self.found.luminance:
-            yield Step("radiance of a pixel", "", self.found.luminance, self.found.reference)
+        """Yield how the radiance of a pixel follows from its channels, if it has several."""
+        if self.environment.luminance:
+            yield Step(
+                "radiance of a pixel", "", self.environment.luminance, self.environment.reference
+            )
 
 
 def _relative(name: str, amount: float) -> Value:
     """A light quantity of relative radiances."""
     symbol = SYMBOLS[name]
     is_radiance = symbol.geometry == SYMBOLS["radiance"].geometry
-    own, unit = (NUMBER, "1") if is_radiance else (SOLID_ANGLE, "sr")
-    return value(name, amount, unit, label=f"relative {symbol.label}")._replace(dimensions=(own,))
+    dimension, unit = (NUMBER, "1") if is_radiance else (SOLID_ANGLE, "sr")
+    return value(name, amount, unit, label=f"relative {symbol.label}")._replace(
+        dimensions=(dimension,)
+    )

@@ -3,8 +3,10 @@
 from typing import Any
 
 from radcalc.answer import Answer
+from radcalc.calculators.page import Page
 from radcalc.calculators.results import known, value
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (
     ConditionError,
@@ -15,7 +17,7 @@ from radcalc.errors import (
     mention,
 )
 from radcalc.geometry import cones, far_field
-from radcalc.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
+from radcalc.inputs.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
 from radcalc.laws import etendue as laws_of
 from radcalc.laws.cones import APEX
 from radcalc.laws.law import AnyLaw
@@ -45,6 +47,9 @@ PAGE = Page(
         "Light": ("etendue", "radiance", "flux"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
+    texts={
+        "flux": "The flux of the beam.",
+    },
     examples=(
         "area=1mm2 half-angle=90deg",
         "diameter=200um na=0.22",
@@ -59,11 +64,12 @@ PAGE = Page(
     remarks="A source and a cone, or a source and a receiver: two discs ({radius}, "
     "{receiver-radius}) that face each other are exact, other patches must be small beside their "
     "distance.  Any sufficient set of them, the etendue, the flux and the radiance gives the rest.",
+    mistakes=("projected cone",),
 )
 
 
 def etendue(given: Inputs) -> Answer:
-    """The etendue of a source and a cone of light, or of a source and a receiver.
+    """Return the etendue of a source and a cone of light, or of a source and a receiver.
 
     Any sufficient set of the sizes, the etendue, the flux and the radiance gives the others.
     """
@@ -76,43 +82,38 @@ def etendue(given: Inputs) -> Answer:
         )
     takes = WITH_RECEIVER if has_receiver else WITH_CONE
     named = f"a source and a {'receiver' if has_receiver else 'cone'}"
-    others = (*RESULTS, *(name for name in takes if name != "etendue"))
-    sheet = Worksheet(PAGE._replace(title=named, takes=takes, others=others), given)
-    laws = [
-        *sheet.place(_with_receiver if has_receiver else _with_cone),
-        laws_of.FLUX,
-        laws_of.PER_AREA,
-        CONFIGURATION_FACTOR,
-    ]
-    sheet.solve(laws)
+    results = (*RESULTS, *(name for name in takes if name != "etendue"))
+    sheet = worksheet(PAGE._replace(title=named, takes=takes, others=results), given)
+    placed = place(sheet, _with_receiver if has_receiver else _with_cone)
+    laws = [*placed.laws, laws_of.FLUX, laws_of.PER_AREA, CONFIGURATION_FACTOR]
+    solved = solve(sheet, laws, placed)
     if has_receiver:
-        _refuse_near(sheet)
-    if not sheet.has("etendue"):
-        raise _unlimited(sheet)
-    size = sheet.at("etendue")
+        _refuse_near(solved)
+    if not solved.has("etendue"):
+        raise _unlimited(given)
+    size = solved.value("etendue")
     if any_true(size == 0):
-        sheet.notes.append("one of the patches is seen from its edge or from behind")
+        solved.note("one of the patches is seen from its edge or from behind")
     elif any_true(size < FAINTEST):
         raise NumberError("the etendue is too small to be held by a number", "larger sizes")
-    _note_far_field(sheet)
+    _note_far_field(solved)
     first = value("etendue", size, "m2 sr", "mm2 sr")
     if "etendue" in given:
         first = known(given["etendue"], "m2 sr", "mm2 sr")
-    return sheet.answer(laws, [first])
+    return solved.answer([first])
 
 
-def _unlimited(sheet: Worksheet) -> MissingInput:
-    """What is missing of an etendue."""
-    if set(sheet.given) & {*CONES, *RECEIVERS}:
+def _unlimited(given: Inputs) -> MissingInput:
+    """Return the refusal of a source without a size or a limit of its light."""
+    if set(given) & {*CONES, *RECEIVERS}:
         sizes = "{area=1cm2}, {radius=10cm}, {diameter=20cm}, or {width=2cm} with {length=1cm}"
         return MissingInput("the size of the source is missing", mention(sizes))
     limits = "{half-angle}, {apex-angle}, {na}, {f-number}, or {receiver-area} (-radius, -diameter)"
     return MissingInput("what limits the light is missing", mention(limits + " with {distance}"))
 
 
-def _source(sheet: Worksheet) -> list[AnyLaw]:
-    """The laws of the source's area."""
-    given = sheet.given
+def _source(given: Inputs) -> list[AnyLaw]:
+    """Return the laws of the source's area."""
     if "width" in given or "length" in given:
         if set(given) & {"area", *ROUND}:
             raise ConditionError("the size of the source is given twice", "one of them")
@@ -121,28 +122,32 @@ def _source(sheet: Worksheet) -> list[AnyLaw]:
     return [*round_sizes(given), CIRCLE] if size and size.name in ROUND else []
 
 
-def _with_cone(sheet: Worksheet) -> list[AnyLaw]:
+def _with_cone(sheet: Worksheet) -> Placed:
+    """Place a source whose light is limited to a cone."""
     given = sheet.given
-    laws = _source(sheet)
+    placed = Placed(*_source(given))
     at_most_one(given, "the cone", *CONES)
     if sheet.has("area", "radius", "diameter", "width", *CONES):
-        sheet.assume(
+        placed.assume(
             "every point of the source sends its light into the same cone about its normal",
             "in air, where the numerical aperture is the sine of the half angle",
         )
     angles: list[AnyLaw] = [laws_of.NUMERICAL_APERTURE, APEX]
     if "na" in given:
-        return [*laws, laws_of.APERTURE, *angles]
-    if "f-number" in given:
-        sheet.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
-        return [*laws, laws_of.LENS, laws_of.F_NUMBER, *angles]
-    for name in ("half-angle", "apex-angle"):
-        if name in given:
-            half_angle_of(given[name], 90)
-    return [*laws, *angles, laws_of.CONE]
+        placed.laws += [laws_of.APERTURE, *angles]
+    elif "f-number" in given:
+        placed.assume("a lens corrected for coma and focused far away: sin(alpha) = 1/(2 N)")
+        placed.laws += [laws_of.LENS, laws_of.F_NUMBER, *angles]
+    else:
+        for name in ("half-angle", "apex-angle"):
+            if name in given:
+                half_angle_of(given[name], 90)
+        placed.laws += [*angles, laws_of.CONE]
+    return placed
 
 
-def _with_receiver(sheet: Worksheet) -> list[AnyLaw]:
+def _with_receiver(sheet: Worksheet) -> Placed:
+    """Place a source and a receiver: two discs that face each other, or two small patches."""
     given = sheet.given
     at_most_one(given, "the size of the receiver", *RECEIVERS)
     if "etendue" not in given and not {"flux", "radiance"} <= sheet.known.keys():
@@ -150,62 +155,63 @@ def _with_receiver(sheet: Worksheet) -> list[AnyLaw]:
         one_of(given, "the distance", "distance")
     tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")
     receiver = "receiver-radius" in given or "receiver-diameter" in given
-    laws = _source(sheet)
+    placed = Placed(*_source(given))
     if receiver:
-        laws.append(laws_of.RECEIVER_CIRCLE)
+        placed.laws.append(laws_of.RECEIVER_CIRCLE)
     if "receiver-diameter" in given:
-        laws.append(laws_of.RECEIVER_DIAMETER)
+        placed.laws.append(laws_of.RECEIVER_DIAMETER)
     if receiver and not {"area", "width", "length"} & set(given) and not tilt and not incidence:
-        if not laws or CIRCLE not in laws:
-            laws.append(CIRCLE)
-        sheet.use("tilt", "incidence")
-        sheet.assume("two discs that face each other on one axis")
-        sheet.assume("projected solid angle and configuration factor: means over the source")
-        return [*laws, laws_of.DISCS, laws_of.FAR_FIELD]
-    sheet.know("cosine-of-source", cones.facing(tilt))
-    sheet.know("cosine", cones.facing(incidence))
-    sheet.use("tilt", "incidence")
-    return [*laws, laws_of.PATCHES]
+        if CIRCLE not in placed.laws:
+            placed.laws.append(CIRCLE)
+        placed.assume("two discs that face each other on one axis")
+        placed.assume("projected solid angle and configuration factor: means over the source")
+        placed.laws += [laws_of.DISCS, laws_of.FAR_FIELD]
+    else:
+        placed.add("cosine-of-source", cones.facing(tilt))
+        placed.add("cosine", cones.facing(incidence))
+        placed.laws.append(laws_of.PATCHES)
+    placed.use("tilt", "incidence")
+    return placed
 
 
-def _refuse_near(sheet: Worksheet) -> None:
+def _refuse_near(solved: Solved) -> None:
     """Refuse small patches that are not small beside their distance; say how far they are off."""
-    if not sheet.has("cosine") or not sheet.has("area"):
+    if not solved.has("cosine") or not solved.has("area"):
         return
-    if not sheet.has("receiver-area") or not sheet.has("distance"):
+    if not solved.has("receiver-area") or not solved.has("distance"):
         return
-    area, other, away = (sheet.at(n) for n in ("area", "receiver-area", "distance"))
-    sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
+    area, other, away = (solved.value(n) for n in ("area", "receiver-area", "distance"))
+    sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
     source, receiver = far_field.size(area, *sides), far_field.size(other)
     longest = larger(source, receiver)
     if far_field.is_near(away, longest):
         hint = "more distance, or {radius} and {receiver-radius} for two discs exactly"
-        if {"tilt", "incidence"} & set(sheet.given):
+        if {"tilt", "incidence"} & set(solved.given):
             hint = "two discs without {tilt} and {incidence}, which are exact"
         size = format_number(longest)
-        raise TooNear(sheet.told("distance"), "patches", size, mention(hint), FAR_FIELD)
-    tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
-    _refuse_cut(sheet, "incidence", far_field.REACH * source)
-    _refuse_cut(sheet, "tilt", far_field.REACH * receiver)
+        raise TooNear(solved.describe("distance"), "patches", size, mention(hint), FAR_FIELD)
+    tilt, incidence = angle_of(solved.given, "tilt"), angle_of(solved.given, "incidence")
+    _refuse_cut(solved, "incidence", far_field.REACH * source)
+    _refuse_cut(solved, "tilt", far_field.REACH * receiver)
     off = far_field.error(source, away, tilt, incidence, bool(sides))
     off += far_field.error(receiver, away, incidence, tilt)
     good = far_field.percent(off)
-    sheet.assume(f"patches small beside their distance: A1 A2 cos cos / d^2 is {good}")
+    solved.assume(f"patches small beside their distance: A1 A2 cos cos / d^2 is {good}")
 
 
-def _refuse_cut(sheet: Worksheet, name: str, reach: Any) -> None:
+def _refuse_cut(solved: Solved, name: str, reach: Any) -> None:
     """Refuse an angle at which the plane of one patch may cut the other."""
-    away, angle = sheet.at("distance"), angle_of(sheet.given, name)
+    away, angle = solved.value("distance"), angle_of(solved.given, name)
     if any_true(far_field.is_cut(reach, away, angle)):
         least = far_field.steepest(reach, away)
-        raise HorizonCuts(name, sheet.given[name].text, least, law=FAR_FIELD)
+        raise HorizonCuts(name, solved.given[name].text, least, law=FAR_FIELD)
 
 
-def _note_far_field(sheet: Worksheet) -> None:
+def _note_far_field(solved: Solved) -> None:
     """Say how far the far field is off, where the exact etendue of two discs is known."""
-    if sheet.has("far-field-etendue"):
-        ratio = sheet.at("far-field-etendue") / sheet.at("etendue")
-        away = format_number(sheet.at("distance"))
-        sheet.notes.append(
+    if solved.has("far-field-etendue"):
+        ratio = solved.value("far-field-etendue") / solved.value("etendue")
+        away = format_number(solved.value("distance"))
+        solved.note(
             f"at {away} m the far field {FAR_FIELD} is {format_number(ratio)} times the exact one"
         )

@@ -3,10 +3,12 @@
 import math
 
 from radcalc.answer import FRACTION, Answer
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.page import Page
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import ConditionError, MissingInput, mention, option, quote
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.exposure import (
     FILTERED,
     FILTERED_FLASH,
@@ -18,7 +20,9 @@ from radcalc.laws.exposure import (
     STEPS,
 )
 from radcalc.maths import any_true
-from radcalc.units.scales import METER_UNITS, C, K, ScaleUnit, usual
+from radcalc.quantities.symbols import METER_UNITS
+from radcalc.units.scale_table import C, K, usual
+from radcalc.units.scales import ScaleUnit
 
 LIGHT = ("ev100", "luminance", "illuminance")
 FILTER = ("nd", "stops", "unfiltered-time")
@@ -62,6 +66,12 @@ PAGE = Page(
         "Flash": OF_FLASH,
         "Meter": ("k", "c"),
     },
+    texts={
+        "distance": ("3m", "Distance from the flash to what it lights."),
+        "time": ("1/100s", "Exposure time, with any filter."),
+        "illuminance": "Illuminance on the scene.",
+        "luminance": "Luminance of the scene.",
+    },
     examples=(
         "ev100=15",
         "luminance=1000cd/m2",
@@ -91,9 +101,9 @@ FLASHING = PAGE._replace(
 
 def ev(given: Inputs) -> Answer:
     """Exposure values, f-number, time, luminance and illuminance, from any that suffice."""
-    answer = _exposed(given)
-    for one in answer.values:
-        if one.name == "stops" and any_true(one.amount < -LEAST_STOPS):
+    answer = _solve_exposure(given)
+    for row in answer.values:
+        if row.name == "stops" and any_true(row.amount < -LEAST_STOPS):
             problem = "behind a filter the time is longer than without it, not shorter"
             raise ConditionError(
                 problem, mention("a longer {time}, or a shorter {unfiltered-time}")
@@ -101,71 +111,69 @@ def ev(given: Inputs) -> Answer:
     return answer
 
 
-def _exposed(given: Inputs) -> Answer:
-    """What follows of an exposure, a filter or a flash."""
-    for one in given.values():
-        if isinstance(one.unit, ScaleUnit) and one.unit.scale.constant:
-            problem = f"{option(one.name, quote(one.text))} is an exposure value"
-            raise ConditionError(problem, f"{option('ev100', f'{one.number:.12g}')} in its place")
+def _solve_exposure(given: Inputs) -> Answer:
+    """Return what follows of an exposure, a filter or a flash."""
+    for item in given.values():
+        if isinstance(item.unit, ScaleUnit) and item.unit.scale.constant:
+            problem = f"{option(item.name, quote(item.text))} is an exposure value"
+            raise ConditionError(problem, f"{option('ev100', f'{item.number:.12g}')} in its place")
     if set(OF_FLASH) & set(given):
         return _flash(given)
     filtered = bool(set(FILTER) & set(given))
-    page, every = (PAGE._replace(goal="stops"), FILTERED) if filtered else (PAGE, LAWS)
-    sheet = Worksheet(page, given, with_light=False)
+    page, all_laws = (PAGE._replace(goal="stops"), FILTERED) if filtered else (PAGE, LAWS)
+    sheet, placed = worksheet(page, given, with_light=False), Placed()
     if filtered and not {*LIGHT, "ev", "f-number"} & set(given):
-        sheet.solve(every)
-        return sheet.answer(every)
+        return solve(sheet, all_laws).answer()
     if not {*LIGHT, "ev", "f-number"} & set(given):
         hint = mention("{ev100}, {luminance}, {illuminance} or {f-number}")
         raise MissingInput("the light is missing", hint)
     if "k" not in given:
-        sheet.know("k", K)
-        sheet.assume(usual("k", settable=True))
+        placed.add("k", K)
+        placed.assume(usual("k", settable=True))
     if "c" not in given:
-        sheet.know("c", C)
-        sheet.assume(usual("c", settable=True))
+        placed.add("c", C)
+        placed.assume(usual("c", settable=True))
     film_is_known = "ev" in given or {"f-number", "time"} <= set(given)
     light_is_known = bool(set(LIGHT) & set(given))
     if "iso" not in given and not (film_is_known and light_is_known):
-        sheet.know("iso", 100.0)
-        sheet.assume("ISO 100")
+        placed.add("iso", 100.0)
+        placed.assume("ISO 100")
     if not {"luminance", "illuminance"} <= set(given):
-        sheet.solve(every, STEPS)
-        _say_average(sheet)
-        return sheet.answer(every)
-    laws = [law for law in every if law is not REFLECTED] + [REFLECTANCE]
+        solved = solve(sheet, all_laws, placed, STEPS)
+        _assume_average(solved)
+        return solved.answer()
+    laws = [law for law in all_laws if law is not REFLECTED] + [REFLECTANCE]
     try:
-        sheet.solve(laws, STEPS)
-        sheet.assume("exposed for the illuminance, whatever the scene reflects of it")
+        solved = solve(sheet, laws, placed, STEPS)
+        solved.assume("exposed for the illuminance, whatever the scene reflects of it")
     except ConditionError:  # exposed for the luminance, if that fits
-        laws = [law for law in every if law is not INCIDENT] + [REFLECTANCE]
-        sheet.solve(laws, STEPS)
-        sheet.assume("exposed for the luminance, whatever light falls on the scene")
-    sheet.refuse_impossible(
+        laws = [law for law in all_laws if law is not INCIDENT] + [REFLECTANCE]
+        solved = solve(sheet, laws, placed, STEPS)
+        solved.assume("exposed for the luminance, whatever light falls on the scene")
+    solved.refuse_impossible(
         "reflectance",
         because="the scene sends out more light than falls on it",
         hint="less luminance, or more illuminance",
     )
-    return sheet.answer(laws)
+    return solved.answer()
 
 
 def _flash(given: Inputs) -> Answer:
     """Guide number, distance, f-number, ISO speed and filter of a flash."""
-    sheet = Worksheet(FLASHING, given, with_light=False)
+    sheet, placed = worksheet(FLASHING, given, with_light=False), Placed()
     if "iso" not in given and not {*OF_FLASH, "f-number"} <= set(given):
-        sheet.know("iso", 100.0)
-        sheet.assume("ISO 100")
-    sheet.assume("a flash straight at what it lights, with no other light")
+        placed.add("iso", 100.0)
+        placed.assume("ISO 100")
+    placed.assume("a flash straight at what it lights, with no other light")
     laws = FILTERED_FLASH if {"nd", "stops"} & set(given) else FLASH
-    sheet.solve(laws)
-    return sheet.answer(laws)
+    return solve(sheet, laws, placed).answer()
 
 
-def _say_average(sheet: Worksheet) -> None:
-    """Say what lies between a luminance and an illuminance."""
-    if {"luminance", "illuminance"} & set(sheet.given):
-        average = format_number(100 * math.pi * sheet.at("k") / sheet.at("c"), 3)
-        sheet.assume(
+def _assume_average(solved: Solved) -> None:
+    """Assume an average scene between a luminance and an illuminance."""
+    if {"luminance", "illuminance"} & set(solved.given):
+        average = format_number(100 * math.pi * solved.value("k") / solved.value("c"), 3)
+        solved.assume(
             "between luminance and illuminance a scene of the average reflectance pi K / C, "
             f"{average} %"
         )

@@ -5,6 +5,7 @@ import re
 from typing import NamedTuple
 
 from radcalc.answer import Answer
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, MissingInput, listed, mention, quote
@@ -12,12 +13,13 @@ from radcalc.geometry.directions import TURN
 from radcalc.geometry.numerics.cubature import POINTS, narrowest, of_constant, over_directions
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.geometry.solid import check_zone, zone
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.quantities.light import NONE, PHOTON, coherent_unit, describe
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.units import composed
 from radcalc.units.dimensions import SOLID_ANGLE, times
-from radcalc.units.table import NUMBER, Dimension, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Dimension
 
 FINEST, COARSEST = 1e-13, 0.1  # accuracies that can be asked for
 USUAL = 1e-9
@@ -30,9 +32,44 @@ INTEGRAL = Formula(
 
 WITH_SINE = re.compile(r"\bsin\((theta|[θϑ])\)")
 
+PAGE = Page(
+    about="Integrate a function of direction over a part of the sphere.",
+    operand=Operand("expression", "EXPRESSION"),
+    sections={
+        "Directions": ("sphere", "hemisphere", "half-angle", "polar", "azimuth"),
+        "Results": ("accuracy",),
+    },
+    texts={
+        "half-angle": "The cone of that half angle about +z.",
+        "hemisphere": "The hemisphere about +z.",
+        "polar": ("30deg:60deg", "A zone between two polar angles."),
+        "azimuth": ("0deg:90deg", "Only between these azimuths."),
+    },
+    draws=True,
+    takes_lines=False,
+    examples=(
+        "cos(theta) hemisphere=",
+        "100*cos(theta)**10 polar=0deg:45deg",
+        "'max(x, 0)' sphere= accuracy=1e-6",
+        "(theta<30*deg)*100 sphere= unit=cd",
+        "cos(theta)**2 hemisphere= plot=",
+        "exp(-(theta/(10*deg))**2) half-angle=60deg get=integral:deg2",
+    ),
+    remarks="""
+    EXPRESSION is made of theta (polar angle) and phi (azimuth) in radians, x, y, z (the unit
+    vector), numbers, pi, e, deg, + - * / **, brackets, sin cos tan asin acos atan atan2 sinh cosh
+    tanh exp log log10 sqrt abs min max, and comparisons by < <= > >=, which are 1 where they hold
+    and 0 elsewhere; one that begins with a minus goes in brackets: '(-x)'.  The integral is over
+    solid angle: sin(theta) is there already.  What does not converge is refused.
+
+    With {unit} the integral of an intensity is a flux.  That of a radiance is the irradiance of a
+    plane whose normal is +z only if the expression has its cosine, cos(theta).
+    """,
+)
+
 
 class Integrand(NamedTuple):
-    """What an expression is in, and what its integral over solid angle then is.
+    """The unit of an expression, and that of its integral over solid angle.
 
     `factor` makes coherent SI of the expression; `dimension` and `unit` are those of the integral.
     """
@@ -40,7 +77,7 @@ class Integrand(NamedTuple):
     factor: float = 1.0
     dimension: Dimension = SOLID_ANGLE
     unit: str = "sr"
-    said: str = ""
+    assumption: str = ""
 
 
 BARE = Integrand()
@@ -57,16 +94,16 @@ def integrand(text: str) -> Integrand:
             f"{describe(unit)} is nothing per solid angle, to be integrated over it",
             "an intensity or a radiance: cd, W/sr, cd/m2, W/m2/sr; or 1/sr",
         )
-    whole = resolve(f"({text}).sr")
+    integrated = resolve(f"({text}).sr")
     is_customary = reading.kind == PHOTON or reading.axis != NONE
-    shown = composed(whole)[0] if is_customary else coherent_unit(whole)
-    said = f"the expression is in {quote(text)}"
+    integral_unit = composed(integrated)[0] if is_customary else coherent_unit(integrated)
+    assumption = f"the expression is in {quote(text)}"
     if reading.area:
-        said += (
+        assumption += (
             ": with the factor cos(theta) its integral is the irradiance of a plane whose normal "
             "is +z, without one that on the cross section of a small sphere (spherical irradiance)"
         )
-    return Integrand(unit.factor, whole.dimension, shown, said)
+    return Integrand(unit.factor, integrated.dimension, integral_unit, assumption)
 
 
 def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
@@ -84,7 +121,7 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
         )
     expression = Expression(text)
     if expression.uses:
-        found = over_directions(
+        integrated = over_directions(
             expression,
             polar,
             azimuth,
@@ -94,10 +131,10 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
             steps=expression.steps(polar, azimuth),
         )
     else:
-        found = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
+        integrated = of_constant(expression, zone(*polar, azimuth[1] - azimuth[0]))
     values = [
         value(name, size * of.factor, of.unit)._replace(dimensions=(of.dimension,))
-        for name, size in (("integral", found.value), ("error", found.error))
+        for name, size in (("integral", integrated.value), ("error", integrated.error))
     ]
     narrow = [
         f"{format_angle(width)} in {name}"
@@ -106,34 +143,34 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
         )
         if width
     ]
-    said = [
+    assumptions = [
         "theta is the polar angle from +z, phi the azimuth from +x, in radians (from "
         f"{format_number(azimuth[0])} to {format_number(azimuth[1])}); x, y, z the unit vector",
         f"peaks narrower than {' or '.join(narrow)} may be missed",
     ]
-    if of.said:
-        said.append(of.said)
+    if of.assumption:
+        assumptions.append(of.assumption)
     if expression.comparisons:
-        said.append(f"1 where it holds, 0 elsewhere: {listed(expression.comparisons)}")
+        assumptions.append(f"1 where it holds, 0 elsewhere: {listed(expression.comparisons)}")
     (t0, t1), (p0, p1) = ([math.degrees(x) for x in ends] for ends in (polar, azimuth))
     points = f"{POINTS}" if expression.is_axial else f"{POINTS} x {POINTS}"
-    integral = format_number(found.value * of.factor)
-    step = INTEGRAL.told(
+    integral = format_number(integrated.value * of.factor)
+    step = INTEGRAL.with_numbers(
         f"f = {quote(text)}, theta from {format_number(t0)} to {format_number(t1)} deg, phi from "
         f"{format_number(p0)} to {format_number(p1)} deg; I = {integral} {of.unit}, "
-        f"from {found.cells} cells of {points} points of Gauss and Legendre"
+        f"from {integrated.cells} cells of {points} points of Gauss and Legendre"
     )
     notes = [SINE] if WITH_SINE.search(text) else []
-    return Answer(values, said, notes, [step])
+    return Answer(values, assumptions, notes, [step])
 
 
 def directions(given: Inputs) -> tuple[tuple[float, float], tuple[float, float]]:
-    """The polar angles and the azimuths [rad] to integrate over."""
+    """Return the polar angles and the azimuths [rad] to integrate over."""
     return _polar(given), given["azimuth"].value if "azimuth" in given else (0.0, TURN)
 
 
 def _polar(given: Inputs) -> tuple[float, float]:
-    """The polar angles [rad] to integrate over."""
+    """Return the polar angles [rad] to integrate over."""
     where = [name for name in DIRECTIONS if name in given]
     ways = mention("{sphere}, {hemisphere}, {half-angle=30deg} or {polar=30deg:60deg}")
     if not where:

@@ -5,12 +5,16 @@ sees the source, which is exact at any distance; the far field is shown beside i
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
-from radcalc.answer import Answer
-from radcalc.calculators.light import Lit
+from radcalc.answer import Answer, texts_of
+from radcalc.calculators.kinds import LightInputs
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.shapes import OTHERWISE, POSITION, SHAPES, SIZES, cut_by_horizon
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.solved import Solved, solve_all
+from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
 from radcalc.errors import (
     ConditionError,
@@ -19,16 +23,18 @@ from radcalc.errors import (
     MissingInput,
     RadcalcError,
     TooNear,
+    UsageError,
     command,
     mention,
     option,
     quote,
 )
 from radcalc.geometry import far_field
-from radcalc.given import Given, Inputs, angle_of, offset_of, read
-from radcalc.laws.law import AnyLaw
+from radcalc.inputs.given import Input, Inputs, angle_of, offset_of
+from radcalc.inputs.reading import read
 from radcalc.laws.surface import CUT_DISC, LAWS, SURFACE_ENERGY
-from radcalc.maths import acos, any_true, is_array
+from radcalc.maths import Number, acos, any_true, chosen, is_array, piecewise
+from radcalc.quantities.symbols import CHOICE, LINKS, REFINEMENTS
 
 QUANTITIES = (
     "radiance",
@@ -42,6 +48,7 @@ QUANTITIES = (
 )
 INPUTS = (*SIZES, *POSITION, "tilt", "half-angle", "reflectance", "time")
 SHOWN_AS_1 = 0.9999995, 1.000005  # a ratio between these, in six digits
+OPERAND = Operand("shape", "[SHAPE]", CHOICE, tuple(SHAPES), "patch")
 PAGE = Page(
     "",
     INPUTS,
@@ -57,12 +64,81 @@ PAGE = Page(
         "configuration-factor",
         "time",
     ),
+    about="Give what follows for a diffuse source or reflector, exactly at any distance.",
+    operand=OPERAND,
+    sections={
+        "Light": (*QUANTITIES, "reflectance", "time"),
+        "Source": ("area", "radius", "diameter", "width", "length", "tilt", "half-angle"),
+        "Receiver": (
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "corner",
+            "incidence",
+            "perpendicular",
+        ),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    texts={
+        "half-angle": "Half angle of the part of a hemisphere that shines, about its zenith.",
+    },
+    draws=True,
+    examples=(
+        "radiance=2.0e7W/m2/sr",
+        "luminance=100cd/m2 area=0.1m2",
+        "luminance=3000cd/m2 area=100cm2 height=2m offset=1m",
+        "incident-illuminance=500lx reflectance=0.8",
+        "disc luminance=1e4cd/m2 radius=25cm height=75cm offset=10cm",
+        "disc radius=25cm distance=75cm illuminance=70lx get=exitance:lm/m2",
+        "disc luminance=1e4cd/m2 radius=25cm offset=50cm illuminance=1klx",
+        "hemisphere luminance=3000cd/m2 illuminance=5000lx",
+        "sphere luminance=2e4cd/m2 radius=6cm distance=1m:5m:1m",
+        "disc luminance=1e4cd/m2 radius=25cm distance=0.1m:5m:0.1m plot=",
+        "rectangle luminance=3000cd/m2 width=1m length=2m height=1.5m corner= perpendicular=",
+        "hemisphere luminance=3000cd/m2 incidence=30deg",
+    ),
+    remarks="""
+    \b
+    SHAPE is one of:
+      patch (default)  {area} or other sizes, small beside {distance} ({tilt}, {incidence})
+                       or {height} and {offset}
+      disc             {radius} or {diameter}, {height} and {offset} (on the axis {distance})
+      sphere           {radius} or {diameter}, {distance} to its centre
+      rectangle        {width}, {length}, {height}, {offset}, {offset-y} or {corner}
+      plane            endless
+      hemisphere       a uniform sky, or a cone of it ({half-angle}); radcalc sky has others
+
+    \b
+        source  ___________ length
+               |     |
+        height |     | axis
+               |     |
+          (1) _^_    |  (2) |>
+            receiver
+
+    The receiver faces the source's plane, as in (1).  {incidence} turns it from the line to the
+    centre, in the plane of the offset, off the axis.  {perpendicular}: its normal runs along the
+    rectangle's length, towards its centre, as in (2).
+
+    The irradiance is that on the receiver, the incident one that on the reflector.
+    """,
+    mistakes=("flat source", "projected cone"),
 )
 ENDLESS = ("plane", "hemisphere")
 
 
+def task(words: Sequence[str], wants: Wants) -> Task:
+    """Return the task of a call, whose words may be a shape."""
+    shape, *more_words = words or [OPERAND.default]
+    shape = OPERAND.choice(shape)
+    if more_words:
+        raise UsageError(f"too many words: '{quote(' '.join(more_words))}'", "one shape")
+    return Task("lambertian", partial(lambertian, shape), texts_of({"shape": shape}), shape)
+
+
 def lambertian(shape: str, given: Inputs) -> Answer:
-    """Everything that follows for a Lambertian source of a shape of `SHAPES`.
+    """Return everything that follows for a Lambertian source of a shape of `SHAPES`.
 
     `given` are light quantities by whichever name, sizes, the receiver's place, and what links
     the kinds.
@@ -70,47 +146,47 @@ def lambertian(shape: str, given: Inputs) -> Answer:
     try:
         return _answer(shape, SHAPES[shape].place, given)
     except (TooNear, HorizonCuts) as error:
-        error.hint = _exact_call(given) or error.hint
-        raise
+        raise error.reworded(hint=_exact_call(given)) from None
     except Idle as error:
-        received = [one.text for one in given.values() if one.symbol.generic == "irradiance"]
-        if received and "reflectance" in given:
-            incident = option("incident-irradiance", quote(received[0]))
-            error.hint = f"{incident} for what falls on the reflector; {error.hint}"
-        raise
+        received = [item.text for item in given.values() if item.symbol.generic == "irradiance"]
+        if not received or "reflectance" not in given:
+            raise
+        incident = option("incident-irradiance", quote(received[0]))
+        hint = f"{incident} for what falls on the reflector; {error.hint}"
+        raise error.reworded(hint=hint) from None
     except ConditionError as error:
-        told, place = OTHERWISE.get(shape, (given, None))
-        if place is None or set(told) & set(given):
+        without, other_way = OTHERWISE.get(shape, ((), None))
+        if other_way is None or set(without) & set(given):
             raise
         try:
-            return _answer(shape, place, given)
+            return _answer(shape, other_way, given)
         except RadcalcError:
             raise error from None
 
 
-def _answer(shape: str, place: Callable[[Worksheet], list[AnyLaw]], given: Inputs) -> Answer:
-    """What follows; a small patch that is near is refused."""
-    takes = (*SHAPES[shape].takes, "reflectance", "time")
-    sheet = Worksheet(PAGE._replace(title=f"a {shape}", takes=takes), given)
+def _answer(shape: str, find: Callable[[Worksheet], Placed], given: Inputs) -> Answer:
+    """Return the answer for a shape and its place; refuse a small patch that is near."""
+    accepts = (*SHAPES[shape].takes, "reflectance", "time")
+    sheet = worksheet(PAGE._replace(title=f"a {shape}"), given, accepts=accepts)
     _refuse_dark(given, sheet.lit)
     if shape in ENDLESS:
         _refuse_whole(shape, sheet.lit)
-    laws = [*LAWS, *sheet.place(place)]
+    placed = place(sheet, find)
+    placed.assume("Lambertian: the same radiance in all directions")
+    laws = [*LAWS, *placed.laws]
     if "time" not in given:
         laws.append(SURFACE_ENERGY)
-    sheet.assume("Lambertian: the same radiance in all directions")
-    sheet.page = sheet.page._replace(takes=INPUTS)  # what another shape would take may be lacking
-    sheet.solve(laws)
-    if shape == "patch":
-        _refuse_near(sheet)
+    solutions = solve_all(sheet, laws, placed)
+    assumed = _check_far(solutions[0]) if shape == "patch" else ()
     answers = []
-    for one in sheet.each():
-        _judge(one)
-        answers.append(one.answer(laws))
+    for solved in solutions:
+        solved.assume(*assumed)
+        _judge(solved)
+        answers.append(solved.answer())
     return answers[0]._replace(more=tuple(answers[1:]))
 
 
-def _refuse_dark(given: Inputs, lit: Lit) -> None:
+def _refuse_dark(given: Inputs, lit: LightInputs) -> None:
     """Refuse to begin without any light."""
     hint = mention("{radiance}, {exitance}, {flux} ...")
     if not lit.values and ({"reflectance", "time"} & set(given) or lit.links):
@@ -119,7 +195,7 @@ def _refuse_dark(given: Inputs, lit: Lit) -> None:
         raise MissingInput("nothing is given", hint)
 
 
-def _refuse_whole(shape: str, lit: Lit) -> None:
+def _refuse_whole(shape: str, lit: LightInputs) -> None:
     """Refuse what an endless source has no end of."""
     for name in ("flux", "energy", "intensity"):
         if name in lit.values:
@@ -129,39 +205,47 @@ def _refuse_whole(shape: str, lit: Lit) -> None:
             )
 
 
-def _judge(sheet: Worksheet) -> None:
+def _judge(solved: Solved) -> None:
     """Refuse what no Lambertian source does; say how far the far field is off."""
-    sheet.refuse_impossible(
+    solved.refuse_impossible(
         "projected-solid-angle",
         because="that is more irradiance than a source of that radiance gives, though it filled "
         "all that the receiver sees",
         hint="at most pi times the radiance",
     )
-    sheet.refuse_impossible(
+    solved.refuse_impossible(
         "reflectance",
         because="more light leaves the reflector than reaches it",
         hint="less radiance, or more incident irradiance",
     )
-    if sheet.has("far-field-irradiance") and sheet.has("irradiance") and sheet.has("extent"):
-        far, exact = sheet.at("far-field-irradiance"), sheet.at("irradiance")
-        if is_array(far) or is_array(exact) or not exact:
-            return
-        nearest = far_field.FAR * sheet.known["extent"].value
-        times = far / exact
-        if SHOWN_AS_1[0] <= times <= SHOWN_AS_1[1]:
-            return
-        times = f"gives {format_number(times)} times that" if far else "gives no light"
-        said = f"the inverse square law, from the centre, {times}"
-        if far and sheet.at("distance") < nearest:
-            said += f"; it is for {format_number(nearest)} m and more, five times the size"
-        sheet.notes.append(said)
+    if solved.has("far-field-irradiance") and solved.has("irradiance") and solved.has("extent"):
+        far, exact = solved.value("far-field-irradiance"), solved.value("irradiance")
+        _compare(solved, far, exact)
+
+
+def _compare(solved: Solved, far: Number, exact: Number) -> None:
+    """Note how the far field differs from the exact irradiance, where there is any."""
+    ratio = piecewise(exact == 0, lambda f, e: 1.0 + 0.0 * e, lambda f, e: f / e, far, exact)
+    differs = (ratio < SHOWN_AS_1[0]) | (ratio > SHOWN_AS_1[1])
+    law = "the inverse square law, from the centre,"
+    if any_true(differs & (far == 0)):
+        solved.note(f"{law} gives no light")
+    nearest, away = far_field.FAR * solved.value("extent"), solved.value("distance")
+    if any_true(is_near := differs & (far != 0) & (away < nearest)):
+        times, least = (format_number(chosen(x, is_near)) for x in (ratio, nearest))
+        validity = f"it is for {least} m and more, five times the size"
+        solved.note(f"{law} gives {times} times that; {validity}")
+    if any_true(is_far := differs & (far != 0) & (away >= nearest)):
+        solved.note(f"{law} gives {format_number(chosen(ratio, is_far))} times that")
 
 
 def _exact_call(given: Inputs) -> str:
-    """The call that is exact where that of a small patch is not; empty where there is none."""
-    if any(is_array(one.value) for one in given.values()):
+    """Return the exact call to use in place of a small patch; empty where there is none."""
+    if any(is_array(item.value) for item in given.values()):
         return ""
-    inputs = {name: one for name, one in given.items() if name not in ("area", "tilt", "offset-y")}
+    inputs = {
+        name: item for name, item in given.items() if name not in ("area", "tilt", "offset-y")
+    }
     sides = {"width", "length"} & set(given)
     shape = "rectangle" if sides else "disc"
     if sides:
@@ -173,8 +257,8 @@ def _exact_call(given: Inputs) -> str:
         if "area" in given:
             inputs["radius"] = _length("radius", (given["area"].value / math.pi) ** 0.5)
         if "offset-y" in given:
-            aside = math.hypot(offset_of(given), given["offset-y"].value)
-            inputs["offset"] = _length("offset", aside)
+            offset = math.hypot(offset_of(given), given["offset-y"].value)
+            inputs["offset"] = _length("offset", offset)
     if "tilt" in given:
         if sides or "incidence" in given or "distance" not in given:
             return ""  # which does not say about which axis
@@ -186,37 +270,37 @@ def _exact_call(given: Inputs) -> str:
         lambertian(shape, inputs)
     except RadcalcError:
         return ""
-    texts = {name: quote(one.text) for name, one in inputs.items()}
+    texts = {name: quote(item.text) for name, item in inputs.items()}
     circle = ", for a circle" if "area" in given and not sides else ""
     return f"{command('lambertian', shape, **texts)}{circle}, which is exact"
 
 
-def _length(name: str, size: float) -> Given:
+def _length(name: str, size: float) -> Input:
     return read(name, f"{format_number(size)}m")
 
 
-def _refuse_near(sheet: Worksheet) -> None:
-    """Refuse a patch for which the far field does not hold, however it was found; else say so."""
-    if not sheet.has("distance"):
-        return
-    if not sheet.has("area"):
-        sheet.assume("a source small beside its distance")
-        return
-    away = sheet.at("distance")
-    sides = [sheet.at(name) for name in ("width", "length") if sheet.has(name)]
-    longest = far_field.size(sheet.at("area"), *sides)
+def _check_far(solved: Solved) -> tuple[str, ...]:
+    """Return the far field's assumptions for a patch; refuse one that is near or cut."""
+    if not solved.has("distance"):
+        return ()
+    if not solved.has("area"):
+        return ("a source small beside its distance",)
+    away = solved.value("distance")
+    sides = [solved.value(name) for name in ("width", "length") if solved.has(name)]
+    longest = far_field.size(solved.value("area"), *sides)
     if far_field.is_near(away, longest):
         size = format_number(longest)
-        raise TooNear(sheet.told("distance"), "source", size, far_field.MORE_ROOM)
-    if CUT_DISC in (law for law, _ in sheet.solution.used):
-        return
-    tilt, incidence = angle_of(sheet.given, "tilt"), angle_of(sheet.given, "incidence")
-    reach = sheet.at("radius") if sheet.has("radius") else far_field.REACH * longest
+        raise TooNear(solved.describe("distance"), "source", size, far_field.MORE_ROOM)
+    if CUT_DISC in (law for law, _ in solved.solution.used):
+        return ()
+    given = solved.given
+    tilt, incidence = angle_of(given, "tilt"), angle_of(given, "incidence")
+    reach = solved.value("radius") if solved.has("radius") else far_field.REACH * longest
     if any_true(far_field.is_cut(reach, away, incidence)):
-        raise cut_by_horizon(sheet.given, reach, away)
-    if "height" in sheet.given:
-        tilt = acos(sheet.at("cosine-of-source"))
-        if "incidence" not in sheet.given:  # the planes are parallel: neither cuts the other
+        raise cut_by_horizon(given, reach, away)
+    if "height" in given:
+        tilt = acos(solved.value("cosine-of-source"))
+        if "incidence" not in given:  # the planes are parallel: neither cuts the other
             incidence = tilt
     good = far_field.percent(far_field.error(longest, away, tilt, incidence, bool(sides)))
-    sheet.assume(f"a source small beside its distance: the inverse square law is {good}")
+    return (f"a source small beside its distance: the inverse square law is {good}",)

@@ -3,11 +3,13 @@
 import math
 
 from radcalc.answer import Answer
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.page import Page
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
 from radcalc.errors import MissingInput, mention, option, options, quote
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.laser import DISTANCE, HAZARD, laws_of
 from radcalc.laws.solver import reached
 from radcalc.maths import any_true
@@ -34,6 +36,21 @@ PAGE = Page(
         "Hazard distance": ("limit", HAZARD),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
+    texts={
+        "diameter": ("1mm", "Diameter of the beam at the laser's exit."),
+        "distance": ("10m", "Distance from the laser's exit, where the spot is without it."),
+        "receiver-diameter": (
+            "7mm",
+            "Diameter of a round receiver about the beam's axis: a pupil, a sensor.",
+        ),
+        "time": ("10ns", "How long the flux is constant: a pulse, or an exposure."),
+        "flux": ("5mW", "The flux of the beam, or within a pulse."),
+        "irradiance": ("1W/m2", "The flux over the area of the spot."),
+        "exposure": ("100J/m2", "The exposure of the spot (with {time})."),
+        "energy": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
+        "peak-irradiance": ("10W/m2", "The irradiance on the axis, where it is greatest."),
+        "limit": ("25W/m2", "A limit of the peak, from the standard (with {hazard-distance})."),
+    },
     examples=(
         "flux=5mW diameter=1mm divergence=1mrad distance=10m",
         "flux=5mW diameter=1mm divergence=1mrad limit=25W/m2 get=hazard-distance",
@@ -50,49 +67,53 @@ PAGE = Page(
 
 
 def laser(given: Inputs) -> Answer:
-    """The spot of a laser beam, and its hazard distance, from any quantities that suffice."""
-    sheet = Worksheet(PAGE, given)
+    """Return the spot and the hazard distance of a laser beam, from enough quantities."""
+    sheet, placed = worksheet(PAGE, given), Placed()
     if not {*sheet.given, *sheet.lit.values} - {"profile"}:
         hint = mention("{flux}, {diameter}, {divergence} and {distance}")
         raise MissingInput("the beam is missing", hint)
     profile = given["profile"].value if "profile" in given else GAUSSIAN
-    sheet.use("profile")
+    placed.use("profile")
     far = laws_of(profile, with_distance=True)
     is_far = DISTANCE in reached(far, set(sheet.known))
     is_at_exit = not is_far and not {"spot-diameter", "diameter"} <= reached(far, set(sheet.known))
     laws = laws_of(profile, with_distance=False) if is_at_exit else far
-    sheet.assume(PROFILES[profile])
-    sheet.solve(laws)
-    sheet.refuse_impossible("divergence")
-    if "limit" in sheet.lit.values and not sheet.has(HAZARD):
-        told = option("limit", quote(sheet.lit.values["limit"].text))
-        lacking = [n for n in ("flux", "diameter", "divergence") if not sheet.has(n)]
+    placed.assume(PROFILES[profile])
+    solved = solve(sheet, laws, placed)
+    solved.refuse_impossible("divergence")
+    if "limit" in sheet.lit.values and not solved.has(HAZARD):
+        limit_text = option("limit", quote(sheet.lit.values["limit"].text))
+        lacking = [n for n in ("flux", "diameter", "divergence") if not solved.has(n)]
         hint = options(lacking, " and ")
-        raise MissingInput(f"there is no hazard distance to {told}: more is to be known", hint)
-    if sheet.has("spot-diameter"):
+        raise MissingInput(
+            f"there is no hazard distance to {limit_text}: more is to be known", hint
+        )
+    if solved.has("spot-diameter"):
         if is_at_exit:
-            sheet.assume(mention("the spot is that at the laser's exit (no {distance})"))
-        sheet.assume("irradiance: the mean, of the flux over the area of the spot")
-    if sheet.has("divergence"):
-        sheet.assume("divergence: the full angle, far from the laser")
-        _note_diffraction(sheet, profile)
-    if sheet.has("received-flux"):
-        sheet.assume("the receiver is round, about the beam's axis")
-    if sheet.has("limit"):
-        sheet.assume("the limit is as given, and held against the peak; nothing absorbs on the way")
-        if sheet.has(HAZARD) and any_true(sheet.at(HAZARD) == 0):
-            sheet.notes.append("the peak irradiance is below the limit at the laser's exit already")
-    return sheet.answer(laws)
+            solved.assume(mention("the spot is that at the laser's exit (no {distance})"))
+        solved.assume("irradiance: the mean, of the flux over the area of the spot")
+    if solved.has("divergence"):
+        solved.assume("divergence: the full angle, far from the laser")
+        _note_diffraction(solved, profile)
+    if solved.has("received-flux"):
+        solved.assume("the receiver is round, about the beam's axis")
+    if solved.has("limit"):
+        solved.assume(
+            "the limit is as given, and held against the peak; nothing absorbs on the way"
+        )
+        if solved.has(HAZARD) and any_true(solved.value(HAZARD) == 0):
+            solved.note("the peak irradiance is below the limit at the laser's exit already")
+    return solved.answer()
 
 
-def _note_diffraction(sheet: Worksheet, profile: str) -> None:
+def _note_diffraction(solved: Solved, profile: str) -> None:
     """Say where the waves of that light spread by more than the divergence."""
-    wave = sheet.lit.links.get("wavelength")
-    if wave is None or profile != GAUSSIAN or not sheet.has("diameter"):
+    wave = solved.lit.links.get("wavelength")
+    if wave is None or profile != GAUSSIAN or not solved.has("diameter"):
         return
-    least = 4 * spectral.light(wave, None).vacuum / (math.pi * sheet.at("diameter"))
-    if any_true(sheet.at("divergence") < least):
-        sheet.notes.append(
+    least = 4 * spectral.light(wave, None).vacuum / (math.pi * solved.value("diameter"))
+    if any_true(solved.value("divergence") < least):
+        solved.note(
             f"a waist of that diameter spreads by {format_number(1e3 * least, 3)} mrad or more, "
             f"by diffraction at {wave.text}: the waist is elsewhere, or the divergence is none"
         )

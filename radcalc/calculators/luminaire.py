@@ -9,8 +9,9 @@ from functools import lru_cache, reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators import light
-from radcalc.calculators.point_source import (
+from radcalc.calculators import kinds
+from radcalc.calculators.page import Page
+from radcalc.calculators.point_laws import (
     ASSUMED,
     DIRECTED,
     FLAGS,
@@ -20,14 +21,15 @@ from radcalc.calculators.point_source import (
     RECEIVER,
     SHAPED,
     compare_mean,
-    know_hemisphere,
+    place_hemisphere,
     refuse_light_of_surfaces,
     require_height,
-    solve,
+    solve_facing,
     spread,
 )
 from radcalc.calculators.results import LINKS_HINT, absent, value
-from radcalc.calculators.worksheet import OFFSETS, Page, Worksheet
+from radcalc.calculators.solved import Solved, contradiction
+from radcalc.calculators.worksheet import OFFSETS, Placed, worksheet
 from radcalc.derivation import format_angle, format_number, format_value
 from radcalc.errors import (
     ConditionError,
@@ -40,14 +42,14 @@ from radcalc.errors import (
     quote,
 )
 from radcalc.geometry import far_field
-from radcalc.given import Inputs, angle_of, offset_of
+from radcalc.inputs.given import Inputs, angle_of, offset_of
 from radcalc.laws import luminaire as laws_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import CONICAL, LAWS, LOBED
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import Disagreement, reached
 from radcalc.laws.solver import solve as follow
-from radcalc.maths import any_true, atan2, hypot, is_array
+from radcalc.maths import any_true, atan2, hypot, is_array, power
 from radcalc.quantities.light import LUMINOUS
 from radcalc.quantities.symbols import light_unit
 
@@ -77,18 +79,19 @@ PAGE = Page(
     LIGHT,
     (*POSITION, "off-axis", "azimuth", "beam-diameter", *RECEIVER),
 )
+OF_DIRECTION = ("intensity-toward", "off-axis", "azimuth")  # shown where one is given
 EXPRESSION = "expression"  # the format of what is typed
 BEAMS = (("beam-angle", 0.5, "a half"), ("field-angle", 0.1, "a tenth"))
 PLANES = (("", 0.0), ("-90", math.pi / 2))
 
 
 def luminaire(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
-    """What follows for a receiver below the source or in a direction, or aside of it."""
+    """Return what follows for a receiver below the source or in a direction, or aside of it."""
     return _Luminaire(given, is_aside, any_incidence).answer()
 
 
 class Figures(NamedTuple):
-    """What a distribution is in numbers, relative to its own unit of intensity.
+    """The figures of a distribution, relative to its own unit of intensity.
 
     The flux is a refusal where it cannot be told.
     """
@@ -100,7 +103,7 @@ class Figures(NamedTuple):
 
 @lru_cache(maxsize=8)
 def _figures(distribution: Any) -> Figures:
-    """The figures of a distribution, once for all answers of a list."""
+    """Return the figures of a distribution, once for all answers of a list."""
     flux: Integral | ConditionError
     try:
         flux = distribution.flux()
@@ -118,13 +121,13 @@ def _beam(distribution: Any, azimuth: float, share: float) -> "Beam":
 
 @lru_cache(maxsize=8)
 def _upward(
-    distribution: Any, whole: "Integral", aim: tuple[float, float, float], rotate: float
+    distribution: Any, flux: "Integral", aim: tuple[float, float, float], rotate: float
 ) -> float:
     """Flux into the upper half of the world, of that in all directions."""
     from radcalc.distributions.places import upward_flux
     from radcalc.distributions.pose import Pose
 
-    return upward_flux(distribution, Pose(aim, rotate), whole).value
+    return upward_flux(distribution, Pose(aim, rotate), flux).value
 
 
 class _Luminaire:
@@ -140,13 +143,19 @@ class _Luminaire:
         self.of_shape = isinstance(chosen, str)
         kind = "" if self.of_shape else chosen.distribution.kind
         shaped = SHAPED[shape] if self.of_shape else ()
-        page = PAGE._replace(takes=(*PAGE.takes, *shaped), others=(*PAGE.others, *shaped))
-        self.sheet = Worksheet(page, given, preferred=kind)
-        self.sheet.takes = (*SCALING, *shaped, *POSITION, *RECEIVER)
-        self.sheet.defaults.add("incidence")
+        self.is_below = is_aside or "height" in given
+        hidden = () if self.is_below or "toward" in given else OF_DIRECTION
+        page = PAGE._replace(
+            takes=(*PAGE.takes, *shaped),
+            light=_without(PAGE.light, hidden),
+            others=(*_without(PAGE.others, hidden), *shaped),
+        )
+        hints = (*SCALING, *shaped, *POSITION, *RECEIVER)
+        self.sheet = worksheet(page, given, preferred=kind, hints=hints, defaults=("incidence",))
+        self.placed = Placed(*laws_of.LAWS)
         refuse_light_of_surfaces(self.sheet.lit, SCALING)
-        know_hemisphere(self.sheet)
-        self.photometry: Photometry = self._shaped(shape) if self.of_shape else chosen
+        place_hemisphere(given, self.placed)
+        self.photometry: Photometry = self._make_shape(shape) if self.of_shape else chosen
         source: Any = self.photometry.distribution
         self.source, self.figures = source, _figures(source)
         self.aim = given["aim"].value if "aim" in given else DOWN
@@ -154,11 +163,10 @@ class _Luminaire:
         if is_array(self.rotate):
             raise _one_at_a_time("rotate")
         self.pose = Pose(self.aim, self.rotate)
-        self.sheet.use("rotate")
-        self.is_turned = False  # the receiver, nobody says about which axis
-        self.is_scaled = True
+        self.placed.use("rotate")
+        self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
 
-    def _shaped(self, shape: str) -> "Photometry":
+    def _make_shape(self, shape: str) -> "Photometry":
         """An isotropic source, a cone or a lobe as a function of direction."""
         from radcalc.distributions import shapes
         from radcalc.distributions.photometry import Photometry
@@ -166,57 +174,56 @@ class _Luminaire:
         if shape not in (CONICAL, LOBED):
             return Photometry(shapes.Isotropic(), shape)
         name = "half-angle" if shape == CONICAL else "exponent"
-        known = dict(self.sheet.known)
+        known = self.sheet.known_with(self.placed)
         if "peak-intensity" in known:
             known.setdefault("intensity", known["peak-intensity"])
         try:
-            found = follow(LAWS[shape], known).values
+            values = follow(LAWS[shape], known).values
         except Disagreement as error:
-            raise self.sheet.contradiction(error, {}) from None
-        if name not in found:
+            raise contradiction(self.sheet, error, {}) from None
+        if name not in values:
             raise MissingInput(f"how wide the {shape} is, is missing", options(SHAPED[shape]))
-        width = found[name].value
-        self.sheet.known = {
-            n: one for n, one in found.items() if n in SHAPED[shape]
-        } | self.sheet.known
-        self.sheet.use(*SHAPED[shape])
+        width = values[name].value
+        for measure in SHAPED[shape]:
+            if measure in values and measure not in known:
+                self.placed.known[measure] = values[measure]
+        self.placed.use(*SHAPED[shape])
         if is_array(width):
             raise _one_at_a_time(next(n for n in SHAPED[shape] if n in self.given))
         return Photometry(shapes.of_shape(shape, width), shape)
 
     def answer(self) -> Answer:
         """Everything that follows."""
-        sheet = self.sheet
-        laws = [*laws_of.LAWS]
-        self._know_figures(laws)
-        laws += self._places()
-        self._know_scale(laws)
-        is_flat = laws_of.FLAT in laws
-        if is_flat and not {"height", "lateral"} <= reached(laws, {*sheet.known, "incidence"}):
+        self._place_figures()
+        self._place_receiver()
+        self._place_scale()
+        laws = self.placed.laws
+        known = {*self.sheet.known_with(self.placed), "incidence"}
+        if self.is_flat and not {"height", "lateral"} <= reached(laws, known):
             laws.append(laws_of.floor(self.source, self.pose, self.bearing))
-        solve(sheet, laws, self.any_incidence, is_flat)
+        solutions = solve_facing(self.sheet, laws, self.placed, self.any_incidence, self.is_flat)
         if self.is_aside:
-            require_height(sheet)
-        answers = [self._told(one, laws) for one in sheet.each()]
+            require_height(solutions[0])
+        answers = [self._with_remarks(solved) for solved in solutions]
         return answers[0]._replace(more=tuple(answers[1:]))
 
     # -- what is known ------------------------------------------------------------------------
 
-    def _know_figures(self, laws: list[AnyLaw]) -> None:
-        """The figures of the distribution, by the symbols of the laws."""
-        sheet, flux = self.sheet, self.figures.flux
-        sheet.know("relative-axial-intensity", self.figures.axial)
-        sheet.know("relative-peak-intensity", self.figures.peak.value)
-        if self.figures.axial == 0 and "intensity" in sheet.lit.values:
-            name = option(sheet.lit.values["intensity"].name)
+    def _place_figures(self) -> None:
+        """Add the figures of the distribution, by the symbols of the laws."""
+        light, placed, flux = self.sheet.lit.values, self.placed, self.figures.flux
+        placed.add("relative-axial-intensity", self.figures.axial)
+        placed.add("relative-peak-intensity", self.figures.peak.value)
+        if self.figures.axial == 0 and "intensity" in light:
+            name = option(light["intensity"].name)
             raise ConditionError(
                 f"{name} is that on the axis, where this distribution has none",
                 mention("{flux} or {peak-intensity} in its place"),
             )
         if isinstance(flux, ConditionError):
-            if {"flux", "energy"} & set(sheet.lit.values):
+            if {"flux", "energy"} & set(light):
                 raise flux
-            sheet.notes.append(f"no flux: {flux.message}")
+            placed.note(f"no flux: {flux.message}")
             return
         if not flux.value:
             dark = "the distribution has no intensity in any direction that was looked at"
@@ -224,9 +231,9 @@ class _Luminaire:
                 "; ".join((dark, *self.photometry.assumptions)),
                 "a wider one, or a table of its angles and intensities",
             )
-        sheet.know("weighted-solid-angle", flux.value)
+        placed.add("weighted-solid-angle", flux.value)
         unit = "sr, with f in units of the scale"
-        sheet.placed.append(
+        placed.steps.append(
             Step(
                 "integral of the distribution",
                 "Omega_f = integral of f sin(gamma) dgamma dC",
@@ -235,36 +242,37 @@ class _Luminaire:
         )
         try:
             upward = _upward(self.source, flux, self.aim, self.rotate)
-            sheet.know("upward-part", upward / flux.value)
+            placed.add("upward-part", upward / flux.value)
         except ConditionError as error:
-            sheet.notes.append(f"no flux upwards or downwards: {error.message}")
-        laws.append(laws_of.part(self.source, flux.value))
+            placed.note(f"no flux upwards or downwards: {error.message}")
+        placed.laws.append(laws_of.part(self.source, flux.value))
 
-    def _know_scale(self, laws: list[AnyLaw]) -> None:
-        """The scale is 1 for a source as it is, unless a light quantity tells another."""
-        sheet, own = self.sheet, self.source.kind
-        if not sheet.lit.values and not own:
+    def _place_scale(self) -> None:
+        """Add a scale of 1 for a source in its own unit, unless a light quantity gives another."""
+        sheet, kind = self.sheet, self.source.kind
+        if not sheet.lit.values and not kind:
             raise MissingInput(
                 "the distribution is relative, and what scales it is missing",
                 mention("{flux}, {intensity} or {peak-intensity}") + self._unit_hint,
             )
-        known = {*sheet.known, *(() if self.any_incidence else sheet.defaults)}
-        asks_place = self._asks_place and sheet.lit.kind == own
-        if not own or ("scale" in reached(laws, known) and not asks_place):
+        known = {*sheet.known_with(self.placed)}
+        if not self.any_incidence:
+            known |= sheet.defaults
+        asks_place = self._asks_place and sheet.lit.kind == kind
+        if not kind or ("scale" in reached(self.placed.laws, known) and not asks_place):
             return
-        if sheet.lit.kind != own:
+        if sheet.lit.kind != kind:
             name = option(next(iter(sheet.lit.values.values())).name)
             raise MissingInput(
-                f"the distribution is in {light_unit('intensity', own)}, {name} of another kind: "
+                f"the distribution is in {light_unit('intensity', kind)}, {name} of another kind: "
                 "what links them is missing",
                 LINKS_HINT,
             )
-        sheet.know("scale", 1.0)
-        self.is_scaled = False
+        self.placed.add("scale", 1.0)
 
     @property
     def _unit_hint(self) -> str:
-        """Where a unit would make a distribution absolute."""
+        """Return where a unit would make a distribution absolute."""
         if self.of_shape:
             return ""
         if self.photometry.format == EXPRESSION:
@@ -273,159 +281,163 @@ class _Luminaire:
 
     @property
     def _asks_place(self) -> bool:
-        """Whether an irradiance asks for the offset of a source that is taken as it is."""
+        """Check whether an irradiance asks for the offset of a source that is taken as it is."""
         strength = {"flux", "intensity", "peak-intensity", "energy"} & set(self.sheet.lit.values)
         placed = {"distance", *OFFSETS} & set(self.given)
         return bool(self.sheet.lit.values) and "height" in self.given and not strength | placed
 
     # -- where the receiver is ------------------------------------------------------------------
 
-    def _places(self) -> list[AnyLaw]:
-        """The laws of the receiver's place."""
-        sheet, given = self.sheet, self.given
-        self.bearing = 0.0
+    def _place_receiver(self) -> None:
+        """Add the receiver's place, and its laws."""
+        given, placed = self.given, self.placed
         if "incidence" in given:
-            sheet.know("incidence", angle_of(given, "incidence"), given["incidence"])
-        own: list[AnyLaw] = [laws_of.relative_intensity(self.source)]
-        if self.is_aside or "height" in given:
-            own += self._below()
+            placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
+        placed.laws.append(laws_of.relative_intensity(self.source))
+        if self.is_below:
+            self._place_below()
         else:
             polar, azimuth = given["toward"].value if "toward" in given else (0.0, 0.0)
-            sheet.know("off-axis", polar)
-            sheet.know("azimuth", azimuth)
-            if "toward" not in given:
-                hidden = ("intensity-toward", "off-axis", "azimuth")
-                sheet.page = sheet.page._replace(
-                    light=_without(sheet.page.light, hidden),
-                    others=_without(sheet.page.others, hidden),
-                )
+            placed.add("off-axis", polar)
+            placed.add("azimuth", azimuth)
         if "time" not in given:
-            own.append(laws_of.TOWARD_OF_ENERGY)
+            placed.laws.append(laws_of.TOWARD_OF_ENERGY)
         if "receiver-area" in given:
-            own.append(self._receiver(laws_of.FLAT in own))
-        edges = _beam(self.source, 0.0, 0.5).edges if self._away else None
+            placed.laws.append(self._receiver())
+        edges = _beam(self.source, 0.0, 0.5).edges if self._axis_input else None
         if edges and max(map(abs, edges)) < math.pi / 2:
-            own.append(laws_of.beam_diameter(edges, self._away))
-        return own
+            placed.laws.append(laws_of.beam_diameter(edges, self._axis_input))
 
-    def _below(self) -> list[AnyLaw]:
-        """The laws of a receiver at a height and an offset."""
-        sheet, given = self.sheet, self.given
-        aside = [given[name] for name in OFFSETS if name in given]
-        if aside:
-            self.bearing = atan2(offset_of(given, "offset-y"), offset_of(given))
-            sheet.know("lateral", reduce(hypot, (one.value for one in aside), 0.0), *aside)
+    def _place_below(self) -> None:
+        """Add a receiver at a height and an offset."""
+        given, placed = self.given, self.placed
+        offsets = [given[name] for name in OFFSETS if name in given]
+        if offsets:
+            placed.add(
+                "lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets
+            )
         elif not self.is_aside:
-            sheet.know("lateral", 0.0)
-        own = laws_of.direction(self.pose, self.bearing)
-        if self.is_aside and not aside:
-            own.append(OFFSET)
+            placed.add("lateral", 0.0)
+        placed.laws += laws_of.direction(self.pose, self.bearing)
+        if self.is_aside and not offsets:
+            placed.laws.append(OFFSET)
         if "incidence" not in given:
-            own.append(laws_of.FLAT)
+            placed.laws.append(laws_of.FLAT)
         if "aim" in given:
-            sheet.assume(
+            placed.assume(
                 f"aimed at {quote(given['aim'].text)}; heights and offsets are counted from the "
                 "vertical through the source"
             )
             if "incidence" not in given:
-                sheet.assume("the receiver lies flat")
+                placed.assume("the receiver lies flat")
         else:
-            sheet.assume("the source points straight down")
+            placed.assume("the source points straight down")
             if "incidence" not in given:
-                sheet.assume(LYING)
+                placed.assume(LYING)
         if not self.source.is_axial or "rotate" in given:
-            sheet.assume(
+            placed.assume(
                 "an offset is towards C0, an offset along y towards C90"
                 if not self.rotate
                 else f"C0 is turned by {format_angle(self.rotate)} from x towards y"
             )
-        return own
 
     @property
-    def _away(self) -> str:
-        """What tells how far along the axis the receiver is; nothing where it is elsewhere."""
-        if self.is_aside or "height" in self.given:
+    def _axis_input(self) -> str:
+        """Return the input that tells how far along the axis the receiver is, or an empty name."""
+        if self.is_below:
             return "" if "aim" in self.given else "height"
         return "" if "toward" in self.given else "distance"
 
-    def _receiver(self, is_flat: bool) -> AnyLaw:
-        """The law of what the receiver gets."""
-        if is_flat:
+    def _receiver(self) -> AnyLaw:
+        """Return the law of what the receiver gets."""
+        if self.is_flat:
             return laws_of.lying_disc(self.source, self.pose, self.bearing)
-        self.is_turned = self.any_incidence or any_true(angle_of(self.given, "incidence") != 0)
-        if self.is_turned:
-            return laws_of.SMALL
-        return laws_of.facing_disc(self.source)
+        return laws_of.SMALL if self.is_turned else laws_of.facing_disc(self.source)
+
+    @property
+    def is_flat(self) -> bool:
+        """Check for a receiver in a horizontal plane."""
+        return self.is_below and "incidence" not in self.given
+
+    @property
+    def is_turned(self) -> bool:
+        """Check for a receiver that is turned about an axis that no input gives."""
+        incidence = angle_of(self.given, "incidence")
+        return not self.is_flat and (self.any_incidence or any_true(incidence != 0))
+
+    @property
+    def is_scaled(self) -> bool:
+        """Check for a light quantity that scales the distribution."""
+        return "scale" not in self.placed.known
 
     # -- what is said of it ---------------------------------------------------------------------
 
-    def _told(self, sheet: Worksheet, laws: list[AnyLaw]) -> Answer:
-        """The answer, with what is to be said of it."""
-        before = list(sheet.assumptions)
-        sheet.assumptions = [*self._named(), *self.photometry.assumptions]
-        sheet.notes += self.photometry.notes
-        if self.is_scaled:
-            self._say_scale(sheet)
-        sheet.assumptions += before
-        if sheet.lit.links and not self.of_shape:
-            sheet.assume("the same spectrum in every direction")
-        sheet.note_behind()
-        fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
-        if sheet.has("irradiance") and any_true(fall == 0):
-            sheet.notes.append("the source is dark in the direction of the receiver")
-        if sheet.has("received-flux"):
-            self._judge_receiver(sheet)
+    def _with_remarks(self, solved: Solved) -> Answer:
+        """Return the answer with remarks on the source and the receiver."""
+        solved.assumptions = [*self._of_source(solved), *solved.assumptions]
+        solved.notes += self.photometry.notes
+        if solved.lit.links and not self.of_shape:
+            solved.assume("the same spectrum in every direction")
+        solved.note_behind()
+        fall = solved.value("relative-intensity") if solved.has("relative-intensity") else 1.0
+        if solved.has("irradiance") and any_true(fall == 0):
+            solved.note("the source is dark in the direction of the receiver")
+        if solved.has("received-flux"):
+            self._judge_receiver(solved)
         size = self.photometry.size
-        if size and sheet.has("distance") and far_field.is_near(sheet.at("distance"), size):
-            sheet.notes.append(
+        if size and solved.has("distance") and far_field.is_near(solved.value("distance"), size):
+            solved.note(
                 f"what shines is {format_value(size, 'm')} long: nearer than five times that the "
                 "inverse square does not hold"
             )
-        facts = [*self._facts(sheet)]
-        answer = sheet.answer(laws)
+        facts = [*self._facts(solved)]
+        answer = solved.answer()
         lit = {name: k for k, name in enumerate(LIGHT)}
-        cut = sum(1 for one in answer.values if not one.is_absent and _generic(one) in lit)
+        cut = sum(1 for row in answer.values if not row.is_absent and _generic(row) in lit)
         values = [*answer.values[:cut], *facts, *answer.values[cut:]]
         return answer._replace(values=values)
 
-    def _named(self) -> Iterator[str]:
-        """What the distribution is."""
-        found = self.photometry
+    def _of_source(self, solved: Solved) -> Iterator[str]:
+        """Yield the assumptions about the distribution and its scale."""
+        source = self.photometry
         if self.of_shape:
-            yield ASSUMED[found.format].partition(";")[0]
-        elif found.format == EXPRESSION:
-            yield f"the intensity is {quote(found.name)}, with theta from the source's axis"
+            yield ASSUMED[source.format].partition(";")[0]
+        elif source.format == EXPRESSION:
+            yield f"the intensity is {quote(source.name)}, with theta from the source's axis"
         else:
-            yield f"distribution: {found.format}" + f": {quote(found.name)}" * bool(found.name)
+            yield f"distribution: {source.format}" + f": {quote(source.name)}" * bool(source.name)
+        yield from source.assumptions
+        if self.is_scaled and self.source.kind:
+            yield from self._of_scale(solved)
 
-    def _say_scale(self, sheet: Worksheet) -> None:
-        """By what the distribution is multiplied, and what that makes void."""
-        if not self.source.kind:
-            return
-        if sheet.lit.kind == self.source.kind:
+    def _of_scale(self, solved: Solved) -> Iterator[str]:
+        """Yield the factor of the distribution, and what it makes void."""
+        if solved.lit.kind == self.source.kind:
             times = (
-                format_number(sheet.at("scale")) if sheet.has("scale") else "as much as it takes"
+                format_number(solved.value("scale"))
+                if solved.has("scale")
+                else "as much as it takes"
             )
-            sheet.assume(f"scaled: {times} times the intensities of the distribution")
+            yield f"scaled: {times} times the intensities of the distribution"
         else:
-            sheet.assume("scaled: of the distribution the shape alone counts")
+            yield "scaled: of the distribution the shape alone counts"
         if self.photometry.declared:
-            sheet.assume("what is declared of its lamps and watts holds no longer")
+            yield ("what is declared of its lamps and watts holds no longer")
 
-    def _judge_receiver(self, sheet: Worksheet) -> None:
-        """What is assumed of the receiver, and how well its flux is known."""
-        sheet.assume("the receiver is a disc of that area")
+    def _judge_receiver(self, solved: Solved) -> None:
+        """Add the assumptions on the receiver, and how well its flux is known."""
+        solved.assume("the receiver is a disc of that area")
         if self.is_turned:
-            self._refuse_uneven(sheet)
-        compare_mean(sheet)
+            self._refuse_uneven(solved)
+        compare_mean(solved)
 
-    def _refuse_uneven(self, sheet: Worksheet) -> None:
+    def _refuse_uneven(self, solved: Solved) -> None:
         """A receiver that is turned, nobody says about which axis, has to be evenly lit."""
         from radcalc.distributions.places import unevenness
         from radcalc.geometry.receivers import UNEVEN
 
-        radius = (sheet.at("receiver-area") / math.pi) ** 0.5
-        place = (sheet.at(name) for name in ("distance", "off-axis", "azimuth"))
+        radius = power(solved.value("receiver-area") / math.pi, 0.5)
+        place = (solved.value(name) for name in ("distance", "off-axis", "azimuth"))
         uneven = unevenness(self.source, radius, *place)
         if uneven > UNEVEN:
             raise ConditionError(
@@ -433,89 +445,92 @@ class _Luminaire:
                 "nobody tells about which axis it is turned",
                 mention("a smaller {receiver-area}, or the same without {incidence}"),
             )
-        sheet.assume(f"the light on it is even, within {format_number(100 * uneven, 2)} %")
+        solved.assume(f"the light on it is even, within {format_number(100 * uneven, 2)} %")
 
     # -- facts about the source -----------------------------------------------------------------
 
-    def _facts(self, sheet: Worksheet) -> Iterator[Value]:
-        """What is known of the distribution beside its light."""
+    def _facts(self, solved: Solved) -> Iterator[Value]:
+        """Yield what is known of the distribution beside its light."""
         flux = self.figures.flux
         if isinstance(flux, ConditionError):
             yield absent("flux", flux.message, flux.hint)
-        elif not self.of_shape and sheet.has("flux"):
-            yield self._error(sheet, flux)
+        elif not self.of_shape and solved.has("flux"):
+            yield self._error(solved, flux)
         yield value("peak-polar", self.figures.peak.polar)
         yield value("peak-azimuth", self.figures.peak.azimuth)
-        for name, share, said in BEAMS:
+        known = self.sheet.known_with(self.placed)
+        for name, share, percentage in BEAMS:
             for suffix, azimuth in PLANES:
-                if name + suffix not in sheet.known:
-                    yield self._width(sheet, name + suffix, azimuth, share, said)
-        yield from self._declared(sheet)
+                if name + suffix not in known:
+                    yield self._width(solved, name + suffix, azimuth, share, percentage)
+        yield from self._declared(solved)
 
-    def _error(self, sheet: Worksheet, flux: "Integral") -> Value:
-        """How far the flux may be off, by how it was integrated."""
-        kind = sheet.lit.kind
+    def _error(self, solved: Solved, flux: "Integral") -> Value:
+        """Return how far the flux may be off, by how it was integrated."""
+        kind = solved.lit.kind
         if zonal := getattr(self.source, "zonal_flux", None):
             part = zonal() / flux.value
-            if not is_array(sheet.at("flux")):
-                size = format_value(sheet.at("flux") * part, light_unit("flux", kind))
-                sheet.assume(
+            if not is_array(solved.value("flux")):
+                size = format_value(solved.value("flux") * part, light_unit("flux", kind))
+                solved.assume(
                     "the flux is exact for intensities that are linear between the table's "
                     f"angles; the zonal method gives {size} ({100 * (part - 1):+.2g} %)"
                 )
-        return value("error", sheet.at("flux") * flux.error / flux.value)._replace(
+        return value("error", solved.value("flux") * flux.error / flux.value)._replace(
             label="estimate of the flux's error",
-            dimensions=(light.dimension("flux", kind),),
+            dimensions=(kinds.dimension("flux", kind),),
             units=(light_unit("flux", kind),),
         )
 
-    def _width(self, sheet: Worksheet, name: str, azimuth: float, share: float, said: str) -> Value:
+    def _width(
+        self, solved: Solved, name: str, azimuth: float, share: float, percentage: str
+    ) -> Value:
         """A beam angle or a field angle in a plane, and what is to be said of it."""
         beam = _beam(self.source, 0.0 if self.source.is_axial else azimuth, share)
         if beam.outermost is None:
             return absent(
                 name,
-                f"there is no edge at which {said} of the plane's greatest intensity is left",
+                f"there is no edge at which {percentage} of the plane's greatest intensity is left",
                 mention("{within}, and the flux within it"),
             )
-        sheet.assume(
+        solved.assume(
             "beam and field angles: between the outermost directions in which the plane has a "
             "half and a tenth of its greatest intensity"
         )
-        found = value(name, beam.outermost)
+        row = value(name, beam.outermost)
         if beam.is_ambiguous and not (azimuth and self.source.is_axial):
             other = "there is none"
             if beam.from_axis is not None:
                 other = f"it is {format_angle(beam.from_axis)}"
-            sheet.notes.append(
-                f"the {found.label} is ambiguous: counted from the axis, to {said} of the "
+            solved.note(
+                f"the {row.label} is ambiguous: counted from the axis, to {percentage} of the "
                 f"intensity on it, {other}"
             )
-        return found
+        return row
 
-    def _declared(self, sheet: Worksheet) -> Iterator[Value]:
-        """What a file declares; nothing of what is scaled."""
+    def _declared(self, solved: Solved) -> Iterator[Value]:
+        """Yield what a file declares; nothing of what is scaled."""
         declared = {} if self.is_scaled else self.photometry.declared
-        flux = sheet.at("flux") if sheet.has("flux") else None
+        flux = solved.value("flux") if solved.has("flux") else None
         lamps, watts = declared.get("lamp-flux"), declared.get("input-power")
-        found = {
+        numbers = {
             "output-ratio": flux / lamps if flux is not None and lamps else None,
             "input-power": watts,
             "source-efficacy": flux / watts
-            if flux is not None and watts and sheet.lit.kind == LUMINOUS
+            if flux is not None and watts and solved.lit.kind == LUMINOUS
             else None,
         }
-        for name, own in found.items():
-            if own is None:
+        for name, number in numbers.items():
+            if number is None:
                 yield absent(name, *self._not_declared)
             else:
-                yield value(name, own)
+                yield value(name, number)
 
     @property
     def _not_declared(self) -> tuple[str, str]:
         """Why there is nothing to be declared of the lamps, and what to do."""
         if self.photometry.declared and self.is_scaled:
-            scaling = options([one.name for one in self.sheet.lit.values.values()], " and ")
+            scaling = options([item.name for item in self.sheet.lit.values.values()], " and ")
             problem = "the light is scaled, and what is declared of its lamps holds no longer"
             return problem, f"the same without {scaling}"
         return "nothing declares it", "a file that tells the flux of its lamps and the watts"
@@ -540,12 +555,12 @@ def _one_at_a_time(name: str) -> ConditionError:
     )
 
 
-def _without(names: tuple[str, ...], *others: Any) -> tuple[str, ...]:
-    hidden = set().union(*others)
+def _without(names: tuple[str, ...], *hidden_names: Any) -> tuple[str, ...]:
+    hidden = set().union(*hidden_names)
     return tuple(name for name in names if name not in hidden)
 
 
-def _generic(one: Value) -> str:
+def _generic(row: Value) -> str:
     from radcalc.quantities.symbols import SYMBOLS
 
-    return SYMBOLS[one.name].generic if one.name in SYMBOLS else one.name.removeprefix("radiant-")
+    return SYMBOLS[row.name].generic if row.name in SYMBOLS else row.name.removeprefix("radiant-")

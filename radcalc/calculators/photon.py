@@ -1,24 +1,49 @@
 """What follows from a wavelength: frequency, wavenumber, energy, and what the eye sees of it."""
 
+from functools import reduce
 from typing import Any
 
 from radcalc.answer import Answer, Value
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import known, value
 from radcalc.conversion import spectral
 from radcalc.derivation import format_number
-from radcalc.given import Given, Inputs
+from radcalc.inputs.given import Input, Inputs
 from radcalc.laws.photon import LAWS
 from radcalc.laws.solver import Derivation, Known, solve
+from radcalc.maths import any_true, larger
 from radcalc.quantities.light import PHOTON_NAMES
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.quantities.symbols import QUANTITY, SYMBOLS
 from radcalc.spectra.observers import OBSERVERS, Observer, luminous_efficiency
 from radcalc.units.dimensions import LENGTH
+
+PAGE = Page(
+    about="Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of "
+    "it.",
+    operand=Operand("wavelength", "WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY", QUANTITY),
+    sections={"Light": ("observer",)},
+    texts={
+        "observer": "Whose eyes the luminous efficiency is for.",
+    },
+    draws=True,
+    examples=(
+        "555nm",
+        "2.33eV",
+        "540THz",
+        "18000cm-1",
+        "400nm:780nm:1nm get=luminous-efficacy plot=",
+        "400nm:700nm:50nm get=wavelength:nm get=luminous-efficacy:lm/W",
+    ),
+    remarks="The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is "
+    "looked up in the eye's tables as it is; the others are first turned into a wavelength in "
+    "standard air.",
+)
 
 UNITS = {"photon-energy": ("eV", "J", "kJ/mol")}
 
 
-def named(wave: Given) -> Given:
-    """What is given for the wavelength, by the name of what it is."""
+def named(wave: Input) -> Input:
+    """Return what is given for the wavelength, by the name of what it is."""
     return wave._replace(symbol=SYMBOLS[PHOTON_NAMES[wave.dimension]])
 
 
@@ -32,25 +57,27 @@ def photon(given: Inputs) -> Answer:
     solution = solve(LAWS, {PHOTON_NAMES[wave.dimension]: Known(wave.value)})
     light = spectral.light(wave, given.get("observer"))
     names = dict.fromkeys(PHOTON_NAMES.values())
-    own = PHOTON_NAMES[wave.dimension]
+    own_name = PHOTON_NAMES[wave.dimension]
     units = {name: UNITS.get(name, (SYMBOLS[name].unit,)) for name in names}
     values = [
         known(wave._replace(symbol=SYMBOLS[name]), *units[name])
-        if name == own
+        if name == own_name
         else value(name, solution.values[name].value, *units[name])
         for name in names
     ]
     scotopic = OBSERVERS["scotopic"]
     if light.observer is not scotopic:
-        values += _seen("luminous", light.table, light.observer)
-    values += _seen("scotopic-luminous", light.table, scotopic)
+        values += _visibility("luminous", light.table, light.observer)
+    values += _visibility("scotopic-luminous", light.table, scotopic)
     notes = []
-    if not any(one.si for one in values if one.name.endswith("efficiency")):
-        notes.append(f"nothing is seen at {wave.text}: it lies outside the tables")
+    efficiencies = [row.si for row in values if row.name.endswith("efficiency")]
+    is_dark = reduce(larger, efficiencies) == 0
+    if any_true(is_dark):
+        notes.append(f"nothing is seen at {wave.text_where(is_dark)}: it lies outside the tables")
     return Answer(values, _assumptions(light, wave), notes, Derivation(solution))
 
 
-def _seen(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
+def _visibility(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
     """Efficiency and efficacy of one wavelength [m]."""
     efficiency = luminous_efficiency(wavelength, observer)
     return [
@@ -59,7 +86,7 @@ def _seen(kind: str, wavelength: Any, observer: Observer) -> list[Value]:
     ]
 
 
-def _assumptions(light: spectral.Light, wave: Given) -> list[str]:
+def _assumptions(light: spectral.Light, wave: Input) -> list[str]:
     eyes = dict.fromkeys([light.observer.assumption, OBSERVERS["scotopic"].assumption])
     if wave.dimension == LENGTH:
         taken = spectral.VACUUM.format(wave.text)

@@ -4,8 +4,7 @@ import math
 
 from radcalc.answer import Answer, Step, Value
 from radcalc.calculators.direction import CONVENTION
-from radcalc.calculators.results import absent, value
-from radcalc.calculators.solid_angle import result
+from radcalc.calculators.results import absent, of_directions, value
 from radcalc.calculators.worksheet import refuse_foreign
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, mention, option, quote
@@ -19,7 +18,7 @@ from radcalc.geometry.projections import (
     name_of_map,
     pixel_solid_angle,
 )
-from radcalc.given import Given, Inputs, one_of
+from radcalc.inputs.given import Input, Inputs, one_of
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL
 
 TAKES = ("size", "pixel", "projection")
@@ -48,7 +47,7 @@ FORMULAS = {
 
 
 def pixel(given: Inputs) -> Answer:
-    """The solid angle of a pixel of a map.
+    """Return the solid angle of a pixel of a map.
 
     `given` are the map's size, the pixel, and the projection unless it is latlong.
     """
@@ -66,8 +65,10 @@ def pixel(given: Inputs) -> Answer:
     omega = pixel_solid_angle(projection, width, height, column, row)
     u, v = middle_of_pixel(width, height, column, row)
     half = cones.cone_of(omega)
-    found = (omega, omega / cones.FULL, half, 2 * half)
-    results = [result(given, name, one) for name, one in zip(RESULTS, found, strict=True)]
+    angles = (omega, omega / cones.FULL, half, 2 * half)
+    results = [
+        of_directions(given, name, angle) for name, angle in zip(RESULTS, angles, strict=True)
+    ]
     assumptions = ["the pixel 0,0 is at the top left"]
     if "projection" not in given:
         assumptions.insert(0, mention("a latlong map ({projection})"))
@@ -82,24 +83,26 @@ def pixel(given: Inputs) -> Answer:
     return Answer([*results, *_middle(projection, u, v)], assumptions, notes, [step])
 
 
-def refuse_shape(size: Given, projection: str, is_given: bool = True) -> None:
+def refuse_shape(size: Input, projection: str, is_given: bool = True) -> None:
     """Refuse a size that no map in a projection has, which may go without saying."""
     width, height = size.value
     if has_shape(projection, width, height):
         return
-    told = option("size", quote(size.text))
+    option_text = option("size", quote(size.text))
     if projection == LATLONG:
         hint = option("size", f"{2 * height}x{height}")
         if not is_given:
-            others = (option("projection", name) for name in (MIRROR_BALL, ANGULAR))
-            hint = f"{hint}, or, of a square map, {' or '.join(others)}"
-        raise ConditionError(f"{told} is not twice as wide as high, as a latlong map is", hint)
+            projections = (option("projection", name) for name in (MIRROR_BALL, ANGULAR))
+            hint = f"{hint}, or, of a square map, {' or '.join(projections)}"
+        raise ConditionError(
+            f"{option_text} is not twice as wide as high, as a latlong map is", hint
+        )
     hint = option("size", f"{height}x{height}")
-    raise ConditionError(f"{told} is not square, as {name_of_map(projection)} is", hint)
+    raise ConditionError(f"{option_text} is not square, as {name_of_map(projection)} is", hint)
 
 
 def _middle(projection: str, u: float, v: float) -> list[Value]:
-    """The direction of a place, as far as there is one."""
+    """Return the direction of a place, as far as there is one."""
     if is_outside(projection, u, v):
         problem = "the middle of the pixel is outside the circle of the map"
         return [absent(name, problem, "a pixel further inside") for name in ("polar", "azimuth")]
@@ -108,14 +111,14 @@ def _middle(projection: str, u: float, v: float) -> list[Value]:
 
 
 def _step(
-    projection: str, size: Given, place: Given, omega: float, middle: tuple[float, float]
+    projection: str, size: Input, place: Input, omega: float, middle: tuple[float, float]
 ) -> Step:
     (width, height), (_, row) = size.value, place.value
-    found = f"Omega = {format_number(omega)} sr"
+    result = f"Omega = {format_number(omega)} sr"
     if projection == LATLONG:
         t = format_angle(math.pi * (row + 0.5) / height)
-        told = f"width = {width}, height = {height}, row = {row}: t = {t}; {found}"
+        numbers = f"width = {width}, height = {height}, row = {row}: t = {t}; {result}"
     else:
         u, v = map(format_number, middle)
-        told = f"{2 / width:g} by {2 / height:g} about u = {u}, v = {v}; {found}"
-    return FORMULAS[projection].told(told)
+        numbers = f"{2 / width:g} by {2 / height:g} about u = {u}, v = {v}; {result}"
+    return FORMULAS[projection].with_numbers(numbers)

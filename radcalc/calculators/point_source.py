@@ -5,24 +5,40 @@ The intensity is that on the source's axis.
 
 import math
 from collections.abc import Sequence
-from functools import reduce
+from functools import partial, reduce
 
 from radcalc.answer import Answer
-from radcalc.calculators.light import Lit
-from radcalc.calculators.worksheet import OFFSETS, Page, Worksheet
+from radcalc.calculators.page import Page
+from radcalc.calculators.point_laws import (
+    ASSUMED,
+    CONE,
+    DIRECTED,
+    FLAGS,
+    LOBE,
+    LYING,
+    POSITION,
+    QUANTITIES,
+    RECEIVER,
+    SHAPED,
+    compare_mean,
+    place_hemisphere,
+    refuse_light_of_surfaces,
+    require_height,
+    solve_facing,
+    spread,
+)
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.task import Task, Wants
+from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.errors import (
     ConditionError,
-    Exclusive,
     MissingInput,
     RadcalcError,
-    command,
     mention,
-    option,
-    quote,
 )
 from radcalc.geometry import cones
-from radcalc.given import Inputs, angle_of
+from radcalc.inputs.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.point import (
     ANY_LAWS,
@@ -51,18 +67,9 @@ from radcalc.laws.point import (
 from radcalc.laws.sizes import OFFSET
 from radcalc.laws.solver import reached
 from radcalc.laws.solver import solve as follow
-from radcalc.maths import any_true, hypot, is_array
+from radcalc.maths import any_true, hypot, is_array, power
+from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
-QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
-# What takes a distribution as a function of direction, and not the laws of its own shape.
-DIRECTED = ("peak-intensity", "toward", "aim", "rotate")
-CONE = ("half-angle", "apex-angle", "solid-angle")
-LOBE = ("exponent", "beam-angle", "field-angle")
-POSITION = ("distance", "height", *OFFSETS, "incidence")
-RECEIVER = ("within", "time", "receiver-area")
-SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
-FLAGS = {"isotropic": ISOTROPIC, "hemisphere": CONICAL}  # which tell all of a distribution
-OF = {ISOTROPIC: "an isotropic source", CONICAL: "a uniform cone", LOBED: "a cosine-power lobe"}
 PAGE = Page(
     "a point source",
     (*QUANTITIES, *CONE, *LOBE, *POSITION, *RECEIVER, "distribution", *FLAGS),
@@ -76,17 +83,95 @@ PAGE = Page(
         "flux-within",
         "beam-flux",
     ),
+    about="Give what follows for a source that is small beside its distance.",
+    sections={
+        "Light": (*QUANTITIES, "peak-intensity"),
+        "Its directions": (
+            "distribution",
+            "isotropic",
+            "hemisphere",
+            "half-angle",
+            "apex-angle",
+            "solid-angle",
+            "exponent",
+            "beam-angle",
+            "field-angle",
+            "within",
+            "toward",
+            "aim",
+            "rotate",
+        ),
+        "The receiver": (
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "incidence",
+            "receiver-area",
+            "time",
+        ),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    texts={
+        "distance": "Straight line from the source to the receiver.",
+        "height": "Height of the source above the receiver's plane, along its axis.",
+        "solid-angle": "Solid angle of a uniform cone.",
+    },
+    draws=True,
+    like={"error": "flux"},
+    examples=(
+        "flux=800lm distance=2m",
+        "illuminance=500lx distance=2m",
+        "intensity=100cd illuminance=25lx            (the distance)",
+        "intensity=250cd height=6m offset=8m",
+        "intensity=250cd height=6m illuminance=3lx   (the offset)",
+        "flux=4.5klm half-angle=12.5deg distance=1m,2m,5m",
+        "flux=800lm hemisphere= distance=2m",
+        "intensity=1000cd beam-angle=30deg",
+        "beam-angle=30deg                (exponent, field angle)",
+        "half-angle=15deg height=2m get=beam-diameter",
+        "luminous-flux=800lm radiant-flux=3W  (the efficacy)",
+        "intensity=100cd exponent=3 within=45deg get=flux-within:lm",
+        "flux=500lm intensity=900cd distribution=cone",
+        "flux=5mW distance=1m receiver-area=1cm2 wavelength=632.8nm",
+        "distribution=lamp.ies height=3m offset=1m",
+        "distribution=lamp.ies plot=                 (polar diagram)",
+        "flux=800lm distance=1m:10m:0.1m plot=fall-off.svg",
+        "distribution=lamp.ldt flux=3klm illuminance=50lx",
+        "distribution=table.csv toward=0deg:90deg:5deg",
+        "distribution='300*cos(theta)^4*(theta<90*deg) cd'",
+        "distribution=lamp.ies aim=1,0,-2 rotate=90deg height=3m offset=2m",
+    ),
+    remarks="""
+    Any sufficient set of the quantities gives the others; what is given twice is checked, to the
+    digits typed.  The irradiance is at the receiver.  Light comes along the receiver's normal,
+    unless {incidence} tells otherwise or {get=incidence} asks what it is; under a {height} the
+    source points straight down and the receiver lies flat.  An offset, a height or an exponent
+    follows from the light; where two fit, both are shown.
+
+    {distribution} also reads the file of a luminaire (IES LM-63, EULUMDAT), a table of angles and
+    intensities (CSV), or an expression in theta, the angle from the source's axis, and phi, the
+    azimuth about it, with a unit behind a blank; - is standard input.  Such a source is taken as it
+    is, unless a light quantity scales it.  {offset} is towards C0, {offset-y} towards C90.
+
+    Several sources add up (see also radcalc scene):
+
+    \b
+      for i in 100cd 250cd; do
+        radcalc point-source {intensity} $i {distance} 2m -q {get=irradiance}:lx
+      done | awk '{ sum += $1 } END { print sum }'
+    """,
+    mistakes=("beam",),
 )
-ASSUMED = {
-    ISOTROPIC: "isotropic: the same intensity in all directions",
-    CONICAL: "the same intensity everywhere in the cone, none outside",
-    LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
-}
 # What a distribution is about where no light is given.
 WIDTH = {CONICAL: "half-angle", LOBED: "exponent"}
 # The angle from edge to edge, and the law of how wide that is across the axis.
 BEAMS = {CONICAL: ("apex-angle", beam_of_cone), LOBED: ("beam-angle", beam_of_lobe)}
-LYING = "the receiver lies flat, in a plane across the source's axis"
+
+
+def task(words: Sequence[str], wants: Wants) -> Task:
+    """Return the task of a call; the incidence is solved for where it is asked for."""
+    return Task("point-source", partial(point_source, any_incidence=wants("incidence")))
 
 
 def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
@@ -100,7 +185,7 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
     """
     work_out = _answer
     shaped = "distribution" not in given or isinstance(given["distribution"].value, str)
-    if not shaped or {one.symbol.generic or name for name, one in given.items()} & set(DIRECTED):
+    if not shaped or {item.symbol.generic or name for name, item in given.items()} & set(DIRECTED):
         from radcalc.calculators.luminaire import luminaire as work_out
     offsets = set(OFFSETS) & set(given)
     if "height" not in given or offsets or "distance" in given:
@@ -115,238 +200,147 @@ def point_source(given: Inputs, any_incidence: bool = False) -> Answer:
 
 
 def _answer(given: Inputs, is_aside: bool, any_incidence: bool) -> Answer:
-    """What follows for a receiver on the source's axis, or aside of it."""
+    """Return what follows for a receiver on the source's axis, or aside of it."""
     shape = spread(given)
-    sheet = Worksheet(
-        PAGE._replace(others=(*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)),
-        given,
-    )
-    sheet.takes = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
-    sheet.defaults.add("incidence")
+    results = (*POSITION, "off-axis", *SHAPED[shape], "beam-diameter", *RECEIVER)
+    hints = (*QUANTITIES, *SHAPED[shape], *POSITION, *RECEIVER)
+    page = PAGE._replace(others=results)
+    sheet = worksheet(page, given, hints=hints, defaults=("incidence",))
     refuse_light_of_surfaces(sheet.lit)
-    know_hemisphere(sheet)
-    laws = [*LAWS[shape], *ANY_LAWS]
+    placed = Placed(*LAWS[shape], *ANY_LAWS)
+    place_hemisphere(given, placed)
     if not sheet.lit.values:
-        return _width(sheet, shape, [*laws, INVERSE_SQUARE])
-    laws += _aside(sheet, shape, laws) if is_aside else _on_axis(sheet, shape)
-    laws += _beam(sheet, shape, "height" if is_aside or "height" in sheet.given else "distance")
-    sheet.assume(ASSUMED[shape])
-    is_told = not given.keys().isdisjoint(("distribution", "isotropic"))
-    if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_told:
-        sheet.notes.append(
+        return _width(sheet, placed, shape)
+    (_place_aside if is_aside else _place_on_axis)(sheet, placed, shape)
+    away = "height" if is_aside or "height" in given else "distance"
+    laws = [*placed.laws, *_beam(sheet, placed, shape, away)]
+    placed.assume(ASSUMED[shape])
+    is_explicit = not given.keys().isdisjoint(("distribution", "isotropic"))
+    if shape == ISOTROPIC and "intensity" in sheet.lit.values and not is_explicit:
+        placed.note(
             mention("4 pi times the intensity is not the flux of a beam: {beam-angle} gives that")
         )
-    solve(sheet, laws, any_incidence, FLAT in laws)
+    solutions = solve_facing(sheet, laws, placed, any_incidence, FLAT in laws)
     if is_aside:
-        require_height(sheet)
-    answers = [_judged(one, shape, laws) for one in sheet.each()]
+        require_height(solutions[0])
+    answers = [_with_remarks(solved, shape) for solved in solutions]
     return answers[0]._replace(more=tuple(answers[1:]))
 
 
-def _width(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
-    """How wide the beam is, by any of its widths; `laws` tell what light would be of use for."""
+def _width(sheet: Worksheet, placed: Placed, shape: str) -> Answer:
+    """Return the width of the beam by any of its measures."""
     if sheet.lit.links or not {*SHAPED[shape], "hemisphere"} & set(sheet.given):
         hint = mention("{flux}, {intensity} or {irradiance}")
         raise MissingInput("a light quantity is missing", hint)
     away = next((name for name in ("height", "distance") if name in sheet.given), "")
-    beam = _beam(sheet, shape, away) if away else []
-    sheet.page = sheet.page._replace(goal="beam-diameter" if beam else WIDTH[shape])
-    sheet.assume(ASSUMED[shape].partition(";")[0])
-    own = [*WIDTHS[shape], *beam]
-    sheet.solve(own)
-    return sheet.answer(own if beam else laws)
+    beam = _beam(sheet, placed, shape, away) if away else []
+    page = sheet.page._replace(goal="beam-diameter" if beam else WIDTH[shape])
+    placed.assume(ASSUMED[shape].partition(";")[0])
+    solved = solve(sheet._replace(page=page), [*WIDTHS[shape], *beam], placed)
+    # light gives more without a beam: its laws say which inputs would be of use
+    return solved.answer(laws=None if beam else [*placed.laws, INVERSE_SQUARE])
 
 
-def _beam(sheet: Worksheet, shape: str, away: str) -> list[AnyLaw]:
-    """The law of how wide the light is across the axis, where its edge is ahead of the source."""
+def _beam(sheet: Worksheet, placed: Placed, shape: str, away: str) -> list[AnyLaw]:
+    """Return the law of the beam's width across the axis, if its edge is ahead of the source."""
     name, beam = BEAMS.get(shape, ("", None))
     try:
-        width = follow(LAWS[shape], sheet.known).values.get(name)
-    except ConditionError:  # which is said where everything is solved
+        width = follow(LAWS[shape], sheet.known_with(placed)).values.get(name)
+    except ConditionError:  # the solution of all laws refuses it
         return []
     return [beam(away)] if beam and width and not any_true(width.value >= math.pi) else []
 
 
-def _judged(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> Answer:
-    """The answer, with what is to be said of it."""
-    if sheet.has("received-flux"):
-        _judge_receiver(sheet, shape)
-    if "beam-angle" in sheet.given and sheet.has("intensity"):
-        _compare_cone(sheet)
-    sheet.note_behind()
-    fall = sheet.at("relative-intensity") if sheet.has("relative-intensity") else 1.0
+def _with_remarks(solved: Solved, shape: str) -> Answer:
+    """Return the answer with remarks on the receiver and the cone."""
+    if solved.has("received-flux"):
+        _judge_receiver(solved, shape)
+    if "beam-angle" in solved.given and solved.has("intensity"):
+        _compare_cone(solved)
+    solved.note_behind()
+    fall = solved.value("relative-intensity") if solved.has("relative-intensity") else 1.0
     if shape == CONICAL and any_true(fall == 0):
-        reached = sheet.has("received-flux") and any_true(sheet.at("received-flux") > 0)
+        reached = solved.has("received-flux") and any_true(solved.value("received-flux") > 0)
         centre = "'s centre" if reached else ""
-        sheet.notes.append(f"the receiver{centre} is outside the cone")
-    return sheet.answer(laws)
+        solved.note(f"the receiver{centre} is outside the cone")
+    return solved.answer()
 
 
-def require_height(sheet: Worksheet) -> None:
-    """Refuse an offset for which no height is given or follows."""
-    if not sheet.has("height"):
-        told = next(sheet.given[name] for name in OFFSETS if name in sheet.given)
-        raise MissingInput(
-            f"{option('height')} is missing beside {option(told.name)}",
-            mention("{height=6m}, along the source's axis"),
-        )
-
-
-def solve(sheet: Worksheet, laws: list[AnyLaw], any_incidence: bool, is_flat: bool) -> None:
-    """Work out what follows; light comes along the receiver's normal unless told otherwise.
-
-    That of a receiver that is flat follows from its place.
-    """
-    told = is_flat or "incidence" in sheet.known
-    placed = sheet.has("irradiance", "distance", "exposure")
-    if told or any_incidence or not placed:
-        sheet.solve(laws)
-        if told or not placed or "incidence" in sheet.solution.values:
-            return
-    sheet.know("incidence", 0.0)
-    sheet.assume("light along the receiver's normal")
-    try:
-        sheet.solve(laws)
-    except ConditionError as error:
-        raise _with_incidence(sheet, laws, error) from None
-
-
-def _with_incidence(sheet: Worksheet, laws: list[AnyLaw], error: ConditionError) -> ConditionError:
-    """A contradiction, with the incidence that would resolve it."""
-    del sheet.known["incidence"]
-    try:
-        sheet.solve(laws)
-        angle = sheet.at("incidence")
-    except (ConditionError, KeyError):
-        return error
-    if not is_array(angle):
-        error.hint += f"; an incidence of {math.degrees(angle):.6g} deg would explain it"
-    return error
-
-
-def refuse_light_of_surfaces(lit: Lit, takes: Sequence[str] = QUANTITIES) -> None:
-    """Refuse what a point has not: a radiance, an exitance."""
-    for name, one in lit.values.items():
-        if name not in takes:
-            raise ConditionError(
-                f"{option(one.name)}: a point source has none", command("lambertian")
-            )
-
-
-def spread(given: Inputs) -> str:
-    """How the light is spread: as it was chosen, or as an input of its own tells."""
-    chosen = given["distribution"].value if "distribution" in given else None
-    told = {name: shape for shape, names in SHAPED.items() for name in names if name in given}
-    told |= {name: shape for name, shape in FLAGS.items() if name in given}
-    if not told:
-        return str(chosen or ISOTROPIC)
-    (first, shape), *others = told.items()
-    for name, other in others:
-        if other != shape:
-            raise ConditionError(
-                f"{option(first)} is of {OF[shape]}, {option(name)} of {OF[other]}", "one of them"
-            )
-        if name in FLAGS:
-            raise Exclusive([first, name], "contradict each other: both give the cone")
-    if chosen not in (None, shape):
-        raise ConditionError(
-            f"{option(first)} is of {OF[shape]}, and contradicts "
-            f"{option('distribution', quote(given['distribution'].text))}",
-            "one of them",
-        )
-    return shape
-
-
-def know_hemisphere(sheet: Worksheet) -> None:
-    """A hemisphere is a cone of a right angle."""
-    if "hemisphere" in sheet.given:
-        sheet.know("half-angle", math.pi / 2)
-        sheet.assume("uniform over 2 pi sr (a hemisphere)")
-
-
-def _on_axis(sheet: Worksheet, shape: str) -> list[AnyLaw]:
-    """The laws of a receiver somewhere on the source's axis, or about a source without one."""
-    _know_incidence(sheet)
-    laws: list[AnyLaw] = [INVERSE_SQUARE, RECEIVER_ON_AXIS[shape]]
-    if "height" in sheet.given:
-        sheet.know("lateral", 0.0)
-        if "incidence" not in sheet.given:
-            sheet.know("incidence", 0.0)
-            sheet.assume(LYING)
-    if "time" not in sheet.given:
-        laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else INVERSE_SQUARE_OF_ENERGY)
-    return laws
-
-
-def _aside(sheet: Worksheet, shape: str, laws: list[AnyLaw]) -> list[AnyLaw]:
-    """The laws of a receiver off the source's axis, of which the place may be looked for."""
+def _place_on_axis(sheet: Worksheet, placed: Placed, shape: str) -> None:
+    """Place a receiver somewhere on the source's axis, or about a source without one."""
     given = sheet.given
-    _know_incidence(sheet)
-    own: list[AnyLaw] = [AXIS]
-    lateral = [given[name] for name in OFFSETS if name in given]
-    if lateral:
-        sheet.know("lateral", reduce(hypot, (one.value for one in lateral), 0.0), *lateral)
+    _place_incidence(given, placed)
+    placed.laws += [INVERSE_SQUARE, RECEIVER_ON_AXIS[shape]]
+    if "height" in given:
+        placed.add("lateral", 0.0)
+        if "incidence" not in given:
+            placed.add("incidence", 0.0)
+            placed.assume(LYING)
+    if "time" not in given:
+        placed.laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else INVERSE_SQUARE_OF_ENERGY)
+
+
+def _place_aside(sheet: Worksheet, placed: Placed, shape: str) -> None:
+    """Place a receiver off the source's axis; its offset or height may be looked for."""
+    given, laws = sheet.given, placed.laws
+    _place_incidence(given, placed)
+    laws.append(AXIS)
+    offsets = [given[name] for name in OFFSETS if name in given]
+    if offsets:
+        placed.add("lateral", reduce(hypot, (offset.value for offset in offsets), 0.0), *offsets)
     else:
-        own.append(OFFSET)
+        laws.append(OFFSET)
     is_flat = "incidence" not in given
     if is_flat:
-        own.append(FLAT)
-        sheet.assume(LYING)
-    own.append((RECEIVER_FLAT if is_flat else RECEIVER_TURNED)[shape])
+        laws.append(FLAT)
+        placed.assume(LYING)
+    laws.append((RECEIVER_FLAT if is_flat else RECEIVER_TURNED)[shape])
     if shape == ISOTROPIC:
-        own.append(INVERSE_SQUARE)
+        laws.append(INVERSE_SQUARE)
     else:
-        sheet.assume("the source points straight down")
-        own += [OFF_AXIS, INSIDE if shape == CONICAL else FALL]
+        placed.assume("the source points straight down")
+        laws += [OFF_AXIS, INSIDE if shape == CONICAL else FALL]
     if "time" not in given:
-        own.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else OFF_AXIS_OF_ENERGY)
-    known = reached([*laws, *own], set(sheet.known))
+        laws.append(ISOTROPIC_ENERGY if shape == ISOTROPIC else OFF_AXIS_OF_ENERGY)
+    known = reached(laws, {*sheet.known_with(placed)})
     if is_flat and not {"height", "lateral"} <= known:
-        own += FLOOR[shape]
+        laws += FLOOR[shape]
     if shape == LOBED and "exponent" not in known:
-        own.append(SPOT)
+        laws.append(SPOT)
     if shape == CONICAL and "half-angle" not in known:
-        sheet.assume("the receiver is inside the cone")
-        own.remove(INSIDE)
-        sheet.know("relative-intensity", 1.0)
-    return own
+        placed.assume("the receiver is inside the cone")
+        laws.remove(INSIDE)
+        placed.add("relative-intensity", 1.0)
 
 
-def _know_incidence(sheet: Worksheet) -> None:
-    if "incidence" in sheet.given:
-        sheet.know("incidence", angle_of(sheet.given, "incidence"), sheet.given["incidence"])
+def _place_incidence(given: Inputs, placed: Placed) -> None:
+    if "incidence" in given:
+        placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
 
 
-def _compare_cone(sheet: Worksheet) -> None:
+def _compare_cone(solved: Solved) -> None:
     """Say what a uniform cone of a beam angle would give, which is often meant by it."""
-    omega = cones.cone(sheet.at("beam-angle") / 2)
-    name = "intensity" if "flux" in sheet.lit.values else "flux"
-    other = sheet.at("flux") / omega if name == "intensity" else sheet.at("intensity") * omega
+    omega = cones.cone(solved.value("beam-angle") / 2)
+    name = "intensity" if "flux" in solved.lit.values else "flux"
+    other = (
+        solved.value("flux") / omega if name == "intensity" else solved.value("intensity") * omega
+    )
     if not is_array(other):
-        size = format_value(other, coherent_unit_of(name, sheet.lit.kind))
-        sheet.notes.append(f"a uniform cone of that full angle would have {size}")
+        size = format_value(other, coherent_unit_of(name, solved.lit.kind))
+        solved.note(f"a uniform cone of that full angle would have {size}")
 
 
-def _judge_receiver(sheet: Worksheet, shape: str) -> None:
+def _judge_receiver(solved: Solved, shape: str) -> None:
     """Say what is assumed of the receiver, and where the light on it is not even."""
-    sheet.assume("the receiver is a disc of that area")
-    area, away, off = sheet.at("receiver-area"), sheet.at("distance"), 0.0
-    if sheet.has("off-axis"):
-        off = sheet.at("off-axis")
-    if shape == LOBED and "incidence" in sheet.given:
+    solved.assume("the receiver is a disc of that area")
+    area, away, off = solved.value("receiver-area"), solved.value("distance"), 0.0
+    if solved.has("off-axis"):
+        off = solved.value("off-axis")
+    if shape == LOBED and "incidence" in solved.given:
         from radcalc.geometry import receivers
 
-        uneven = receivers.unevenness(sheet.at("exponent"), (area / math.pi) ** 0.5, away, off)
-        sheet.assume(f"the intensity on it is even, within {format_number(100 * uneven)} %")
-    compare_mean(sheet)
-
-
-def compare_mean(sheet: Worksheet) -> None:
-    """Say where the irradiance at a receiver's centre is not its mean."""
-    mean = sheet.at("received-flux") / sheet.at("receiver-area")
-    if not is_array(mean) and abs(sheet.at("irradiance") - mean) > 0.01 * mean:
-        unit = coherent_unit_of("irradiance", sheet.lit.kind)
-        sheet.notes.append(
-            "the irradiance is that at the receiver's centre; its mean over the receiver is "
-            f"{format_value(mean, unit)}"
+        uneven = receivers.unevenness(
+            solved.value("exponent"), power(area / math.pi, 0.5), away, off
         )
+        solved.assume(f"the intensity on it is even, within {format_number(100 * uneven)} %")
+    compare_mean(solved)

@@ -3,10 +3,12 @@
 from typing import Any
 
 from radcalc.answer import Answer
-from radcalc.calculators.worksheet import Page, Worksheet
-from radcalc.errors import ConditionError, MissingInput, mention
+from radcalc.calculators.page import Page
+from radcalc.calculators.solved import solve
+from radcalc.calculators.worksheet import Placed, worksheet
+from radcalc.errors import ConditionError, MissingInput, mention, option, quote
 from radcalc.geometry import cones
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import RECTANGLE
 from radcalc.maths import any_true, sqrt
@@ -25,16 +27,16 @@ def _side(other: Any, height: Any, index: Any) -> Any:
     return least * other / (other - least)
 
 
-def _shorter(area: Any, both: Any) -> Any:
-    """The shorter side of a room, by its area and the sum of two sides."""
+def _shorter(area: Any, total: Any) -> Any:
+    """Return the shorter side of a room, by its area and the sum of two sides."""
     problem = "no room of that area and height has that room index: a square one has less"
-    cones.refuse(both < 2 * sqrt(area), problem, "less height, or a smaller index")
+    cones.refuse(total < 2 * sqrt(area), problem, "less height, or a smaller index")
     # without the difference of nearly equal numbers that a long room has
-    return 2 * area / (both + sqrt(both * both - 4 * area))
+    return 2 * area / (total + sqrt(total * total - 4 * area))
 
 
 def _rounded_up(number: Any) -> Any:
-    """The next whole number, or that which the number differs from in its last digits only."""
+    """Return the next whole number, or the nearest where the number is one up to rounding."""
     return -(-number * (1 - EXACT) // 1)
 
 
@@ -89,6 +91,14 @@ PAGE = Page(
         "Light": ("irradiance", "flux", "luminaires", *LOSSES),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
+    texts={
+        "width": ("6m", "Width of the room."),
+        "length": ("9m", "Length of the room."),
+        "area": ("54m2", "Area of the room."),
+        "height": ("2m", "Height of the luminaires above the working plane."),
+        "flux": ("3600lm", "The flux of one luminaire."),
+        "irradiance": ("500lx", "The mean irradiance of the working plane."),
+    },
     examples=(
         "width=6m length=9m height=2m illuminance=500lx flux=3600lm utilance=0.6 maintenance=0.8",
         "width=6m length=9m luminaires=12 flux=3600lm utilance=0.6 maintenance=0.8",
@@ -102,27 +112,28 @@ PAGE = Page(
 
 
 def room(given: Inputs) -> Answer:
-    """The luminaires of a room, its index and illuminance, from any that suffice."""
-    sheet = Worksheet(PAGE, given)
+    """Return the luminaires of a room, its index and illuminance, from any that suffice."""
+    sheet, placed = worksheet(PAGE, given), Placed()
     if not given:
         hint = mention("{width}, {length}, {illuminance}, {flux} and {utilance}")
         raise MissingInput("nothing is given", hint)
     laws = LIT if "luminaires" in given else LAWS
     if given.keys() >= {"area", "room-index", "height"} and not given.keys() & {"width", "length"}:
         laws = [*laws, SIDES]
-        sheet.assume("a rectangular room, whose width is the shorter side")
+        placed.assume("a rectangular room, whose width is the shorter side")
     if "luminaires" in given and any_true(given["luminaires"].value % 1 != 0):
         raise ConditionError(
-            f"{sheet.told('luminaires')} is no whole number of luminaires",
+            f"{option('luminaires', quote(given['luminaires'].text))} is no whole number of "
+            "luminaires",
             "a whole number, or what it follows from",
         )
     if sheet.lit.values:
         new = mention("new and clean luminaires: a maintenance factor of 1 ({maintenance})")
-        sheet.default(laws, "maintenance", 1.0, new)
-    sheet.solve(laws)
-    sheet.refuse_impossible(*LOSSES)
-    if sheet.has("room-index"):
-        sheet.assume("room index by the height of the luminaires above the working plane")
-    if sheet.has("luminaires", "irradiance"):
-        sheet.assume("luminaires spread evenly; illuminance: the mean over the working plane")
-    return sheet.answer(laws)
+        placed.default(sheet, laws, "maintenance", 1.0, new)
+    solved = solve(sheet, laws, placed)
+    solved.refuse_impossible(*LOSSES)
+    if solved.has("room-index"):
+        solved.assume("room index by the height of the luminaires above the working plane")
+    if solved.has("luminaires", "irradiance"):
+        solved.assume("luminaires spread evenly; illuminance: the mean over the working plane")
+    return solved.answer()

@@ -5,17 +5,30 @@ from os.path import dirname
 from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Step, Value
-from radcalc.calculators import light
+from radcalc.calculators import kinds
+from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import element, value
 from radcalc.calculators.scene_rows import Placed, Reader, rows_of_dicts, rows_of_file
 from radcalc.derivation import coherent_unit_of, format_number, format_value
 from radcalc.distributions.scene import Emitter, Field, Statistics, field, point_text, unit
+from radcalc.files.text import ENDINGS
 from radcalc.geometry.directions import UP
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.given import Inputs
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.inputs.given import Inputs
+from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.table import NUMBER
+from radcalc.units.unit import NUMBER
+
+PAGE = Page(
+    about="Add up the light of many sources at points, or over a grid of them.",
+    operand=Operand("file", "FILE.csv", FILE, ENDINGS),
+    sections={"The points": ("grid", "normal"), "Kinds of light": (*LINKS, *REFINEMENTS)},
+    texts={
+        "normal": "Where the receivers face (0,0,1: up).",
+    },
+    draws=True,
+    takes_lines=False,
+)
 
 LIGHT_OF_ALL = ("mean-irradiance", "minimum-irradiance", "maximum-irradiance")
 EVENNESS = ("uniformity", "minimum-to-maximum")
@@ -23,13 +36,13 @@ SHARE = "share-"  # before the name of a source
 
 
 def is_of_all(name: str) -> bool:
-    """Whether a result is of all the points, and not of each."""
+    """Check whether a result is of all the points, and not of each."""
     symbol = SYMBOLS.get(name.removeprefix("radiant-"))
     return symbol is not None and (symbol.generic in LIGHT_OF_ALL or symbol.name in EVENNESS)
 
 
 def is_share(name: str) -> bool:
-    """Whether a result is the share of a source."""
+    """Check whether a result is the share of a source."""
     return name.startswith(SHARE)
 
 
@@ -37,7 +50,7 @@ class Scene(NamedTuple):
     """Sources in one kind of light, what links that to others, and what was assumed of them."""
 
     sources: Sequence[Placed]
-    lit: light.Lit
+    lit: kinds.LightInputs
     assumptions: Sequence[str]
     notes: Sequence[str]
 
@@ -45,7 +58,7 @@ class Scene(NamedTuple):
 def scene(
     sources: str | Sequence[Mapping[str, Any]], links: Inputs, assumptions: Sequence[str] = ()
 ) -> Scene:
-    """The sources of a file, or of a list with a dict for each."""
+    """Return the sources of a file, or of a list with a dict for each."""
     if isinstance(sources, str):
         reader = Reader(links, dirname(sources))
         rows, notes = rows_of_file(sources)
@@ -53,13 +66,13 @@ def scene(
         reader = Reader(links)
         rows, notes = rows_of_dicts(sources), []
     placed = reader.sources(rows)
-    lit = light.read_light({}, links)._replace(kind=reader.kind)
-    said = tuple(dict.fromkeys([*assumptions, *reader.assumptions]))
-    return Scene(placed, lit, said, (*notes, *reader.notes))
+    lit = kinds.read_light({}, links)._replace(kind=reader.kind)
+    all_assumptions = tuple(dict.fromkeys([*assumptions, *reader.assumptions]))
+    return Scene(placed, lit, all_assumptions, (*notes, *reader.notes))
 
 
 class Survey:
-    """What a scene gives at points, with or without the share of each source.
+    """The irradiances of a scene at points, with or without the share of each source.
 
     The receivers face along the normal, or up.
     """
@@ -73,111 +86,116 @@ class Survey:
             self.assumptions.append("the receivers face up")
 
     def fields(self, blocks: Iterable[Vector]) -> Iterator[Field]:
-        """What points get, a block of them at a time; the statistics take them in."""
-        sources = [one.source for one in self.scene.sources]
+        """Yield what points get, a block of them at a time; the statistics take them in."""
+        sources = [placed.source for placed in self.scene.sources]
         for points in blocks:
-            found = field(sources, points, self.normal, self.with_shares)
-            self.statistics.add(found)
-            yield found
+            irradiances = field(sources, points, self.normal, self.with_shares)
+            self.statistics.add(irradiances)
+            yield irradiances
 
     def at_points(self, blocks: Iterable[Vector]) -> Iterator[Answer]:
         """An answer for each block of points, whose values are arrays."""
         return map(self._values, self.fields(blocks))
 
     def at_point(self, point: Vector) -> Answer:
-        """The answer at one point, with its derivation; the coordinates are arrays of one."""
+        """Return the answer at one point with its derivation; coordinates are arrays of one."""
         (answer,) = self.at_points([point])
         values = [element(value, 0) for value in answer.values]
         return self.remarks()._replace(values=values, steps=self._steps(point))
 
     def over_all(self, blocks: Iterable[Vector], is_grid: bool = False) -> Answer:
-        """The answer over all points: mean, extremes and uniformity."""
+        """Return the answer over all points: mean, extremes and uniformity."""
         for _ in self.fields(blocks):
             pass
         return self.remarks(is_grid, with_values=True)
 
-    def _values(self, found: Field) -> Answer:
-        shown = light.show_light(self.scene.lit, {"irradiance": found.total})
+    def _values(self, irradiances: Field) -> Answer:
+        light = kinds.show_light(self.scene.lit, {"irradiance": irradiances.total})
         values = [
             Value(axis, axis, axis, coordinate, (LENGTH,), ("m",), given=coordinate)
-            for axis, coordinate in zip("xyz", found.points, strict=True)
+            for axis, coordinate in zip("xyz", irradiances.points, strict=True)
         ]
-        values += shown.values["irradiance"]
-        dark = found.total == 0
-        for one, part in zip(self.scene.sources, found.parts, strict=False):
-            share = light.show_light(self.scene.lit, {"irradiance": part}).values["irradiance"][0]
+        values += light.values["irradiance"]
+        dark = irradiances.total == 0
+        for placed, part in zip(self.scene.sources, irradiances.parts, strict=False):
+            share = kinds.show_light(self.scene.lit, {"irradiance": part}).values["irradiance"][0]
             values.append(
                 share._replace(
-                    name=f"{SHARE}{one.name}",
-                    label=f"share of {one.name}",
-                    letter=f"E_{one.name}",
+                    name=f"{SHARE}{placed.name}",
+                    label=f"share of {placed.name}",
+                    letter=f"E_{placed.name}",
                     units=(*share.units, "%") if len(part) == 1 else share.units,
-                    reach={**share.reach, NUMBER: part / (found.total + dark)},
+                    reach={**share.reach, NUMBER: part / (irradiances.total + dark)},
                     also="",
                 )
             )
         return Answer(values)
 
     def remarks(self, is_grid: bool = False, with_values: bool = False) -> Answer:
-        """What was assumed and is odd, once all points are known; with what all of them get."""
-        told = self.statistics
-        amounts = dict(zip(LIGHT_OF_ALL, (told.mean, told.least, told.most), strict=True))
-        shown = light.show_light(self.scene.lit, amounts)
+        """Return the assumptions and notes on all points, on request with results over them."""
+        statistics = self.statistics
+        amounts = dict(
+            zip(LIGHT_OF_ALL, (statistics.mean, statistics.least, statistics.most), strict=True)
+        )
+        light = kinds.show_light(self.scene.lit, amounts)
         values = []
         if with_values:
-            values = [one for name in LIGHT_OF_ALL for one in shown.values[name]]
-            if told.most > 0:
-                values.append(value("uniformity", told.least / told.mean))
-                values.append(value("minimum-to-maximum", told.least / told.most))
-        notes = [*self.scene.notes, *shown.notes, *self._notes(is_grid)]
-        return Answer(values, (*self.assumptions, *shown.assumptions), notes)
+            values = [row for name in LIGHT_OF_ALL for row in light.values[name]]
+            if statistics.most > 0:
+                values.append(value("uniformity", statistics.least / statistics.mean))
+                values.append(value("minimum-to-maximum", statistics.least / statistics.most))
+        notes = [*self.scene.notes, *light.notes, *self._notes(is_grid)]
+        return Answer(values, (*self.assumptions, *light.assumptions), notes)
 
     def _notes(self, is_grid: bool) -> Iterator[str]:
-        told = self.statistics
-        of_points = "" if told.count == 1 else f" of {told.count} points"
-        if told.most == 0:
-            yield f"no light reaches {'the point' if told.count == 1 else 'any of the points'}"
-        if told.behind:
-            where = f", at {told.behind}{of_points}" if of_points else ""
+        statistics = self.statistics
+        is_alone = statistics.count == 1
+        of_points = "" if is_alone else f" of {statistics.count} points"
+        if statistics.most == 0:
+            yield f"no light reaches {'the point' if is_alone else 'any of the points'}"
+        if statistics.behind:
+            where = f", at {statistics.behind}{of_points}" if of_points else ""
             yield f"light from behind the receiver does not count{where}"
-        for one, near in zip(self.scene.sources, told.near, strict=True):
+        for placed, near in zip(self.scene.sources, statistics.near, strict=True):
             if near:
                 where = f" at {near}{of_points}" if of_points else ""
-                size = f"{one.source.size:.3g} m"
-                yield f"{one.source.name} is nearer than five times its size, {size}{where}"
-        if is_grid and told.most > told.least:
-            ends = point_text(*told.least_at), point_text(*told.most_at)
+                size = f"{placed.source.size:.3g} m"
+                yield f"{placed.source.name} is nearer than five times its size, {size}{where}"
+        if is_grid and statistics.most > statistics.least:
+            ends = point_text(*statistics.least_at), point_text(*statistics.most_at)
             yield f"the least light is at {ends[0]}, the most at {ends[1]}"
 
     def _steps(self, point: Vector) -> list[Step]:
-        """The derivation at one point: the term of each source, and their sum."""
+        """Return the derivation at one point: the term of each source, and their sum."""
         steps, terms = [], []
-        for one in self.scene.sources:
-            step, part = self._term(one, point)
+        for placed in self.scene.sources:
+            step, part = self._term(placed, point)
             steps.append(step)
             terms.append(part)
         if len(terms) > 1:
-            told = " + ".join(map(format_number, terms))
-            total = self._told(float(self.statistics.most), "irradiance")
-            steps.append(Step("sum over the sources", "E = E_1 + E_2 + ...", f"{told} = {total}"))
+            sum_text = " + ".join(map(format_number, terms))
+            total = self._format(float(self.statistics.most), "irradiance")
+            steps.append(
+                Step("sum over the sources", "E = E_1 + E_2 + ...", f"{sum_text} = {total}")
+            )
         return steps
 
-    def _term(self, one: Placed, point: Vector) -> tuple[Step, float]:
-        source, normal = one.source, self.normal
+    def _term(self, placed: Placed, point: Vector) -> tuple[Step, float]:
+        source, normal = placed.source, self.normal
         part = max(float(source.irradiance(point, normal)[0]), 0.0)
         if isinstance(source, Emitter):
             law, reference = "E = I cos(theta) Omega0 / d^2", "inverse square law"
             intensity, cosine, distance = (float(x[0]) for x in source.terms(point, normal))
             numbers = (
-                f"{self._told(intensity, 'intensity')} * {format_number(max(cosine, 0.0))} "
+                f"{self._format(intensity, 'intensity')} * {format_number(max(cosine, 0.0))} "
                 f"/ ({format_number(distance)} m)^2"
             )
         else:
             law, reference = "E = L Omega_p", "projected solid angle of a rectangle, J. H. Lambert"
             omega = max(float(source.projected_solid_angle(point, normal)[0]), 0.0)
-            numbers = f"{self._told(source.radiance, 'radiance')} * {format_number(omega)} sr"
-        numbers = f"{numbers} = {self._told(part, 'irradiance')}"
-        return Step(one.name, law, numbers, reference), part
+            numbers = f"{self._format(source.radiance, 'radiance')} * {format_number(omega)} sr"
+        numbers = f"{numbers} = {self._format(part, 'irradiance')}"
+        return Step(placed.name, law, numbers, reference), part
 
-    def _told(self, amount: float, name: str) -> str:
+    def _format(self, amount: float, name: str) -> str:
         return format_value(amount, coherent_unit_of(name, self.scene.lit.kind))

@@ -9,9 +9,8 @@ from collections.abc import Mapping, Sequence
 from numbers import Real
 from typing import Any, NamedTuple
 
-from radcalc import columns, texts
-from radcalc.calculators import light
-from radcalc.calculators.point_source import CONE, LOBE, SHAPED
+from radcalc.calculators import kinds
+from radcalc.calculators.point_laws import CONE, LOBE, SHAPED
 from radcalc.calculators.results import LINKS_HINT
 from radcalc.distributions.distribution import Distribution
 from radcalc.distributions.files import read_lines
@@ -30,19 +29,23 @@ from radcalc.errors import (
     nearest,
     quote,
 )
+from radcalc.files import columns, text
 from radcalc.geometry import far_field
 from radcalc.geometry.numerics.vectors import Vector, minus
-from radcalc.given import IN_METRES, Given, Inputs, read_as
+from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs.places import IN_METRES
+from radcalc.inputs.reading import read_as
 from radcalc.laws import surface
 from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED, WIDTHS
 from radcalc.laws.solver import Known
 from radcalc.laws.solver import solve as follow
+from radcalc.quantities.column_titles import read_title
 from radcalc.quantities.light import KIND_NAMES, describe
 from radcalc.quantities.symbols import ANY, SYMBOLS, Symbol, names_of_kinds
-from radcalc.quantities.titles import read_title
 from radcalc.units.amounts import split_value
 from radcalc.units.dimensions import LENGTH
-from radcalc.units.table import NUMBER, Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Unit
 
 LAMBERTIAN = "lambertian"
 SHAPES = (ISOTROPIC, CONICAL, LOBED, LAMBERTIAN)
@@ -87,7 +90,7 @@ class Row(NamedTuple):
     titles: dict[str, str]
 
     def error(self, column: str, problem: str, hint: str) -> ConditionError:
-        """What is wrong in a column of the row."""
+        """Return what is wrong in a column of the row."""
         place = f"{self.where}, {_title(self.titles, column)}"
         return ConditionError(f"{place}: {problem}", hint)
 
@@ -104,7 +107,7 @@ def _title(titles: Mapping[str, str], column: str) -> str:
 
 
 def typed(column: str) -> str:
-    """The name of a column, as one types it.
+    """Return the name of a column, as one types it.
 
     Examples
     --------
@@ -115,11 +118,11 @@ def typed(column: str) -> str:
 
 
 def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
-    """The rows of a file, with a header and a line for each source; and what is odd."""
-    name, whole = read_lines(path, "a CSV file with a row for each source")
-    lines = [(number, line) for number, line in enumerate(whole, 1) if line.strip(" \t;,|")]
-    comments = [one for one in lines if one[1].lstrip().startswith(COMMENT)]
-    lines = [one for one in lines if one not in comments]
+    """Return the rows of a file, with a header and a line for each source; and what is odd."""
+    name, all_lines = read_lines(path, "a CSV file with a row for each source")
+    lines = [(number, line) for number, line in enumerate(all_lines, 1) if line.strip(" \t;,|")]
+    comments = [entry for entry in lines if entry[1].lstrip().startswith(COMMENT)]
+    lines = [entry for entry in lines if entry not in comments]
     if len(lines) < 2:
         problem = "there is a header and no source" if lines else "there is no source"
         raise ConditionError(f"{name}: {problem}", "a header such as x,y,z,flux and rows below it")
@@ -127,14 +130,14 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
     delimiter = next((mark for mark in columns.DELIMITERS if mark in header), None)
     if delimiter is None:
         raise ConditionError(
-            f"{texts.where(name, number)}: there is one column only", "a header such as x,y,z,flux"
+            f"{text.where(name, number)}: there is one column only", "a header such as x,y,z,flux"
         )
-    titles, units = _header(columns.cells(header, delimiter), texts.where(name, number))
+    titles, units = _header(columns.cells(header, delimiter), text.where(name, number))
     rows = []
     decimals = columns.Decimals()
     for number, line in lines[1:]:
         cells = columns.cells(line, delimiter)
-        where = texts.where(name, number)
+        where = text.where(name, number)
         if len(cells) != len(titles):
             problem = f"{len(cells)} cells under {len(titles)} titles"
             hint = "a cell under each title; one with a comma stands in quotation marks"
@@ -156,8 +159,8 @@ def rows_of_file(path: str) -> tuple[list[Row], list[str]]:
 def _check_marks(row: Row, line: int, decimals: columns.Decimals) -> None:
     """Refuse a number whose decimal mark is not that of the rows before."""
     for column, cell in row.cells.items():
-        for text in MARKED.findall(cell) if column in COLUMNS else ():
-            if problem := decimals.conflict(text, line):
+        for number in MARKED.findall(cell) if column in COLUMNS else ():
+            if problem := decimals.conflict(number, line):
                 raise row.error(column, problem, columns.MARKS)
 
 
@@ -180,7 +183,7 @@ def _in_unit(value: Any, unit: Unit | None) -> Any:
 
 
 def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str, Unit]]:
-    """The title of each column by its name, and the units that titles have."""
+    """Return the title of each column by its name, and the units that titles have."""
     names: dict[str, str] = {}
     units: dict[str, Unit] = {}
     for number, title in enumerate(titles, 1):
@@ -198,17 +201,21 @@ def _header(titles: Sequence[str], where: str) -> tuple[dict[str, str], dict[str
 
 
 def _column(title: str, where: str) -> tuple[str, Unit | None]:
-    """The name of a column and its unit: x (m), x [cm], x_m, x / m, or x."""
-    whole = _name(title)
-    heads = [one for one in KNOWN if whole.startswith(one) and not whole[len(one) :][:1].isalpha()]
+    """Return the name of a column and its unit: x (m), x [cm], x_m, x / m, or x."""
+    normalized = _name(title)
+    heads = [
+        head
+        for head in KNOWN
+        if normalized.startswith(head) and not normalized[len(head) :][:1].isalpha()
+    ]
     name = max(heads, key=len, default="")
-    if name and name == whole:
+    if name and name == normalized:
         return name, None
     if name in TEXTS:
         raise ConditionError(f"{where}: column '{quote(title)}' has a unit", f"'{name}' alone")
     if name and (unit := _unit(name, title, where)):
         return name, unit
-    near = [typed(one) for one in nearest(whole, KNOWN, 3)]
+    near = [typed(head) for head in nearest(normalized, KNOWN, 3)]
     hint = ", ".join(near) or "x, y, z, flux, intensity, distribution, aim_x, rotate, name ..."
     raise ConditionError(f"{where}: there is no column '{quote(title)}'", hint)
 
@@ -218,15 +225,15 @@ def _name(title: str) -> str:
 
 
 def _unit(name: str, title: str, where: str) -> Unit | None:
-    """The unit in a title, which must be one of the column; None where it has more than that."""
+    """Return the unit in a title, which must suit the column; None where there is more text."""
     symbol = COLUMNS[name]
     example = typed(name) if symbol.unit == "1" else f"{typed(name)} ({symbol.unit})"
-    shown = (COLUMNS[one].unit for one in (name, *names_of_kinds(name)))
+    units = (COLUMNS[key].unit for key in (name, *names_of_kinds(name)))
     try:
-        titles = (read_title(title, resolve(one)) for one in shown)
-        found = next((one for one in titles if one.unit), None)
-        unit = found and found.unit
-        if not found or not unit:
+        titles = (read_title(title, resolve(text)) for text in units)
+        matched = next((parsed for parsed in titles if parsed.unit), None)
+        unit = matched and matched.unit
+        if not matched or not unit:
             for text in columns.units_in(title)[0]:
                 resolve(text)  # which refuses it
             return None
@@ -241,11 +248,11 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
             f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}",
             example,
         )
-    return unit if _name(found.name) == name else None
+    return unit if _name(matched.name) == name else None
 
 
 def rows_of_dicts(sources: Sequence[Mapping[str, Any]]) -> list[Row]:
-    """The rows of a list of dicts, whose keys are titles; None is as if it were not there."""
+    """Return the rows of a list of dicts, whose keys are titles; None counts as missing."""
     rows = []
     headers: dict[tuple[str, ...], tuple[dict[str, str], dict[str, Unit]]] = {}
     for number, source in enumerate(sources, 1):
@@ -284,7 +291,7 @@ class Reader:
 
     def sources(self, rows: Sequence[Row]) -> list[Placed]:
         """A source for each row, with a name of its own."""
-        found: list[Placed] = []
+        placed: list[Placed] = []
         names: dict[str, Row] = {}
         for number, row in enumerate(rows, 1):
             given = row.cells.get("name", number)
@@ -298,30 +305,32 @@ class Reader:
                     "a name for each source, or none",
                 )
             names[name] = row
-            found.append(self.source(name, row))
-        return found
+            placed.append(self.source(name, row))
+        return placed
 
     def source(self, name: str, row: Row) -> Placed:
-        """The source that a row describes."""
+        """Return the source that a row describes."""
         given = {c: self.read(row, c) for c in row.cells if c not in TEXTS}
         place = self.point(row, given, PLACE)
-        shape, found = self.shape(row, given)
+        shape, photometry = self.shape(row, given)
         pose = self.pose(row, given, place, shape != ISOTROPIC)
-        strengths = [one for one in given.values() if one.symbol.generic in (*STRENGTH, *SURFACE)]
+        strengths = [
+            item for item in given.values() if item.symbol.generic in (*STRENGTH, *SURFACE)
+        ]
         if len(strengths) > 1:
-            both = " and ".join(typed(one.name) for one in strengths[:2])
-            raise ConditionError(f"{row.where}: {both} contradict each other", "one of them")
+            names = " and ".join(typed(item.name) for item in strengths[:2])
+            raise ConditionError(f"{row.where}: {names} contradict each other", "one of them")
         strength = strengths[0] if strengths else None
-        said = f"'{quote(name)}' ({row.where})"
+        label = f"'{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
-            return Placed(name, self.patch(said, row, given, strength, place, pose))
+            return Placed(name, self.patch(label, row, given, strength, place, pose))
         self.assumptions["sources count as points, but for rectangles"] = None
-        factor = self.factor(row, found.distribution, strength)
-        source = Emitter(said, place, pose, found.distribution, factor, found.size)
+        factor = self.factor(row, photometry.distribution, strength)
+        source = Emitter(label, place, pose, photometry.distribution, factor, photometry.size)
         return Placed(name, source)
 
-    def read(self, row: Row, column: str) -> Given:
-        """The value in a cell."""
+    def read(self, row: Row, column: str) -> Input:
+        """Return the value in a cell."""
         symbol, value = COLUMNS[column], row.cells[column]
         number = value[0] if isinstance(value, tuple) else value
         if isinstance(number, bool) or not isinstance(number, (str, Real)):
@@ -351,7 +360,7 @@ class Reader:
         return x, y, z
 
     def pose(self, row: Row, given: Inputs, place: Vector, is_aimed: bool) -> Pose:
-        """Where the source is aimed: at a point, in a direction, or straight down."""
+        """Return where the source is aimed: at a point, in a direction, or straight down."""
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
             raise ConditionError(
@@ -372,17 +381,17 @@ class Reader:
         return Pose(direction, rotate)
 
     def shape(self, row: Row, given: Inputs) -> tuple[str, Photometry]:
-        """How the light is spread: the name of a shape, or nothing, and the distribution."""
+        """Return how the light is spread: the name of a shape, or nothing, and the distribution."""
         text = row.cells.get("distribution")
-        names = set(given) | {one.symbol.generic for one in given.values()}
-        told = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
+        names = set(given) | {item.symbol.generic for item in given.values()}
+        shapes = [shape for shape, takes in TAKES.items() if names.intersection(takes)]
         if text is None:
-            if len(told) > 1:
+            if len(shapes) > 1:
                 raise ConditionError(
-                    f"{row.where}: it has columns of {' and of '.join(told)}", "one of them"
+                    f"{row.where}: it has columns of {' and of '.join(shapes)}", "one of them"
                 )
-            shape = told[0] if told else ISOTROPIC
-            if not told:
+            shape = shapes[0] if shapes else ISOTROPIC
+            if not shapes:
                 self.assumptions["a source without a distribution is isotropic"] = None
         elif isinstance(text, str) and text.lower() in SHAPES:
             shape = text.lower()
@@ -401,14 +410,14 @@ class Reader:
         """A distribution that is no shape: a file beside the scene's, or an expression."""
         if not isinstance(text, str):
             return self._photometry(row, text)
-        beside = os.path.join(self.folder, text)
-        if PATH.search(text) or os.path.exists(beside):
-            text = beside
+        in_folder = os.path.join(self.folder, text)
+        if PATH.search(text) or os.path.exists(in_folder):
+            text = in_folder
         if text not in self.files:
-            self.files[text] = found = self._photometry(row, text)
+            self.files[text] = photometry = self._photometry(row, text)
             head = f"{quote(os.path.basename(text))}: "
-            self.assumptions.update({head + said: None for said in found.assumptions})
-            self.notes.update({head + said: None for said in found.notes})
+            self.assumptions.update({head + remark: None for remark in photometry.assumptions})
+            self.notes.update({head + remark: None for remark in photometry.notes})
         return self.files[text]
 
     def _photometry(self, row: Row, source: Any) -> Photometry:
@@ -417,34 +426,34 @@ class Reader:
         except RadcalcError as error:
             raise row.error("distribution", *error.spelled(Plain)) from None
 
-    def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Given:
-        """The one column of several that a shape takes."""
-        found = [name for name in names if name in given]
-        if len(found) > 1:
-            both = " and ".join(map(typed, found[:2]))
-            raise ConditionError(f"{row.where}: {both} contradict each other", "one of them")
-        if not found:
+    def one_of(self, row: Row, given: Inputs, names: Sequence[str], shape: str) -> Input:
+        """Return the one column of several that a shape takes."""
+        matches = [name for name in names if name in given]
+        if len(matches) > 1:
+            two_names = " and ".join(map(typed, matches[:2]))
+            raise ConditionError(f"{row.where}: {two_names} contradict each other", "one of them")
+        if not matches:
             raise ConditionError(
                 f"{row.where}: a {shape} has no width", " or ".join(map(typed, names))
             )
-        return given[found[0]]
+        return given[matches[0]]
 
     def width(self, row: Row, given: Inputs, shape: str, wanted: str) -> float:
-        """The half angle of a cone [rad], or the exponent of a lobe."""
-        one = self.one_of(row, given, TAKES[shape], shape)
-        found = follow(WIDTHS[shape], {one.name: Known(float(one.value))}).values
-        return float(found[wanted].value)
+        """Return the half angle of a cone [rad], or the exponent of a lobe."""
+        size = self.one_of(row, given, TAKES[shape], shape)
+        values = follow(WIDTHS[shape], {size.name: Known(float(size.value))}).values
+        return float(values[wanted].value)
 
     def refuse_idle(self, row: Row, given: Inputs, shape: str) -> None:
         """Refuse columns that are of another distribution."""
         useful = (*PLACE, *AIM, *DIRECTION, "rotate", *STRENGTH, *TAKES.get(shape, ()))
-        idle = [n for n, one in given.items() if {n, one.symbol.generic}.isdisjoint(useful)]
+        idle = [n for n, item in given.items() if {n, item.symbol.generic}.isdisjoint(useful)]
         if idle:
             what = shape or "a file or an expression"
             raise row.error(idle[0], f"has no use with {what}", "a blank cell there")
 
-    def factor(self, row: Row, distribution: Distribution, strength: Given | None) -> float:
-        """What the intensities of a distribution are multiplied by, in the scene's kind."""
+    def factor(self, row: Row, distribution: Distribution, strength: Input | None) -> float:
+        """Return what the intensities of a distribution are multiplied by, in the scene's kind."""
         if strength is None:
             if not distribution.kind:
                 raise ConditionError(
@@ -455,16 +464,16 @@ class Reader:
         if distribution.kind:
             self.assumptions["of a distribution that is scaled the shape alone counts"] = None
         if strength.symbol.generic == "intensity":
-            own = float(distribution.intensity(0.0, 0.0))
+            unscaled = float(distribution.intensity(0.0, 0.0))
             what = "intensity on its axis"
         else:
-            own, what = self.flux(row, distribution), "flux"
-        if not own > 0:
+            unscaled, what = self.flux(row, distribution), "flux"
+        if not unscaled > 0:
             raise row.error(strength.name, f"the distribution has no {what}", "another quantity")
-        return self.amount(row, strength) / own
+        return self.amount(row, strength) / unscaled
 
     def flux(self, row: Row, distribution: Distribution) -> float:
-        """The flux of a distribution, which is worked out once."""
+        """Return the flux of a distribution, which is worked out once."""
         if distribution not in self.fluxes:
             try:
                 self.fluxes[distribution] = distribution.flux().value
@@ -472,18 +481,18 @@ class Reader:
                 raise row.error("distribution", *error.spelled(Plain)) from None
         return self.fluxes[distribution]
 
-    def amount(self, row: Row, one: Given) -> float:
+    def amount(self, row: Row, given: Input) -> float:
         """A light quantity in the scene's kind."""
-        kind = light.kind_of(one)
-        return float(one.value) * self.in_kind(row, one.name, kind)
+        kind = kinds.kind_of(given)
+        return float(given.value) * self.in_kind(row, given.name, kind)
 
     def in_kind(self, row: Row, column: str, kind: str) -> float:
-        """What a quantity of a kind is multiplied by to be in the scene's, that of its first."""
+        """Return the factor from a kind of light to the scene's, which is that of its first."""
         if not self.kind:
             self.kind = kind
         if kind == self.kind:
             return 1.0
-        factor = light.linking_factor(self.links, self.kind, kind)
+        factor = kinds.linking_factor(self.links, self.kind, kind)
         if factor is None:
             raise row.error(
                 column,
@@ -497,10 +506,10 @@ class Reader:
 
     def patch(
         self,
-        said: str,
+        label: str,
         row: Row,
         given: Inputs,
-        strength: Given | None,
+        strength: Input | None,
         place: Vector,
         pose: Pose,
     ) -> Source:
@@ -520,17 +529,17 @@ class Reader:
         known = {strength.symbol.generic: Known(self.amount(row, strength)), "area": Known(area)}
         radiance = float(follow([*surface.LAWS, surface.FLAT], known).values["radiance"].value)
         if sides:
-            return Panel(said, place, pose, float(sides[0]), float(sides[1]), radiance)
+            return Panel(label, place, pose, float(sides[0]), float(sides[1]), radiance)
         self.assumptions["a patch given by its area alone counts as small beside its distance"] = (
             None
         )
         return Emitter(
-            said, place, pose, Lobe(1.0), radiance * area, far_field.size(area), is_patch=True
+            label, place, pose, Lobe(1.0), radiance * area, far_field.size(area), is_patch=True
         )
 
 
 def _is_bare(value: Any) -> bool:
-    """Whether a number has no unit."""
+    """Check whether a number has no unit."""
     if not isinstance(value, str):
         return not isinstance(value, tuple)
     try:

@@ -3,13 +3,15 @@
 from typing import Any
 
 from radcalc.answer import Answer
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.page import Page
+from radcalc.calculators.solved import solve
+from radcalc.calculators.worksheet import Placed, worksheet
 from radcalc.errors import MissingInput, mention
 from radcalc.geometry import cones
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.law import AnyLaw, law, relation
 from radcalc.laws.sizes import ASPECT
-from radcalc.maths import hypot, sqrt
+from radcalc.maths import hypot, power, sqrt, square
 from radcalc.quantities.symbols import LINKS, REFINEMENTS
 
 SIZES = ("width", "height", "diagonal", "aspect", "area")
@@ -33,9 +35,9 @@ LAWS: list[AnyLaw] = [
         "diagonal of a picture",
         "{diagonal} = {width} sqrt(1 + 1/{aspect}^2)",
         {
-            "diagonal": lambda at: at("width") * sqrt(1 + at("aspect") ** -2),
-            "width": lambda at: at("diagonal") / sqrt(1 + at("aspect") ** -2),
-            "aspect": lambda at: 1 / sqrt((at("diagonal") / at("width")) ** 2 - 1),
+            "diagonal": lambda at: at("width") * sqrt(1 + power(at("aspect"), -2)),
+            "width": lambda at: at("diagonal") / sqrt(1 + power(at("aspect"), -2)),
+            "aspect": lambda at: 1 / sqrt(square(at("diagonal") / at("width")) - 1),
         },
     ),
     relation(
@@ -52,7 +54,7 @@ LAWS: list[AnyLaw] = [
         "{width} = sqrt({area} {aspect})",
         {
             "width": lambda at: sqrt(at("area") * at("aspect")),
-            "area": lambda at: at("width") ** 2 / at("aspect"),
+            "area": lambda at: square(at("width")) / at("aspect"),
         },
     ),
 ]
@@ -67,6 +69,11 @@ PAGE = Page(
         "Picture": (*SIZES, "gain"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
+    texts={
+        "width": "Width of the picture.",
+        "area": ("2m2", "Area of the picture."),
+        "height": ("1.2m", "Height of the picture."),
+    },
     examples=(
         "flux=3000lm diagonal=100in aspect=16/9 gain=1.3",
         "flux=2000lm width=2m aspect=4/3 get=luminance:fL",
@@ -79,16 +86,17 @@ PAGE = Page(
 
 
 def screen(given: Inputs) -> Answer:
-    """The light of a picture, from the projector's flux, the picture's size and the gain."""
-    sheet = Worksheet(PAGE, given)
+    """Return the light of a picture, from the projector's flux, the picture's size and the gain."""
+    sheet, placed = worksheet(PAGE, given), Placed()
     if not sheet.lit.values:
         hint = mention("{flux=3000lm}, {illuminance} or {luminance}")
         raise MissingInput("a light quantity is missing", hint)
-    sheet.default(LAWS, "gain", 1.0, mention("a matt white screen, with a gain of 1 ({gain})"))
-    sheet.assume("the whole flux falls evenly on the picture, in a dark room")
+    placed.default(
+        sheet, LAWS, "gain", 1.0, mention("a matt white screen, with a gain of 1 ({gain})")
+    )
+    placed.assume("the whole flux falls evenly on the picture, in a dark room")
     laws = LAWS
     if set(SIZES) & set(given) == {"diagonal", "area"}:
-        sheet.assume("the picture is at least as wide as it is high")
+        placed.assume("the picture is at least as wide as it is high")
         laws = [*LAWS, ASPECT]
-    sheet.solve(laws)
-    return sheet.answer(laws)
+    return solve(sheet, laws, placed).answer()

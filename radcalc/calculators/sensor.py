@@ -3,15 +3,17 @@
 from typing import Any
 
 from radcalc.answer import FRACTION, Answer
-from radcalc.calculators import light
+from radcalc.calculators import kinds
+from radcalc.calculators.page import Page
 from radcalc.calculators.results import LINKS_HINT
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.errors import MissingInput, mention, option
 from radcalc.geometry import cones
-from radcalc.given import Given, Inputs, angle_of
+from radcalc.inputs.given import Input, Inputs, angle_of
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, law, relation
-from radcalc.maths import cos, sqrt
+from radcalc.maths import cos, sqrt, square
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, RATIOS
 from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.spectra.spectrum import range_text
@@ -70,7 +72,7 @@ COUNTED: list[AnyLaw] = [
     relation(
         "signal to shot noise",
         "{snr} = sqrt({electrons})",
-        {"snr": lambda at: sqrt(at("electrons")), "electrons": lambda at: at("snr") ** 2},
+        {"snr": lambda at: sqrt(at("electrons")), "electrons": lambda at: square(at("snr"))},
         "Poisson statistics",
     ),
 ]
@@ -113,6 +115,16 @@ PAGE = Page(
         "Detector": ("photons", *DETECTOR),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
+    texts={
+        "photon-range": "Where the photons of {spectrum} are counted (as the watts).",
+        "etendue": ("1um2.sr", "Etendue of the light on a pixel."),
+        "time": ("1/100s", "Exposure time."),
+        "flux": ("0.1uW", "The flux on a pixel, or on the detector."),
+        "irradiance": ("10lx", "The irradiance of the sensor."),
+        "radiance": ("1000cd/m2", "The radiance of the scene."),
+        "exposure": ("0.1lx.s", "The exposure of the sensor (with {time})."),
+        "energy": ("1fJ", "The energy on a pixel (with {time})."),
+    },
     examples=(
         "luminance=4000cd/m2 f-number=16 time=1/100s",
         "luminance=100cd/m2 f-number=2.8 transmittance=0.9 time=10ms pixel-pitch=3.45um "
@@ -141,7 +153,7 @@ SILICON = 1200.0  # [nm] beyond which it lets light through
 
 
 def sensor(given: Inputs) -> Answer:
-    """The light, the photons, the electrons and the current of a sensor, from any that suffice."""
+    """Return light, photons, electrons and current of a sensor, from any that suffice."""
     if not given:
         hint = mention("{luminance} and {f-number}, or {irradiance} and {pixel-pitch}")
         raise MissingInput("the light is missing", hint)
@@ -149,29 +161,29 @@ def sensor(given: Inputs) -> Answer:
     if given.keys() >= {"f-number", "working-f-number"}:
         goal = "magnification"
     page = PAGE._replace(goal=goal)
-    sheet = Worksheet(page, _counted(given), preferred=_kind(given))
+    sheet, placed = worksheet(page, _with_photons_counted(given), preferred=_kind(given)), Placed()
     kind = sheet.lit.kind
-    factor = light.linking_factor(sheet.lit.links, PHOTON, RADIANT) if kind == RADIANT else None
+    factor = kinds.linking_factor(sheet.lit.links, PHOTON, RADIANT) if kind == RADIANT else None
     if factor:
-        sheet.know("photon-efficacy", factor.value)
-        sheet.placed += factor.steps
+        placed.add("photon-efficacy", factor.value)
+        placed.steps += factor.steps
     _refuse_unlinked(sheet, is_linked=factor is not None)
     laws = [*COLLECTED, *COUNTED, *OF_KIND[kind]]
     if "radiance" in sheet.known or set(LENS) & set(given):
         laws = [*OPTICS, *laws]
-        _say_lens(sheet, laws)
-    sheet.solve(laws)
-    sheet.refuse_impossible("transmittance", "quantum-efficiency", "f-number", "working-f-number")
-    if sheet.has("working-f-number") and sheet.has("radiance", "etendue"):
-        sheet.use("off-axis-angle")
-    if sheet.has("electrons", "current"):
-        sheet.assume("the whole area of a pixel collects light, as much everywhere")
+        _place_lens(sheet, placed, laws)
+    solved = solve(sheet, laws, placed)
+    solved.refuse_impossible("transmittance", "quantum-efficiency", "f-number", "working-f-number")
+    if solved.has("working-f-number") and solved.has("radiance", "etendue"):
+        solved.use("off-axis-angle")
+    if solved.has("electrons", "current"):
+        solved.assume("the whole area of a pixel collects light, as much everywhere")
         if "spectrum" in sheet.lit.links:
-            sheet.assume("a quantum efficiency that is the same over all that is counted")
-            _note_infrared(sheet)
-    if sheet.has("snr"):
-        sheet.assume("signal to noise: the shot noise alone")
-    answer = sheet.answer(laws)
+            solved.assume("a quantum efficiency that is the same over all that is counted")
+            _note_infrared(solved)
+    if solved.has("snr"):
+        solved.assume("signal to noise: the shot noise alone")
+    answer = solved.answer()
     if kind != LUMINOUS:
         return answer
     lit = [
@@ -184,27 +196,27 @@ def sensor(given: Inputs) -> Answer:
 
 
 def _kind(given: Inputs) -> str:
-    """The kind to reckon in: photons where nothing links them with watts."""
+    """Return the kind to reckon in: photons where nothing links them with watts."""
     links = (RATIOS[LUMINOUS, PHOTON], RATIOS[PHOTON, LUMINOUS])
     ratio = given.get("efficacy")
     return PHOTON if ratio and ratio.dimension in links else RADIANT
 
 
-def _counted(given: Inputs) -> Inputs:
-    """What is given, with photons counted where watts are unless somebody says otherwise."""
+def _with_photons_counted(given: Inputs) -> Inputs:
+    """Return what is given, with photons counted where watts are unless somebody says otherwise."""
     if "spectrum" not in given or "photon-range" in given:
         return given
     limits = given["range"].value if "range" in given else given["spectrum"].value.limits
-    counted = Given(SYMBOLS["photon-range"], range_text(limits), limits)
+    counted = Input(SYMBOLS["photon-range"], range_text(limits), limits)
     return {**given, counted.name: counted}
 
 
-def _note_infrared(sheet: Worksheet) -> None:
-    """Say that photons are counted which no silicon takes up."""
-    limits = sheet.lit.links["photon-range"].value
+def _note_infrared(solved: Solved) -> None:
+    """Note that photons are counted which silicon does not take up."""
+    limits = solved.lit.links["photon-range"].value
     if limits[1] > SILICON:
         narrower = mention("{range=400nm:700nm} counts those that a filter lets through")
-        sheet.notes.append(f"photons are counted over {range_text(limits)}: {narrower}")
+        solved.note(f"photons are counted over {range_text(limits)}: {narrower}")
 
 
 def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
@@ -219,26 +231,28 @@ def _refuse_unlinked(sheet: Worksheet, is_linked: bool) -> None:
         lacking = ("photons", "quantum-efficiency")
     for name in lacking:
         if name in sheet.given and sheet.lit.values:
-            told = option(name, sheet.given[name].text)
-            problem = f"{told} takes what links the kinds of light"
+            option_text = option(name, sheet.given[name].text)
+            problem = f"{option_text} takes what links the kinds of light"
             raise MissingInput(problem, LINKS_HINT)
 
 
-def _say_lens(sheet: Worksheet, laws: list[AnyLaw]) -> None:
-    """Take what goes without saying of a lens, and say it."""
+def _place_lens(sheet: Worksheet, placed: Placed, laws: list[AnyLaw]) -> None:
+    """Add and assume the defaults of a lens."""
     given = sheet.given
     if "off-axis-angle" in given:
-        sheet.assume("off the axis by the fourth power of the cosine; no vignetting")
-    sheet.place(_know_cosine)
-    sheet.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
+        placed.assume("off the axis by the fourth power of the cosine; no vignetting")
+    placed.merge(place(sheet, _off_axis))
+    placed.assume("a lens corrected for coma, in air: sin(alpha) = 1/(2 N)")
     if "working-f-number" not in given:
         far = mention("focused far away: a magnification of 0 ({magnification})")
-        sheet.default(laws, "magnification", 0.0, far)
+        placed.default(sheet, laws, "magnification", 0.0, far)
     lossless = mention("a lens without losses: a transmittance of 1 ({transmittance})")
-    sheet.default(laws, "transmittance", 1.0, lossless)
+    placed.default(sheet, laws, "transmittance", 1.0, lossless)
     if "magnification" in given:
-        sheet.assume("pupils of one size: the working f-number is N (1 + m)")
+        placed.assume("pupils of one size: the working f-number is N (1 + m)")
 
 
-def _know_cosine(sheet: Worksheet) -> None:
-    sheet.know("cosine-off-axis", cos(angle_of(sheet.given, "off-axis-angle")))
+def _off_axis(sheet: Worksheet) -> Placed:
+    placed = Placed()
+    placed.add("cosine-off-axis", cos(angle_of(sheet.given, "off-axis-angle")))
+    return placed

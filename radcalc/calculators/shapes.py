@@ -1,15 +1,11 @@
-"""How each shape of a Lambertian source is seen: what it adds to the worksheet, and its laws."""
+"""Shapes of a Lambertian source: the laws of each, and the values that its place gives."""
 
 import math
 from collections.abc import Callable
 from functools import reduce
 from typing import Any, NamedTuple
 
-from radcalc.calculators.worksheet import (
-    OFFSETS,
-    Worksheet,
-    refuse_slant_for_height,
-)
+from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import (
     ConditionError,
@@ -20,7 +16,7 @@ from radcalc.errors import (
     option,
 )
 from radcalc.geometry import cones, far_field, projected, solid, spheres
-from radcalc.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
+from radcalc.inputs.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, OFFSET, RECTANGLE, round_sizes
@@ -56,106 +52,112 @@ PROJECTED_SOLID_ANGLE = Formula(
 
 
 class Shape(NamedTuple):
-    """A source's shape: the inputs it takes, and what it adds to the worksheet: its laws."""
+    """A source's shape: the inputs that it takes, and what it finds in them."""
 
     takes: tuple[str, ...]
-    place: Callable[[Worksheet], list[AnyLaw]]
+    place: Callable[[Worksheet], Placed]
 
 
-def _place(sheet: Worksheet, flat: Any, what: str, offset: Any = 0.0) -> None:
-    """Enter the exact projected solid angle of a shape, with its step."""
-    sheet.know("projected-solid-angle", flat)
-    aside = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
-    sheet.placed.append(
-        PROJECTED_SOLID_ANGLE.told(f"{what}{aside}: Omega_p = {format_number(flat)} sr")
+def _project(placed: Placed, flat: Any, shape: str, offset: Any = 0.0) -> None:
+    """Add the exact projected solid angle of a shape, with its step."""
+    placed.add("projected-solid-angle", flat)
+    where = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
+    placed.steps.append(
+        PROJECTED_SOLID_ANGLE.with_numbers(f"{shape}{where}: Omega_p = {format_number(flat)} sr")
     )
 
 
-def _say_horizon(sheet: Worksheet, shape: str, lowest: Any, highest: Any) -> None:
-    """Say what is cut of a shape, by how high it reaches over the receiver's plane."""
+def _note_horizon(placed: Placed, shape: str, lowest: Any, highest: Any) -> None:
+    """Note what the receiver's horizon cuts of a shape that lies between two heights."""
     if any_true(lowest < -1e-12 * abs(highest)):
         cut = "partly " if any_true(highest > 1e-12 * abs(lowest)) else ""
-        sheet.notes.append(f"the {shape} is {cut}below the receiver's horizon")
+        placed.note(f"the {shape} is {cut}below the receiver's horizon")
 
 
-def _is_sized(sheet: Worksheet) -> bool:
-    """Whether the radius is known."""
-    return "radius" in sheet.given or "diameter" in sheet.given
+def _is_sized(given: Inputs) -> bool:
+    """Check that the radius is known."""
+    return "radius" in given or "diameter" in given
 
 
-def _radius(sheet: Worksheet) -> Any:
-    """The radius, given as such or as the diameter, which is used with it."""
-    sheet.use("radius", "diameter")
-    return radius_of(one_of(sheet.given, "the size of the source", "radius", "diameter"))
+def _radius(given: Inputs, placed: Placed) -> Any:
+    """Return the radius, given as such or as the diameter; count it as used."""
+    placed.use("radius", "diameter")
+    return radius_of(one_of(given, "the size of the source", "radius", "diameter"))
 
 
-def _patch(sheet: Worksheet) -> list[AnyLaw]:
-    """A flat source of whatever shape, small where it is seen from a distance."""
+def _patch(sheet: Worksheet) -> Placed:
+    """Place a flat source of whatever shape, which is small where it is seen from a distance."""
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT, *_without_size(sheet, FLAT_FLUX)]
+    placed = Placed(FLAT, *_without_size(given, FLAT_FLUX))
     if "width" in given or "length" in given:
-        laws.append(RECTANGLE)
-    if _is_sized(sheet):
-        laws += [*round_sizes(sheet.given), CIRCLE]
+        placed.laws.append(RECTANGLE)
+    if _is_sized(given):
+        placed.laws += [*round_sizes(given), CIRCLE]
     if {"height", *OFFSETS} & set(given):
-        return [*laws, *_patch_above(sheet)]
-    placed = [name for name in ("incidence", "tilt") if name in given]
-    if "distance" not in given and "irradiance" not in sheet.lit.values:
-        if placed:
-            message = f"{option(placed[0])} has no use without a distance"
+        _patch_above(given, placed)
+    elif "distance" in given or "irradiance" in sheet.lit.values:
+        _patch_toward(given, placed)
+    else:
+        turned = [name for name in ("incidence", "tilt") if name in given]
+        if turned:
+            message = f"{option(turned[0])} has no use without a distance"
             raise MissingInput(message, mention("{distance=2m} with it"))
-        return laws
-    incidence, tilt = angle_of(given, "incidence"), angle_of(given, "tilt")
-    sheet.know("cosine", cones.facing(incidence))
-    sheet.know("cosine-of-source", cones.facing(tilt))
-    sheet.use("incidence", "tilt")
-    _say_facing(sheet)
-    if "distance" in given and any_true(_is_cut(sheet, given["distance"].value)):
-        if not _is_sized(sheet) or any_true(tilt != 0):
-            raise cut_by_horizon(given, _reach(given), given["distance"].value)
-        sheet.know("incidence", incidence, given["incidence"])
-        sheet.assume("a disc that faces the receiver, of which the horizon leaves a part")
-        return [*laws, CUT_DISC]
-    return [*laws, *_small(sheet)]
+    return placed
 
 
-def _patch_above(sheet: Worksheet) -> list[AnyLaw]:
-    """A small flat source by the height of the receiver, on its axis or aside of it."""
-    given = sheet.given
-    height = _height(sheet)
+def _patch_above(given: Inputs, placed: Placed) -> None:
+    """Place a small flat source by the height of the receiver, on its axis or aside of it."""
+    height = _height(given)
     if "height" not in given:
         raise _without_height(next(name for name in OFFSETS if name in given))
     if "tilt" in given:
         raise Exclusive(("tilt", "height"), "contradict each other: both say how it is turned")
-    _centre(sheet, height, offset_of(given), offset_of(given, "offset-y"))
-    return _small(sheet)
+    _centre(given, placed, height, offset_of(given), offset_of(given, "offset-y"))
+    placed.laws += _small(given)
 
 
-def _small(sheet: Worksheet) -> list[AnyLaw]:
-    """The laws of a source that is small beside its distance."""
-    return [SMALL_SOURCE, *_without_size(sheet, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)]
+def _patch_toward(given: Inputs, placed: Placed) -> None:
+    """Place a small flat source by its distance and the angles at both ends."""
+    incidence, tilt = angle_of(given, "incidence"), angle_of(given, "tilt")
+    placed.add("cosine", cones.facing(incidence))
+    placed.add("cosine-of-source", cones.facing(tilt))
+    placed.use("incidence", "tilt")
+    _face(given, placed)
+    if "distance" in given and any_true(_is_cut(given, given["distance"].value)):
+        if not _is_sized(given) or any_true(tilt != 0):
+            raise cut_by_horizon(given, _reach(given), given["distance"].value)
+        placed.add("incidence", incidence, given["incidence"])
+        placed.assume("a disc that faces the receiver, of which the horizon leaves a part")
+        placed.laws.append(CUT_DISC)
+    else:
+        placed.laws += _small(given)
+
+
+def _small(given: Inputs) -> list[AnyLaw]:
+    """Return the laws of a source that is small compared to its distance."""
+    return [SMALL_SOURCE, *_without_size(given, SMALL_SOURCE_INTENSITY, SMALL_SOURCE_ENERGY)]
 
 
 def _without_height(name: str) -> MissingInput:
-    """The refusal of what tells where a receiver is that has no height."""
+    """Return the refusal of a receiver's place without its height."""
     message = f"{option(name)} has no use without a height"
     return MissingInput(message, mention("{height=1.5m} with it"))
 
 
-def _without_size(sheet: Worksheet, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
-    """The laws that lead past a size, where none is given."""
-    return () if set(SIZES) & set(sheet.given) else laws
+def _without_size(given: Inputs, *laws: AnyLaw) -> tuple[AnyLaw, ...]:
+    """Return laws that need no size, if none is given."""
+    return () if set(SIZES) & set(given) else laws
 
 
-def _is_cut(sheet: Worksheet, distance: Any) -> Any:
-    """Whether the receiver's horizon may cut a patch, as far as its size is known."""
-    reach = _reach(sheet.given)
-    angle = angle_of(sheet.given, "incidence")
+def _is_cut(given: Inputs, distance: Any) -> Any:
+    """Check whether the receiver's horizon may cut a patch of the known size."""
+    reach = _reach(given)
+    angle = angle_of(given, "incidence")
     return reach is not None and far_field.is_cut(reach, distance, angle)
 
 
 def _reach(given: Inputs) -> Any:
-    """How far a patch reaches from its centre, or None where its size is not given."""
+    """Return how far a patch reaches from its centre, or None if its size is not given."""
     if size := given.get("radius") or given.get("diameter"):
         return radius_of(size)
     sides = [given[name].value for name in ("width", "length") if name in given]
@@ -165,224 +167,244 @@ def _reach(given: Inputs) -> Any:
 
 
 def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
-    """The refusal of a patch of which the receiver's horizon may cut off a part."""
+    """Return the refusal of a patch that the receiver's horizon may cut."""
     least = far_field.steepest(reach, distance)
     return HorizonCuts("incidence", given["incidence"].text, least)
 
 
-def _say_facing(sheet: Worksheet) -> None:
-    """Say how the receiver is turned, where no incidence tells."""
-    sheet.use("incidence")
-    if "incidence" not in sheet.given:
-        sheet.assume("the receiver faces the source")
+def _face(given: Inputs, placed: Placed) -> None:
+    """Assume a receiver that faces the source, unless an incidence is given."""
+    placed.use("incidence")
+    if "incidence" not in given:
+        placed.assume("the receiver faces the source")
 
 
-def _height(sheet: Worksheet) -> Any:
-    """The height above a flat source; on its axis the distance is the same."""
-    given = sheet.given
-    both = [name for name in ("height", "distance") if name in given]
-    if len(both) == 2:
-        raise Exclusive(both)
-    if not both:
+def _height(given: Inputs) -> Any:
+    """Return the height above a flat source, which is the distance on its axis, or None."""
+    given_names = [name for name in ("height", "distance") if name in given]
+    if len(given_names) == 2:
+        raise Exclusive(given_names)
+    if not given_names:
         return None
-    if both == ["distance"] and set(OFFSETS) & set(given):
+    if given_names == ["distance"] and set(OFFSETS) & set(given):
         refuse_slant_for_height()
-    return given[both[0]].value
+    return given[given_names[0]].value
 
 
-def _centre(sheet: Worksheet, height: Any, x: Any = 0.0, y: Any = 0.0) -> tuple[Any, Any, Any]:
-    """Where the centre is seen: distance, angle from the axis, and the receiver's tilt.
+def _centre(given: Inputs, placed: Placed, height: Any, x: Any = 0.0, y: Any = 0.0) -> Any:
+    """Add the place of the centre, and return the receiver's tilt.
 
     Without an incidence the receiver faces the source's plane.  With one it is turned by that
     angle from the line to the centre, away from the source's axis: from the centre to facing
     the plane, and on.
     """
-    sheet.use(*POSITION)
+    placed.use(*POSITION)
     lateral = hypot(x, y)
     distance = hypot(height, lateral)
     off = atan2(lateral, height)
     tilt = 0.0
-    if "incidence" in sheet.given:
-        tilt = off - sheet.given["incidence"].value
+    if "incidence" in given:
+        tilt = off - given["incidence"].value
         tilt = piecewise(tilt > math.pi, lambda t: t - 2 * math.pi, lambda t: t, tilt)
-        sheet.assume("the incidence is counted from the line to the centre, off the axis")
+        placed.assume("the incidence is counted from the line to the centre, off the axis")
     else:
-        sheet.assume("the receiver faces the source's plane")
-    sheet.know("cosine", cones.facing(off - tilt))
-    sheet.know("cosine-of-source", height / distance)
-    if "distance" not in sheet.known:
-        sheet.know("distance", distance)
-    return distance, off, tilt
+        placed.assume("the receiver faces the source's plane")
+    placed.add("cosine", cones.facing(off - tilt))
+    placed.add("cosine-of-source", height / distance)
+    if "distance" not in given:
+        placed.add("distance", distance)
+    return tilt
 
 
-def _disc(sheet: Worksheet) -> list[AnyLaw]:
-    laws: list[AnyLaw] = [*round_sizes(sheet.given), CIRCLE, FLAT, *_without_size(sheet, FLAT_FLUX)]
-    height = _height(sheet)
-    if _is_sized(sheet) and height is not None:
-        size = _radius(sheet)
-        offset = offset_of(sheet.given)
-        _, _, tilt = _centre(sheet, height, abs(offset))
-        flat = projected.disc(size, height, offset, tilt)
-        shown = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
-        _place(sheet, flat, shown, offset)
-        centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
-        _say_horizon(sheet, "disc", centre - half, centre + half)
-        sheet.know("solid-angle", solid.disc(size, height, offset))
-        sheet.know("extent", 2 * size)
-        return laws
-    if "incidence" in sheet.given:
-        missing = mention("{height=75cm}" if _is_sized(sheet) else "{radius=25cm}")
-        raise MissingInput(mention("too little is given beside {incidence}"), missing)
-    if "offset" in sheet.given:
-        sheet.know("lateral", abs(offset_of(sheet.given)), sheet.given["offset"])
-        return [*laws, *_disc_aside(sheet)]
-    if "irradiance" in sheet.lit.values:
-        sheet.assume("the receiver is on the disc's axis and faces it")
-    away = "height" if "height" in sheet.given else "distance"
-    return [*laws, disc_on_axis(away), disc_flux(away)]
-
-
-def _disc_aside(sheet: Worksheet) -> list[AnyLaw]:
-    """The laws of a disc off its axis, of which a length is looked for."""
-    sheet.assume("the receiver faces the source's plane")
-    return [DISC_ASIDE, OFFSET]
-
-
-def _disc_off_axis(sheet: Worksheet) -> list[AnyLaw]:
-    """The laws of a disc where the offset is looked for, which is not on the axis."""
-    sheet.assume("the receiver is as far off the disc's axis as the light tells")
-    return [*round_sizes(sheet.given), CIRCLE, FLAT, *_disc_aside(sheet)]
-
-
-def _sphere(sheet: Worksheet) -> list[AnyLaw]:
+def _disc(sheet: Worksheet) -> Placed:
     given = sheet.given
-    laws: list[AnyLaw] = [
-        *round_sizes(given),
-        SPHERE_AREA,
-        SPHERE_FRONT,
-        *_without_size(sheet, SPHERE_INTENSITY),
-    ]
+    placed = Placed(*round_sizes(given), CIRCLE, FLAT, *_without_size(given, FLAT_FLUX))
+    height = _height(given)
+    if _is_sized(given) and height is not None:
+        _disc_seen(given, placed, height)
+        return placed
+    if "incidence" in given:
+        missing = mention("{height=75cm}" if _is_sized(given) else "{radius=25cm}")
+        raise MissingInput(mention("too little is given beside {incidence}"), missing)
+    if "offset" in given:
+        placed.add("lateral", abs(offset_of(given)), given["offset"])
+        _aside(placed)
+        return placed
+    if "irradiance" in sheet.lit.values:
+        placed.assume("the receiver is on the disc's axis and faces it")
+    away = "height" if "height" in given else "distance"
+    placed.laws += [disc_on_axis(away), disc_flux(away)]
+    return placed
+
+
+def _disc_seen(given: Inputs, placed: Placed, height: Any) -> None:
+    """Add the solid angles of a disc that is seen from a known place."""
+    size, offset = _radius(given, placed), offset_of(given)
+    tilt = _centre(given, placed, height, abs(offset))
+    flat = projected.disc(size, height, offset, tilt)
+    shape = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
+    _project(placed, flat, shape, offset)
+    centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
+    _note_horizon(placed, "disc", centre - half, centre + half)
+    placed.add("solid-angle", solid.disc(size, height, offset))
+    placed.add("extent", 2 * size)
+
+
+def _aside(placed: Placed) -> None:
+    """Add the laws of a disc off its axis, of which a length is looked for."""
+    placed.assume("the receiver faces the source's plane")
+    placed.laws += [DISC_ASIDE, OFFSET]
+
+
+def _disc_off_axis(sheet: Worksheet) -> Placed:
+    """Place a disc so far off its axis as the light demands."""
+    placed = Placed(*round_sizes(sheet.given), CIRCLE, FLAT)
+    placed.assume("the receiver is as far off the disc's axis as the light tells")
+    _aside(placed)
+    return placed
+
+
+def _sphere(sheet: Worksheet) -> Placed:
+    given = sheet.given
+    placed = Placed(
+        *round_sizes(given), SPHERE_AREA, SPHERE_FRONT, *_without_size(given, SPHERE_INTENSITY)
+    )
     incidence = angle_of(given, "incidence")
-    _say_facing(sheet)
-    sheet.know("cosine", cones.facing(incidence))
-    sheet.know("cosine-of-source", 1.0)
-    if _is_sized(sheet) and "distance" in given:
-        size, away = _radius(sheet), given["distance"].value
-        sheet.use("distance")
+    _face(given, placed)
+    placed.add("cosine", cones.facing(incidence))
+    placed.add("cosine-of-source", 1.0)
+    if _is_sized(given) and "distance" in given:
+        size, away = _radius(given, placed), given["distance"].value
+        placed.use("distance")
         flat = projected.sphere(size, away, incidence)
-        shown = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
-        _place(sheet, flat, shown)
-        sheet.know("solid-angle", spheres.solid_angle(size, away))
-        sheet.know("extent", 2 * size)
+        shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
+        _project(placed, flat, shape)
+        placed.add("solid-angle", spheres.solid_angle(size, away))
+        placed.add("extent", 2 * size)
         within = spheres.angular_radius(size, away)
         up = math.pi / 2 - incidence
-        _say_horizon(sheet, "sphere", up - within, up + within)
-        return laws
+        _note_horizon(placed, "sphere", up - within, up + within)
+        return placed
     if "incidence" in given:
         message = mention("{incidence} has no use without {radius} and {distance}")
         raise MissingInput(message, "both of them")
-    return [*laws, SPHERE_AT_DISTANCE, SPHERE_FLUX, SPHERE_ENERGY]
+    placed.laws += [SPHERE_AT_DISTANCE, SPHERE_FLUX, SPHERE_ENERGY]
+    return placed
 
 
-def _rectangle(sheet: Worksheet) -> list[AnyLaw]:
+def _rectangle(sheet: Worksheet) -> Placed:
     given = sheet.given
-    laws: list[AnyLaw] = [FLAT, *_without_size(sheet, FLAT_FLUX), RECTANGLE]
-    height = _height(sheet)
+    placed = Placed(FLAT, *_without_size(given, FLAT_FLUX), RECTANGLE)
+    height = _height(given)
+    elsewhere = [
+        name for name in ("corner", "perpendicular", *OFFSETS, "incidence") if name in given
+    ]
     if height is None:
-        for name in ("corner", "perpendicular", *OFFSETS, "incidence"):
-            if name in given:
-                raise _without_height(name)
+        if elsewhere:
+            raise _without_height(elsewhere[0])
         if {"irradiance", "exposure"} & set(sheet.lit.values):
-            sheet.assume("the receiver is on the rectangle's axis and faces it")
-        return [*laws, rectangle_on_axis("height")]
-    sides = [name for name in ("width", "length") if name in given]
-    elsewhere = {"corner", "perpendicular", *OFFSETS, "incidence"} & set(given)
-    if (
-        len(sides) == 1
-        and not elsewhere
-        and "projected-solid-angle" in reached(LAWS, {*sheet.known})
-    ):
-        sheet.assume("the receiver is on the rectangle's axis and faces it")
-        return [*laws, rectangle_on_axis("height" if "height" in given else "distance")]
-    for name in ("width", "length"):
-        one_of(given, f"the {name} of the rectangle", name)
-    width, length = given["width"].value, given["length"].value
-    sheet.use("width", "length", *POSITION)
+            placed.assume("the receiver is on the rectangle's axis and faces it")
+        placed.laws.append(rectangle_on_axis("height"))
+    elif not elsewhere and _lacks_side(sheet):
+        placed.assume("the receiver is on the rectangle's axis and faces it")
+        placed.laws.append(rectangle_on_axis("height" if "height" in given else "distance"))
+    else:
+        _rectangle_seen(given, placed, height)
+    return placed
+
+
+def _lacks_side(sheet: Worksheet) -> bool:
+    """Check for one side of a rectangle where the light gives the other one."""
+    sides = [name for name in ("width", "length") if name in sheet.given]
+    return len(sides) == 1 and "projected-solid-angle" in reached(LAWS, {*sheet.known})
+
+
+def _rectangle_seen(given: Inputs, placed: Placed, height: Any) -> None:
+    """Add the solid angles of a rectangle that is seen from a known place."""
+    width, length = (
+        one_of(given, f"the {name} of the rectangle", name).value for name in ("width", "length")
+    )
+    placed.use("width", "length", *POSITION)
     x, y = offset_of(given), offset_of(given, "offset-y")
     if "corner" in given:
-        x, y = _corner(sheet.given)
-        sheet.assume("below a corner of the rectangle")
-    if "perpendicular" in given:
-        normal = _sideways(sheet, height, x, y)
-    else:
-        _, _, tilt = _centre(sheet, height, x, y)
-        lateral = hypot(x, y)
-        over = 1.0 * (lateral == 0)  # above the centre it is turned along the width
-        away = (-x / (lateral + over) - over, -y / (lateral + over))
-        normal = (sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt))
-        if "incidence" in given and any_true(lateral == 0):
-            sheet.assume("the receiver is turned along the width")
+        x, y = _corner(given)
+        placed.assume("below a corner of the rectangle")
+    normal = (_sideways if "perpendicular" in given else _upward)(given, placed, height, x, y)
     heights = [
         normal[0] * (i * width / 2 - x) + normal[1] * (j * length / 2 - y) + normal[2] * height
         for i in (-1, 1)
         for j in (-1, 1)
     ]
-    _say_horizon(sheet, "rectangle", reduce(smaller, heights), reduce(larger, heights))
+    _note_horizon(placed, "rectangle", reduce(smaller, heights), reduce(larger, heights))
     flat = projected.rectangle(width, length, height, x, y, normal)
-    _place(sheet, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x)
-    sheet.know("solid-angle", solid.rectangle(width, length, height, x, y))
-    sheet.know("extent", hypot(width, length))
-    return laws
+    _project(
+        placed, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x
+    )
+    placed.add("solid-angle", solid.rectangle(width, length, height, x, y))
+    placed.add("extent", hypot(width, length))
 
 
 def _corner(given: Inputs) -> tuple[Any, Any]:
-    """How far aside a corner of a rectangle is, which no offset and no distance can tell."""
+    """Return the offsets of a rectangle's corner; refuse other offsets and a distance."""
     if {*OFFSETS, "distance"} & set(given):
         message = mention("{corner}, with {height}, already says where")
         raise ConditionError(message, "one of them")
     return given["width"].value / 2, given["length"].value / 2
 
 
-def _sideways(sheet: Worksheet, height: Any, x: Any, y: Any) -> Any:
-    """The normal of a receiver that stands upright, along the length, and where it is."""
-    if "incidence" in sheet.given:
+def _upward(given: Inputs, placed: Placed, height: Any, x: Any, y: Any) -> Any:
+    """Place a receiver that faces a rectangle's plane or is turned; return its normal."""
+    tilt = _centre(given, placed, height, x, y)
+    lateral = hypot(x, y)
+    over = 1.0 * (lateral == 0)  # above the centre it is turned along the width
+    away = (-x / (lateral + over) - over, -y / (lateral + over))
+    if "incidence" in given and any_true(lateral == 0):
+        placed.assume("the receiver is turned along the width")
+    return sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt)
+
+
+def _sideways(given: Inputs, placed: Placed, height: Any, x: Any, y: Any) -> Any:
+    """Place an upright receiver that looks along a rectangle's length; return its normal."""
+    if "incidence" in given:
         raise Exclusive(("perpendicular", "incidence"), hint="one")
     distance = hypot(height, hypot(x, y))
-    sheet.know("cosine", abs(y) / distance)
-    sheet.know("cosine-of-source", height / distance)
-    sheet.know("distance", distance)
-    sheet.assume("the receiver's normal runs along the rectangle's length")
+    placed.add("cosine", abs(y) / distance)
+    placed.add("cosine-of-source", height / distance)
+    placed.add("distance", distance)
+    placed.assume("the receiver's normal runs along the rectangle's length")
     return 0.0, 1.0 - 2.0 * (y > 0), 0.0
 
 
-def _plane(sheet: Worksheet) -> list[AnyLaw]:
-    """An endless plane: half of all directions, whatever its distance."""
-    sheet.use("incidence")
+def _plane(sheet: Worksheet) -> Placed:
+    """Place an endless plane: half of all directions at any distance."""
+    placed = Placed()
+    placed.use("incidence")
     tilt = angle_of(sheet.given, "incidence")
-    sheet.know("projected-solid-angle", projected.cone(math.pi / 2, tilt))
-    sheet.know("solid-angle", cones.HEMISPHERE)
-    sheet.assume("an endless plane, seen under the same light from any distance")
-    return []
+    placed.add("projected-solid-angle", projected.cone(math.pi / 2, tilt))
+    placed.add("solid-angle", cones.HEMISPHERE)
+    placed.assume("an endless plane, seen under the same light from any distance")
+    return placed
 
 
-def _hemisphere(sheet: Worksheet) -> list[AnyLaw]:
-    """The sky, or the part of it in a cone about the zenith."""
-    given = sheet.given
-    sheet.use("half-angle")
-    _say_facing(sheet)
+def _hemisphere(sheet: Worksheet) -> Placed:
+    """Place the sky, or the part of it in a cone about the zenith."""
+    given, placed = sheet.given, Placed()
+    placed.use("half-angle")
+    _face(given, placed)
     half = half_angle_of(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
-    _place(sheet, projected.cone(half, angle_of(given, "incidence")), "the sky")
-    sheet.know("solid-angle", cones.cone(half))
+    _project(placed, projected.cone(half, angle_of(given, "incidence")), "the sky")
+    placed.add("solid-angle", cones.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
-    sheet.assume(f"a hemisphere of one radiance, {part}")
-    return []
+    placed.assume(f"a hemisphere of one radiance, {part}")
+    return placed
 
 
-def _part_of_hemisphere(sheet: Worksheet) -> list[AnyLaw]:
-    """The laws of a hemisphere of which no more shines than the light tells."""
-    _say_facing(sheet)
-    sheet.assume("a hemisphere shines as far from its zenith as the light tells")
-    return [PROJECTED_CONE, CONE]
+def _part_of_hemisphere(sheet: Worksheet) -> Placed:
+    """Place a hemisphere that shines as far from its zenith as the light demands."""
+    placed = Placed(PROJECTED_CONE, CONE)
+    _face(sheet.given, placed)
+    placed.assume("a hemisphere shines as far from its zenith as the light tells")
+    return placed
 
 
 SHAPES = {
@@ -393,8 +415,8 @@ SHAPES = {
     "plane": Shape(("incidence",), _plane),
     "hemisphere": Shape(("half-angle", "incidence"), _hemisphere),
 }
-# Where the light contradicts what goes without saying of a shape, unless one of these is given:
-# what is looked for in its place.
+# Other ways to place a shape if the light contradicts the usual one, unless one of these inputs
+# is given.
 OTHERWISE = {
     "disc": (("distance", "offset", "incidence"), _disc_off_axis),
     "hemisphere": (("half-angle", "incidence"), _part_of_hemisphere),

@@ -8,8 +8,10 @@ import math
 from typing import TYPE_CHECKING
 
 from radcalc.answer import Answer, Step
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent
-from radcalc.calculators.worksheet import Page, Worksheet
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
     ConditionError,
@@ -29,19 +31,28 @@ from radcalc.geometry.sky import (
     IS_EVEN,
     MISSING_AZIMUTH,
     MISSING_SUN,
+    NAMES,
     angle_between,
     projected_sky,
     relative_luminance,
     sky_type,
 )
-from radcalc.given import Inputs, require_azimuth
+from radcalc.inputs.given import Inputs
+from radcalc.inputs.places import require_azimuth
 from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import Number, any_true, cos, each, sin
-from radcalc.quantities.symbols import LATLONG, light_unit, specific_name
+from radcalc.maths import Number, any_true, cos, each, sin, square
+from radcalc.quantities.symbols import (
+    CHOICE,
+    LATLONG,
+    LINKS,
+    REFINEMENTS,
+    light_unit,
+    specific_name,
+)
 from radcalc.units.table import resolve
 
 if TYPE_CHECKING:
-    from radcalc.calculators.environment import Made
+    from radcalc.calculators.maps import RenderedMap
     from radcalc.distributions.maps.pictures import Picture
 
 SUN_RADIUS = math.radians(0.2666)  # at its mean distance
@@ -65,9 +76,9 @@ DIRECT = law(
 )
 
 
-def _rest(whole: Number, part: Number) -> Number:
-    refuse(whole < part, "sky and sun together are less than one of them", "less of that one")
-    return whole - part
+def _rest(total: Number, part: Number) -> Number:
+    refuse(total < part, "sky and sun together are less than one of them", "less of that one")
+    return total - part
 
 
 BOTH = relation(
@@ -98,8 +109,8 @@ DISC = relation(
     "irradiance of the sun's disc",
     "{sun-irradiance} = pi Omega0 {sun-radiance} sin({sun-radius})^2",
     {
-        "sun-irradiance": lambda at: math.pi * at("sun-radiance") * sin(at("sun-radius")) ** 2,
-        "sun-radiance": lambda at: at("sun-irradiance") / (math.pi * sin(at("sun-radius")) ** 2),
+        "sun-irradiance": lambda at: math.pi * at("sun-radiance") * square(sin(at("sun-radius"))),
+        "sun-radiance": lambda at: at("sun-irradiance") / (math.pi * square(sin(at("sun-radius")))),
     },
 )
 LAWS: list[AnyLaw] = [GROUND, TOWARD, SHARE, PLANE, DIFFUSE, DIRECT, BOTH, GLOBAL, DISC]
@@ -115,7 +126,80 @@ LIGHT = (
     "sun-radiance",
 )
 SHARED = "daylight-share"
-PAGE = Page("a sky", (*ANGLES, "sun-radius"), LIGHT, (SHARED, *ANGLES), goal=SHARED)
+OPERAND = Operand("type", "[TYPE]", CHOICE, NAMES, "overcast")
+PAGE = Page(
+    "a sky",
+    (*ANGLES, "sun-radius"),
+    LIGHT,
+    (SHARED, *ANGLES),
+    goal=SHARED,
+    about="Give the light of the sky, toward a direction, on the ground and on a plane.",
+    operand=OPERAND,
+    sections={
+        "Light": (
+            "zenith-radiance",
+            "horizontal-irradiance",
+            "radiance-toward",
+            "irradiance",
+        ),
+        "Sun": (
+            "sun-elevation",
+            "sun-azimuth",
+            "sun-irradiance",
+            "global-irradiance",
+            "sun-radiance",
+            "sun-radius",
+        ),
+        "Plane and direction": ("tilt", "azimuth", "normal", "toward"),
+        "Map": ("size",),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    texts={
+        "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
+        "azimuth": ("180deg", "Azimuth that the plane faces (with {tilt})."),
+        "toward": "Where in the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up.",
+        "normal": "Where the plane faces, in place of {tilt}: z is up.",
+        "sun-azimuth": "Azimuth of the sun, counted as those of the plane and of directions.",
+    },
+    draws=True,
+    examples=(
+        "overcast zenith-luminance=9000cd/m2 tilt=90deg",
+        "overcast horizontal-illuminance=10klx toward=0deg:90deg:15deg",
+        "clear sun-elevation=40deg horizontal-illuminance=12klx",
+        "clear sun-elevation=40deg sun-azimuth=200deg horizontal-illuminance=12klx "
+        "sun-illuminance=80klx tilt=30deg azimuth=180deg",
+        "12 sun-elevation=10deg:80deg:10deg zenith-luminance=3000cd/m2 "
+        "get=horizontal-illuminance:klx",
+        "13 sun-elevation=35deg global-irradiance=600W/m2 sun-irradiance=750W/m2",
+        "clear sun-elevation=40deg horizontal-illuminance=12klx spectrum=D65 "
+        "get=horizontal-photon-irradiance:umol/m2/s",
+        "clear sun-elevation=40deg horizontal-illuminance=12klx plot=",
+        "overcast illuminance=4klx tilt=90deg get=zenith-luminance",
+        "clear sun-elevation=40deg sun-azimuth=0deg horizontal-illuminance=12klx "
+        "save=clear.hdr size=2048x1024",
+    ),
+    remarks="""
+    \b
+    TYPE is one of:
+      overcast (default)  the traditional one, of Moon and Spencer: the zenith is three times as
+                          bright as the horizon
+      uniform             the same in all directions (CIE type 5)
+      clear               CIE type 12, low turbidity
+      turbid              CIE type 13, the clear sky over polluted places
+      intermediate        CIE type 7, partly cloudy and brighter about the sun
+      1 to 15             a type of the CIE standard general sky (ISO 15469); 1 is its overcast sky
+
+    The types 2, 4 and 6 to 15 depend on where the sun is.  The sun's own light is no part of the
+    sky's: it is added where one of {sun-irradiance} (perpendicular to its rays), {sun-radiance} (of
+    its disc) or {global-irradiance} tells how much there is.  Any of the light gives all others.
+
+    Azimuths may be counted in any one way, such as from north clockwise, as only their differences
+    count; with {normal} X,Y,Z or {toward} X,Y,Z they are counted from +x towards +y.  The ground
+    is dark: a wall is lit by half of the sky, and what the ground reflects is not counted.
+    daylight-share is what the plane gets of the sky alone, over what the ground gets of it.
+    """,
+    mistakes=("sky",),
+)
 LUMINANCE = Formula(
     "luminance of the sky",
     "L / L_z = f(chi) phi(Z) / (f(Z_s) phi(0)), phi(Z) = 1 + a exp(b / cos(Z)), "
@@ -143,30 +227,32 @@ NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
 
 def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
-    """The light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
+    """Return the light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
 
     `given` are light quantities by whichever name, where the sun is, a direction, a plane, and
     what links the kinds.  Of a sky that `is_drawn` the sun's azimuth is of use by itself.
     """
-    return _Sky(name, given, is_drawn=is_drawn).answer()
+    sky = _Sky(name, given, is_drawn=is_drawn)
+    return sky.answer(sky.solve())
 
 
-def sky_map(name: str, given: Inputs) -> "Made":
+def sky_map(name: str, given: Inputs) -> "RenderedMap":
     """A map of a sky, with the sun's disc if the sun has light; `given` also has its size."""
-    from radcalc.calculators.environment import Made
+    from radcalc.calculators.maps import RenderedMap
     from radcalc.calculators.pixel import refuse_shape
 
     if "size" in given:
         refuse_shape(given["size"], LATLONG)
-    found = _Sky(name, {key: one for key, one in given.items() if key != "size"}, for_map=True)
-    answer = found.answer()
-    picture = found.picture(*(given["size"].value if "size" in given else USUAL_SIZE))
+    sky = _Sky(name, {key: item for key, item in given.items() if key != "size"}, for_map=True)
+    solved = sky.solve()
+    answer = sky.answer(solved)
+    picture = sky.picture(solved, *(given["size"].value if "size" in given else USUAL_SIZE))
     height, width, _ = picture.pixels.shape
     what = f"a latlong map of {width} x {height} pixels in {picture.unit}, "
     what += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
-    what += "with the sun's disc" if found.is_sunlit else "without the sun's disc"
-    what += f"; {found.on_ground(picture)}"
-    return Made(picture, picture.pixels, picture.unit, what, answer)
+    what += "with the sun's disc" if sky.is_sunlit else "without the sun's disc"
+    what += f"; {sky.on_ground(solved, picture)}"
+    return RenderedMap(picture, picture.pixels, picture.unit, what, answer)
 
 
 class _Sky:
@@ -176,93 +262,91 @@ class _Sky:
         self, name: str, given: Inputs, for_map: bool = False, is_drawn: bool = False
     ) -> None:
         self.name, self.type = name, sky_type(name)
-        self.sheet = Worksheet(PAGE._replace(title=f"the sky {name}"), given)
+        self.is_sunlit = any(item.symbol.generic in OF_SUN for item in given.values())
+        self.has_plane = "normal" in given or "tilt" in given
+        self.laws = self._laws(with_direction="toward" in given)
+        names = {name for law in self.laws for name in law.names}
+        page = PAGE._replace(
+            title=f"the sky {name}",
+            takes=(),
+            light=tuple(item for item in LIGHT if item in names),
+            others=tuple(item for item in PAGE.others if item in names or item in given),
+        )
+        self.sheet = worksheet(page, given, accepts=PAGE.takes, hints=())
         self.given = self.sheet.given
         self.lit = self.sheet.lit.values
-        self.is_sunlit = any(one in self.lit for one in OF_SUN)
-        self.has_plane = "normal" in self.given or "tilt" in self.given
-        self.laws: list[AnyLaw] = self._laws()
         self._refuse_incomplete()
         if self.type.follows_sun or self.is_sunlit:
             self._refuse_misplaced(for_map, is_drawn)
         else:
             self._refuse_sun()
 
-    def answer(self) -> Answer:
-        """Everything that follows."""
-        sheet = self.solve()
-        self._assume(sheet)
-        kind = sheet.lit.kind
+    def answer(self, solved: Solved) -> Answer:
+        """Return everything that follows."""
+        self._assume(solved)
+        kind = solved.lit.kind
         lacking = {} if self.has_plane else {"irradiance": NO_PLANE, "daylight-share": NO_PLANE}
         lacking |= {} if "toward" in self.given else {"radiance-toward": NO_DIRECTION}
-        found = sheet.answer(self.laws)
+        answer = solved.answer()
         rows = [
             absent(name, *why)._replace(also=specific_name(name, kind) if name in LIGHT else name)
             for name, why in lacking.items()
         ]
-        return found._replace(values=[*found.values, *rows])
+        return answer._replace(values=[*answer.values, *rows])
 
-    def solve(self) -> Worksheet:
-        """The sheet, with everything that follows on it."""
-        sheet = self.sheet
+    def solve(self) -> Solved:
+        """Return the solution; refuse a sky without light and without a plane."""
         if not (self.lit or self.has_plane):
             raise MissingInput("a light quantity is missing", BRIGHT)
+        placed = Placed()
         if self.is_sunlit and "sun-radius" not in self.given:
-            sheet.know("sun-radius", SUN_RADIUS)
-        sheet.place(self._place)
-        sheet.use(*ANGLES)
-        shown = {name for law in self.laws for name in law.names}
-        sheet.page = sheet.page._replace(
-            takes=(),
-            light=tuple(name for name in LIGHT if name in shown),
-            others=tuple(name for name in PAGE.others if name in shown or name in self.given),
-        )
-        sheet.takes = ()
-        sheet.solve(self.laws)
-        return sheet
+            placed.add("sun-radius", SUN_RADIUS)
+        placed.merge(place(self.sheet, self._place))
+        placed.use(*ANGLES)
+        return solve(self.sheet, self.laws, placed)
 
-    def picture(self, width: int, height: int) -> "Picture":
-        """The map of the sky, once it is solved."""
+    def picture(self, solved: Solved, width: int, height: int) -> "Picture":
+        """Return the map of the sky."""
         from radcalc.distributions.maps.sky_map import Sun, sky_map
         from radcalc.distributions.sky import Sky
 
-        sheet = self.sheet
-        if not sheet.has("zenith-radiance"):
+        if not solved.has("zenith-radiance"):
             raise MissingInput("how bright the sky is is missing", BRIGHT)
-        zenith = sheet.at("zenith-radiance")
+        zenith = solved.value("zenith-radiance")
         place = place_of_sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
-        sky = Sky(self.name, place if self.type.follows_sun else None, zenith, sheet.lit.kind)
+        sky = Sky(self.name, place if self.type.follows_sun else None, zenith, solved.lit.kind)
         disc = None
         if self.is_sunlit:
-            if not sheet.has("sun-irradiance"):
+            if not solved.has("sun-irradiance"):
                 raise MissingInput("how bright the sun is is missing", mention("{sun-irradiance}"))
             polar, azimuth = place
-            disc = Sun(polar, azimuth, sheet.at("sun-radius"), sheet.at("sun-irradiance"))
+            radius, irradiance = solved.value("sun-radius"), solved.value("sun-irradiance")
+            disc = Sun(polar, azimuth, radius, irradiance)
         return sky_map(sky, width, height, disc)
 
-    def on_ground(self, picture: "Picture") -> str:
-        """What the pixels of its map give the ground, beside the right value."""
+    def on_ground(self, solved: Solved, picture: "Picture") -> str:
+        """Return the light that the pixels of the map give the ground, and its error."""
         from radcalc.distributions.maps.radiance_map import RadianceMap
 
-        kind = self.sheet.lit.kind
+        kind = solved.lit.kind
         factor = float(resolve(picture.unit).factor)
-        found = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(UP)
-        right = self.sheet.at("global-irradiance" if self.is_sunlit else "horizontal-irradiance")
+        integral = RadianceMap(picture.pixels, LATLONG, factor=factor, kind=kind).irradiance(UP)
+        right = solved.value("global-irradiance" if self.is_sunlit else "horizontal-irradiance")
         unit = light_unit("irradiance", kind)
-        told = f"{format_number(found.value / float(resolve(unit).factor))} {unit}"
-        off = 100 * (found.value / right - 1) if right else 0.0
-        return f"its pixels give the ground {told}, which is off by {off:.1g} %"
+        irradiance_text = f"{format_number(integral.value / float(resolve(unit).factor))} {unit}"
+        off = 100 * (integral.value / right - 1) if right else 0.0
+        return f"its pixels give the ground {irradiance_text}, which is off by {off:.1g} %"
 
-    def _laws(self) -> list[AnyLaw]:
-        """The laws of what is asked."""
-        own: list[AnyLaw] = [GROUND]
+    def _laws(self, with_direction: bool) -> list[AnyLaw]:
+        """Return the laws of the sky, the sun, the direction and the plane."""
+        laws: list[AnyLaw] = [GROUND]
         if self.is_sunlit:
-            own += [GLOBAL, DISC]
-        if "toward" in self.given:
-            own.append(TOWARD)
+            laws += [GLOBAL, DISC]
+        if with_direction:
+            laws.append(TOWARD)
         if self.has_plane:
-            own += [SHARE, *([DIFFUSE, DIRECT, BOTH] if self.is_sunlit else [PLANE])]
-        return own
+            laws += [SHARE, *([DIFFUSE, DIRECT, BOTH] if self.is_sunlit else [PLANE])]
+        return laws
 
     # -- what is refused ------------------------------------------------------------------------
 
@@ -275,20 +359,22 @@ class _Sky:
         if "azimuth" in given and "tilt" not in given:
             raise Unused(("azimuth",), "without a tilt", mention("{tilt=90deg} with it"))
         if "irradiance" in lit and not self.has_plane:
-            told = option(lit["irradiance"].name)
+            option_text = option(lit["irradiance"].name)
             hint = mention("{tilt=90deg} or {normal}, or {horizontal-irradiance} of the ground")
-            raise MissingInput(f"the plane of {told} is missing", hint)
+            raise MissingInput(f"the plane of {option_text} is missing", hint)
         if "radiance-toward" in lit and "toward" not in given:
-            told = option(lit["radiance-toward"].name)
-            raise MissingInput(f"the direction of {told} is missing", NO_DIRECTION[1])
+            option_text = option(lit["radiance-toward"].name)
+            raise MissingInput(f"the direction of {option_text} is missing", NO_DIRECTION[1])
         if "radiance-toward" in lit and any_true(given["toward"].value[0] > math.pi / 2):
-            told = option(lit["radiance-toward"].name)
-            problem = f"below the horizon it is dark, and nothing follows from {told}"
+            option_text = option(lit["radiance-toward"].name)
+            problem = f"below the horizon it is dark, and nothing follows from {option_text}"
             raise ConditionError(problem, mention("{toward=60deg,90deg}"))
 
     def _refuse_sun(self) -> None:
         """Refuse the place of a sun where nothing depends on it."""
-        useless = [one for one in (*OF_PLACE, "azimuth") if one in self.given]
+        useless = [
+            symbol_name for symbol_name in (*OF_PLACE, "azimuth") if symbol_name in self.given
+        ]
         if useless:
             raise Unused(useless, IS_EVEN.format(quote(self.name)))
 
@@ -300,13 +386,13 @@ class _Sky:
         if "sun-radius" in given and not self.is_sunlit:
             raise Unused(("sun-radius",), "without the sun's light")
         turned = self._is_turned()
-        aside = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
+        is_off_zenith = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
         # one of a list of planes or directions may be level, or the zenith
-        asked = self.has_plane or (self.type.follows_sun and "toward" in given)
-        if "sun-azimuth" in given and not (asked or for_map or is_drawn):
+        needs_azimuth = self.has_plane or (self.type.follows_sun and "toward" in given)
+        if "sun-azimuth" in given and not (needs_azimuth or for_map or is_drawn):
             hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
             raise Unused(("sun-azimuth",), "without a plane or a direction", hint)
-        if "sun-azimuth" not in given and (turned or aside or for_map):
+        if "sun-azimuth" not in given and (turned or is_off_zenith or for_map):
             raise MissingInput(*MISSING_AZIMUTH)
         if turned and "tilt" in given and "azimuth" not in given:
             raise MissingInput("the plane's azimuth is missing", mention("{azimuth=180deg}"))
@@ -314,7 +400,7 @@ class _Sky:
             require_azimuth(given["toward"], "the sky follows the sun")
 
     def _is_turned(self) -> bool:
-        """Whether the plane faces anything but straight up or down."""
+        """Check whether the plane faces anything but straight up or down."""
         if not self.has_plane:
             return False
         x, y, _ = _facing(self.given)
@@ -322,91 +408,92 @@ class _Sky:
 
     # -- what is worked out by quadrature -------------------------------------------------------
 
-    def _place(self, sheet: Worksheet) -> None:
-        """Enter the sky over the ground and the plane, and in a direction, and the sun's cosine."""
-        given, sky = sheet.given, self.type
+    def _place(self, sheet: Worksheet) -> Placed:
+        """Find the sky over the ground and the plane, and in a direction, and the sun's cosine."""
+        given, sky, placed = sheet.given, self.type, Placed()
         sun = place_of_sun(given) if "sun-elevation" in given else (0.0, 0.0)
-        sheet.placed.append(self._luminance())
+        placed.steps.append(self._luminance())
         over_ground = each(lambda *at: projected_sky(sky, UP, at)[0], sun[0], 0.0)
-        sheet.know("horizontal-sky", over_ground)
-        sheet.placed.append(HORIZONTAL_SKY.step({}, _solid(over_ground)))
+        placed.add("horizontal-sky", over_ground)
+        placed.steps.append(HORIZONTAL_SKY.step({}, _solid(over_ground)))
         if self.has_plane:
             facing = _facing(given)
             before = each(lambda x, y, z, *at: projected_sky(sky, (x, y, z), at)[0], *facing, *sun)
-            sheet.know("plane-sky", before)
-            sheet.placed.append(PLANE_SKY.step({}, _solid(before)))
+            placed.add("plane-sky", before)
+            placed.steps.append(PLANE_SKY.step({}, _solid(before)))
         if self.is_sunlit:
-            sheet.know("sun-height", sin(given["sun-elevation"].value))
+            placed.add("sun-height", sin(given["sun-elevation"].value))
         if self.has_plane and self.is_sunlit:
             cosine = dot(facing, cartesian(*sun))
             cosine = cosine * (cosine > LEAST)
-            sheet.know("cosine", cosine)
-            sheet.placed.append(SUN_COSINE.told(f"cos(theta) = {format_number(cosine)}"))
+            placed.add("cosine", cosine)
+            placed.steps.append(SUN_COSINE.with_numbers(f"cos(theta) = {format_number(cosine)}"))
         if "toward" in given:
             polar, azimuth = given["toward"].value
             relative = relative_luminance(sky, polar, azimuth, sun)
-            sheet.know("relative-radiance", relative)
-            sheet.placed.append(RELATIVE.step({}, format_number(relative)))
+            placed.add("relative-radiance", relative)
+            placed.steps.append(RELATIVE.step({}, format_number(relative)))
+        return placed
 
     def _luminance(self) -> Step:
-        """How the luminance depends on the direction."""
+        """Return how the luminance depends on the direction."""
         if self.type.is_linear:
             return Step(*LINEAR)
         numbers = ", ".join(f"{name} = {getattr(self.type, name):g}" for name in "abcde")
         if self.type.follows_sun:
             polar = place_of_sun(self.given)[0]
             numbers += f"; Z_s = {format_angle(polar)}"
-        return LUMINANCE.told(numbers)
+        return LUMINANCE.with_numbers(numbers)
 
     # -- what is said of it ---------------------------------------------------------------------
 
-    def _assume(self, sheet: Worksheet) -> None:
-        """Say what the sky is, and what goes without saying."""
+    def _assume(self, solved: Solved) -> None:
+        """Add the assumptions about the sky, the sun and the directions."""
         given, sky = self.given, self.type
         number = f"CIE type {sky.number}: " if sky.number else ""
-        sheet.assume(f"{number}{sky.name}")
+        solved.assume(f"{number}{sky.name}")
         if self.is_sunlit:
-            sheet.assume(
+            solved.assume(
                 "the sun's disc is no part of the sky: its light is added to what planes get"
             )
-            if sheet.lit.links:
-                sheet.assume("the sun's light and the sky's have the same spectrum")
+            if solved.lit.links:
+                solved.assume("the sun's light and the sky's have the same spectrum")
         elif sky.follows_sun:
-            sheet.assume("the sun is no part of the sky")
+            solved.assume("the sun is no part of the sky")
         below = "toward" in given and any_true(given["toward"].value[0] > math.pi / 2)
         if self.has_plane or below:
-            sheet.assume("below the horizon it is dark: nothing comes from the ground")
+            solved.assume("below the horizon it is dark: nothing comes from the ground")
         if self.has_plane and self.is_sunlit:
-            sheet.assume("the daylight share is that of the sky alone")
+            solved.assume("the daylight share is that of the sky alone")
         if "sun-azimuth" in given:
             is_vector = "normal" in given or (
                 "toward" in given and given["toward"].text.count(",") == 2
             )
-            sheet.assume(
+            solved.assume(
                 "azimuths are counted from +x towards +y"
                 if is_vector
                 else "azimuths are counted in any one way, all in the same"
             )
         if self.is_sunlit:
-            self._say_disc(sheet)
+            self._say_disc(solved)
 
-    def _say_disc(self, sheet: Worksheet) -> None:
-        """Say how large the sun is, and where that matters."""
-        radius = sheet.at("sun-radius")
+    def _say_disc(self, solved: Solved) -> None:
+        """Assume a size of the sun, and note where it matters."""
+        radius = solved.value("sun-radius")
         if "sun-radius" not in self.given:
-            sheet.assume(f"the sun's disc has a radius of {format_angle(radius)}")
+            solved.assume(f"the sun's disc has a radius of {format_angle(radius)}")
         cut = sin(self.given["sun-elevation"].value) < sin(radius)
         if self.has_plane:
             cosine = dot(_facing(self.given), cartesian(*place_of_sun(self.given)))
             cut = cut | (abs(cosine) < sin(radius))
             if any_true(cosine <= 0):
-                sheet.notes.append("the sun is behind the plane")
+                solved.note("the sun is behind the plane")
         if "toward" in self.given and "sun-azimuth" in self.given:
             polar, azimuth = self.given["toward"].value
             if any_true(angle_between(polar, azimuth, place_of_sun(self.given)) < radius):
-                sheet.notes.append("the sun's disc is seen there, and not counted in the radiance")
+                solved.note("the sun's disc is seen there, and not counted in the radiance")
         if any_true(cut):
-            sheet.notes.append(
+            solved.note(
                 "the horizon or the plane cuts the sun's disc, which is taken as if all of it were "
                 "at its centre"
             )
@@ -419,7 +506,7 @@ def place_of_sun(given: Inputs) -> tuple[Number, Number]:
 
 
 def _facing(given: Inputs) -> Vector:
-    """Where the plane faces, as a vector of length 1."""
+    """Return where the plane faces, as a vector of length 1."""
     if "normal" in given:
         return unit(given["normal"].value)
     tilt, azimuth = given["tilt"].value, given["azimuth"].value if "azimuth" in given else 0.0

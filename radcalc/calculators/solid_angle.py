@@ -5,15 +5,21 @@ Each imports the geometry that it needs: a cone is to be answered without that o
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
-from radcalc.answer import Answer, Step, Value
-from radcalc.calculators.results import known, value
+from radcalc.answer import Answer, Step, texts_of
+from radcalc.calculators.page import Operand, Page
+from radcalc.calculators.results import of_directions
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import (
     OFFSETS,
-    Page,
+    Placed,
     Worksheet,
+    place,
     refuse_slant_for_height,
+    worksheet,
 )
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import (
@@ -27,22 +33,16 @@ from radcalc.errors import (
     command,
     mention,
     options,
+    quote,
 )
 from radcalc.geometry import cones
-from radcalc.given import (
-    Given,
-    Inputs,
-    Point,
-    angle_of,
-    at_most_one,
-    offset_of,
-    one_of,
-    radius_of,
-)
+from radcalc.inputs.given import Input, Inputs, angle_of, at_most_one, offset_of, one_of, radius_of
+from radcalc.inputs.places import Point, read_point
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import HOWELL, AnyLaw
 from radcalc.laws.sizes import CIRCLE, round_sizes
-from radcalc.maths import FAINTEST, SLACK, any_true, cos, sin
+from radcalc.maths import FAINTEST, SLACK, any_true, cos, sin, smaller
+from radcalc.quantities.symbols import CHOICE
 from radcalc.units.dimensions import LENGTH
 
 CONES = ("half-angle", "apex-angle", "solid-angle", "projected-solid-angle")
@@ -78,45 +78,57 @@ CONTOUR = Formula(
 )
 
 
-class Seen(NamedTuple):
-    """What a shape adds to the worksheet: its laws, and onto which plane it is projected."""
-
-    laws: Sequence[AnyLaw]
-    onto: str
-
-
 class Shape(NamedTuple):
-    """A shape: the inputs it takes, and how it is seen."""
+    """A shape: the inputs that it takes, and what it finds in them."""
 
     takes: tuple[str, ...]
-    see: Callable[[Worksheet], Seen]
+    place: Callable[[Worksheet], Placed]
+
+
+def task(words: Sequence[str], wants: Wants) -> Task:
+    """Return the task of a call, whose words are a shape and the vertices of a polygon."""
+    if not words:
+        raise UsageError("a shape is missing", ", ".join(NAMES))
+    shape, *vertices = words
+    shape = OPERAND.choice(shape)
+    shape = ALIASES.get(shape, shape)
+    if shape != "polygon" and vertices:
+        problem = f"too many words: '{quote(' '.join(vertices))}'"
+        raise UsageError(problem, mention("options, as in {help}"))
+    points = [read_point(vertex, "the vertex") for vertex in vertices]
+    work_out: Callable[[Inputs], Answer] = partial(solid_angle, shape, points=points)
+    if shape == "pixel":
+        from radcalc.calculators.pixel import pixel
+
+        work_out = pixel
+    operands = texts_of({"shape": shape, "vertices": " ".join(vertices)})
+    return Task("solid-angle", work_out, operands, shape)
 
 
 def solid_angle(shape: str, given: Inputs, points: Sequence[Point] = ()) -> Answer:
-    """The solid angle of a shape of `SHAPES`, with all that follows from it.
+    """Return the solid angle of a shape of `SHAPES`, with all that follows from it.
 
     `given` are its inputs; `points` the vertices of a polygon.
     """
     named = "all directions" if shape == "full" else f"a {shape}"
     takes = SHAPES[shape].takes
     page = Page(named, takes, others=_sizes(takes, given), goal="solid-angle")
-    sheet = Worksheet(page, given, with_light=False)
-    seen = _polygon(sheet, points) if shape == "polygon" else sheet.place(SHAPES[shape].see)
-    sheet.solve(seen.laws)
-    if not (sheet.has("solid-angle") and sheet.has("projected-solid-angle")):
-        raise _unsolved(sheet)
-    omega, flat = sheet.at("solid-angle"), sheet.at("projected-solid-angle")
-    if not sheet.notes and min(omega, flat) < FAINTEST:
+    sheet = worksheet(page, given, with_light=False)
+    placed = _polygon(sheet, points) if shape == "polygon" else place(sheet, SHAPES[shape].place)
+    solved = solve(sheet, placed.laws, placed)
+    if not (solved.has("solid-angle") and solved.has("projected-solid-angle")):
+        raise _missing_input(sheet)
+    omega, flat = solved.value("solid-angle"), solved.value("projected-solid-angle")
+    if not solved.notes and any_true(smaller(omega, flat) < FAINTEST):
         raise NumberError("the solid angle is too small for a number", "less extreme sizes")
-    half = sheet.at("half-angle") if sheet.has("half-angle") else cones.cone_of(omega)
-    sheet.assumptions.insert(0, f"projected onto {seen.onto}")
-    found = (omega, flat, omega / cones.FULL, half, 2 * half)
-    results = [result(given, name, size) for name, size in zip(RESULTS, found, strict=True)]
-    return _in_units_given(sheet.answer(seen.laws, results), given)
+    half = solved.value("half-angle") if solved.has("half-angle") else cones.cone_of(omega)
+    sizes = (omega, flat, omega / cones.FULL, half, 2 * half)
+    results = [of_directions(given, name, size) for name, size in zip(RESULTS, sizes, strict=True)]
+    return _in_units_given(solved.answer(results), given)
 
 
 def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
-    """The sizes to show: those that are given, and one that they are solved for."""
+    """Return the sizes to show: those that are given, and one that they are solved for."""
     round_one = set(ROUND) & set(given)
     if "area" in given:
         round_one |= {"area"}
@@ -125,107 +137,109 @@ def _sizes(takes: Sequence[str], given: Inputs) -> tuple[str, ...]:
 
 
 def _in_units_given(answer: Answer, given: Inputs) -> Answer:
-    """The answer with a length that was solved for in the unit of one that was given."""
-    units = [one.unit_text for one in given.values() if one.dimension == LENGTH]
+    """Return the answer with a length that was solved for in the unit of one that was given."""
+    units = [item.unit_text for item in given.values() if item.dimension == LENGTH]
     values = [
-        one._replace(units=(units[0],))
-        if units and one.given is None and one.units and one.dimensions == (LENGTH,)
-        else one
-        for one in answer.values
+        item._replace(units=(units[0],))
+        if units and item.given is None and item.units and item.dimensions == (LENGTH,)
+        else item
+        for item in answer.values
     ]
     return answer._replace(values=values)
 
 
-def result(given: Inputs, name: str, size: Any) -> Value:
-    """One of the results of every shape."""
-    more = ("sr", "deg2") if name == "solid-angle" else ()
-    if name in given:
-        return known(given[name], *more)
-    label = f"{name.replace('-', ' ')} of the equal cone" if name in CONES[:2] else ""
-    return value(name, size, *more, label=label)
-
-
-def _unsolved(sheet: Worksheet) -> UsageError:
-    """What is missing of a shape."""
-    others = ("diameter", "offset", "tilt", *sheet.given)
-    shown = [name for name in sheet.page.takes if name not in others]
+def _missing_input(sheet: Worksheet) -> UsageError:
+    """Return the refusal of a shape with too few inputs."""
+    optional = ("diameter", "offset", "tilt", *sheet.given)
+    choices = [name for name in sheet.page.takes if name not in optional]
     message = f"something is missing: {sheet.page.title} takes two"
-    return MissingInput(message, options(shown))
+    return MissingInput(message, options(choices))
 
 
-def _enter(sheet: Worksheet, omega: Any, flat: Any, *steps: Step) -> None:
-    """Enter what was worked out outside the laws."""
-    sheet.know("solid-angle", omega)
-    sheet.know("projected-solid-angle", flat)
-    sheet.placed += steps
-    sheet.use(*sheet.given)
+def _onto(plane: str, *laws: AnyLaw) -> Placed:
+    """Start the place of a shape with the plane onto which it is projected, and its laws."""
+    placed = Placed(*laws)
+    placed.assume(f"projected onto {plane}")
+    return placed
+
+
+def _enter(sheet: Worksheet, placed: Placed, omega: Any, flat: Any, *steps: Step) -> Placed:
+    """Add solid angles that were worked out from all of the inputs, with their steps."""
+    placed.add("solid-angle", omega)
+    placed.add("projected-solid-angle", flat)
+    placed.steps += steps
+    placed.use(*sheet.given)
+    return placed
 
 
 def _sr(size: Any) -> str:
     return f"{format_number(size)} sr"
 
 
-def _full(sheet: Worksheet) -> Seen:
-    sheet.know("half-angle", math.pi)
+def _full(sheet: Worksheet) -> Placed:
+    placed = _onto("a plane of any normal, from its front")
+    placed.add("half-angle", math.pi)
+    placed.note("a surface faces one half of the sphere: its projected solid angle is pi")
     step = Formula("all directions", "{solid-angle} = 4 pi Omega0").step({}, _sr(cones.FULL))
-    _enter(sheet, cones.FULL, math.pi, step)
-    sheet.notes.append("a surface faces one half of the sphere: its projected solid angle is pi")
-    return Seen([], "a plane of any normal, from its front")
+    return _enter(sheet, placed, cones.FULL, math.pi, step)
 
 
-def _hemisphere(sheet: Worksheet) -> Seen:
-    sheet.know("half-angle", math.pi / 2)
-    _enter(
+def _hemisphere(sheet: Worksheet) -> Placed:
+    placed = _onto("the hemisphere's own plane")
+    placed.add("half-angle", math.pi / 2)
+    return _enter(
         sheet,
+        placed,
         cones.HEMISPHERE,
         math.pi,
         Formula("hemisphere", "{solid-angle} = 2 pi Omega0").step({}, _sr(cones.HEMISPHERE)),
-        Formula("projected", "{projected-solid-angle} = pi Omega0").told("Omega_p = pi sr"),
+        Formula("projected", "{projected-solid-angle} = pi Omega0").with_numbers("Omega_p = pi sr"),
     )
-    return Seen([], "the hemisphere's own plane")
 
 
-def _cone(sheet: Worksheet) -> Seen:
+def _cone(sheet: Worksheet) -> Placed:
     one_of(sheet.given, "the size of the cone", *CONES)
-    laws: list[AnyLaw] = [CONE, PROJECTED_CONE, *([APEX] if "apex-angle" in sheet.given else [])]
-    sheet.solve(laws)
-    if sheet.at("half-angle") > math.pi / 2:
-        sheet.notes.append("what is behind that plane does not count: a hemisphere is left")
-    return Seen(laws, "a plane whose normal is the cone's axis")
+    placed = _onto("a plane whose normal is the cone's axis", CONE, PROJECTED_CONE)
+    if "apex-angle" in sheet.given:
+        placed.laws.append(APEX)
+    if any_true(solve(sheet, placed.laws).value("half-angle") > math.pi / 2):
+        placed.note("what is behind that plane does not count: a hemisphere is left")
+    return placed
 
 
-def _zone(sheet: Worksheet) -> Seen:
+def _zone(sheet: Worksheet) -> Placed:
     from radcalc.geometry import projected, solid
 
     if "polar" not in sheet.given:
         raise MissingInput(
             "the polar angles of the zone are missing", mention("{polar=30deg:60deg}")
         )
+    placed = _onto("a plane whose normal is +z")
     polar, azimuth = sheet.given["polar"], sheet.given.get("azimuth")
     low, high = polar.value
     width = azimuth.value[1] - azimuth.value[0] if azimuth else 2 * math.pi
     omega, flat = solid.zone(low, high, width), projected.zone(low, high, width)
     if high > math.pi / 2 * (1 + SLACK):
-        sheet.notes.append("what is below that plane, past 90 deg, does not count")
+        placed.note("what is below that plane, past 90 deg, does not count")
     t0, t1 = format_angle(low), format_angle(high)
     numbers = f"2 ({format_number(width)}) sin(({t0} + {t1})/2) sin(({t1} - {t0})/2) sr"
-    _enter(
+    around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
+    placed.assume(f"polar angles from {_span(polar)} deg, {around}")
+    return _enter(
         sheet,
+        placed,
         omega,
         flat,
-        ZONE.told(f"Omega = {numbers} = {_sr(omega)}"),
-        PROJECTED_ZONE.told(f"Omega_p = {_sr(flat)}"),
+        ZONE.with_numbers(f"Omega = {numbers} = {_sr(omega)}"),
+        PROJECTED_ZONE.with_numbers(f"Omega_p = {_sr(flat)}"),
     )
-    around = f"azimuths from {_span(azimuth)} deg" if azimuth else "all azimuths"
-    sheet.assume(f"polar angles from {_span(polar)} deg, {around}")
-    return Seen([], "a plane whose normal is +z")
 
 
-def _span(interval: Given) -> str:
+def _span(interval: Input) -> str:
     return " to ".join(format_number(math.degrees(end)) for end in interval.value)
 
 
-def _sphere(sheet: Worksheet) -> Seen:
+def _sphere(sheet: Worksheet) -> Placed:
     from radcalc.laws.solid_angles import SPHERE
 
     at_most_one(sheet.given, "the size of the source", *ROUND)
@@ -233,162 +247,168 @@ def _sphere(sheet: Worksheet) -> Seen:
     if len(sizes) != 2:
         takes = ("radius", "distance", "solid-angle")
         if len(sizes) < 2:
-            others = options(name for name in takes if name not in sizes)
-            raise MissingInput("something is missing: a sphere takes two", others)
+            missing = options(name for name in takes if name not in sizes)
+            raise MissingInput("something is missing: a sphere takes two", missing)
         given = [name for name in sheet.given if name != "solid-angle" or len(sizes) > 2]
         raise MissingInput(
             "too much is given: a sphere takes two", f"without one of {options(given, ', ')}"
         )
     laws = [*round_sizes(sheet.given), SPHERE, CONE, PROJECTED_CONE]
-    return Seen(laws, "a plane whose normal points to the sphere's centre")
+    return _onto("a plane whose normal points to the sphere's centre", *laws)
 
 
-def _above(given: Inputs) -> Given:
-    """The height above a flat shape; on its axis, the distance is the same."""
-    one = one_of(given, "the height above the source", "height", "distance")
-    if one.name == "distance" and {"corner", *OFFSETS} & set(given):
+def _height_above(given: Inputs) -> Input:
+    """Return the height above a flat shape; on its axis, the distance is the same."""
+    height = one_of(given, "the height above the source", "height", "distance")
+    if height.name == "distance" and {"corner", *OFFSETS} & set(given):
         refuse_slant_for_height()
-    return one
+    return height
 
 
-def _disc(sheet: Worksheet) -> Seen:
+def _disc(sheet: Worksheet) -> Placed:
     from radcalc.geometry import projected, solid
     from radcalc.laws.solid_angles import disc
 
     given = sheet.given
     offset = offset_of(given)
+    is_aside = any_true(offset != 0)
     if "solid-angle" in given:
         away = "height" if "height" in given else "distance"
-        if offset:
+        if is_aside:
             raise Exclusive(("solid-angle", "offset"), "do not go together: it is for the axis")
         at_most_one(given, "the size of the source", *ROUND)
         if not {*ROUND, "height", "distance"} & set(given):
-            raise _unsolved(sheet)
-        sheet.use("offset")
-        return Seen([*round_sizes(given), disc(away), CONE, PROJECTED_CONE], FACING)
+            raise _missing_input(sheet)
+        placed = _onto(FACING, *round_sizes(given), disc(away), CONE, PROJECTED_CONE)
+        placed.use("offset")
+        return placed
     size = radius_of(one_of(given, "the size of the source", *ROUND))
-    height = _above(given)
+    height = _height_above(given)
     omega = solid.disc(size, height.value, offset)
     flat = projected.disc(size, height.value, offset)
     at = {"radius": size, height.name: height.value}
     step = disc(height.name).formula.step(at, _sr(omega))
-    if offset:
+    if is_aside:
         where = ", ".join(
             f"{letter} = {format_number(length)} m"
             for letter, length in zip("Rhx", (size, height.value, offset), strict=True)
         )
-        step = DISC_ASIDE.told(f"{where}; Omega = {_sr(omega)}")
-    _enter(sheet, omega, flat, step, PROJECTED_DISC.told(f"Omega_p = {_sr(flat)}"))
-    return Seen([], FACING)
+        step = DISC_ASIDE.with_numbers(f"{where}; Omega = {_sr(omega)}")
+    projection = PROJECTED_DISC.with_numbers(f"Omega_p = {_sr(flat)}")
+    return _enter(sheet, _onto(FACING), omega, flat, step, projection)
 
 
-def _rectangle(sheet: Worksheet) -> Seen:
+def _rectangle(sheet: Worksheet) -> Placed:
     from radcalc.geometry import projected, solid
 
     given = sheet.given
     for name in ("width", "length"):
         one_of(given, f"the {name} of the rectangle", name)
     width, length = given["width"].value, given["length"].value
-    height = _above(given).value
+    height = _height_above(given).value
     x, y = offset_of(given), offset_of(given, "offset-y")
+    placed = _onto(FACING)
     if "corner" in given:
-        if x or y:
+        if any_true((x != 0) | (y != 0)):
             raise Exclusive(("corner", "offset"))
         x, y = width / 2, length / 2
-        sheet.assume("seen from above a corner")
+        placed.assume("seen from above a corner")
     omega = solid.rectangle(width, length, height, x, y)
     flat = projected.rectangle(width, length, height, x, y)
     sizes = [f"{format_number(size)} m" for size in (width, length, height, x, y)]
     numbers = "w = {}, l = {}, h = {}, offsets {} and {}".format(*sizes)
-    _enter(sheet, omega, flat, TRIANGLES.told(f"{numbers}; Omega = {_sr(omega)}"), _contour(flat))
-    return Seen([], FACING)
+    step = TRIANGLES.with_numbers(f"{numbers}; Omega = {_sr(omega)}")
+    return _enter(sheet, placed, omega, flat, step, _contour(flat))
 
 
 def _contour(flat: Any) -> Step:
-    return CONTOUR.told(f"Omega_p = {_sr(flat)}")
+    return CONTOUR.with_numbers(f"Omega_p = {_sr(flat)}")
 
 
-def _pyramid(sheet: Worksheet) -> Seen:
+def _pyramid(sheet: Worksheet) -> Placed:
     from radcalc.geometry import projected
     from radcalc.laws.solid_angles import PYRAMID
 
     given = sheet.given
-    sheet.assume("the angles are full ones, from face to face through the axis")
+    placed = _onto("a plane whose normal is the pyramid's axis", PYRAMID)
+    placed.assume("the angles are full ones, from face to face through the axis")
     if "solid-angle" not in given:
         for name in ("horizontal", "vertical"):
             one_of(given, f"the {name} angle", name)
-    sheet.solve([PYRAMID])
-    if sheet.has("horizontal") and sheet.has("vertical"):
-        flat = projected.pyramid(sheet.at("horizontal"), sheet.at("vertical"))
-        sheet.know("projected-solid-angle", flat)
-        sheet.placed.append(_contour(flat))
-    return Seen([PYRAMID], "a plane whose normal is the pyramid's axis")
+    solved = solve(sheet, placed.laws)
+    if solved.has("horizontal") and solved.has("vertical"):
+        flat = projected.pyramid(solved.value("horizontal"), solved.value("vertical"))
+        placed.add("projected-solid-angle", flat)
+        placed.steps.append(_contour(flat))
+    return placed
 
 
-def _patch(sheet: Worksheet) -> Seen:
+def _patch(sheet: Worksheet) -> Placed:
     from radcalc.geometry import far_field
     from radcalc.laws.solid_angles import PATCH
 
     given = sheet.given
     if "area" in given and set(ROUND) & set(given):
         return _on_sphere(sheet)
-    laws: list[AnyLaw] = [PATCH]
+    placed = _onto("a plane whose normal points to the patch", PATCH)
     if set(ROUND) & set(given):
-        laws = [*round_sizes(given), CIRCLE, PATCH]
+        placed.laws = [*round_sizes(given), CIRCLE, PATCH]
     if "solid-angle" not in given:
         one_of(given, "the size of the patch", "area", *ROUND)
         one_of(given, "the distance", "distance")
-    sheet.use("tilt")
-    sheet.know("cosine-of-source", cones.facing(angle_of(given, "tilt")))
-    sheet.solve(laws)
-    if sheet.has("area") and sheet.has("distance"):
-        area, away, tilt = sheet.at("area"), sheet.at("distance"), angle_of(given, "tilt")
-        _refuse_near(sheet, area, away)
-        sheet.know("projected-solid-angle", sheet.at("solid-angle"))
-        if sheet.at("solid-angle") == 0:
-            sheet.notes.append("the patch is seen from its edge or from behind")
+    placed.use("tilt")
+    placed.add("cosine-of-source", cones.facing(angle_of(given, "tilt")))
+    solved = solve(sheet, placed.laws, placed)
+    if solved.has("area") and solved.has("distance"):
+        area, away, tilt = solved.value("area"), solved.value("distance"), angle_of(given, "tilt")
+        _refuse_near(solved, area, away)
+        placed.add("projected-solid-angle", solved.value("solid-angle"))
+        if any_true(solved.value("solid-angle") == 0):
+            placed.note("the patch is seen from its edge or from behind")
         good = far_field.percent(far_field.error(far_field.size(area), away, tilt))
-        sheet.assume(f"a patch small beside its distance: A cos(theta) / d^2 is {good}")
-    return Seen(laws, "a plane whose normal points to the patch")
+        placed.assume(f"a patch small beside its distance: A cos(theta) / d^2 is {good}")
+    return placed
 
 
-def _on_sphere(sheet: Worksheet) -> Seen:
+def _on_sphere(sheet: Worksheet) -> Placed:
     """A patch of a sphere, seen from the sphere's centre."""
     from radcalc.laws.solid_angles import ON_SPHERE
 
     given = sheet.given
     one_of(given, "the size of the sphere", *ROUND)
-    if others := [name for name in given if name not in ("area", *ROUND)]:
-        raise Unused(others, "with a patch of a sphere")
-    laws: list[AnyLaw] = [*round_sizes(given), ON_SPHERE]
-    sheet.solve(laws)
-    if any_true(sheet.at("solid-angle") > cones.FULL * (1 + SLACK)):
-        size = format_number(sheet.at("solid-angle") / cones.FULL)
-        problem = f"{sheet.told('area')} is {size} times the whole sphere"
+    if foreign := [name for name in given if name not in ("area", *ROUND)]:
+        raise Unused(foreign, "with a patch of a sphere")
+    plane = "a plane whose normal points to the patch, as if it were a round one"
+    placed = _onto(plane, *round_sizes(given), ON_SPHERE)
+    solved = solve(sheet, placed.laws)
+    omega = solved.value("solid-angle")
+    if any_true(omega > cones.FULL * (1 + SLACK)):
+        size = format_number(omega / cones.FULL)
+        problem = f"{solved.describe('area')} is {size} times the whole sphere"
         raise ConditionError(problem, f"a smaller {options(['area'])}, or a larger sphere")
-    sheet.know(
-        "projected-solid-angle", cones.projected_cone(cones.cone_of(sheet.at("solid-angle")))
-    )
-    sheet.assume("a patch of the sphere, in any shape, seen from its centre")
-    return Seen(laws, "a plane whose normal points to the patch, as if it were a round one")
+    placed.add("projected-solid-angle", cones.projected_cone(cones.cone_of(omega)))
+    placed.assume("a patch of the sphere, in any shape, seen from its centre")
+    return placed
 
 
-def _refuse_near(sheet: Worksheet, area: Any, away: Any) -> None:
+def _refuse_near(solved: Solved, area: Any, away: Any) -> None:
     """Refuse a patch seen from so near that A cos(theta) / d^2 is off."""
     from radcalc.geometry import far_field
 
     size = far_field.size(area)
     if far_field.is_near(away, size):
-        tilt = angle_of(sheet.given, "tilt")
-        place = {"height": away * cos(tilt), "offset": away * sin(tilt)} if tilt else {}
+        tilt = angle_of(solved.given, "tilt")
+        place = (
+            {"height": away * cos(tilt), "offset": away * sin(tilt)} if any_true(tilt != 0) else {}
+        )
         sizes = {"radius": size / 2, **(place or {"distance": away})}
         disc = {name: f"{format_number(length)}m" for name, length in sizes.items()}
         exact = f"{command('solid-angle', 'disc', **disc)}, if it is a circle, which is exact"
         law = "A cos(theta) / d^2"
-        raise TooNear(sheet.told("distance"), "source", format_number(size), exact, law)
+        raise TooNear(solved.describe("distance"), "source", format_number(size), exact, law)
 
 
-def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:
+def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Placed:
     from radcalc.geometry import outline, projected
     from radcalc.geometry.polygons import polygon
 
@@ -398,19 +418,19 @@ def _polygon(sheet: Worksheet, points: Sequence[Point]) -> Seen:
     shape = outline.read(points, viewpoint)
     omega = abs(polygon(shape.vertices))
     flat = projected.polygon(shape.vertices, normal or shape.normal)
-    sheet.notes += shape.notes
     plane = "a plane parallel to the polygon's"
     if normal:
         plane = f"a plane whose normal is {','.join(map(format_number, normal))}"
-        if shape.dips_below(normal):
-            sheet.notes.append(mention("what is below the horizon of {normal} is cut away"))
-    step = TRIANGLES._replace(name="polygon, as triangles").told(
+    placed = _onto(plane)
+    placed.note(*shape.notes)
+    if normal and shape.dips_below(normal):
+        placed.note(mention("what is below the horizon of {normal} is cut away"))
+    step = TRIANGLES._replace(name="polygon, as triangles").with_numbers(
         f"{len(points)} vertices; Omega = {_sr(omega)}"
     )
-    _enter(sheet, omega, flat, step, _contour(flat))
     seen_from = ",".join(map(format_number, viewpoint))
-    sheet.assume(f"a polygon of {len(points)} vertices, seen from {seen_from}")
-    return Seen([], plane)
+    placed.assume(f"a polygon of {len(points)} vertices, seen from {seen_from}")
+    return _enter(sheet, placed, omega, flat, step, _contour(flat))
 
 
 SHAPES = {
@@ -427,3 +447,70 @@ SHAPES = {
 }
 ALIASES = {"band": "zone", "triangle": "polygon"}
 NAMES = (*SHAPES, "pixel", *ALIASES)  # a pixel has a page of its own
+OPERAND = Operand("shape", "SHAPE [X,Y,Z ...]", CHOICE, NAMES)
+PAGE = Page(
+    about="Give the solid angle of a shape, and its projected solid angle.",
+    operand=OPERAND,
+    sections={
+        "Cone": ("half-angle", "apex-angle", "projected-solid-angle", "solid-angle"),
+        "Zone": ("polar", "azimuth"),
+        "Sphere, disc, rectangle, patch": (
+            "radius",
+            "diameter",
+            "width",
+            "length",
+            "area",
+            "distance",
+            "height",
+            "offset",
+            "offset-y",
+            "corner",
+            "tilt",
+        ),
+        "Pyramid": ("horizontal", "vertical"),
+        "Polygon": ("viewpoint", "normal"),
+        "Pixel": ("size", "pixel", "projection"),
+    },
+    texts={
+        "radius": "Radius of a sphere, a disc or a round patch.",
+        "diameter": "Diameter of a sphere, a disc or a round patch.",
+        "width": "Width of a rectangle, along x.",
+        "length": "Length of a rectangle, along y.",
+        "area": "Area of a small patch.",
+        "tilt": "Angle by which a patch is turned from the line of sight.",
+        "solid-angle": "Solid angle of the cone, or of the sphere.",
+        "polar": ("30deg:60deg", "Polar angles of a zone, from +z."),
+        "azimuth": ("0deg:90deg", "Azimuths of a zone (default: all)."),
+        "corner": "Seen from above a corner of the rectangle.",
+    },
+    examples=(
+        "cone half-angle=30deg",
+        "cone solid-angle=1sr                    (its half angle)",
+        "zone polar=30deg:60deg azimuth=0deg:90deg",
+        "sphere radius=695700km distance=1au",
+        "disc diameter=10cm height=50cm offset=0cm:40cm:10cm",
+        "rectangle width=2m length=1m height=1m corner=",
+        "pyramid horizontal=60deg vertical=40deg",
+        "patch area=1cm2 distance=2m tilt=60deg",
+        "polygon 1,0,0 0,1,0 0,0,1 get=solid-angle:deg2",
+        "pixel size=1024x512 pixel=0,255",
+    ),
+    remarks="""
+    \b
+    SHAPE is one of:
+      full, hemisphere   all directions, one half of them
+      cone               {half-angle}, {apex-angle}, {solid-angle} or {projected-solid-angle}
+      zone (band)        {polar} A:B, {azimuth} A:B
+      sphere             two of {radius} (or {diameter}), {distance}, {solid-angle}
+      disc               {radius} or {diameter}, {height} ({distance}), {offset}
+      rectangle          {width}, {length}, {height} ({distance}), {offset}, {offset-y}, {corner}
+      pyramid            {horizontal} and {vertical}, full angles
+      patch              {area} (or {radius}, {diameter}), {distance}, {tilt}: small and flat;
+                         or {area} and {radius}, a part of that sphere seen from its centre
+      polygon (triangle) X,Y,Z of each vertex in order, {viewpoint}, {normal}
+      pixel              {size}, {pixel}, {projection}: of a map of all directions
+
+    Quantities may be lists (1m,2m) or ranges (1m:5m:1m), for an answer each.
+    """,
+    mistakes=("projected cone", "pair of full angles", "disc off its axis"),
+)

@@ -3,17 +3,52 @@
 import math
 
 from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import absent, value
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError, command, option
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.quantities.light import LUMINOUS, PHOTON, RADIANT, light_dimension
-from radcalc.quantities.symbols import SYMBOLS, light_unit, specific_name
+from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, light_unit, specific_name
 from radcalc.spectra import colorimetry
 from radcalc.spectra.counts import Counts
 from radcalc.spectra.observers import OBSERVERS
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import WHOLE, BlackBody, Lines, Spectrum
+
+PAGE = Page(
+    about="Describe a spectrum: peak, width, efficacies, photons, colour; or compare several.",
+    operand=Operand("spectrum", "SOURCE ...", SPECTRUM),
+    sections={"Light": ("observer", "range", "photon-range")},
+    texts={
+        "observer": "Whose eyes the luminous efficacy is for.",
+        "range": ("LOW:HIGH", "Where watts are counted."),
+        "photon-range": ("LOW:HIGH", "Where photons are counted."),
+    },
+    draws=True,
+    takes_lines=False,
+    examples=(
+        "LED-B3",
+        "blackbody:5772K get=luminance:cd/m2",
+        "AM1.5G get=irradiance:W/m2",
+        "measured.csv range=380nm:780nm",
+        "D65 LED-B3 HPS get=cct get=cri get=lux-per-ppfd",
+        "blackbody:3000K:6000K:1000K get=temperature:K get=luminous-efficacy:lm/W",
+        "LED-B3 plot=           a picture, with V(lambda) over it",
+        "D65 A LED-B3 plot=lamps.svg",
+        "list=                  the named sources",
+        "list= fluorescent      those of a kind",
+    ),
+    remarks="""
+    SOURCE is a name, blackbody:T, daylight:T, line:WAVELENGTH, gaussian:CENTRE,FWHM,
+    band:LOW:HIGH, a file, or - for standard input. Of several each has a row in a table, and a line
+    of numbers elsewhere.
+
+    A file has columns of text, or is what OceanView, SpectraSuite, Jaz, UPRtek, Sekonic or LI-COR
+    write, CGATS (X-Rite), or IES TM-27 (.spdx).
+    """,
+    mistakes=("efficacies of eyes",),
+)
 
 COLOURS = ("x", "y", "cct", "duv", "cri")
 CHROMATICITY = "the chromaticity: x and y"
@@ -29,7 +64,7 @@ def spectrum(given: Inputs) -> Answer:
     the given photon range (400 nm to 700 nm, all of them for lines).
     """
     source: Spectrum = given["spectrum"].value
-    chosen = {name: one.value for name, one in given.items()}
+    chosen = {name: item.value for name, item in given.items()}
     eye, night = OBSERVERS[chosen.get("observer", "photopic")], OBSERVERS["scotopic"]
     ranges = chosen.get("range"), chosen.get("photon-range")
     counts = Counts(source, eye, *ranges)
@@ -68,36 +103,36 @@ def _shape(counts: Counts) -> list[Value]:
     source, watts, limits = counts.source, counts.amount(RADIANT), counts.ranges[RADIANT]
     peak, width = source.peak()
     centroid = source.photons(limits) * PLANCK * LIGHT / watts * 1e9
-    found = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
+    results = [_nanometres("peak-wavelength", peak), _nanometres("centroid-wavelength", centroid)]
     if width is not None:
-        found.append(_nanometres("fwhm", width))
+        results.append(_nanometres("fwhm", width))
     else:
         is_lines = isinstance(source, Lines)
         why = "a line has no width" if is_lines else "the data end above half of the peak"
-        found.append(absent("fwhm", why, "peak-wavelength and centroid-wavelength"))
+        results.append(absent("fwhm", why, "peak-wavelength and centroid-wavelength"))
     if limits != WHOLE:
-        found.append(_nanometres("range-start", limits[0]))
-        found.append(_nanometres("range-end", limits[1]))
-    return [*found, value("range-fraction", watts / source.total())]
+        results.append(_nanometres("range-start", limits[0]))
+        results.append(_nanometres("range-end", limits[1]))
+    return [*results, value("range-fraction", watts / source.total())]
 
 
 def _efficacies(counts: Counts, by_night: Counts) -> list[Value]:
     """Lumens per watt, by the observer and by night."""
     eye, lumens, dark = counts.eye, counts.amount(LUMINOUS), by_night.amount(LUMINOUS)
-    found = [
+    results = [
         *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficiency", eye.maximum),
         *_ratio(counts, LUMINOUS, RADIANT, "luminous-efficacy"),
     ]
     if eye is not by_night.eye:
-        found += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
+        results += _ratio(by_night, LUMINOUS, RADIANT, "scotopic-luminous-efficacy")
     if eye is not OBSERVERS["photopic"]:
-        asked = f"it is by {OBSERVERS['photopic'].label}"
-        found.append(absent("sp-ratio", asked, f"the same without {option('observer')}"))
+        reason = f"it is by {OBSERVERS['photopic'].label}"
+        results.append(absent("sp-ratio", reason, f"the same without {option('observer')}"))
     elif lumens:
-        found.append(value("sp-ratio", dark / lumens))
+        results.append(value("sp-ratio", dark / lumens))
     else:
-        found.append(absent("sp-ratio", UNSEEN, LIT))
-    return found
+        results.append(absent("sp-ratio", UNSEEN, LIT))
+    return results
 
 
 def _ratio(counts: Counts, over: str, under: str, name: str, scale: float = 1.0) -> list[Value]:
@@ -128,32 +163,32 @@ def _colour(source: Spectrum) -> tuple[list[Value], list[str]]:
     total = sum(tristimulus)
     if not total > 0:
         return [absent(name, UNSEEN, LIT) for name in COLOURS], []
-    found = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
+    results = [value("x", tristimulus[0] / total), value("y", tristimulus[1] / total)]
     try:
         if isinstance(source, BlackBody):  # its own temperature, by definition
             temperature, distance = source.temperature, 0.0
         else:
             temperature, distance = colorimetry.temperature_and_distance(light)
     except colorimetry.Undefined as error:
-        return [*found, *(absent(name, str(error), CHROMATICITY) for name in COLOURS[2:])], []
-    found += [value("cct", temperature), value("duv", distance)]
+        return [*results, *(absent(name, str(error), CHROMATICITY) for name in COLOURS[2:])], []
+    results += [value("cct", temperature), value("duv", distance)]
     try:
         like = colorimetry.reference(temperature)
     except colorimetry.Undefined as error:
-        return [*found, absent("cri", str(error), "cct and duv")], []
+        return [*results, absent("cri", str(error), "cct and duv")], []
     if not colorimetry.is_adapted(light):
         why = "the adaptation of CIE 13.3 has no meaning for its chromaticity"
-        return [*found, absent("cri", why, "cct and duv")], []
-    found.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
+        return [*results, absent("cri", why, "cct and duv")], []
+    results.append(value("cri", lambda: colorimetry.colour_rendering_index(light, like)))
     away = colorimetry.difference(light, like)
     if away <= colorimetry.SIMILAR:
-        return found, []
+        return results, []
     beyond = f"the colour is {away:.4g} in (u, v) from that of the reference"
-    return found, [f"cri: {beyond}, and CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
+    return results, [f"cri: {beyond}, and CIE 13.3 is for up to {colorimetry.SIMILAR:g}"]
 
 
 def _absolute(source: Spectrum, amounts: dict[str, float]) -> list[Value]:
-    """What an absolute source gives: irradiance and illuminance, or what a black body radiates.
+    """Return irradiance and illuminance of an absolute source, or a black body's radiation.
 
     `amounts` are its watts, lumens and photons; each result can be asked for in all three kinds.
     """
@@ -179,9 +214,11 @@ def _of_light(name: str, kind: str, amounts: dict[str, float]) -> Value:
     geometry = symbol.geometry or (0, 0, 0)
     reach = {light_dimension(k, geometry, ""): amount for k, amount in amounts.items()}
     unit = light_unit(name, kind)
-    own = light_dimension(kind, geometry, "")
+    base_dimension = light_dimension(kind, geometry, "")
     letter = symbol.letter if kind != RADIANT else ""
-    return Value(symbol.name, symbol.label, letter, amounts[kind], (own,), (unit,), reach)
+    return Value(
+        symbol.name, symbol.label, letter, amounts[kind], (base_dimension,), (unit,), reach
+    )
 
 
 def _steps(counts: Counts) -> list[Step]:
@@ -194,4 +231,6 @@ def _steps(counts: Counts) -> list[Step]:
     )
     if counts.impossible(LUMINOUS, RADIANT):
         return []
-    return [formula.told(f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W")]
+    return [
+        formula.with_numbers(f"K = {lumens:.6g} lm / {watts:.6g} W = {lumens / watts:.6g} lm/W")
+    ]

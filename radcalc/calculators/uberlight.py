@@ -5,11 +5,14 @@ own fall-off, and nothing else to attenuate it, its irradiance is that of its in
 fall-off distance L both agree, so that E = I a / L^2.
 """
 
+from functools import partial
 from typing import Any
 
 from radcalc.answer import Answer, Step
+from radcalc.calculators.page import Operand, Page
 from radcalc.calculators.results import value
-from radcalc.calculators.worksheet import FARTHEST, Page, Worksheet
+from radcalc.calculators.solved import Solved, solve
+from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_number, format_value
 from radcalc.errors import (
     ConditionError,
@@ -23,11 +26,12 @@ from radcalc.errors import (
 )
 from radcalc.geometry import uberlight as attenuations
 from radcalc.geometry.numerics.vectors import cross, dot, length, times, unit
-from radcalc.given import IN_METRES, Inputs, angle_of
+from radcalc.inputs.given import Inputs, angle_of
+from radcalc.inputs.places import IN_METRES
 from radcalc.laws.law import AnyLaw, law
 from radcalc.laws.point import COSINE
-from radcalc.maths import Number, any_true, atan2, hypot, is_array, log
-from radcalc.quantities.symbols import SYMBOLS
+from radcalc.maths import Number, any_true, atan2, hypot, is_array, log, square
+from radcalc.quantities.symbols import LINKS, REFINEMENTS, SYMBOLS
 from radcalc.units.dimensions import LENGTH
 
 BARZEL = "R. Barzel, J. Graphics Tools 2(1) (1997) 1; the formulas are L. Gritz's, uberlight.sl"
@@ -67,6 +71,44 @@ PAGE = Page(
         *NUMBERS,
     ),
     goal="attenuation",
+    about='Give what a cinematographer\'s light ("uberlight") sends to points.',
+    operand=Operand("point", "X,Y,Z ..."),
+    sections={
+        "Light": ("intensity", "irradiance", "omni"),
+        "Distance": ("falloff", "falloff-distance", "maximum", "near", "far"),
+        "Direction, of a spot": ("superellipse", "roundness", "shear", "beam-exponent"),
+        "Receiver": ("normal", "incidence"),
+        "Kinds of light": (*LINKS, *REFINEMENTS),
+    },
+    texts={
+        "normal": "Normal of the receiver (it faces the light).",
+    },
+    takes_lines=False,
+    examples=(
+        "0,0,4 intensity=1000cd",
+        "0,0,4 intensity=1000cd falloff=1 falloff-distance=2m steps=",
+        "0.5m,0m,2m 1m,0m,2m superellipse=0.2,0.2,0.4,0.4 roundness=0.5",
+        "1,0,3 illuminance=500lx beam-exponent=8 get=intensity:cd",
+        "0,0,1 0,0,1.5 0,0,9 intensity=100cd near=1m:2m far=8m:10m",
+        "0.5,0,0 omni= intensity=100cd maximum=4 falloff=0,1,2",
+    ),
+    remarks="""
+    The light is at 0,0,0; a spot shines along +z, an {omni} everywhere.  X,Y,Z are three lengths
+    (1m,0m,2m), or bare numbers of metres.  The attenuation is the product of four: by the depth z
+    ({near}, {far}), by the superellipse, by the beam and by the fall-off ({falloff}, {maximum}).
+    The irradiance is I a cos(theta) / L^2, a the attenuation and L the {falloff-distance}, so that
+    a fall-off of 2 is the inverse square, whatever L is.  intensity-toward is the intensity that
+    a source with an inverse square would need to give the same.  Notes say which settings are no
+    physics.
+
+    The other lights of computer graphics, a spot with a power of the cosine, one with a cone, and
+    the general point source, are point sources:
+
+    \b
+      radcalc point-source {intensity} 1000cd {exponent} 20 {height} 3m {offset} 1m {steps}
+      radcalc point-source {intensity} 1000cd {half-angle} 20deg {height} 3m {offset} 1m {steps}
+      radcalc point-source {distribution} '(100 + 50*cos(theta)) cd' {distance} 2m {steps}
+    """,
 )
 SMOOTHSTEP = Step(
     "smooth step",
@@ -105,23 +147,26 @@ WITHIN = Formula(
 )
 
 
+Settings = dict[str, Any]  # the settings and the point, by symbols
+
+
 def uberlight(given: Inputs) -> Answer:
-    """What a cinematographer's light sends to a point.
+    """Return what a cinematographer's light sends to a point.
 
     `given` are the point, the settings of the light, its intensity or the irradiance that it
     gives, how the receiver is turned, and what links the kinds.
     """
     is_omni = "omni" in given
     _refuse_useless(given, is_omni)
-    sheet = Worksheet(PAGE, given)
-    sheet.defaults.add("incidence")
+    sheet, placed = worksheet(PAGE, given, defaults=("incidence",)), Placed()
     x, y, z = sheet.given["point"].value
     distance = hypot(hypot(x, y), z)
     if any_true(distance < NEAREST):
         raise ConditionError("the point is at the light", "a point aside of it")
-    sheet.know("distance", distance)
-    _assume(sheet, is_omni)
-    ratio = distance / sheet.known["falloff-distance"].value
+    placed.add("distance", distance)
+    _assume(sheet, placed, is_omni)
+    settings = {name: known.value for name, known in sheet.known_with(placed).items()}
+    ratio = distance / settings["falloff-distance"]
     if any_true((ratio > FARTHEST) | (ratio < 1 / FARTHEST)):
         raise ConditionError(
             mention(
@@ -129,16 +174,16 @@ def uberlight(given: Inputs) -> Answer:
             ),
             "less extreme values",
         )
-    _turn_receiver(sheet)
-    sheet.place(_attenuate)
-    sheet.solve(LAWS)
-    _judge(sheet)
+    _turn_receiver(sheet, placed)
+    placed.merge(place(sheet, partial(_attenuate, settings)))
+    solved = solve(sheet, LAWS, placed)
+    _judge(solved)
     places = zip("xyz", (x, y, z), strict=True)
     first = [
         value(name, size, "m", label=name)._replace(dimensions=(LENGTH,), given=size)
         for name, size in places
     ]
-    return sheet.answer(LAWS, first)
+    return solved.answer(first)
 
 
 def _refuse_useless(given: Inputs, is_omni: bool) -> None:
@@ -154,53 +199,53 @@ def _refuse_useless(given: Inputs, is_omni: bool) -> None:
             hint = option("superellipse", SYMBOLS["superellipse"].example)
             raise Unused(useless, mention("without {superellipse}"), hint)
         return
-    one = given["superellipse"]
-    a, b, outer_a, outer_b = one.value
-    told = f"{option('superellipse', quote(one.text))}, a,b,A,B,"
+    given_shape = given["superellipse"]
+    a, b, outer_a, outer_b = given_shape.value
+    option_text = f"{option('superellipse', quote(given_shape.text))}, a,b,A,B,"
     if min(a, b) < NEAREST:
         raise ConditionError(
-            f"{told} has no inside",
+            f"{option_text} has no inside",
             mention("a and b above 0, as in {superellipse=0.4,0.3,0.5,0.4}"),
         )
     if a > outer_a or b > outer_b:
         texts = [format_number(size) for size in (*_sorted(a, outer_a), *_sorted(b, outer_b))]
         turned = ",".join(texts[i] for i in (0, 2, 1, 3))
         raise ConditionError(
-            f"{told} is larger inside than outside", option("superellipse", turned)
+            f"{option_text} is larger inside than outside", option("superellipse", turned)
         )
 
 
-def _sorted(one: float, other: float) -> tuple[float, float]:
-    return min(one, other), max(one, other)
+def _sorted(first: float, second: float) -> tuple[float, float]:
+    return min(first, second), max(first, second)
 
 
-def _assume(sheet: Worksheet, is_omni: bool) -> None:
-    """Enter what goes without saying, and say it."""
+def _assume(sheet: Worksheet, placed: Placed, is_omni: bool) -> None:
+    """Add and assume the defaults of settings."""
     given = sheet.given
     aim = "shines everywhere" if is_omni else "shines along +z"
-    sheet.assume(f"the light is at 0,0,0 and {aim}")
+    placed.assume(f"the light is at 0,0,0 and {aim}")
     if given["point"].unit is None:
-        sheet.assume(IN_METRES)
+        placed.assume(IN_METRES)
     if "falloff" not in given:
-        sheet.know("falloff", 2.0)
-        sheet.assume(mention("the inverse square, a fall-off of 2 ({falloff})"))
+        placed.add("falloff", 2.0)
+        placed.assume(mention("the inverse square, a fall-off of 2 ({falloff})"))
     if "falloff-distance" not in given:
-        sheet.know("falloff-distance", 1.0)
-        sheet.assume(mention("a fall-off distance of 1 m ({falloff-distance})"))
+        placed.add("falloff-distance", 1.0)
+        placed.assume(mention("a fall-off distance of 1 m ({falloff-distance})"))
     if "superellipse" in given and "roundness" not in given:
-        sheet.know("roundness", 1.0)
-        sheet.assume(mention("an ellipse, with a roundness of 1 ({roundness})"))
+        placed.add("roundness", 1.0)
+        placed.assume(mention("an ellipse, with a roundness of 1 ({roundness})"))
     if sheet.lit.values:
-        sheet.assume("the full light has the irradiance I / L^2 at the fall-off distance")
+        placed.assume("the full light has the irradiance I / L^2 at the fall-off distance")
 
 
-def _turn_receiver(sheet: Worksheet) -> None:
-    """Enter the incidence, of which the normal may tell."""
+def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
+    """Add the incidence, which the normal may give."""
     given = sheet.given
     if "normal" in given and "incidence" in given:
         raise Exclusive(("normal", "incidence"), "both give the incidence")
     if "incidence" in given:
-        sheet.know("incidence", angle_of(given, "incidence"), given["incidence"])
+        placed.add("incidence", angle_of(given, "incidence"), given["incidence"])
     elif "normal" in given:
         if not sheet.lit.values:
             raise Idle(
@@ -208,38 +253,34 @@ def _turn_receiver(sheet: Worksheet) -> None:
                 f"with it, {options(('intensity', 'irradiance'))}",
             )
         normal = unit(given["normal"].value)
-        to_light = times(given["point"].value, -1 / sheet.known["distance"].value)
+        to_light = times(given["point"].value, -1 / placed.known["distance"].value)
         across = length(cross(normal, to_light))
-        sheet.know("incidence", atan2(across, dot(normal, to_light)))
+        placed.add("incidence", atan2(across, dot(normal, to_light)))
     elif sheet.lit.values:
-        sheet.know("incidence", 0.0)
-        sheet.assume("the receiver faces the light")
+        placed.add("incidence", 0.0)
+        placed.assume("the receiver faces the light")
 
 
-def _attenuate(sheet: Worksheet) -> None:
-    """Enter the four attenuations, which are no laws, with a step each."""
-    sheet.use(*NUMBERS)
-    if {"near", "far", "superellipse"} & set(sheet.given):
-        sheet.placed.append(SMOOTHSTEP)
-    _by_depth(sheet)
-    _by_superellipse(sheet)
-    _by_beam(sheet)
-    _by_falloff(sheet)
+def _attenuate(settings: Settings, sheet: Worksheet) -> Placed:
+    """Find the four attenuations, which follow from no law, with a step each."""
+    at = {**settings, **{name: item.value for name, item in sheet.given.items()}}
+    placed = Placed()
+    placed.use(*NUMBERS)
+    if {"near", "far", "superellipse"} & at.keys():
+        placed.steps.append(SMOOTHSTEP)
+    _by_depth(at, placed)
+    _by_superellipse(at, placed)
+    _by_beam(at, placed)
+    _by_falloff(at, placed)
+    return placed
 
 
-def _number(sheet: Worksheet, name: str) -> Any:
-    """A setting: as it was given, or as it goes without saying."""
-    return sheet.given[name].value if name in sheet.given else sheet.known[name].value
-
-
-def _by_depth(sheet: Worksheet) -> None:
-    given = sheet.given
-    near, far = (given[name].value if name in given else None for name in ("near", "far"))
-    letter, depth = "z", given["point"].value[2]
-    if "omni" in given:
-        letter, depth = "d", sheet.known["distance"].value
+def _by_depth(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by the depth."""
+    near, far = at.get("near"), at.get("far")
+    letter, depth = ("d", at["distance"]) if "omni" in at else ("z", at["point"][2])
     clip = attenuations.depth_clip(depth, near, far)
-    sheet.know("depth-attenuation", clip)
+    placed.add("depth-attenuation", clip)
     size = format_value(depth, "m")
     terms, factors = [], []
     for limits, letters, form in (
@@ -248,164 +289,166 @@ def _by_depth(sheet: Worksheet) -> None:
     ):
         if limits:
             terms.append(form.format(letters, letter))
-            factors.append(form.format(", ".join(format_value(one, "m") for one in limits), size))
+            factors.append(
+                form.format(", ".join(format_value(limit, "m") for limit in limits), size)
+            )
     if terms:
         formula = Formula("depth clip", f"{{depth-attenuation}} = {' '.join(terms)}", BARZEL)
-        sheet.placed.append(formula.told(f"a_z = {' '.join(factors)} = {format_number(clip)}"))
-    elif "omni" not in given:
-        sheet.placed.append(FRONT.told(f"z = {size}; a_z = {format_number(clip)}"))
+        placed.steps.append(
+            formula.with_numbers(f"a_z = {' '.join(factors)} = {format_number(clip)}")
+        )
+    elif "omni" not in at:
+        placed.steps.append(FRONT.with_numbers(f"z = {size}; a_z = {format_number(clip)}"))
 
 
-def _by_superellipse(sheet: Worksheet) -> None:
-    """Enter the attenuation by the cross-section."""
-    if "superellipse" not in sheet.given:
-        sheet.know("superellipse-attenuation", 1.0)
+def _by_superellipse(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by the cross-section."""
+    if "superellipse" not in at:
+        placed.add("superellipse-attenuation", 1.0)
         return
-    roundness = _number(sheet, "roundness")
-    clip = _clip(sheet, roundness)
-    sheet.know("superellipse-attenuation", clip)
-    u, v = _section(sheet)
-    a, b, outer_a, outer_b = map(format_number, sheet.given["superellipse"].value)
-    told = f"u = {format_number(u)}, v = {format_number(v)}; "
+    roundness = at["roundness"]
+    clip = _clip(at, roundness)
+    placed.add("superellipse-attenuation", clip)
+    u, v = _section(at)
+    a, b, outer_a, outer_b = map(format_number, at["superellipse"])
+    numbers = f"u = {format_number(u)}, v = {format_number(v)}; "
     formula = SUPERELLIPSE
     if not any_true(roundness > 0):
         formula = RECTANGLE
-        told += f"(1 - smoothstep({a}, {outer_a}, u)) (1 - smoothstep({b}, {outer_b}, v))"
+        numbers += f"(1 - smoothstep({a}, {outer_a}, u)) (1 - smoothstep({b}, {outer_b}, v))"
     elif any_true((u + v == 0) | (roundness == 0)):  # q and r have no end
-        told += "a_s"
+        numbers += "a_s"
     else:
         q, r = (
             format_number(1 / attenuations.superellipse_scale(u, v, *sizes, roundness))
-            for sizes in _sizes(sheet)
+            for sizes in _sizes(at)
         )
-        told += f"a = {a}, b = {b}: q = {q}; A = {outer_a}, B = {outer_b}: r = {r}; "
-        told += f"1 - smoothstep({q}, {r}, 1)"
-    sheet.placed.append(formula.told(f"{told} = {format_number(clip)}"))
+        numbers += f"a = {a}, b = {b}: q = {q}; A = {outer_a}, B = {outer_b}: r = {r}; "
+        numbers += f"1 - smoothstep({q}, {r}, 1)"
+    placed.steps.append(formula.with_numbers(f"{numbers} = {format_number(clip)}"))
 
 
-def _sizes(sheet: Worksheet) -> tuple[tuple[float, float], tuple[float, float]]:
-    """The half axes of the inner and of the outer superellipse."""
-    a, b, outer_a, outer_b = sheet.given["superellipse"].value
+def _sizes(at: Settings) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the half axes of the inner and of the outer superellipse."""
+    a, b, outer_a, outer_b = at["superellipse"]
     return (a, b), (outer_a, outer_b)
 
 
-def _clip(sheet: Worksheet, roundness: Any) -> Any:
-    x, y = _section(sheet)
-    return attenuations.superellipse_clip(x, y, *_sizes(sheet), roundness)
+def _clip(at: Settings, roundness: Any) -> Any:
+    x, y = _section(at)
+    return attenuations.superellipse_clip(x, y, *_sizes(at), roundness)
 
 
-def _section(sheet: Worksheet) -> tuple[Number, Number]:
-    shear = sheet.given["shear"].value if "shear" in sheet.given else (0.0, 0.0)
-    x, y, z = sheet.given["point"].value
-    return attenuations.cross_section(x, y, z, shear)
+def _section(at: Settings) -> tuple[Number, Number]:
+    x, y, z = at["point"]
+    return attenuations.cross_section(x, y, z, at.get("shear", (0.0, 0.0)))
 
 
-def _by_beam(sheet: Worksheet) -> None:
-    """Enter the attenuation by the angle off the axis."""
-    if "beam-exponent" not in sheet.given:
-        sheet.know("beam-attenuation", 1.0)
+def _by_beam(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by the angle off the axis."""
+    if "beam-exponent" not in at:
+        placed.add("beam-attenuation", 1.0)
         return
-    exponent = sheet.given["beam-exponent"].value
-    x, y, z = sheet.given["point"].value
-    part = attenuations.beam(x, y, z, exponent)
-    sheet.know("beam-attenuation", part)
-    at = {"distance": sheet.known["distance"].value, "beam-exponent": exponent}
-    step = BEAM.step(at, format_number(part))
-    sheet.placed.append(step._replace(numbers=f"z = {format_value(z, 'm')}; {step.numbers}"))
+    x, y, z = at["point"]
+    part = attenuations.beam(x, y, z, at["beam-exponent"])
+    placed.add("beam-attenuation", part)
+    numbers = {name: at[name] for name in ("distance", "beam-exponent")}
+    step = BEAM.step(numbers, format_number(part))
+    placed.steps.append(step._replace(numbers=f"z = {format_value(z, 'm')}; {step.numbers}"))
 
 
-def _by_falloff(sheet: Worksheet) -> None:
-    """Enter the attenuation by the distance."""
-    at = {name: _number(sheet, name) for name in ("distance", "falloff", "falloff-distance")}
-    maximum = sheet.given["maximum"].value if "maximum" in sheet.given else None
-    distance, exponent, reference = at.values()
+def _by_falloff(at: Settings, placed: Placed) -> None:
+    """Add the attenuation by the distance."""
+    numbers = {name: at[name] for name in ("distance", "falloff", "falloff-distance")}
+    maximum = at.get("maximum")
+    distance, exponent, reference = numbers.values()
     part = attenuations.falloff(distance, exponent, reference, maximum)
-    sheet.know("falloff-attenuation", part)
-    found = format_number(part)
+    placed.add("falloff-attenuation", part)
+    size = format_number(part)
     if maximum is None or not any_true(distance < reference):
-        sheet.placed.append(FALLOFF.step(at, found))
+        placed.steps.append(FALLOFF.step(numbers, size))
     elif any_true(maximum == 1):
-        sheet.placed.append(WITHIN.step(at, found))
+        placed.steps.append(WITHIN.step(numbers, size))
     else:
         s = -log(maximum)
-        told = f"s = {format_number(s)}, beta = {format_number(-exponent / s)}; "
-        step = HELD.step({**at, "maximum": maximum}, found)
-        sheet.placed.append(step._replace(numbers=told + step.numbers))
+        constants = f"s = {format_number(s)}, beta = {format_number(-exponent / s)}; "
+        step = HELD.step({**numbers, "maximum": maximum}, size)
+        placed.steps.append(step._replace(numbers=constants + step.numbers))
 
 
-def _judge(sheet: Worksheet) -> None:
+def _judge(solved: Solved) -> None:
     """Say what is no physics, and why a point is dark."""
-    given = sheet.given
+    given = solved.given
     if "near" in given:
-        sheet.notes.append(
+        solved.note(
             mention("{near} is no physics: dark up to A and lit from B on, light is created")
         )
     if "far" in given:
-        sheet.notes.append(
+        solved.note(
             mention("{far} is no physics: nothing stops the light between C and D, and it is lost")
         )
-    _judge_falloff(sheet)
+    _judge_falloff(solved)
     shaping = ["superellipse"] if "superellipse" in given else []
     if "beam-exponent" in given and any_true(given["beam-exponent"].value > 0):
         shaping.append("beam-exponent")
     if shaping:
-        sheet.notes.append(
+        solved.note(
             f"{options(shaping, ' and ')} only shape{'s' if len(shaping) == 1 else ''} the "
             "directions: the fall-off along each is kept, and the flux is less than 4 pi times the "
             "intensity"
         )
-    _judge_corner(sheet)
-    _judge_dark(sheet)
+    _judge_corner(solved)
+    _judge_dark(solved)
 
 
-def _judge_falloff(sheet: Worksheet) -> None:
+def _judge_falloff(solved: Solved) -> None:
     """Compare the fall-off with an inverse square from the same intensity."""
-    distance, reference = sheet.known["distance"].value, sheet.known["falloff-distance"].value
-    exponent = _number(sheet, "falloff")
+    distance, reference = solved.value("distance"), solved.value("falloff-distance")
+    exponent = solved.value("falloff")
     breaking = []
     if any_true(exponent != 2):
         breaking.append(option("falloff", format_number(exponent)))
-    if "maximum" in sheet.given and any_true(distance < reference):
-        breaking.append(option("maximum", quote(sheet.given["maximum"].text)))
+    if "maximum" in solved.given and any_true(distance < reference):
+        breaking.append(option("maximum", quote(solved.given["maximum"].text)))
     if not breaking:
         return
     several = len(breaking) > 1
-    told = f"{' and '.join(breaking)} {'are' if several else 'is'} no inverse square"
-    ratio = sheet.known["falloff-attenuation"].value * (distance / reference) ** 2
+    note = f"{' and '.join(breaking)} {'are' if several else 'is'} no inverse square"
+    ratio = solved.value("falloff-attenuation") * square(distance / reference)
     if is_array(ratio):
-        told += ": light is created or lost"
+        note += ": light is created or lost"
     elif abs(ratio - 1) > 1e-9:
-        told += (
+        note += (
             f": {'they give' if several else 'it gives'} {format_number(ratio)} times the light "
             f"of one here, so light is {'created' if ratio > 1 else 'lost'}"
         )
-    sheet.notes.append(told)
+    solved.note(note)
 
 
-def _judge_corner(sheet: Worksheet) -> None:
+def _judge_corner(solved: Solved) -> None:
     """Say what a hair of roundness would make of a rectangle's soft edge."""
-    if "superellipse" not in sheet.given or not any_true(_number(sheet, "roundness") == 0):
+    if "superellipse" not in solved.given or not any_true(solved.value("roundness") == 0):
         return
-    clip = sheet.known["superellipse-attenuation"].value
-    rounded = _clip(sheet, HARDLY_ROUND)
+    clip = solved.value("superellipse-attenuation")
+    rounded = _clip({name: item.value for name, item in solved.given.items()}, HARDLY_ROUND)
     if any_true(abs(rounded - clip) > 1e-12):
-        told = "" if is_array(rounded) else f" and gives {format_number(rounded)} here"
-        sheet.notes.append(
+        rounded_text = "" if is_array(rounded) else f" and gives {format_number(rounded)} here"
+        solved.note(
             mention(
                 "{roundness} of 0 multiplies the steps of x and y, as the published shader does; "
-                f"just above 0 the formula for rounded corners is another{told}"
+                f"just above 0 the formula for rounded corners is another{rounded_text}"
             )
         )
 
 
-def _judge_dark(sheet: Worksheet) -> None:
+def _judge_dark(solved: Solved) -> None:
     """Say why no light arrives."""
-    known, z = sheet.known, sheet.given["point"].value[2]
-    if "omni" not in sheet.given and any_true(z <= 0):
-        sheet.notes.append("a spot has no light where z is 0 or less")
-    elif any_true(known["depth-attenuation"].value == 0):
-        limits = [name for name in ("near", "far") if name in sheet.given]
-        sheet.notes.append(f"no light: the point is outside {options(limits, ' and ')}")
-    elif any_true(known["superellipse-attenuation"].value == 0):
-        sheet.notes.append(mention("no light: the point is outside {superellipse}"))
-    sheet.note_behind()
+    z = solved.given["point"].value[2]
+    if "omni" not in solved.given and any_true(z <= 0):
+        solved.note("a spot has no light where z is 0 or less")
+    elif any_true(solved.value("depth-attenuation") == 0):
+        limits = [name for name in ("near", "far") if name in solved.given]
+        solved.note(f"no light: the point is outside {options(limits, ' and ')}")
+    elif any_true(solved.value("superellipse-attenuation") == 0):
+        solved.note(mention("no light: the point is outside {superellipse}"))
+    solved.note_behind()

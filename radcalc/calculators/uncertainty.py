@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Answer, Result, Step, Value
 from radcalc.calculators.results import in_unit
-from radcalc.conversion.plan import Plan, plan
+from radcalc.conversion.linear import Plan
+from radcalc.conversion.plan import plan
 from radcalc.derivation import DIGITS, digits_apart, format_number, with_unit
 from radcalc.errors import (
     ConditionError,
@@ -22,13 +23,16 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.given import Given, Inputs, any_uncertain, moved
+from radcalc.inputs.given import Input, Inputs, any_uncertain
+from radcalc.inputs.quantities import moved
 from radcalc.maths import is_array, is_uncertain
 from radcalc.quantities.symbols import ANY, Symbol
-from radcalc.units.amounts import Amount
+from radcalc.units.amount import Amount
+from radcalc.units.parts import Part, check_uncertainty
 from radcalc.units.slopes import reach, slopes
-from radcalc.units.table import Unit, resolve
-from radcalc.units.uncertain import Part, hold, variable
+from radcalc.units.table import resolve
+from radcalc.units.uncertain import variable
+from radcalc.units.unit import Unit
 
 ASSUMED = "standard uncertainties (k = 1), carried linearly"
 INDEPENDENT = "standard uncertainties (k = 1) of independent inputs, carried linearly"
@@ -43,7 +47,7 @@ VALUE = Symbol("", "", (), limits=ANY)  # of a conversion: no option names it
 
 
 class Bend(NamedTuple):
-    """What is uncertain, as a note names it, and within which a result is no straight line.
+    """An uncertain input, as a note names it, over which a result is not a straight line.
 
     `bent` are those results, and `at` gives all where the input is moved by so much of what is
     uncertain, from -1 to 1; `problem` says why there are none at one of the ends.
@@ -55,17 +59,17 @@ class Bend(NamedTuple):
     problem: str = ""
 
     def note(self, label: str, key: Key, in_its_unit: Callable[[float], Any], unit: str) -> str:
-        """What to say of a result: how far it reaches, in digits that tell its ends apart."""
+        """Return the note on a result: its range, in digits that tell its ends apart."""
 
         def number(shift: float) -> float | None:
-            found = self.at(shift).get(key)
+            amount = self.at(shift).get(key)
             try:
-                shown = None if found is None else float(in_its_unit(found))
+                size = None if amount is None else float(in_its_unit(amount))
             except RadcalcError:
                 if not shift:
                     raise
                 return None
-            return shown if shown is not None and math.isfinite(shown) else None
+            return size if size is not None and math.isfinite(size) else None
 
         low, high = reach(number)
         digits = DIGITS if math.inf in (-low, high) else digits_apart(low, high)
@@ -81,7 +85,7 @@ class Bend(NamedTuple):
 
 
 def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> Answer:
-    """The answer to what is given; where that is uncertain, the numbers are.
+    """Return the answer to what is given; where that is uncertain, the numbers are.
 
     Raises ConditionError where more is given than needed, and nothing tells what counts.
     """
@@ -90,30 +94,30 @@ def with_uncertainties(work_out: Callable[[Inputs], Answer], given: Inputs) -> A
         return answer
     nominal = _numbers(answer)
     numbers, bends = _carry(lambda inputs: _numbers(work_out(inputs)), given, nominal)
-    every = []
-    for k, one in enumerate((answer, *answer.more)):
-        values = [_uncertain(value, key, numbers) for key, value in _keys(one, k)]
-        notes = _notes(bends, dict(_keys(one, k)))
-        every.append(
+    answers = []
+    for k, alternative in enumerate((answer, *answer.more)):
+        values = [_uncertain(value, key, numbers) for key, value in _keys(alternative, k)]
+        notes = _notes(bends, dict(_keys(alternative, k)))
+        answers.append(
             Answer(
                 values,
-                (*one.assumptions, _assumed(given)),
-                (*one.notes, *notes),
-                _WithShares(one.steps, values),
+                (*alternative.assumptions, _assumed(given)),
+                (*alternative.notes, *notes),
+                _WithShares(alternative.steps, values),
             )
         )
-    return every[0]._replace(more=tuple(every[1:]))
+    return answers[0]._replace(more=tuple(answers[1:]))
 
 
-def of_conversion(shown: Result, found: "Converted") -> Result:
-    """The result of a conversion, with its uncertainty."""
-    (row,) = shown.rows
+def of_conversion(result: Result, conversion: "Converted") -> Result:
+    """Return the result of a conversion, with its uncertainty."""
+    (row,) = result.rows
     name = row.quantity or "the result"
-    return shown._replace(
-        rows=(row._replace(uncertainty=found.uncertainty),),
-        assumptions=(*shown.assumptions, found.assumed),
-        notes=(*shown.notes, *found.notes(name, row.unit)),
-        steps=shown.steps and (*shown.steps, *_shares(name, found.number, row.unit)),
+    return result._replace(
+        rows=(row._replace(uncertainty=conversion.uncertainty),),
+        assumptions=(*result.assumptions, conversion.assumed),
+        notes=(*result.notes, *conversion.notes(name, row.unit)),
+        steps=result.steps and (*result.steps, *_shares(name, conversion.number, row.unit)),
     )
 
 
@@ -130,7 +134,7 @@ class Converted(NamedTuple):
         return getattr(self.number, "std_dev", 0.0)
 
     def notes(self, name: str, unit: str) -> list[str]:
-        """What to say of the bends, where the number is called so and in that unit."""
+        """Return what to say of the bends, where the number is called so and in that unit."""
         notes = [bend.problem for bend in self.bends if bend.problem]
         for bend in self.bends:
             for key in bend.bent:
@@ -138,27 +142,27 @@ class Converted(NamedTuple):
         return notes
 
 
-def converted(made: Plan, amount: Amount, given: Sequence[Given], of: Any = None) -> Converted:
+def converted(planned: Plan, amount: Amount, given: Sequence[Input], of: Any = None) -> Converted:
     """Convert an amount that is uncertain, or is converted under uncertain conditions.
 
     `of` is the variable that the amount is, where it is one of Python's.
     """
 
     def work_out(inputs: Inputs) -> Numbers:
-        conditions = [one for name, one in inputs.items() if name]
-        again = plan(made.source, made.target, conditions)
+        conditions = [item for name, item in inputs.items() if name]
+        again = plan(planned.source, planned.target, conditions)
         return {KEY: again.apply(inputs[""].value)}
 
-    inputs = {"": value_of(amount)._replace(variable=of), **{one.name: one for one in given}}
-    numbers, bends = _carry(work_out, inputs, {KEY: made.apply(amount.typed[0])})
+    inputs = {"": value_of(amount)._replace(variable=of), **{item.name: item for item in given}}
+    numbers, bends = _carry(work_out, inputs, {KEY: planned.apply(amount.typed[0])})
     return Converted(numbers[KEY], _assumed(inputs), bends)
 
 
-def value_of(amount: Amount) -> Given:
-    """The value of a conversion as an input: in the unit that was typed, and with no name."""
+def value_of(amount: Amount) -> Input:
+    """Return the value of a conversion as an input without a name, in the unit typed."""
     number, off = amount.typed[0], amount.typed_uncertainty
     parts = () if amount.scale else amount.parts  # of the reading, which is the value here
-    return Given(VALUE, amount.text, number, number=number, uncertainty=off, parts=parts)
+    return Input(VALUE, amount.text, number, number=number, uncertainty=off, parts=parts)
 
 
 KEY = ("",)
@@ -166,16 +170,16 @@ AS_TYPED = ("given", "exact")  # the fields of a result in its first unit
 
 
 def _assumed(given: Inputs) -> str:
-    """What carrying assumes; variables of Python's know themselves what they depend on."""
-    return INDEPENDENT if all(one.variable is None for one in given.values()) else ASSUMED
+    """Return what carrying assumes; variables of Python's know themselves what they depend on."""
+    return INDEPENDENT if all(item.variable is None for item in given.values()) else ASSUMED
 
 
-def _named(given: Given) -> str:
+def _named(given: Input) -> str:
     """An input as it was typed, behind its name, for a note."""
     return f"{given.symbol.label or 'the value'} {quote(given.text)}"
 
 
-def _told(given: Given) -> str:
+def _option_text(given: Input) -> str:
     """An input as it was typed, for a message."""
     return option(given.name, quote(given.text)) if given.name else quote(given.text)
 
@@ -184,24 +188,24 @@ def _carry(
     work_out: Callable[[Inputs], Numbers], given: Inputs, nominal: Numbers
 ) -> tuple[dict[Key, Any], list[Bend]]:
     """Numbers with their uncertainties, by the slopes over each uncertain input."""
-    sources = {name: one for name, one in given.items() if one.is_uncertain}
-    for one in sources.values():
-        hold(one.uncertainty, one.text)
+    sources = {name: item for name, item in given.items() if item.is_uncertain}
+    for item in sources.values():
+        check_uncertainty(item.uncertainty, item.text)
     runs = {name: _Run(work_out, given, name, nominal) for name in sources}
     numbers: dict[Key, Any] = dict(nominal)
-    for name, one in sources.items():
-        if found := {key: slope for key, slope in runs[name].slopes.items() if slope}:
-            shift = _shift(one)
-            numbers |= {key: numbers[key] + slope * shift for key, slope in found.items()}
+    for name, item in sources.items():
+        if nonzero := {key: slope for key, slope in runs[name].slopes.items() if slope}:
+            shift = _shift(item)
+            numbers |= {key: numbers[key] + slope * shift for key, slope in nonzero.items()}
     for key in nominal:
         if is_uncertain(numbers[key]):
             sizes = numbers[key].error_components().values()
-            hold(math.hypot(*sizes) or math.nan)
+            check_uncertainty(math.hypot(*sizes) or math.nan)
     bends = [bend for run in runs.values() for bend in run.bends(numbers)]
     return numbers, bends
 
 
-def _shift(given: Given) -> Any:
+def _shift(given: Input) -> Any:
     """An input less its nominal value [SI]: a variable of the `uncertainties` package."""
     name, factor = given.name or "value", float(given.unit.factor) if given.unit else 1.0
     if len(given.parts) > 1:
@@ -225,21 +229,21 @@ class _Run:
     ) -> None:
         self.work_out, self.name, self.nominal = work_out, name, nominal
         # without the room that roundings leave between inputs that contradict each other
-        self.given = {key: one._replace(is_exact=True) for key, one in given.items()}
+        self.given = {key: item._replace(is_exact=True) for key, item in given.items()}
         self.input = given[name]
         self.refused: RadcalcError | None = None
         self.steep: set[Key] = set()  # results without a slope
         self.slopes = self._slopes() if self.input.uncertainty else dict.fromkeys(nominal, 0.0)
 
     def at(self, shift: float) -> Numbers:
-        """What follows with the input moved by so much [SI]; nothing where that is refused."""
-        one = self.given[self.name]
+        """Return the results with the input moved by so much [SI]; none where that is refused."""
+        nominal_input = self.given[self.name]
         try:
-            return self.work_out({**self.given, self.name: moved(one, shift)})
+            return self.work_out({**self.given, self.name: moved(nominal_input, shift)})
         except (Contradiction, Exclusive) as error:
             raise ConditionError(
-                f"more is given than needed beside {_told(self.input)}, which is uncertain, and "
-                "nothing tells what of it counts",
+                f"more is given than needed beside {_option_text(self.input)}, which is uncertain, "
+                "and nothing tells what of it counts",
                 error.hint,
             ) from None
         except RadcalcError as error:
@@ -247,40 +251,40 @@ class _Run:
             return {}
 
     def _slopes(self) -> dict[Key, float]:
-        """The slope of each number over the input; one-sided next to a limit.
+        """Return the slope of each number over the input; one-sided next to a limit.
 
         Where it grows without limit, the change over the uncertainty stands for it, by the rule
         of JCGM 100:2008, 5.1.3, note 2.
         """
         off = self.input.uncertainty
-        found = {}
+        by_key = {}
         for key, slope in slopes(self.at, self.nominal, abs(self.input.size), off).items():
             if slope is None:
                 slope = self._secant(key, off)
                 self.steep.add(key)
-            found[key] = slope
-        return found
+            by_key[key] = slope
+        return by_key
 
     def _secant(self, key: Key, off: float) -> float:
         for side in (-off, off):
             if (end := self.at(side).get(key)) is not None:
                 return float(end - self.nominal[key]) / side
         why = f": {self.refused.message}" if self.refused else ""
-        problem = f"the uncertainty of {_told(self.input)} cannot be carried{why}"
+        problem = f"the uncertainty of {_option_text(self.input)} cannot be carried{why}"
         raise ConditionError(problem, "the same without it")
 
     def bends(self, numbers: Numbers) -> Iterator[Bend]:
-        """Where results leave their straight lines within what is uncertain in the input."""
-        one, named = self.input, _named(self.input)
-        off, factor = one.uncertainty, one.unit.factor if one.unit else 1
-        if not one.parts:
+        """Yield where results leave their straight lines within what is uncertain in the input."""
+        given, named = self.input, _named(self.input)
+        off, factor = given.uncertainty, given.unit.factor if given.unit else 1
+        if not given.parts:
             yield from self._bend(numbers, named, lambda times: times * off, off)
-        for part in one.parts:
-            where = f"{quote(part.text)} of {named}" if len(one.parts) > 1 else named
+        for part in given.parts:
+            where = f"{quote(part.text)} of {named}" if len(given.parts) > 1 else named
 
             def shift(times: float, part: Part = part) -> float | None:
                 whole = part.at(times)
-                return None if whole is None else float(whole * factor - one.size)
+                return None if whole is None else float(whole * factor - given.size)
 
             yield from self._bend(numbers, where, shift, part.size * factor)
 
@@ -301,23 +305,23 @@ class _Run:
         self.refused = None
         sides = [(sign, at(float(sign))) for sign in (-1, 1)]
         problem = ""
-        if self.refused or not all(found for _, found in sides):
+        if self.refused or not all(end for _, end in sides):
             limit = f": {self.refused.limit}" if isinstance(self.refused, Impossible) else ""
             problem = f"{named} reaches what is not possible{limit}"
         bent = []
         for key, value in self.nominal.items():
             line = self.slopes[key] * rise
-            found = [(sign, end[key]) for sign, end in sides if key in end]
-            away = max((abs(number - value - sign * line) for sign, number in found), default=0.0)
+            ends = [(sign, end[key]) for sign, end in sides if key in end]
+            away = max((abs(number - value - sign * line) for sign, number in ends), default=0.0)
             total = getattr(numbers[key], "std_dev", 0.0)
-            if found and (key in self.steep or away > max(CURVED * total, 1e-9 * abs(value))):
+            if ends and (key in self.steep or away > max(CURVED * total, 1e-9 * abs(value))):
                 bent.append(key)
         if bent or problem:
             yield Bend(named, tuple(bent), at, problem)
 
 
 def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
-    """The results of one of several answers, with what tells each from all others."""
+    """Yield the results of one of several answers, with what tells each from all others."""
     seen: dict[str, int] = {}
     for value in answer.values:
         seen[value.name] = seen.get(value.name, 0) + 1
@@ -326,20 +330,20 @@ def _keys(answer: Answer, k: int) -> Iterator[tuple[Key, Value]]:
 
 def _numbers(answer: Answer) -> Numbers:
     """All numbers of an answer: of each result that in SI units, as typed, and in other kinds."""
-    found: dict[Key, float] = {}
-    for k, one in enumerate((answer, *answer.more)):
-        for key, value in _keys(one, k):
+    numbers: dict[Key, float] = {}
+    for k, alternative in enumerate((answer, *answer.more)):
+        for key, value in _keys(alternative, k):
             if value.is_absent:
                 continue
-            found[*key, ""] = value.amount
+            numbers[*key, ""] = value.amount
             for field in AS_TYPED:
                 if (number := getattr(value, field)) is not None:
-                    found[*key, field] = number
+                    numbers[*key, field] = number
             for dimension, amount in value.reach.items():
-                found[*key, dimension] = amount
-    if any(map(is_array, found.values())):
+                numbers[*key, dimension] = amount
+    if any(map(is_array, numbers.values())):
         raise ConditionError("several values stand beside an uncertain one", MANY)
-    return {key: number for key, number in found.items() if math.isfinite(number)}
+    return {key: number for key, number in numbers.items() if math.isfinite(number)}
 
 
 def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
@@ -352,7 +356,7 @@ def _uncertain(value: Value, key: Key, numbers: Numbers) -> Value:
 
 
 def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
-    """What to say of the bends of one answer: one result of each, and how many more there are."""
+    """Return notes on the bends of one answer: one result of each, and how many more."""
     notes = [bend.problem for bend in bends if bend.problem]
     for bend in bends:
         bent = [key for key in bend.bent if key[:-1] in values and not key[-1]]
@@ -361,8 +365,8 @@ def _notes(bends: Sequence[Bend], values: dict[Key, Value]) -> list[str]:
         value = values[bent[0][:-1]]
         unit = value.units[0]
         in_its_unit = partial(_in_unit, value, resolve(unit))
-        others = len(bent) - 1
-        more = f" (and {others} more result{'s' if others > 1 else ''})" if others else ""
+        further = len(bent) - 1
+        more = f" (and {further} more result{'s' if further > 1 else ''})" if further else ""
         notes.append(bend.note(value.label, bent[0], in_its_unit, unit) + more)
     return notes
 
@@ -393,7 +397,7 @@ class _WithShares(Sequence[Step]):
             yield from _shares(value.label, in_unit(value, resolve(unit)), unit)
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         return len(self._all())
 
     def __getitem__(self, k: Any) -> Any:
@@ -406,15 +410,15 @@ class _WithShares(Sequence[Step]):
 
 
 def _shares(label: str, number: Any, unit: str) -> list[Step]:
-    """What each input adds to the uncertainty of a result: in its unit, and of its square."""
+    """Return what each input adds to a result's uncertainty: in its unit, and of its square."""
     if not is_uncertain(number):
         return []
     # a list: inputs that look alike are still two
-    parts = [(one.tag or "an input", size) for one, size in number.error_components().items()]
-    whole = number.std_dev
-    told = [
-        f"{format_number(size)} by {name} ({(size / whole) ** 2 * 100:.3g} %)" if whole else name
+    parts = [(source.tag or "an input", size) for source, size in number.error_components().items()]
+    total = number.std_dev
+    contributions = [
+        f"{format_number(size)} by {name} ({(size / total) ** 2 * 100:.3g} %)" if total else name
         for name, size in sorted(parts, key=lambda part: -part[1])
     ]
-    numbers = f"{_amount(whole, unit)}: {', '.join(told)}"
+    numbers = f"{_amount(total, unit)}: {', '.join(contributions)}"
     return [Step(f"uncertainty of {label}", FORMULA, numbers, REFERENCE)]

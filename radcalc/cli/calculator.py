@@ -1,177 +1,116 @@
-"""What every calculator shares: reading its inputs, --get, --check, and showing answers."""
+"""The steps of every calculator: reading its inputs, --get, --check, and showing answers."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
 
-from radcalc import stdio
-from radcalc.answer import Answer, Input, Result, Row
-from radcalc.calculators.results import (
-    LINKS_HINT,
-    element,
-    name_of,
-    pick,
-    rows,
-    saying_how_read,
-    scales_of,
-)
-from radcalc.cli import check, streams
-from radcalc.cli.cases import Case, label
+from radcalc import terminal
+from radcalc.answer import Answer, ShownInput
+from radcalc.calculators.task import Task
+from radcalc.cli import check, line_options
+from radcalc.cli.answers import every_answer, show, with_notes
+from radcalc.cli.cases import Case
 from radcalc.cli.options import Output
-from radcalc.errors import MissingInput, UsageError, nearest, option, quote
-from radcalc.given import Inputs, any_uncertain, inputs_of
-from radcalc.maths import is_array
+from radcalc.cli.request import Request
+from radcalc.errors import UsageError, option
+from radcalc.inputs.given import Inputs, shown_inputs
 from radcalc.quantities.symbols import QUANTITY
-from radcalc.render import arrays
-from radcalc.render.formats import CSV
 from radcalc.units.ranges import MOST
 
 BLOCK = 100_000  # values of a long range that are worked out at a time
 
 
-class Asked(NamedTuple):
-    """What is asked of the answer: some results, the derivation, whether a number is right.
-
-    `lines` are the options for lines of standard input, of a command that takes these; `plot` is
-    where the picture goes, of one that has one.
-    """
-
-    wanted: tuple[str, ...]
-    steps: bool
-    check: str | None
-    tolerance: str | None
-    lines: streams.LineOptions | None = None
-    plot: str = ""
-
-    @classmethod
-    def of(cls, values: dict[str, Any], takes_lines: bool) -> "Asked":
-        """Take it out of a command's values; refuse what has no use with --check, or without."""
-        asked = cls(*[values.pop(name) for name in cls._fields[:4]])
-        asked = asked._replace(plot=values.pop("plot", None) or "")
-        if takes_lines:
-            own = [values.pop(name) for name in streams.LineOptions._fields]
-            asked = asked._replace(lines=streams.LineOptions(*own))
-        check.refuse_idle(asked.check, asked.tolerance)
-        if asked.check is not None and asked.wanted:
-            raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
-        return asked
-
-    def wants(self, name: str) -> bool:
-        """Whether a result is asked for by its name."""
-        named = [*self.wanted, (self.check or "").replace("=", ":")]
-        return name in map(name_of, named)
+def run(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+    """Answer the cases of a task, judge a number by one, or draw them; return the exit status."""
+    if request.plot:
+        return _draw(cases, task, request, output)
+    if cases[0].stream:
+        return _answer_lines(cases, task, request, output)
+    _refuse_line_options(cases, request)
+    if request.check is not None:
+        return _judge(cases, task, request, output)
+    cases = _in_parts(cases, request, output)
+    inputs = _shown_inputs(cases, task)
+    show(every_answer(cases, inputs, _solve(cases, task)), request, output, inputs)
+    return terminal.ANSWERED
 
 
-def shape(word: str, names: Sequence[str]) -> str:
-    """The name of a shape, in any case."""
-    if word.lower() in names:
-        return word.lower()
-    near = nearest(word.lower(), names, 1) or names
-    raise UsageError(f"there is no shape '{quote(word)}'", ", ".join(near))
+def _shown_inputs(cases: Sequence[Case], task: Task) -> list[tuple[ShownInput, ...]]:
+    return [(*task.operands, *shown_inputs(case.given)) for case in cases]
 
 
-class Answered(NamedTuple):
-    """An answer, which of several it is, and what was given for it."""
-
-    case: str
-    inputs: tuple[Input, ...]
-    answer: Answer
-
-    @property
-    def long(self) -> Input | None:
-        """The input that is an array."""
-        arrays = [told for told in self.inputs if is_array(told.value)]
-        return arrays[0] if arrays else None
+def _solve(cases: Sequence[Case], task: Task) -> Iterator[Answer]:
+    return (with_notes(case, task.solve(case.given)) for case in cases)
 
 
-def run(
-    each: Sequence[Case],
-    work_out: Callable[[Inputs], Answer],
-    asked: Asked,
-    output: Output,
-    command: str,
-    shape: str = "",
-    operands: Sequence[Input] = (),
-    samples: Mapping[str, float] | None = None,
-    drawn: Any = None,
-) -> int:
-    """Work out the answer to every case and show it, or judge one; return the exit status.
+def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+    """Draw the answers, below their numbers or into a file."""
+    from radcalc.cli import plot
 
-    `operands` are what was given beside the options; `samples` are facts of a log that is judged;
-    `drawn` is what a picture takes beside the inputs.
-    """
-    work_out = saying_how_read(work_out)
-    if asked.plot:
-        from radcalc.cli import plot
+    plot.refuse(request, output)
+    if cases[0].stream:
+        return _answer_lines(cases, task, request, output)
+    _refuse_line_options(cases, request)
+    solved, inputs = [*_solve(cases, task)], _shown_inputs(cases, task)
+    picture = plot.picture(task, [case.given for case in cases], solved, request.wanted)
+    plot.show_with_picture(picture, [*every_answer(cases, inputs, solved)], request, output, inputs)
+    return terminal.ANSWERED
 
-        plot.refuse(asked, output)
-    if each[0].stream:
-        return _of_lines(each, work_out, asked, output, command, operands)
-    if asked.lines is not None:
-        streams.refuse(asked.lines, _lines_for(each[0].given))
-    if asked.check is not None:
-        from radcalc.homework.question import of_calculator
 
-        check.refuse_several(sum(case.size for case in each))
-        given = each[0].given
-        question = of_calculator(command, shape, given, work_out, asked.steps)
-        question = question._replace(samples=samples or {})
-        inputs = (*operands, *inputs_of(given))
-        return check.judge(question, asked.check, asked.tolerance, output, inputs)
-    if asked.wanted and output.has_columns and not asked.plot:
-        each = [part for case in each for part in _blocks(case)]
-    elif not asked.plot:
-        _refuse_long(each, asked)
-    if any_uncertain([one for case in each for one in case.given.values()]):
-        from radcalc.calculators.uncertainty import with_uncertainties
+def _refuse_line_options(cases: Sequence[Case], request: Request) -> None:
+    """Refuse the options for lines of standard input where there are no lines."""
+    if request.lines is not None:
+        line_options.refuse(request.lines, _lines_for(cases[0].given))
 
-        work_out = partial(with_uncertainties, work_out)
-    told = [(*operands, *inputs_of(case.given)) for case in each]
-    if asked.plot:
-        solved = [_noted(case, work_out(case.given)) for case in each]
-        picture = plot.picture(command, [case.given for case in each], solved, asked, drawn)
-        every = [_every(*one) for one in zip(each, told, solved, strict=True)]
-        plot.show_beside(picture, [one for some in every for one in some], asked, output, told)
-        return stdio.ANSWERED
-    answers = (
-        one
-        for case, inputs in zip(each, told, strict=True)
-        for one in _every(case, inputs, _noted(case, work_out(case.given)))
-    )
-    show(answers, asked, output, told)
-    return stdio.ANSWERED
+
+def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+    """Say whether a number is the answer to the one case."""
+    from radcalc.homework.question import of_task
+
+    assert request.check is not None
+    check.refuse_several(sum(case.size for case in cases))
+    given = cases[0].given
+    question = of_task(task, given, request.steps)
+    inputs = (*task.operands, *shown_inputs(given))
+    return check.judge(question, request.check, request.tolerance, output, inputs)
+
+
+def _in_parts(cases: Sequence[Case], request: Request, output: Output) -> Sequence[Case]:
+    """Divide long ranges into parts that do not fill the memory; refuse a table without an end."""
+    if request.wanted and output.has_columns:
+        return [part for case in cases for part in _blocks(case)]
+    count = sum(case.size for case in cases)
+    if count > MOST:
+        hint = "--format csv, for columns" if request.wanted else "-g NAME:UNIT, for columns"
+        raise UsageError(f"a table of {count} answers is too long", hint)
+    return cases
 
 
 def _lines_for(given: Inputs) -> str:
-    """The option that could have its values from lines of standard input."""
-    for name, one in given.items():
-        if one.symbol.form == QUANTITY:
-            return option(name, f"- {one.unit_text}" if one.unit else "-")
+    """Return the option whose values lines of standard input could have."""
+    for name, condition in given.items():
+        if condition.symbol.form == QUANTITY:
+            return option(name, f"- {condition.unit_text}" if condition.unit else "-")
     return "- for the value of an option"
 
 
-def _of_lines(
-    each: Sequence[Case],
-    work_out: Callable[[Inputs], Answer],
-    asked: Asked,
-    output: Output,
-    command: str,
-    operands: Sequence[Input],
-) -> int:
-    """Answer to lines of standard input, under one case of everything else."""
-    case = each[0]
+def _answer_lines(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
+    """Answer the lines of standard input, under one case of everything else."""
+    case = cases[0]
     assert case.stream is not None
-    told = option(case.stream.name, "-")
-    if asked.lines is None:
-        raise UsageError(f"{told}: {command} takes no lines of standard input", "one value a call")
-    check.refuse_stream(asked.check)
-    if asked.steps:
+    stream_option = option(case.stream.name, "-")
+    if request.lines is None:
+        raise UsageError(
+            f"{stream_option}: {task.command} takes no lines of standard input", "one value a call"
+        )
+    check.refuse_stream(request.check)
+    if request.steps:
         raise UsageError("--steps is not for a stream", "one value, for the derivation")
-    if asked.plot:
+    if request.plot:
         raise UsageError("--plot is not for a stream", "a range of values: 1m:10m:0.1m")
-    if len(each) > 1 or case.long:
-        raise UsageError(f"{told} stands beside a list", "one value of everything else")
-    return streams.calculate(case, work_out, asked.wanted, asked.lines, output, operands)
+    if len(cases) > 1 or case.long:
+        raise UsageError(f"{stream_option} stands beside a list", "one value of everything else")
+    from radcalc.cli import streams
+
+    return streams.calculate(case, task, request.wanted, request.lines, output)
 
 
 def _blocks(case: Case) -> Iterator[Case]:
@@ -184,163 +123,3 @@ def _blocks(case: Case) -> Iterator[Case]:
         part = slice(start, start + BLOCK)
         values = long._replace(value=long.value[part], number=long.number[part])
         yield case._replace(given={**case.given, long.name: values}, long=values)
-
-
-def _refuse_long(each: Sequence[Case], asked: Asked) -> None:
-    """Refuse a table of more answers than anybody reads."""
-    count = sum(case.size for case in each)
-    if count > MOST:
-        hint = "--format csv, for columns" if asked.wanted else "-g NAME:UNIT, for columns"
-        raise UsageError(f"a table of {count} answers is too long", hint)
-
-
-def refuse_bare(output: Output) -> None:
-    """Refuse -n where there are several results."""
-    if output.style.bare:
-        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
-
-
-def show(
-    answers: Iterable[Answered],
-    asked: Asked,
-    output: Output,
-    inputs: Sequence[Sequence[Input]] = (),
-) -> None:
-    """Write the answers, or the results that were asked for; `inputs` are those of all answers."""
-    if not asked.steps:
-        answers = (one._replace(answer=one.answer._replace(steps=())) for one in answers)
-    if not asked.wanted:
-        refuse_bare(output)
-        output.show([result(one) for one in _spread(answers)])
-    elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
-        hint = "--format table, or a unit: -g NAME:UNIT"
-        output.refuse_auto("--get prints bare numbers", hint)
-        _show_columns(_picked(answers, asked.wanted, in_columns=True), output, inputs)
-    else:
-        picked = _picked(_spread(answers), asked.wanted)
-        output.show([result(one, chosen) for one, chosen in picked])
-
-
-def _are_arrays(inputs: Sequence[Sequence[Input]]) -> bool:
-    return any(is_array(one.value) for some in inputs for one in some)
-
-
-def _picked(
-    answers: Iterable[Answered], wanted: Sequence[str], in_columns: bool = False
-) -> Iterator[tuple[Answered, list[Row]]]:
-    """Each answer with the results that were asked for, in the units of the first.
-
-    What was asked for without a unit, and is of another kind of light than in the first, is in its
-    own unit; columns, each of one unit, are refused then.
-    """
-    said: tuple[str, ...] | None = None  # of scales
-    first = wanted
-    for one in answers:
-        chosen = [
-            _in_first(one, name, in_unit, in_columns)
-            for name, in_unit in zip(wanted, first, strict=True)
-        ]
-        if first is wanted:
-            first = [f"{row.name}:{row.unit}" for row in chosen]
-        if said is None:
-            said = scales_of(one.answer.values, first)
-        if said:
-            assumptions = dict.fromkeys((*one.answer.assumptions, *said))
-            one = one._replace(answer=one.answer._replace(assumptions=tuple(assumptions)))
-        yield one, chosen
-
-
-def _in_first(one: Answered, name: str, in_unit: str, in_columns: bool) -> Row:
-    """A result in the unit that it has in the first answer; or in its own, if that is not named."""
-    try:
-        return pick(one.answer.values, in_unit, one.case)
-    except MissingInput:
-        if name == in_unit or ":" in name:
-            raise
-        own = pick(one.answer.values, name, one.case)
-        if not in_columns:
-            return own
-        units = f"{in_unit.partition(':')[2]} and {own.unit}"
-        problem = f"a column of {own.name} would have two units, {units}"
-        raise UsageError(problem, f"--format table, or {LINKS_HINT}") from None
-
-
-def _show_columns(
-    picked: Iterable[tuple[Answered, list[Row]]],
-    output: Output,
-    inputs: Sequence[Sequence[Input]],
-) -> None:
-    """Write numbers alone in plain text, or CSV of arrays."""
-    units: dict[str, str] = {}
-    if output.format == CSV:
-        from radcalc.render import csv
-
-        units = csv.units_of_varied(inputs)
-    texts: list[str] = []
-    remarks: dict[tuple[Any, ...], Result] = {}
-    for one, chosen in picked:
-        output.hear([result(one, chosen)])
-        columns = [row.value for row in chosen]
-        if output.format == CSV:
-            texts.append(csv.block(result(one, chosen), units, output.style, not texts))
-        else:
-            count = len(one.long.value) if one.long else 1
-            texts.append(arrays.lines(columns, output.style.precision, count))
-        steps = () if one.long and texts[1:] else one.answer.steps
-        said = result(one, ())._replace(steps=tuple(steps), inputs=())
-        remarks[said if said.steps else said[1:3]] = said
-    for text in texts:
-        stdio.write(text)
-    output.remark(list(remarks.values()))
-
-
-def _noted(case: Case, answer: Answer) -> Answer:
-    """The answer with what is to be said of its inputs."""
-    return answer._replace(notes=(*case.notes, *answer.notes)) if case.notes else answer
-
-
-def _every(case: Case, inputs: tuple[Input, ...], answer: Answer) -> list[Answered]:
-    """The answer to a case, or all of them where several fit, each with its number."""
-    if not answer.more:
-        return [Answered(case.label, inputs, answer)]
-    return [
-        Answered(label((*case.varied, Input("answer", text=str(k)))), inputs, one)
-        for k, one in enumerate((answer, *answer.more), start=1)
-    ]
-
-
-def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
-    """The answers, those of a long range one by one."""
-    for one in answers:
-        answer, long = one.answer, one.long
-        if long is None:
-            yield one
-            continue
-        shown = [value for value in answer.values if not value.is_absent]
-        for k in range(len(long.value)):
-            case = ", ".join(filter(None, (one.case, label([_element(long, k)]))))
-            values = [element(value, k) for value in shown]
-            inputs = tuple(_element(told, k) for told in one.inputs)
-            steps = answer.steps if k == 0 else ()
-            yield Answered(case, inputs, answer._replace(values=values, steps=steps))
-
-
-def _element(told: Input, k: int) -> Input:
-    """One element of an input that is an array, as it would be typed."""
-    if not is_array(told.value):
-        return told
-    number = float(told.value[k])
-    unit = told.unit if told.unit != "1" else ""
-    return told._replace(value=number, text=f"{number:.15g}{unit}")
-
-
-def result(one: Answered, chosen: Sequence[Row] | None = None) -> Result:
-    """An answer as rows: all of them, or those that are chosen."""
-    answer = one.answer
-    return Result(
-        tuple(rows(answer.values, one.case) if chosen is None else chosen),
-        tuple(answer.assumptions),
-        tuple(answer.notes),
-        tuple(answer.steps),
-        one.inputs,
-    )

@@ -5,54 +5,57 @@ Several lists make a grid, in the order in which they were typed: the last runs 
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from radcalc.answer import Input
+from radcalc.answer import ShownInput
 from radcalc.errors import TooMany, UsageError, option, quote
-from radcalc.given import Given, Inputs, read, read_interval, values_of
+from radcalc.inputs.given import Input, Inputs
+from radcalc.inputs.places import read_place
+from radcalc.inputs.reading import read, read_interval, split_values
 from radcalc.maths import is_array
 from radcalc.quantities.symbols import DISTRIBUTION, QUANTITY, SPECTRUM, SYMBOLS
-from radcalc.streams import Source
 from radcalc.units.ranges import grid, note_of
-from radcalc.units.scales import resolve_given
-from radcalc.units.table import NUMBER, Unit
+from radcalc.units.unit import NUMBER, Unit
+
+if TYPE_CHECKING:
+    from radcalc.streams import Source
 
 READERS_OF_STDIN = (SPECTRUM, DISTRIBUTION)  # of which - is a file
 NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 class Case(NamedTuple):
-    """What is given for an answer, what of it differs from answer to answer, and notes on it.
+    """The inputs of an answer, those that differ from answer to answer, and notes on them.
 
     `long` is the input that is a range too long for a case each: its values are an array.
     `stream` is the input of which standard input has the values, where `names` has its place.
     """
 
     given: Inputs
-    varied: tuple[Input, ...] = ()
+    varied: tuple[ShownInput, ...] = ()
     notes: tuple[str, ...] = ()
-    long: Given | None = None
-    stream: Source | None = None
+    long: Input | None = None
+    stream: "Source | None" = None
     names: tuple[str, ...] = ()
 
     @property
     def label(self) -> str:
-        """Which of several it is: `distance 2m, half-angle 30deg`."""
+        """Return which of several cases it is: `distance 2m, half-angle 30deg`."""
         return label(self.varied)
 
     @property
     def size(self) -> int:
-        """How many answers there are to it."""
+        """Return the number of answers to it."""
         return len(self.long.value) if self.long else 1
 
-    def of_line(self, given: Given) -> Inputs:
+    def of_line(self, given: Input) -> Inputs:
         """All that is given for a line of standard input, in the order in which it was typed."""
         return {name: self.given.get(name, given) for name in self.names}
 
 
 def cases(
     typed: dict[str, Any],
-    arrays: bool = False,
+    arrays: bool = True,
     intervals: Sequence[str] = (),
     bare: Mapping[str, str] = NOTHING,
 ) -> list[Case]:
@@ -64,56 +67,76 @@ def cases(
     names = tuple(typed)
     stream = _stream(typed, intervals, bare)
     typed = {name: text for name, text in typed.items() if not stream or name != stream.name}
+    values = _values(typed, arrays, intervals)
+    given = {
+        name: [
+            read_interval(name, value)
+            if name in intervals
+            else read(name, value, uncertain=True, bare=bare.get(name, ""))
+            for value in entries
+        ]
+        for name, entries in reversed(values.items())
+    }
+    lists = [name for name, entries in given.items() if len(entries) > 1]
+    arrays_given = [first for (first, *_) in given.values() if is_array(first.value)]
+    long = arrays_given[0] if arrays_given else None
+    size = len(long.value) if long else 1
+    notes = tuple(note for name in lists for note in note_of(typed[name]))
+    return [
+        Case(case, tuple([as_typed(case[name]) for name in lists]), notes, long, stream, names)
+        for case in grid(given, size)
+    ]
+
+
+def _values(
+    typed: dict[str, Any], arrays: bool, intervals: Sequence[str]
+) -> dict[str, Sequence[Any]]:
+    """Split lists and ranges into values, the last input first."""
     values: dict[str, Sequence[Any]] = {}
     is_last = True
     for name, text in reversed(typed.items()):
         is_interval = name in intervals
         try:
-            values[name] = [text] if is_interval else values_of(name, text, arrays and is_last)
+            values[name] = [text] if is_interval else split_values(name, text, arrays and is_last)
         except TooMany as error:
             if arrays and not is_last:
-                error.hint += f", or {option(name)} behind the other lists"
+                hint = f"{error.hint}, or {option(name)} behind the other lists"
+                raise error.reworded(hint=hint) from None
             raise
         is_last = is_last and len(values[name]) == 1 and not isinstance(values[name][0], tuple)
-    given = {
-        name: [
-            read_interval(name, one)
-            if name in intervals
-            else read(name, one, uncertain=True, bare=bare.get(name, ""))
-            for one in each
-        ]
-        for name, each in reversed(values.items())
-    }
-    lists = [name for name, each in given.items() if len(each) > 1]
-    arrays_given = [one for (one, *_) in given.values() if is_array(one.value)]
-    long = arrays_given[0] if arrays_given else None
-    size = len(long.value) if long else 1
-    notes = tuple(note for name in lists for note in note_of(typed[name]))
+    return values
+
+
+def at_points(given_cases: Sequence[Case], name: str, words: Sequence[str]) -> list[Case]:
+    """Return the cases at each of several points, which words say."""
+    points = [read_place(name, word) for word in words]
+    places = [(as_typed(point),) if len(points) > 1 else () for point in points]
     return [
-        Case(case, tuple([told(case[name]) for name in lists]), notes, long, stream, names)
-        for case in grid(given, size)
+        case._replace(given=case.given | {name: point}, varied=(*place, *case.varied))
+        for point, place in zip(points, places, strict=True)
+        for case in given_cases
     ]
 
 
 def _stream(
     typed: dict[str, Any], intervals: Sequence[str], bare: Mapping[str, str]
-) -> Source | None:
+) -> "Source | None":
     """The option that is - or '- UNIT', and how a line of standard input is read for it."""
     streams = [name for name, text in typed.items() if str(text)[:1] in "- " and is_stream(text)]
     sources = [name for name in streams if SYMBOLS[name].form in READERS_OF_STDIN]
-    own = [name for name in streams if name not in sources]
+    line_streams = [name for name in streams if name not in sources]
     if len(streams) > 1:
-        told = " and ".join(option(name, quote(typed[name].strip())) for name in streams)
-        raise UsageError(f"{told}: there is one standard input", "one -")
-    if not own:
+        listed = " and ".join(option(name, quote(typed[name].strip())) for name in streams)
+        raise UsageError(f"{listed}: there is one standard input", "one -")
+    if not line_streams:
         return None
-    (name,) = own
+    (name,) = line_streams
     if SYMBOLS[name].form != QUANTITY or name in intervals:
         problem = f"{option(name)} takes no lines of standard input"
         raise UsageError(problem, "- for an option that is one number with its unit")
     unit = str(typed[name]).strip()[1:].strip()
 
-    def read_line(text: str) -> Given:
+    def read_line(text: str) -> Input:
         return read(name, text, bare=bare.get(name, ""))
 
     def check(unit: Unit) -> None:
@@ -121,21 +144,25 @@ def _stream(
             read(name, f"1 {unit.text}")  # which says what it takes
 
     if unit:
+        from radcalc.units.scales import resolve_given
+
         check(resolve_given(unit))
     is_bare = bool(unit) or name in bare or NUMBER in SYMBOLS[name].dimensions
+    from radcalc.streams import Source
+
     return Source(name, unit, is_bare, read_line, check)
 
 
 def is_stream(text: Any) -> bool:
-    """Whether a text is - or '- UNIT'."""
+    """Return whether a text is - or '- UNIT'."""
     return isinstance(text, str) and text.strip().partition(" ")[0] == "-"
 
 
-def told(given: Given) -> Input:
+def as_typed(given: Input) -> ShownInput:
     """An input as it was typed."""
-    return Input(given.name, text=given.text)
+    return ShownInput(given.name, text=given.text)
 
 
-def label(varied: Sequence[Input]) -> str:
-    """Which of several answers it is."""
-    return ", ".join(f"{one.name} {one.text}".strip() for one in varied)
+def label(varied: Sequence[ShownInput]) -> str:
+    """Return the inputs that tell an answer from the others."""
+    return ", ".join(f"{given.name} {given.text}".strip() for given in varied)

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from radcalc import stdio
-from radcalc.answer import Input, Row
+from radcalc import terminal
+from radcalc.answer import Row, ShownInput
 from radcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -49,21 +49,21 @@ def judge(
     question: "Question",
     claim: str,
     tolerance: str | None,
-    shown: "Output",
-    inputs: Sequence[Input] = (),
+    output: "Output",
+    inputs: Sequence[ShownInput] = (),
 ) -> int:
     """Say whether an answer is right, and what went wrong; return the exit status."""
     from radcalc.homework import check
     from radcalc.render.formats import Judgement
 
-    shown.refuse_auto("--check holds an answer to what is claimed", "the same without --auto")
+    output.refuse_auto("--check holds an answer to what is claimed", "the same without --auto")
     verdict = check(question, claim, tolerance)
     answer = question.answer
-    right = next(one for one in answer.values if one.name == verdict.name)
+    right = next(value for value in answer.values if value.name == verdict.name)
     name = right.also if question.plan else right.name
     is_given = right.given is not None
     about = right.label, right.letter
     off = verdict.uncertainty
     row = Row(*about, verdict.value, verdict.unit, "", name, is_given, off)
-    shown.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
-    return stdio.ANSWERED if verdict.right else stdio.WRONG
+    output.judge(Judgement(verdict, row, inputs, answer.assumptions, answer.notes))
+    return terminal.ANSWERED if verdict.right else terminal.WRONG

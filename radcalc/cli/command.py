@@ -2,27 +2,25 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
-from importlib import import_module
 from typing import Any
 
 import click
 
-from radcalc.cli import Helped, check, options
+from radcalc.calculators.page import Page, words_of
+from radcalc.cli import check, options
+from radcalc.cli.help import Helped
+from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import UsageError, mention, quote
-from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import (
     CHOICE,
     FLAG,
     SPECIFIC,
-    SYMBOLS,
-    WORD,
     Symbol,
     light_unit,
     names_of_kinds,
 )
 
-LIGHT = ("wavelength", "spectrum", "efficacy", "observer", "range", "photon-range")
 GET = click.Option(
     ["-g", "--get", "wanted"],
     multiple=True,
@@ -35,50 +33,48 @@ PLOT = click.Option(
     metavar="[FILE]",
     help="Draw a picture: below the answer, or as a figure in FILE (.svg, .png).",
 )
-HERE = "-"  # --plot without a file
 # What the word behind --plot ends in where it is its file, and no operand.
 FIGURES = (".svg", ".png", ".pdf", ".ps", ".eps", ".jpg", ".jpeg", ".gif", ".webp", ".tif", "/")
 ALSO = " (also --"  # before the names of one kind, in the help of a light quantity
-# The forms of operands that no symbol has.
-CONVERSION, SEARCH, ENVIRONMENT, FILE = "conversion", "search", "environment", "file"
 LINES = "Streams"
 Member = str | click.Option  # the name of a symbol, or an option that is none
 
 
 def define(
     name: str,
-    sections: Mapping[str, Sequence[Member]],
-    words: str = "",
-    kinds: Sequence[str] = KINDS,
+    page: Page,
+    sections: Mapping[str, Sequence[Member]] | None = None,
     calculates: bool = True,
-    takes_lines: bool = True,
     output: Sequence[click.Option] = (),
-    operands: tuple[str, Sequence[str]] = (WORD, ()),
-    cls: "type[SectionedCommand] | None" = None,
-    draws: bool = False,
+    text: str | None = None,
 ) -> Callable[[Callable[..., Any]], "SectionedCommand"]:
-    """Make a command of a function, whose docstring is the help.
+    """Make a command of its page and of a function.
 
-    `sections` are the titles of the help, with the symbols and other options below them; `words`
-    says what its operands are, and `operands` in which form, for completion; light quantities are
-    taken in `kinds`.  A command that calculates has the options that ask for results, those
-    for lines of standard input if it takes any, and that for a picture if it `draws`; `output` are
-    more options of the output, and `cls` is the class of the command.
+    `sections` replace those of the page where a command has options that are no symbols; `text`
+    replaces its examples and remarks in the help.  The docstring of the function is the help of a
+    command without a page.  A command
+    that calculates has the options that ask for results, those for lines of standard input if it
+    takes any, and that for a picture if it draws; `output` are more options of the output.
 
     The function is called with `typed`, the texts of the symbols that were given, where it has
     any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
     by its name.
     """
-    sections = dict(sections)
+    sections = dict(page.sections if sections is None else sections)
     if calculates:
-        own = sections.pop("Results", ())
-        sections["Results"] = (*own, GET, *check.OPTIONS, *([PLOT] if draws else []))
-        if takes_lines:
-            from radcalc.cli import streams  # which no list of units or names needs
+        result_options = sections.pop("Results", ())
+        sections["Results"] = (
+            *result_options,
+            GET,
+            *check.OPTIONS,
+            *([PLOT] if page.draws else []),
+        )
+        if page.takes_lines:
+            from radcalc.cli import line_options
 
-            sections[LINES] = [_hidden(option) for option in streams.OPTIONS]
+            sections[LINES] = [_hidden(option) for option in line_options.OPTIONS]
     groups = {
-        title: [option for member in members for option in _options(member, name, kinds)]
+        title: [option for member in members for option in _options(member, page)]
         for title, members in sections.items()
     }
     symbols = {
@@ -90,88 +86,79 @@ def define(
     shared = options.OPTIONS if calculates or output else options.OF_LISTS
     last = [*shared, *([options.STEPS] if calculates else output)]
     params: list[click.Parameter] = [option for group in groups.values() for option in group]
-    if words:
-        params.insert(0, click.Argument(["words"], nargs=-1, metavar=words))
+    if page.operand:
+        params.insert(0, click.Argument(["words"], nargs=-1, metavar=page.operand.usage))
 
     def decorate(function: Callable[..., Any]) -> "SectionedCommand":
         def call(**values: Any) -> Any:
-            shown = options.decide(**{key: values.pop(key) for key in options.NAMES}, command=name)
+            chosen_output = options.decide(
+                **{key: values.pop(key) for key in options.NAMES}, command=name
+            )
             typed = {symbols[key]: values.pop(key) for key in tuple(values) if key in symbols}
             given = {key: text for key, text in typed.items() if text not in (None, False)}
             if calculates:
-                from radcalc.cli.calculator import Asked
+                from radcalc.cli.request import Request
 
-                values["asked"] = Asked.of(values, takes_lines)
+                values["asked"] = Request.of(values, page.takes_lines)
             if symbols:
                 values["typed"] = given
-            return function(shown=shown, **values)
+            return function(output=chosen_output, **values)
 
-        return (cls or SectionedCommand)(
+        return SectionedCommand(
             name,
             callback=call,
             params=[*params, *last],
-            help=function.__doc__,
+            help=f"{page.about}\n\n{text}" if text else None if page.about else function.__doc__,
             sections={**groups, "Output": last},
-            operands=operands,
+            page=page,
         )
 
     return decorate
 
 
-def of_page(name: str) -> "SectionedCommand":
-    """Make a command of a calculator's page."""
-    module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
-    page, work_out = module.PAGE, getattr(module, name.replace("-", "_"))
-
-    def calculate(typed: dict[str, Any], asked: Any, shown: options.Output) -> int:
-        from radcalc.cli.calculator import run
-        from radcalc.cli.cases import cases
-
-        return run(cases(typed, page.takes_arrays, bare=page.bare), work_out, asked, shown, name)
-
-    examples = [f"  {Shell.command(name, *line.split())}" for line in page.examples]
-    calculate.__doc__ = "\n\n".join(
-        [
-            page.about,
-            "\b\nExamples:\n" + "\n".join(examples),
-            spelled(mention(page.remarks)),
-        ]
-    )
-    return define(name, page.sections, kinds=page.kinds)(calculate)
-
-
 class SymbolOption(click.Option):
-    """The option of a symbol of the vocabulary."""
+    """The option of a symbol of the vocabulary, whose help is spelled when it is asked for."""
+
+    def __init__(self, symbol: Symbol, hidden: bool, **kind: Any) -> None:
+        self.symbol = symbol
+        super().__init__([f"--{symbol.name}"], hidden=hidden, **kind)
+
+    @property
+    def help(self) -> str:
+        """The help of the symbol, with the options that it mentions as one types them."""
+        return spelled(mention(self.symbol.help))
+
+    @help.setter
+    def help(self, text: str | None) -> None:
+        """Take no other: the options of Click set theirs at once."""
 
 
-def _options(member: Member, command_name: str, kinds: Sequence[str]) -> list[click.Option]:
+def _options(member: Member, page: Page) -> list[click.Option]:
     """The options of a symbol; a light quantity has hidden ones for the names of its kinds."""
     if isinstance(member, click.Option):
         return [member]
-    symbol = SYMBOLS[member]
-    example, text = symbol.shown_in(command_name)
-    text = spelled(mention(text))
+    symbol = page.symbol(member)
     if member != symbol.generic:
-        return [_option(symbol, example, text)]
-    others = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in kinds]
-    if others:
-        text = f"{text.rstrip('.')}{ALSO}{', --'.join(others)})."
-    if len(kinds) == 1:
-        example = f"100{light_unit(member, kinds[0])}".replace(" ", ".")
-    hidden = []
-    for other in others:
-        shown, said = SYMBOLS[other].shown_in(command_name)
-        hidden.append(_option(SYMBOLS[other], shown, spelled(mention(said)), hidden=True))
-    return [_option(symbol, example, text), *hidden]
+        return [_option(symbol)]
+    other_names = [n for n in names_of_kinds(member) if SPECIFIC[n][1] in page.kinds]
+    if other_names:
+        symbol = symbol._replace(
+            help=f"{symbol.help.rstrip('.')}{ALSO}{', --'.join(other_names)})."
+        )
+    if len(page.kinds) == 1:
+        example = f"100{light_unit(member, page.kinds[0])}".replace(" ", ".")
+        symbol = symbol._replace(example=example)
+    hidden = [_option(page.symbol(other), hidden=True) for other in other_names]
+    return [_option(symbol), *hidden]
 
 
-def _option(symbol: Symbol, example: str, text: str, hidden: bool = False) -> SymbolOption:
-    kind: dict[str, Any] = {"metavar": example}
+def _option(symbol: Symbol, hidden: bool = False) -> SymbolOption:
+    kind: dict[str, Any] = {"metavar": symbol.example}
     if symbol.form == FLAG:
         kind = {"is_flag": True}
     elif symbol.form == CHOICE:
         kind = {"type": click.Choice(symbol.choices, case_sensitive=False)}
-    return SymbolOption([f"--{symbol.name}"], help=text, hidden=hidden, **kind)
+    return SymbolOption(symbol, hidden, **kind)
 
 
 class SectionedCommand(Helped):
@@ -181,12 +168,21 @@ class SectionedCommand(Helped):
         self,
         *args: Any,
         sections: dict[str, Sequence[click.Option]],
-        operands: tuple[str, Sequence[str]],
+        page: Page,
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, **kwargs)
         self.sections = sections
-        self.operands = operands
+        self.page = page
+
+    @property
+    def help(self) -> str:
+        """Return the help; that of a page is made when it is asked for."""
+        return self._text or _help_of(self.name or "", self.page)
+
+    @help.setter
+    def help(self, text: str | None) -> None:
+        self._text = text
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Refuse an option that is given twice: the first would be ignored silently.
@@ -204,21 +200,27 @@ class SectionedCommand(Helped):
             if word.startswith("--") and name in seen - several:
                 raise UsageError(f"{quote(name)} is given twice", "it once, or a list of values")
             seen.add(name)
-        rest = super().parse_args(ctx, args)
+        remaining = super().parse_args(ctx, self._with_long_names(args, end))
         for parameter in self.params:
             value = ctx.params.get(parameter.name or "")
             if value == "" or (
                 isinstance(value, tuple) and "" in value and parameter.opts[0][0] == "-"
             ):
                 raise UsageError(f"{parameter.opts[0]} is empty", "a value, or without the option")
-        return rest
+        return remaining
+
+    def _with_long_names(self, args: list[str], end: int) -> list[str]:
+        """Spell out short options: Click takes them for misspelt long ones first, which is slow."""
+        names = {short: p.opts[-1] for p in self.params for short in p.opts if short[1:2] != "-"}
+        last = min(end, len(args) - 1)  # where an option lacks its value, it is called as typed
+        return [names.get(word, word) for word in args[:last]] + args[last:]
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write one list of options a section."""
         for title, listed in self.sections.items():
             of_output = title == "Output"
-            shown = [*listed, self.get_help_option(ctx)] if of_output else listed
-            records = [option.get_help_record(ctx) for option in shown if option]
+            visible = [*listed, self.get_help_option(ctx)] if of_output else listed
+            records = [option.get_help_record(ctx) for option in visible if option]
             if title == LINES:
                 records = [_of_lines(listed)]
             if any(records):
@@ -226,16 +228,26 @@ class SectionedCommand(Helped):
                     formatter.write_dl([record for record in records if record])
 
 
+def _help_of(name: str, page: Page) -> str:
+    """Return the help that the texts of a page make."""
+    examples = []
+    for example in page.examples:
+        words, remark = words_of(example)
+        examples.append(f"  {Shell.command(name, *words)}{remark}")
+    lines = "\n".join(["\b", "Examples:", *examples])
+    return "\n\n".join([page.about, lines, *[spelled(mention(p)) for p in page.paragraphs]])
+
+
 def _with_plot(args: Sequence[str]) -> list[str]:
     """The words of a call, in which --plot and its file are one word, or --plot has none."""
-    found: list[str] = []
+    words: list[str] = []
     for word in args:
-        if found and found[-1] == "--plot":
+        if words and words[-1] == "--plot":
             is_file = word.lower().endswith(FIGURES) and word[0] != "-"
-            found[-1:] = [f"--plot={word}"] if is_file else [f"--plot={HERE}", word]
+            words[-1:] = [f"--plot={word}"] if is_file else [f"--plot={TO_TERMINAL}", word]
         else:
-            found.append(word)
-    return [f"--plot={HERE}" if word == "--plot" else word for word in found]
+            words.append(word)
+    return [f"--plot={TO_TERMINAL}" if word == "--plot" else word for word in words]
 
 
 def _hidden(option: click.Option) -> click.Option:

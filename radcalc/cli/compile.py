@@ -1,22 +1,26 @@
 """Print what the commands take and give as the table of completion.
 
-`python -m radcalc.cli.compile` writes `completion/table.py`: completing a word must not wait for
-the commands, nor for Click.
+`python -m radcalc.cli.compile PATH` writes the module `completion/built.py` of a wheel: completing
+a word must not wait for the commands, nor for Click.
 """
 
 import re
+import sys
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
-import radcalc
-from radcalc.cli import COMMANDS, HELP, check, commands, context, protect_negatives
-from radcalc.cli.command import ENVIRONMENT, FILE, GET, PLOT, SectionedCommand, SymbolOption
+from radcalc.calculators.page import ENVIRONMENT, FILE
+from radcalc.cli import check
+from radcalc.cli.command import GET, PLOT, SectionedCommand, SymbolOption
+from radcalc.cli.group import commands, context, protect_negatives
+from radcalc.cli.help import COMMANDS, HELP
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import RadcalcError, UsageError
+from radcalc.files.text import ENDINGS as COLUMNS
 from radcalc.plots.figure import FORMATS
 from radcalc.quantities.light import GEOMETRIES
 from radcalc.quantities.symbols import (
@@ -33,24 +37,22 @@ from radcalc.quantities.symbols import (
     WAVELENGTHS,
     WORD,
     Symbol,
-    as_result,
     names_of_kinds,
 )
 from radcalc.quantities.targets import GENERIC, names_starting
 from radcalc.quantities.units import full_name, offered
 from radcalc.spectra import listing
-from radcalc.texts import ENDINGS as COLUMNS
 from radcalc.units.dimensions import TEMPERATURE
 from radcalc.units.scales import on
-from radcalc.units.table import NUMBER, Dimension, Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Dimension, Unit
 
 ENDINGS = {
     SPECTRUM: (*COLUMNS, ".spd", ".asc", ".sp", ".xls", ".spdx"),
     DISTRIBUTION: (".ies", ".ldt", *COLUMNS),
     ENVIRONMENT: tuple(MAPS),
 }
-TABLE = Path(radcalc.__file__).parent / "completion" / "table.py"
-HEAD = '''"""Printed by `python -m radcalc.cli.compile` from the commands; do not edit."""
+HEAD = '''"""The table of completion, printed by `radcalc.cli.compile` from the commands."""
 
 # command: (its line in the help, what its operands are, its options)
 # operands: (form, values); an option: (names, form, values, help, is hidden, is repeatable)
@@ -76,7 +78,7 @@ class Compiler:
         for name, line in COMMANDS.items():
             command = command_of(name)
             rows[name] = line, self._operands(command), self._options(command)
-        own = [self._option(one, {}) for one in own_options()]
+        own_rows = [self._option(option, {}) for option in main_options()]
         printed = "".join(
             f"    {name!r}: ({line!r}, {operands!r}, (\n{_lines(listed)}    )),\n"
             for name, (line, operands, listed) in rows.items()
@@ -87,10 +89,11 @@ class Compiler:
             for name, unit in names_starting("")
         )
         spectra = "".join(
-            f"    {name!r}: {said!r},\n" for name, said in listing.described(listing.search())
+            f"    {name!r}: {description!r},\n"
+            for name, description in listing.described(listing.search())
         )
         return (
-            f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own)})\n\n"
+            f"{HEAD}COMMANDS = {{\n{printed}}}\nRADCALC = (\n{_lines(own_rows)})\n\n"
             f"# what a quantity is measured in: the units and what they are called\n"
             f"UNITS = {{\n{units}}}\n"
             "# the names of quantities: the unit (none where the source's kind decides it),\n"
@@ -106,19 +109,23 @@ class Compiler:
         return sorted(self.units.items(), key=lambda row: row[0] not in light)
 
     def _operands(self, command: SectionedCommand) -> Row:
-        form, values = command.operands
-        if form == QUANTITY:
-            symbol = SYMBOLS[values[0]]
-            return form, (symbol.example, self.quantities(symbol))
-        return form, tuple(values)
+        operand = command.page.operand
+        if operand is None:
+            return WORD, ()
+        if operand.form == QUANTITY:
+            symbol = SYMBOLS[operand.name]
+            return QUANTITY, (symbol.example, self.quantities(symbol))
+        return operand.form, tuple(operand.choices)
 
     def _options(self, command: SectionedCommand) -> list[Row]:
         results = {}
         if GET in command.params:
-            symbols = [as_result(name, command.name or "") for name in results_of(command)]
-            results = {one.name: (bool(one.kind), self.quantities(one)) for one in symbols}
-        listed = [one for group in command.sections.values() for one in group]
-        return [self._option(one, results) for one in (*listed, HELP)]
+            symbols = [command.page.symbol(name) for name in results_of(command)]
+            results = {
+                symbol.name: (bool(symbol.kind), self.quantities(symbol)) for symbol in symbols
+            }
+        listed = [option for group in command.sections.values() for option in group]
+        return [self._option(option, results) for option in (*listed, HELP)]
 
     def _option(self, option: click.Option, results: Results) -> Row:
         form, values = self._takes(option, results)
@@ -142,19 +149,19 @@ class Compiler:
         if not isinstance(option, SymbolOption):
             return WORD, ()
         symbol = SYMBOLS[option.opts[-1].removeprefix("--")]
-        shown = example if example and not example.isupper() else ""
+        offered_example = example if example and not example.isupper() else ""
         if symbol.form in (QUANTITY, INTERVAL):
-            return QUANTITY, (shown, self.quantities(symbol))
+            return QUANTITY, (offered_example, self.quantities(symbol))
         if symbol.form in (WAVELENGTHS, DIRECTION):
             parts = "wavelength" if symbol.form == WAVELENGTHS else "half-angle"
-            return QUANTITY, (shown, self.quantities(SYMBOLS[parts])[:1])
+            return QUANTITY, (offered_example, self.quantities(SYMBOLS[parts])[:1])
         if symbol.form == UNIT:
             return UNIT, self.quantities(SYMBOLS["radiance"])
         if symbol.form == DISTRIBUTION:
             return DISTRIBUTION, DISTRIBUTIONS
         if symbol.form == SPECTRUM:
             return SPECTRUM, ()
-        return WORD, (shown,) if shown else ()
+        return WORD, (offered_example,) if offered_example else ()
 
     def quantities(self, symbol: Symbol) -> tuple[str, ...]:
         """The names under which the units of a symbol stand."""
@@ -163,11 +170,11 @@ class Compiler:
     def quantity(self, dimension: Dimension, symbol: Symbol) -> str:
         """The name under which the units of a dimension stand: first the one that is shown."""
         name = full_name(Unit("", 1, 1, dimension, ()))
-        shown = resolve(symbol.unit or "1")
-        own = (
-            [symbol.unit.replace(" ", ".")] if shown.dimension == dimension and shown.atoms else []
+        usual = resolve(symbol.unit or "1")
+        usual_texts = (
+            [symbol.unit.replace(" ", ".")] if usual.dimension == dimension and usual.atoms else []
         )
-        texts = dict.fromkeys([*own, *offered(Unit("", 1, 1, dimension, ()))])
+        texts = dict.fromkeys([*usual_texts, *offered(Unit("", 1, 1, dimension, ()))])
         called = {text: full_name(resolve(text)) for text in texts}
         if dimension not in (NUMBER, TEMPERATURE):  # most of which no scale is for
             called.update({scale.name: scale.meaning for scale in on(dimension)})
@@ -177,15 +184,19 @@ class Compiler:
 
 def command_of(name: str) -> SectionedCommand:
     """A command by its name."""
-    found = commands.get_command(context(), name)
-    if not isinstance(found, SectionedCommand):
+    command = commands.get_command(context(), name)
+    if not isinstance(command, SectionedCommand):
         raise KeyError(f"there is no command {name!r}")
-    return found
+    return command
 
 
-def own_options() -> list[click.Option]:
+def main_options() -> list[click.Option]:
     """The options of `radcalc` itself."""
-    return [one for one in commands.get_params(context()) if isinstance(one, click.Option)]
+    return [
+        parameter
+        for parameter in commands.get_params(context())
+        if isinstance(parameter, click.Option)
+    ]
 
 
 def results_of(command: SectionedCommand) -> list[str]:
@@ -193,24 +204,24 @@ def results_of(command: SectionedCommand) -> list[str]:
 
     They are read from the hint for a name that is none.
     """
-    found = [
-        one.opts[-1].removeprefix("--")
+    names = [
+        option.opts[-1].removeprefix("--")
         for group in command.sections.values()
-        for one in group
-        if isinstance(one, SymbolOption) and not one.hidden
+        for option in group
+        if isinstance(option, SymbolOption) and not option.hidden
     ]
     for words in examples_of(command):
         try:
-            with commands.make_context("radcalc", [*words, "-g", "?"]) as made:
-                commands.invoke(made)
+            with commands.make_context("radcalc", [*words, "-g", "?"]) as call_context:
+                commands.invoke(call_context)
         except UsageError as error:
-            found += error.hint.split(", ")
+            names += error.hint.split(", ")
         except (RadcalcError, click.ClickException):
             continue  # a file that is not here
-    kinds = [name for generic in found for name in names_of_kinds(generic)]
+    kinds = [name for generic in names for name in names_of_kinds(generic)]
     return [
         name
-        for name in dict.fromkeys([*found, *kinds])
+        for name in dict.fromkeys([*names, *kinds])
         if name in SYMBOLS and SYMBOLS[name].dimensions
     ]
 
@@ -232,8 +243,8 @@ def _lines(rows: Iterable[Row]) -> str:
 
 
 def main() -> None:
-    """Write the table."""
-    TABLE.write_text(Compiler().text(), encoding="utf-8")
+    """Write the table into the file that is named."""
+    Path(sys.argv[1]).write_text(Compiler().text(), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -4,15 +4,16 @@ import os
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from radcalc import stdio
-from radcalc.answer import Input, Result, Row
+from radcalc import terminal
+from radcalc.answer import Result, Row, ShownInput
+from radcalc.calculators.convert import PAGE
 from radcalc.cli import check as checking
-from radcalc.cli import streams
+from radcalc.cli import line_options
 from radcalc.cli.cases import Case, cases, is_stream
-from radcalc.cli.command import CONVERSION, LIGHT, define
+from radcalc.cli.command import define
 from radcalc.cli.options import STEPS, Output
+from radcalc.conversion.batch import Planned, plans
 from radcalc.conversion.plan import answer, plan, target_of
-from radcalc.conversion.several import Planned, plans
 from radcalc.errors import (
     MINUS,
     ConversionError,
@@ -26,49 +27,62 @@ from radcalc.errors import (
     quote_path,
 )
 from radcalc.errors import command as call_of
-from radcalc.given import Given, any_uncertain, inputs_of
+from radcalc.inputs.given import Input, any_uncertain, shown_inputs
 from radcalc.quantities.light import read as read_light
-from radcalc.units.amounts import Amount, read_operands, sides
+from radcalc.units.amount import Amount
 from radcalc.units.compiled import PREFIX_SYMBOLS
 from radcalc.units.numbers import read_number, split_quantity
 from radcalc.units.ranges import note_of, read_lists, refuse_many
-from radcalc.units.scales import METER_UNITS, ScaleUnit, names_of, resolve_any
-from radcalc.units.table import Unit, unit_of
+from radcalc.units.reading import read_operands, sides
+from radcalc.units.table import unit_of
+from radcalc.units.unit import Unit
+
+HELP = """\
+\b
+Examples:
+  radcalc 100 lx fc
+  radcalc convert 100 lx in fc
+  radcalc convert '500 lx * 20 m2 / 0.48' klm
+  radcalc convert 5 W m-2 to mW cm-2
+  radcalc convert 5 mW lm --wavelength 632.8nm
+  radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
+  radcalc convert 500 lx cd/m2 --reflectance 0.8
+  radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
+  radcalc convert 1 W/sr W --area 20mm2 --distance 1m
+  radcalc convert 100 W/m2 ppfd --spectrum D65
+  radcalc 100,200 lx fc,klx                    (lists; also 1:5:1 m ft)
+  radcalc convert 250 cd/m2                    (every unit of luminance)
+  radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
+  cut -f3 log.tsv | radcalc convert - lx fc
+  radcalc convert - lx fc -d , --column E < log.csv
+  radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
+  printf '100 lx\\n3 fc\\n' | radcalc convert - klx
+
+Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
+in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
+shown.  A condition's value carries its unit and is one word (2m, 30deg).
+VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), TARGET a list, for an answer
+each; the last of several runs fastest.  Each answer uses the conditions that it needs, and
+one that none needs is refused.  Values and conditions
+may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
+
+With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
+for VALUE and UNIT they carry their own units, or their title does (E [lx]), which is checked
+and gets the target's.  Every other byte stays as it is.
+"""
 
 
 @define(
     "convert",
+    PAGE,
     {
-        "Light": LIGHT,
-        "Directions": (
-            "solid-angle",
-            "half-angle",
-            "apex-angle",
-            "isotropic",
-            "hemisphere",
-            "exponent",
-            "beam-angle",
-        ),
-        "Distance and surfaces": (
-            "distance",
-            "incidence",
-            "tilt",
-            "area",
-            "radius",
-            "diameter",
-            "reflectance",
-            "pupil",
-        ),
-        "Detectors and fields": ("responsivity", "electric-field"),
-        "Light meters (EV)": ("k", "c"),
-        "Time and bandwidth": ("time", "bandwidth"),
+        **PAGE.sections,
         "Homework": checking.OPTIONS,
-        "Streams (with - for VALUE)": streams.OPTIONS,
+        "Streams (with - for VALUE)": line_options.OPTIONS,
     },
-    words="VALUE UNIT [to] TARGET",
     calculates=False,
     output=(STEPS,),
-    operands=(CONVERSION, ()),
+    text=HELP,
 )
 def command(
     words: tuple[str, ...],
@@ -76,73 +90,42 @@ def command(
     steps: bool,
     check: str | None,
     tolerance: str | None,
-    shown: Output,
+    output: Output,
     **stream_options: Any,
 ) -> int:
-    """Convert between units, and between quantities under a condition.
-
-    \b
-    Examples:
-      radcalc 100 lx fc
-      radcalc convert 100 lx in fc
-      radcalc convert '500 lx * 20 m2 / 0.48' klm
-      radcalc convert 5 W m-2 to mW cm-2
-      radcalc convert 5 mW lm --wavelength 632.8nm
-      radcalc convert 800 lm lx --isotropic --distance 1m,2m,5m
-      radcalc convert 500 lx cd/m2 --reflectance 0.8
-      radcalc convert 1000 W/m2 W --area 2m2 --incidence 60deg
-      radcalc convert 1 W/sr W --area 20mm2 --distance 1m
-      radcalc convert 100 W/m2 ppfd --spectrum D65
-      radcalc 100,200 lx fc,klx                    (lists; also 1:5:1 m ft)
-      radcalc convert 250 cd/m2                    (every unit of luminance)
-      radcalc convert 10 dBm mW                    (scales, too: mag, EV, mired, OD, stops ...)
-      cut -f3 log.tsv | radcalc convert - lx fc
-      radcalc convert - lx fc -d , --column E < log.csv
-      radcalc convert - lx ppfd --spectrum sun -d , --column E --add PPFD < log.csv
-      printf '100 lx\\n3 fc\\n' | radcalc convert - klx
-
-    Symbols of units are case-sensitive, full names are not.  TARGET may be the name of a quantity,
-    in English, Czech or Russian: its usual unit.  Without TARGET every unit of the quantity is
-    shown.  A condition's value carries its unit and is one word (2m, 30deg).
-    VALUE and conditions may be lists (1m,2m) or ranges (1m:5m:1m), TARGET a list, for an answer
-    each; the last of several runs fastest.  Each answer uses the conditions that it needs, and
-    one that none needs is refused.  Values and conditions
-    may have a standard uncertainty: 100+-3 lx, '100(3) lx', 2.00+-0.03m.
-
-    With - for VALUE, the lines of standard input are numbers, each of which is replaced; with -
-    for VALUE and UNIT they carry their own units, or their title does (E [lx]), which is checked
-    and gets the target's.  Every other byte stays as it is.
-    """
+    """Answer a conversion, or those of the lines of standard input."""
     checking.refuse_idle(check, tolerance)
-    asked = streams.LineOptions(**stream_options)
+    asked = line_options.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
     if words[:1] == ("-",):
-        streams.refuse_second_reader(typed)
+        line_options.refuse_second_reader(typed)
     try:
         # before the operands, so that `--distance 2 m` is told to write 2m
-        each = cases(typed, bare=METER_UNITS)
+        all_cases = cases(typed, arrays=False, bare=PAGE.bare)
     except MissingUnit as error:
         if error.symbol == "efficacy":
-            error.hint = likely_efficacy(error, list(words))
+            raise error.reworded(hint=likely_efficacy(error, list(words))) from None
         raise
-    streams.refuse_condition(each[0])
+    line_options.refuse_condition(all_cases[0])
     if words[:1] == ("-",):
+        from radcalc.cli import streams
+
         checking.refuse_stream(check)
-        return streams.convert(list(words), asked, each, steps, shown)
-    streams.refuse(asked)
+        return streams.convert(list(words), asked, all_cases, steps, output)
+    line_options.refuse(asked)
     try:
-        calls = conversions(list(words), each)
+        calls = conversions(list(words), all_cases)
     except NumberError:
         _refuse_file(words)
         raise
     first = calls[0]
     if not first.targets:
-        for name, given in (("--steps", steps), ("--check", check), ("--auto", shown.style.auto)):
+        for name, given in (("--steps", steps), ("--check", check), ("--auto", output.style.auto)):
             if given:
                 raise UsageError(f"{name} needs a unit to convert to", "a TARGET unit")
-        shown.show([every_unit(call, typed, shown.style.bare) for call in calls])
-        return stdio.ANSWERED
+        output.show([every_unit(call, typed, output.style.bare) for call in calls])
+        return terminal.ANSWERED
     if check is not None:
         from radcalc.homework.question import of_conversion
 
@@ -150,9 +133,9 @@ def command(
         target, conditions = first.targets[0], first.conditions
         amount, value = first.amount, first.value
         question = of_conversion(value, first.source, target, conditions, steps, amount)
-        return checking.judge(question, check, tolerance, shown, first.inputs)
-    shown.show(answers(calls, steps))
-    return stdio.ANSWERED
+        return checking.judge(question, check, tolerance, output, first.inputs)
+    output.show(answers(calls, steps))
+    return terminal.ANSWERED
 
 
 class Conversion(NamedTuple):
@@ -165,32 +148,34 @@ class Conversion(NamedTuple):
     case: Case
 
     @property
-    def conditions(self) -> list[Given]:
-        """What is given for it."""
+    def conditions(self) -> list[Input]:
+        """Return the inputs of its case."""
         return list(self.case.given.values())
 
     @property
-    def inputs(self) -> tuple[Input, ...]:
+    def inputs(self) -> tuple[ShownInput, ...]:
         """The value and the conditions, as an answer tells them."""
         text, off = self.amount.text.replace(MINUS, "-"), self.amount.typed_uncertainty
-        value = Input("value", self.value, self.source.text, text, off)
-        return (value, *inputs_of(self.case.given))
+        value = ShownInput("value", self.value, self.source.text, text, off)
+        return (value, *shown_inputs(self.case.given))
 
     def answer(self, planned: Sequence[Planned], steps: bool) -> Result:
         """The value in the targets' units, by a plan for each, and everything about it."""
-        told = []
-        for made, used in planned:
-            one = answer(made, self.value, self.case.label, steps)
+        results = []
+        for conversion, used in planned:
+            result = answer(conversion, self.value, self.case.label, steps)
             if self.amount.is_uncertain or any_uncertain(used):
                 from radcalc.calculators.uncertainty import converted, of_conversion
 
-                one = of_conversion(one, converted(made, self.amount, used))
-            told.append(one)
+                result = of_conversion(result, converted(conversion, self.amount, used))
+            results.append(result)
         return Result(
-            tuple(row for one in told for row in one.rows),
-            tuple(dict.fromkeys(text for one in told for text in one.assumptions)),
-            tuple(dict.fromkeys((*self.case.notes, *(n for one in told for n in one.notes)))),
-            tuple(dict.fromkeys(step for one in told for step in one.steps)),
+            tuple(row for result in results for row in result.rows),
+            tuple(dict.fromkeys(text for result in results for text in result.assumptions)),
+            tuple(
+                dict.fromkeys((*self.case.notes, *(n for result in results for n in result.notes)))
+            ),
+            tuple(dict.fromkeys(step for result in results for step in result.steps)),
             self.inputs,
             named=False,
         )
@@ -207,7 +192,7 @@ def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
     return [call.answer([next(planned) for _ in call.targets], steps) for call in calls]
 
 
-def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
+def conversions(words: list[str], all_cases: Sequence[Case]) -> list[Conversion]:
     """Every conversion that is asked for: the values run slowest, and the targets fastest."""
     for word in words:
         if " --" in word and word.rpartition(" --")[2][:1].isalpha():
@@ -215,7 +200,7 @@ def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
                 f"'{quote(word)}' has an option in it", "quotes around the value alone"
             )
     lists = read_lists(words)
-    refuse_many([len(lists), len(each), len(lists[0])])
+    refuse_many([len(lists), len(all_cases), len(lists[0])])
     notes = note_of(words[0]) if len(lists) > 1 else ()
     calls = []
     for of_value in lists:
@@ -223,10 +208,10 @@ def conversions(words: list[str], each: Sequence[Case]) -> list[Conversion]:
         value, source = amount.typed
         assert source is not None
         targets = [target_of(text, source) for text in texts]
-        which = (Input("", text=amount.text),) if len(lists) > 1 else ()
-        for case in each:
-            told = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
-            calls.append(Conversion(amount, value, source, targets, told))
+        which = (ShownInput("", text=amount.text),) if len(lists) > 1 else ()
+        for case in all_cases:
+            labelled = Case(case.given, (*which, *case.varied), (*notes, *case.notes))
+            calls.append(Conversion(amount, value, source, targets, labelled))
     return calls
 
 
@@ -241,32 +226,32 @@ def _refuse_file(words: Sequence[str]) -> None:
 def _read_value(calls: list[list[str]]) -> tuple[Amount, list[str]]:
     """A value, and the texts of its targets, from the words of a conversion to each of them."""
     try:
-        read = [read_operands(words) for words in calls]
+        operands = [read_operands(words) for words in calls]
     except UnitError as error:
         raise _meant(calls[0]) or error from None
-    (amount, first), *others = read
+    (amount, first), *others = operands
     if others and not first:
         several = quote(",".join(words[-1] for words in calls))
         raise UsageError(f"'{several}' is a list where one unit is meant", "a TARGET behind it")
-    return amount, [target for _, target in read if target]
+    return amount, [target for _, target in operands if target]
 
 
 def _meant(words: list[str]) -> UnitError | None:
-    """What to say of a VALUE in the name of a quantity, or with a blank behind its prefix."""
+    """Return the error for a VALUE in the name of a quantity, or with a blank after its prefix."""
     from radcalc.quantities.targets import is_name, named
 
     source, _, _ = sides(words)
     try:
         _, unit = split_quantity(source or words[0])
-        rest = words[1:] if not source else []
-        if not unit and rest:
-            unit, *rest = rest
+        following = words[1:] if not source else []
+        if not unit and following:
+            unit, *following = following
         if is_name(unit):
             usual = named(unit).text.replace(" ", ".")
             return UnitError(f"'{quote(unit)}' is a quantity, and no unit", usual)
-        if unit in PREFIX_SYMBOLS and rest and unit_of(unit + rest[0]):
-            told = f"'{quote(unit)} {quote(rest[0])}' has a blank behind its prefix"
-            return UnitError(told, quote(unit + rest[0]))
+        if unit in PREFIX_SYMBOLS and following and unit_of(unit + following[0]):
+            problem = f"'{quote(unit)} {quote(following[0])}' has a blank behind its prefix"
+            return UnitError(problem, quote(unit + following[0]))
     except RadcalcError as error:
         return error if isinstance(error, UnitError) and is_name(unit) else None
     return None
@@ -294,9 +279,9 @@ def likely_efficacy(error: MissingUnit, words: list[str]) -> str:
 
 def _cut(unit: str) -> str:
     """The hint for a unit of no quantity: `lx fc` are a unit and a target."""
-    first, _, rest = unit.partition(" ")
-    is_target = rest and unit_of(first) and unit_of(rest)
-    return f"{quote(first)} to {quote(rest)}" if is_target else "a TARGET unit"
+    first, _, target = unit.partition(" ")
+    is_target = target and unit_of(first) and unit_of(target)
+    return f"{quote(first)} to {quote(target)}" if is_target else "a TARGET unit"
 
 
 def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result:
@@ -309,9 +294,12 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     from radcalc.calculators import uncertainty
     from radcalc.quantities.light import name_of, result_name, symbol_of
     from radcalc.quantities.units import units_of
+    from radcalc.units.scales import ScaleUnit, names_of, resolve_any
 
     readings = (source, *source.others) if isinstance(source, ScaleUnit) else (source,)
-    texts = [text for one in readings for text in (*units_of(one), *names_of(one.dimension))]
+    texts = [
+        text for reading in readings for text in (*units_of(reading), *names_of(reading.dimension))
+    ]
     targets = [source, *(resolve_any(text) for text in texts if text != source.text)]
     if len(targets) == 1 and not name_of(source):
         raise UsageError(
@@ -322,16 +310,18 @@ def every_unit(call: Conversion, typed: dict[str, Any], is_bare: bool) -> Result
     bent: list[str] = []
     for target in targets:
         try:
-            made = plan(source, target)
-            number, off = made.apply(call.value), 0.0
+            conversion = plan(source, target)
+            number, off = conversion.apply(call.value), 0.0
             if call.amount.is_uncertain:
-                found = uncertainty.converted(made, call.amount, ())
-                off, assumed = found.uncertainty, (found.assumed,)
-                bent = bent or found.notes(name_of(made.target) or "the value", target.text)
+                uncertain = uncertainty.converted(conversion, call.amount, ())
+                off, assumed = uncertain.uncertainty, (uncertain.assumed,)
+                bent = bent or uncertain.notes(
+                    name_of(conversion.target) or "the value", target.text
+                )
         except ConversionError:
             continue  # beyond what a float holds in that unit
-        assumptions.update(dict.fromkeys(made.assumptions))
-        meant = made.target if target.is_scale else target
+        assumptions.update(dict.fromkeys(conversion.assumptions))
+        meant = conversion.target if target.is_scale else target
         about = name_of(meant), symbol_of(meant)
         name = result_name(meant)
         row = Row(*about, number, target.text, call.case.label, name, uncertainty=off)

@@ -5,24 +5,28 @@ from math import inf
 
 import click
 
-from radcalc import stdio
-from radcalc.answer import Answer, Input, texts_of
+from radcalc import terminal
+from radcalc.answer import Answer, ShownInput, texts_of
 from radcalc.calculators import dose as page
-from radcalc.cli.calculator import Answered, Asked, run, show
+from radcalc.calculators.task import Task
+from radcalc.cli.answers import Answered, show
+from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.check import refuse_several
-from radcalc.cli.command import FILE, LIGHT, define
+from radcalc.cli.command import define
+from radcalc.cli.line_options import refuse_second_reader
 from radcalc.cli.options import Output
-from radcalc.cli.streams import complain, refuse_second_reader
+from radcalc.cli.request import Request
+from radcalc.cli.streams import complain
 from radcalc.errors import UsageError
 from radcalc.errors import command as call_of
-from radcalc.given import Inputs, inputs_of, refuse_uncertain
+from radcalc.files.text import reading
+from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
 from radcalc.streams import ABORT, INVALID
 from radcalc.streams.clocks import PERIODS, TimeSettings
 from radcalc.streams.fields import read_delimiter
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
-from radcalc.texts import ENDINGS, reading
 
 TIME_COLUMN = click.Option(
     ["--time-column"],
@@ -66,18 +70,42 @@ BY = click.Option(
     type=click.Choice(PERIODS),
     help="An answer for each local day, or each hour.",
 )
+HELP = """\
+\b
+Examples:
+  radcalc dose lux.csv
+  radcalc dose lux.csv --spectrum D65 -g photon-exposure:mol/m2
+  radcalc dose par.csv --by day --time-zone Europe/Prague --max-gap 30min
+  radcalc dose par.csv --by day --format csv -g exposure:mol/m2 -g coverage:%
+  radcalc dose gallery.csv -g exposure:lx.h
+  radcalc dose - --unit W/m2 --time-unit s < samples.txt
+  radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
+
+FILE has a time and a value in each line, - is standard input.  The values are irradiances,
+illuminances or PPFD, which add up to an exposure (with --receiver-area to an energy), or
+fluxes, which add up to an energy; their unit stands in the title (E [lx], PAR_umol/m2/s) or
+in --unit.
+
+Times are ISO 8601 with T or a blank, Unix time, or numbers whose unit the title or
+--time-unit tells.  A local time has no offset: --time-zone says whose it is, and knows the
+days of 23 and of 25 hours.  Dates that may be read in two ways are refused: --time-format.
+
+Between two samples the light runs straight.  Steps longer than --max-gap, by more than the
+0.1 % that rounded times may be off, are not bridged, nor is, without it, a step in which a line
+was left out; they are told, and counted by coverage.
+A day or an hour in a gap has an exposure of 0, no mean, and coverage 0.
+"""
 
 
 @define(
     "dose",
+    page.PAGE,
     {
         "Columns": (COLUMN, UNIT, TIME_COLUMN, DELIMITER, INVALID_LINES),
-        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, "max-gap", BY),
-        "Light": ("receiver-area", *LIGHT),
+        "Times": (TIME_ZONE, TIME_FORMAT, TIME_UNIT, *page.PAGE.sections["Times"], BY),
+        "Light": page.PAGE.sections["Light"],
     },
-    words="FILE|-",
-    operands=(FILE, ENDINGS),
-    takes_lines=False,
+    text=HELP,
 )
 def command(
     words: tuple[str, ...],
@@ -91,39 +119,14 @@ def command(
     time_unit: str | None,
     time_format: str | None,
     by: str | None,
-    asked: Asked,
-    shown: Output,
+    asked: Request,
+    output: Output,
 ) -> int:
-    """Add up samples of light in time: exposure, energy, daily light integral.
-
-    \b
-    Examples:
-      radcalc dose lux.csv
-      radcalc dose lux.csv --spectrum D65 -g photon-exposure:mol/m2
-      radcalc dose par.csv --by day --time-zone Europe/Prague --max-gap 30min
-      radcalc dose par.csv --by day --format csv -g exposure:mol/m2 -g coverage:%
-      radcalc dose gallery.csv -g exposure:lx.h
-      radcalc dose - --unit W/m2 --time-unit s < samples.txt
-      radcalc dose hobo.csv --time-format '%m/%d/%y %I:%M:%S %p' --invalid ignore
-
-    FILE has a time and a value in each line, - is standard input.  The values are irradiances,
-    illuminances or PPFD, which add up to an exposure (with --receiver-area to an energy), or
-    fluxes, which add up to an energy; their unit stands in the title (E [lx], PAR_umol/m2/s) or
-    in --unit.
-
-    Times are ISO 8601 with T or a blank, Unix time, or numbers whose unit the title or
-    --time-unit tells.  A local time has no offset: --time-zone says whose it is, and knows the
-    days of 23 and of 25 hours.  Dates that may be read in two ways are refused: --time-format.
-
-    Between two samples the light runs straight.  Steps longer than --max-gap, by more than the
-    0.1 % that rounded times may be off, are not bridged, nor is, without it, a step in which a line
-    was left out; they are told, and counted by coverage.
-    A day or an hour in a gap has an exposure of 0, no mean, and coverage 0.
-    """
+    """Answer for the samples of a log, or for each of its periods."""
     path = _path(words, typed)
-    each = cases(typed)
-    gap = _gap(each)
-    if by and len(each) > 1:
+    all_cases = cases(typed, arrays=False)
+    gap = _gap(all_cases)
+    if by and len(all_cases) > 1:
         raise UsageError("a list of conditions is not for --by", "one of them, and a loop")
     clock = TimeSettings(time_zone or "", time_unit or "", time_format or "")
     cut = read_delimiter(delimiter) if delimiter is not None else ""
@@ -143,28 +146,48 @@ def command(
         "time-format": time_format,
         "time-unit": time_unit,
     }
-    told = texts_of({name: text or "" for name, text in typed_here.items()})
+    operands = texts_of({name: text or "" for name, text in typed_here.items()})
     if by and asked.check is None:
-        given = each[0].given
-        inputs = (*told, *inputs_of(given))
-        answers = [
-            Answered(label, (*inputs, Input(by, text=label, tells=True)), _told(log, answer))
-            for label, answer in summed.of_periods(_light(given))
-        ]
-        show(answers, asked, shown, [one.inputs for one in answers])
+        _show_periods(summed, log, all_cases[0].given, operands, by, asked, output)
+        status = terminal.ANSWERED
     else:
         if by:
             refuse_several(len(summed.dose.periods))
+        status = run(all_cases, _task(summed, log, operands, bool(by)), asked, output)
+    return status if log.is_good or status else terminal.FAILED
 
-        def work_out(given: Inputs) -> Answer:
-            light = _light(given)
-            return _told(log, next(summed.of_periods(light))[1] if by else summed.of_all(light))
 
-        samples = summed.samples()
-        status = run(each, work_out, asked, shown, "dose", operands=told, samples=samples)
-        if status != stdio.ANSWERED:
-            return status
-    return stdio.ANSWERED if log.is_good else stdio.FAILED
+def _task(
+    summed: page.SummedLog, log: Log, operands: Sequence[ShownInput], of_period: bool
+) -> Task:
+    """Return the task of a whole log, or of the one period that it has."""
+
+    def work_out(given: Inputs) -> Answer:
+        light = _light(given)
+        answer = next(summed.of_periods(light))[1] if of_period else summed.of_all(light)
+        return _with_remarks(log, answer)
+
+    return Task("dose", work_out, operands, samples=summed.samples())
+
+
+def _show_periods(
+    summed: page.SummedLog,
+    log: Log,
+    given: Inputs,
+    operands: Sequence[ShownInput],
+    by: str,
+    asked: Request,
+    output: Output,
+) -> None:
+    """Show an answer for each day or hour of a log."""
+    inputs = (*operands, *shown_inputs(given))
+    answers = [
+        Answered(
+            label, (*inputs, ShownInput(by, text=label, tells=True)), _with_remarks(log, answer)
+        )
+        for label, answer in summed.of_periods(_light(given))
+    ]
+    show(answers, asked, output, [answered.inputs for answered in answers])
 
 
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
@@ -177,21 +200,21 @@ def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
     return words[0]
 
 
-def _gap(each: Sequence[Case]) -> float:
+def _gap(all_cases: Sequence[Case]) -> float:
     """The longest step that is bridged [s], which is one for all cases."""
-    gaps = [case.given["max-gap"] for case in each if "max-gap" in case.given]
+    gaps = [case.given["max-gap"] for case in all_cases if "max-gap" in case.given]
     refuse_uncertain(gaps, "a log")
-    if len({one.value for one in gaps}) > 1:
+    if len({gap.value for gap in gaps}) > 1:
         raise UsageError("a list of gaps is not for one reading of a log", "--max-gap once")
     return gaps[0].value if gaps else inf
 
 
 def _light(given: Inputs) -> Inputs:
-    """What is given for the light of the samples, and not for their times."""
-    return {name: one for name, one in given.items() if name != "max-gap"}
+    """Return the inputs for the light of the samples, without those for their times."""
+    return {name: condition for name, condition in given.items() if name != "max-gap"}
 
 
-def _told(log: Log, answer: Answer) -> Answer:
+def _with_remarks(log: Log, answer: Answer) -> Answer:
     """An answer with what is to be said of how its log was read."""
     return answer._replace(
         assumptions=(*log.assumptions, *answer.assumptions), notes=[*answer.notes, *log.notes]

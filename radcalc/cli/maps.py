@@ -3,53 +3,54 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from radcalc import stdio
-from radcalc.answer import Input
+from radcalc import terminal
+from radcalc.answer import ShownInput
 from radcalc.calculators.results import pick
-from radcalc.cli.calculator import Answered, Asked, refuse_bare, show
+from radcalc.cli.answers import Answered, refuse_bare, show
 from radcalc.cli.cases import cases
 from radcalc.cli.options import Output
+from radcalc.cli.request import Request
 from radcalc.errors import UsageError, quote_path
-from radcalc.given import Inputs, refuse_uncertain
+from radcalc.inputs.given import Inputs, refuse_uncertain
 from radcalc.render.progress import progress
 
 if TYPE_CHECKING:
-    from radcalc.calculators.environment import Made
+    from radcalc.calculators.maps import RenderedMap
 
 
-def one_case(typed: dict[str, str], asked: Asked) -> Inputs:
-    """What is given for a map, of which one is made at a time."""
+def one_case(typed: dict[str, str], asked: Request) -> Inputs:
+    """Return the inputs of a map; one map is made at a time."""
     if asked.check is not None:
         raise UsageError("--check has no use where a map is written", "the same without --check")
     if asked.plot:
         raise UsageError("--plot has no use where a map is written", "the same without --plot")
-    each = cases(typed)
-    if len(each) > 1 or each[0].stream:
+    all_cases = cases(typed, arrays=False)
+    if len(all_cases) > 1 or all_cases[0].stream:
         raise UsageError("one map is written at a time", "one value of everything")
-    refuse_uncertain(each[0].given.values(), "a map")
-    return each[0].given
+    refuse_uncertain(all_cases[0].given.values(), "a map")
+    return all_cases[0].given
 
 
 def write_map(
     path: str,
     task: str,
-    make: Callable[..., "Made"],
-    asked: Asked,
-    shown: Output,
-    inputs: tuple[Input, ...],
+    make: Callable[..., "RenderedMap"],
+    asked: Request,
+    output: Output,
+    inputs: tuple[ShownInput, ...],
 ) -> int:
     """Make a map, write it, and tell what it is; everything is checked before it is written."""
     from radcalc.distributions.maps.pictures import check_target, write_picture
 
     if not asked.wanted:
-        refuse_bare(shown)
+        refuse_bare(output)
     check_target(path)
-    with progress(task, shown.style.remarks) as tick:
-        made = make(progress=tick)
+    with progress(task, output.style.remarks) as tick:
+        rendered = make(progress=tick)
     for name in asked.wanted:
-        pick(made.answer.values, name)
-    lost = write_picture(path, made.picture)
-    said = f"{quote_path(path)}: {made.what}"
-    answer = made.answer._replace(notes=(*made.answer.notes, said, *lost))
-    show([Answered("", inputs, answer)], asked, shown)
-    return stdio.ANSWERED
+        pick(rendered.answer.values, name)
+    lost = write_picture(path, rendered.picture)
+    description = f"{quote_path(path)}: {rendered.what}"
+    answer = rendered.answer._replace(notes=(*rendered.answer.notes, description, *lost))
+    show([Answered("", inputs, answer)], asked, output)
+    return terminal.ANSWERED

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple, Protocol
 
 import click
 
-from radcalc import stdio
+from radcalc import terminal
 from radcalc.answer import Result
 from radcalc.cli.spelling import spelled
 from radcalc.errors import UsageError
@@ -48,7 +48,7 @@ class Output(NamedTuple):
 
     @property
     def is_bare(self) -> bool:
-        """Whether `--get` prints bare numbers: in plain text, and unless a table is asked for.
+        """Check for bare numbers from `--get`: in plain text, and unless a table is asked for.
 
         At the prompt, where nothing but people reads them, a table is a line with the unit.
         """
@@ -57,7 +57,7 @@ class Output(NamedTuple):
 
     @property
     def has_columns(self) -> bool:
-        """Whether the results that `--get` asks for are columns, however many lines there are."""
+        """Check for columns: the results of `--get` are columns, however many lines there are."""
         return self.is_bare or self.format == CSV
 
     def hear(self, results: Sequence[Result]) -> None:
@@ -74,27 +74,27 @@ class Output(NamedTuple):
 
             results = with_prefixes(results, self.format, self.style.precision)
         form = renderer(self.format)
-        stdio.write(form.results(results, self._on_terminal()))
+        terminal.write(form.results(results, self._on_terminal()))
         if form.REMARKS_ARE_APART:
             self.remark(results)
 
     def records(self, records: Records) -> None:
         """Write a list of what there is."""
-        stdio.write(renderer(self.format).records(records, self._on_terminal()))
+        terminal.write(renderer(self.format).records(records, self._on_terminal()))
 
     def judge(self, judgement: Judgement) -> None:
         """Write whether an answer is right; the listener hears the right one."""
         self.hear([Result((judgement.right,))])
-        said = Result(
+        remarks = Result(
             (),
             tuple(judgement.assumptions),
             tuple(judgement.notes),
             judgement.verdict.steps,
         ).spelled(spelled)
-        judgement = judgement._replace(assumptions=said.assumptions, notes=said.notes)
-        stdio.write(renderer(self.format).verdict(judgement, self._on_terminal()))
+        judgement = judgement._replace(assumptions=remarks.assumptions, notes=remarks.notes)
+        terminal.write(renderer(self.format).verdict(judgement, self._on_terminal()))
         if self.format != JSON:
-            self.remark([said])
+            self.remark([remarks])
 
     def remark(self, results: Sequence[Result]) -> None:
         """Write to standard error what was assumed and noted, once each, and the derivations."""
@@ -102,9 +102,9 @@ class Output(NamedTuple):
 
         lines: list[str] = []
         if self.style.remarks:
-            said = [line for r in results for line in stdio.remarks(r.assumptions, r.notes)]
-            lines = folded([spelled(line) for line in dict.fromkeys(said)])
-        stdio.say(lines + [line for r in results for line in derivation(r.steps)])
+            remarks = [line for r in results for line in terminal.remarks(r.assumptions, r.notes)]
+            lines = folded([spelled(line) for line in dict.fromkeys(remarks)])
+        terminal.say(lines + [line for r in results for line in derivation(r.steps)])
 
     def refuse_auto(self, problem: str, hint: str) -> None:
         """Refuse to choose units where they are not shown, or cannot be."""
@@ -143,7 +143,7 @@ NUMERIC = ("number", "precision", "auto")
 
 def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
     """The options of output, of which some are not shown in the help."""
-    made = (
+    all_options = (
         click.Option(["-n", "--number"], is_flag=True, help="Bare numbers only."),
         click.Option(
             ["--format", "format_"],
@@ -159,8 +159,8 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
         ),
         click.Option(
             ["--color"],
-            type=click.Choice(stdio.COLORING),
-            default=stdio.AUTO,
+            type=click.Choice(terminal.COLORING),
+            default=terminal.AUTO,
             help="Colour on a terminal (NO_COLOR and FORCE_COLOR are heeded).",
         ),
         click.Option(
@@ -170,9 +170,9 @@ def _options(hidden: Sequence[str] = ()) -> tuple[click.Option, ...]:
         ),
         click.Option(["-q", "--quiet"], is_flag=True, help="No notes or assumptions."),
     )
-    for option in made:
+    for option in all_options:
         option.hidden = option.name in hidden
-    return made
+    return all_options
 
 
 OPTIONS, OF_LISTS = _options(), _options(hidden=NUMERIC)
@@ -181,7 +181,7 @@ STEPS = click.Option(["--steps"], is_flag=True, help="Show the derivation.")
 
 
 def defaults() -> dict[str, Any]:
-    """What the options of output are where none is given."""
+    """Return the options of output where none is given."""
     nothing = click.Command(None, params=[*OPTIONS], add_help_option=False)
     return nothing.make_context("", []).params
 
@@ -206,10 +206,10 @@ def decide(
             "--number prints no unit, and --auto chooses one", "the same without --auto"
         )
     asked = JSON if json_ else PLAIN if number else format_
-    terminal = stdio.is_terminal()
-    chosen = asked or (TABLE if terminal else PLAIN)
+    is_terminal = terminal.is_terminal()
+    chosen = asked or (TABLE if is_terminal else PLAIN)
     spoken = language() if chosen == TABLE else ENGLISH
-    colored = stdio.wants_color(color, terminal)
+    colored = terminal.wants_color(color, is_terminal)
     context = click.get_current_context(silent=True)
     listener: Listener | None = context.find_root().obj if context else None
     brief = listener is not None and asked is None
@@ -217,9 +217,9 @@ def decide(
     return Output(chosen, style, asked is not None, listener)
 
 
-def refuse_number_options(shown: Output, command: str) -> None:
+def refuse_number_options(output: Output, command: str) -> None:
     """Refuse -n, --precision and --auto, which have no use with a list."""
-    bare, precision, auto = shown.style.bare, shown.style.precision, shown.style.auto
+    bare, precision, auto = output.style.bare, output.style.precision, output.style.auto
     if bare or precision or auto:
         useless = "-n" if bare else "--precision" if precision else "--auto"
         raise UsageError(f"{useless} has no use with {command}", f"radcalc {command}")

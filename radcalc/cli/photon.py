@@ -3,47 +3,30 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from radcalc.calculators.photon import named, photon
-from radcalc.cli.calculator import Asked, run
+from radcalc.calculators.photon import PAGE, named, photon
+from radcalc.calculators.task import Task
+from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
 from radcalc.cli.command import define
 from radcalc.cli.options import Output
+from radcalc.cli.request import Request
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, UsageError, spell
-from radcalc.quantities.symbols import QUANTITY
 
 T = TypeVar("T")
 
 
-@define(
-    "photon",
-    {"Light": ("observer",)},
-    words="WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY",
-    operands=(QUANTITY, ("wavelength",)),
-    draws=True,
-)
-def command(words: tuple[str, ...], typed: dict[str, str], asked: Asked, shown: Output) -> int:
-    """Give the wavelength, frequency, wavenumber and energy of a photon, and what is seen of it.
-
-    \b
-    Examples:
-      radcalc photon 555nm
-      radcalc photon 2.33eV
-      radcalc photon 540THz
-      radcalc photon 18000cm-1
-      radcalc photon 400nm:780nm:1nm -g luminous-efficacy --plot
-      radcalc photon 400nm:700nm:50nm -g wavelength:nm -g luminous-efficacy:lm/W
-
-    The wavelength, frequency, wavenumber and energy are those in vacuum.  A length is looked up
-    in the eye's tables as it is; the others are first turned into a wavelength in standard air.
-    """
+@define("photon", PAGE)
+def command(words: tuple[str, ...], typed: dict[str, str], asked: Request, output: Output) -> int:
+    """Answer for a wavelength, or what is given for one."""
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
-    each = _as_operand(lambda: cases({"wavelength": " ".join(words), **typed}))
-    each = [_named(case) for case in each]
-    if each[0].stream:
-        return _as_operand(lambda: run(each, photon, asked, shown, "photon"))
-    return run(each, photon, asked, shown, "photon")
+    all_cases = _as_operand(lambda: cases({"wavelength": " ".join(words), **typed}))
+    all_cases = [_named(case) for case in all_cases]
+    task = Task("photon", photon)
+    if all_cases[0].stream:
+        return _as_operand(lambda: run(all_cases, task, asked, output))
+    return run(all_cases, task, asked, output)
 
 
 def _as_operand(read: Callable[[], T]) -> T:
@@ -51,9 +34,8 @@ def _as_operand(read: Callable[[], T]) -> T:
     try:
         return read()
     except RadcalcError as error:
-        error.message = spell(error.message, Operand)
-        error.hint = spell(error.hint, Command)
-        raise
+        message, hint = spell(error.message, Operand), spell(error.hint, Command)
+        raise error.reworded(message, hint) from None
 
 
 def _named(case: Case) -> Case:
@@ -65,12 +47,12 @@ def _named(case: Case) -> Case:
     wave = named(case.given["wavelength"])
     given = {**case.given, "wavelength": wave}
     names = {"wavelength": wave.name}
-    varied = tuple(one._replace(name=names.get(one.name, one.name)) for one in case.varied)
+    varied = tuple(entry._replace(name=names.get(entry.name, entry.name)) for entry in case.varied)
     return case._replace(given=given, varied=varied)
 
 
 class Operand(Shell):
-    """How a message says what was typed for the wavelength."""
+    """The spelling of the wavelength in a message, as it was typed."""
 
     @staticmethod
     def option(name: str, value: str) -> str:
@@ -79,7 +61,7 @@ class Operand(Shell):
 
 
 class Command(Shell):
-    """How a hint says what to type."""
+    """The spelling of the wavelength in a hint."""
 
     @staticmethod
     def option(name: str, value: str) -> str:

@@ -1,16 +1,17 @@
 """`--plot`: a picture below the answer, or as a figure in a file."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from radcalc import stdio
-from radcalc.answer import Answer, Input
+from radcalc import terminal
+from radcalc.answer import Answer, ShownInput
 from radcalc.calculators.results import pick
-from radcalc.cli.calculator import Answered, Asked, result, show
-from radcalc.cli.command import HERE
+from radcalc.calculators.task import Task
+from radcalc.cli.answers import Answered, result, show
 from radcalc.cli.options import Output, width_of_terminal
+from radcalc.cli.request import TO_TERMINAL, Request
 from radcalc.errors import UsageError
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.render.formats import CSV, JSON, TABLE
 
 if TYPE_CHECKING:
@@ -20,11 +21,11 @@ FEW = 20  # answers of which a terminal has the table beside the picture
 IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 
 
-def refuse(asked: Asked, output: Output) -> None:
+def refuse(asked: Request, output: Output) -> None:
     """Refuse a picture where there is no place for it, before anything is worked out."""
     if asked.check is not None:
         raise UsageError("--check has one number, and no picture", "the same without --plot")
-    if asked.plot != HERE:
+    if asked.plot != TO_TERMINAL:
         from radcalc.plots.figure import check_place
 
         check_place(asked.plot)
@@ -36,48 +37,48 @@ def refuse(asked: Asked, output: Output) -> None:
 
 
 def picture(
-    command: str, given: Sequence[Inputs], answers: Sequence[Answer], asked: Asked, drawn: Any
+    task: Task, given: Sequence[Inputs], answers: Sequence[Answer], wanted: Sequence[str]
 ) -> "Picture":
-    """What the answers of a command look like; `drawn` is what it works on beside its inputs."""
+    """Return the picture of a task's answers, or of the results that are wanted of them."""
     from radcalc.plots import answers as pictures
     from radcalc.plots.curves import Solved
 
-    solved = [Solved(*one) for one in zip(given, answers, strict=True)]
-    return pictures.picture(command, solved, asked.wanted, drawn)
+    solved = [Solved(*pair) for pair in zip(given, answers, strict=True)]
+    return pictures.picture(task.command, solved, wanted, task.drawn)
 
 
-def show_beside(
-    made: "Picture",
+def show_with_picture(
+    drawing: "Picture",
     answers: Sequence[Answered],
-    asked: Asked,
+    asked: Request,
     output: Output,
-    told: Sequence[Sequence[Input]],
+    inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
     """Write the answers, and a picture below them or into its file.
 
     On a terminal many answers are the picture alone, unless their table is asked for.
     """
-    if asked.plot != HERE:
-        for one in answers:  # before anything is written
+    if asked.plot != TO_TERMINAL:
+        for answered in answers:  # before anything is written
             for name in asked.wanted:
-                pick(one.answer.values, name, one.case)
+                pick(answered.answer.values, name, answered.case)
         from radcalc.plots.figure import write
 
-        write(asked.plot, made)
-        show(answers, asked, output, told)
+        write(asked.plot, drawing)
+        show(answers, asked, output, inputs)
         return
-    count = sum(len(one.long.value) if one.long else 1 for one in answers)
+    count = sum(len(answered.long.value) if answered.long else 1 for answered in answers)
     if count > FEW and output.format == TABLE and not output.is_chosen:
-        output.remark([result(one, ()) for one in answers])
+        output.remark([result(answered, ()) for answered in answers])
     else:
-        show(answers, asked, output, told)
-        stdio.write("\n")
-    draw(made, output)
+        show(answers, asked, output, inputs)
+        terminal.write("\n")
+    draw(drawing, output)
 
 
-def draw(made: "Picture", output: Output) -> None:
+def draw(drawing: "Picture", output: Output) -> None:
     """Write a picture in characters."""
-    from radcalc.plots import terminal
+    from radcalc.plots import characters
 
-    style = terminal.style_of(width_of_terminal(), output.style.color)
-    stdio.write(terminal.draw(made, style))
+    style = characters.style_of(width_of_terminal(), output.style.color)
+    terminal.write(characters.draw(drawing, style))

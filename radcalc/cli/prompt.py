@@ -12,27 +12,28 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from radcalc import stdio
+from radcalc import terminal
 from radcalc._version import __version__
+from radcalc.calculators.page import Page
 from radcalc.cli.command import SectionedCommand
 from radcalc.cli.options import OPTIONS, decide, defaults
 from radcalc.cli.session import ASSIGNMENT, Session
-from radcalc.completion import Completion as Word
-from radcalc.completion import completions as words_behind
 from radcalc.errors import RadcalcError
-from radcalc.quantities.symbols import WORD
 
 if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
+
+    from radcalc.completion.line import Completion
 
 PROMPT = "> "
 BOM = "\ufeff"
 BLOCK = 1 << 16
 LONGEST = 1 << 20  # bytes of a line, and of the history that is read again
-WORST = (stdio.BUG, stdio.FAILED, stdio.WRONG)  # of the statuses of lines
+WORST = (terminal.BUG, terminal.FAILED, terminal.WRONG)  # of the statuses of lines
 WARM = (  # what the first answers need
     "radcalc.cli.convert",
-    "radcalc.cli.point_source",
+    "radcalc.cli.pages",
+    "radcalc.calculators.point_source",
     "radcalc.render.table",
     "radcalc.cli.calculator",
     "radcalc.conversion.geometric",
@@ -78,54 +79,54 @@ command = SectionedCommand(
     params=[*OPTIONS],
     help=prompt.__doc__,
     sections={"Output": OPTIONS},
-    operands=(WORD, ()),
+    page=Page(),
 )
 
 
 def answer_lines(session: Session) -> int:
     """Answer the lines of standard input; return the worst of their statuses."""
-    statuses = {stdio.ANSWERED}
+    statuses = {terminal.ANSWERED}
     for number, line in enumerate(_lines(), start=1):
         try:
             status = session.answer(line.removeprefix(BOM), f"line {number}")
         except EOFError:
             break
-        if status == stdio.INTERRUPTED:
+        if status == terminal.INTERRUPTED:
             return status
         statuses.add(status)
-    return next((one for one in WORST if one in statuses), stdio.ANSWERED)
+    return next((candidate for candidate in WORST if candidate in statuses), terminal.ANSWERED)
 
 
 def _lines() -> Iterator[str]:
     """The lines of standard input as they come, as the words of a command line are decoded."""
-    rest = b""
-    while data := stdio.read(BLOCK):
-        *whole, rest = (rest + data).split(b"\n")
-        yield from map(os.fsdecode, whole)
-        if len(rest) > LONGEST:
+    remainder = b""
+    while data := terminal.read(BLOCK):
+        *complete, remainder = (remainder + data).split(b"\n")
+        yield from map(os.fsdecode, complete)
+        if len(remainder) > LONGEST:
             break  # which is refused for its length
-    if rest:
-        yield os.fsdecode(rest)
+    if remainder:
+        yield os.fsdecode(remainder)
 
 
 def _converse(session: Session) -> int:
     """Ask for lines on the terminal and answer them until somebody leaves."""
     asking = _asking(session)
-    stdio.say([f"radcalc {__version__}: help says how, exit leaves"])
+    terminal.say([f"radcalc {__version__}: help says how, exit leaves"])
     while True:
         try:
             text = asking.prompt(PROMPT, pre_run=_warm_up)
         except KeyboardInterrupt:
             continue
         except EOFError:
-            return stdio.ANSWERED
+            return terminal.ANSWERED
         for line in text.replace("\\\n", " ").splitlines():  # of what was pasted
             try:
-                if session.answer(line) == stdio.INTERRUPTED:
-                    stdio.say([""])  # behind the ^C of the terminal
+                if session.answer(line) == terminal.INTERRUPTED:
+                    terminal.say([""])  # behind the ^C of the terminal
                     break
             except EOFError:
-                return stdio.ANSWERED
+                return terminal.ANSWERED
 
 
 def _asking(session: Session) -> "PromptSession[str]":
@@ -143,8 +144,8 @@ def _asking(session: Session) -> "PromptSession[str]":
         def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
             """Offer the words that fit what is before the cursor."""
             line = document.text_before_cursor
-            found, typed = completions(session, line)
-            for word in found:
+            matches, typed = completions(session, line)
+            for word in matches:
                 text = quoted(word.text)
                 text += " " if word.closes else ""
                 yield Completion(
@@ -163,7 +164,7 @@ def _asking(session: Session) -> "PromptSession[str]":
             keep_line(path, string)
 
     path = history_path()
-    color = stdio.wants_color(stdio.AUTO, True)
+    color = terminal.wants_color(terminal.AUTO, True)
     return PromptSession(
         history=Kept(),
         completer=Words(),
@@ -173,25 +174,30 @@ def _asking(session: Session) -> "PromptSession[str]":
     )
 
 
-def completions(session: Session, line: str) -> tuple[list[Word], str]:
-    """The words that may follow in a line, and what of them is typed already."""
+def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
+    """Return the words that may follow in a line, and what of them is typed already."""
+    from radcalc.completion import completions as words_after
+    from radcalc.completion.line import Completion
+
     assigned = ASSIGNMENT.fullmatch(line)
-    behind = assigned[2] if assigned else line
-    words = behind.split()
-    incomplete = "" if behind[-1:].isspace() or not words else words.pop()
+    expression = assigned[2] if assigned else line
+    words = expression.split()
+    incomplete = "" if expression[-1:].isspace() or not words else words.pop()
     if words[:1] == ["radcalc"]:
         words = words[1:]
     is_first = not words and not assigned
     with suppress(RadcalcError):  # which is said when the line is answered
         words = session.read(" ".join(words))  # with what ans is
-    found = words_behind(words, incomplete)
+    matches = words_after(words, incomplete)
     if is_first or incomplete[:1].isalpha():
-        known = {word.text for word in found}
-        own = session.names(is_first).items()
-        found += [
-            Word(*one) for one in own if one[0].startswith(incomplete) and one[0] not in known
+        known = {word.text for word in matches}
+        session_names = session.names(is_first).items()
+        matches += [
+            Completion(*entry)
+            for entry in session_names
+            if entry[0].startswith(incomplete) and entry[0] not in known
         ]
-    return found, incomplete
+    return matches, incomplete
 
 
 def quoted(text: str) -> str:
@@ -224,10 +230,10 @@ def load_what_answers_need() -> Iterator[None]:
 
 
 def history_path() -> Path | None:
-    """Where the lines are kept: RADCALC_HISTORY, or the place of the platform; '' is nowhere."""
-    told = os.environ.get("RADCALC_HISTORY")
-    if told is not None:
-        return Path(told).expanduser() if told else None
+    """Return the file of the lines: RADCALC_HISTORY, or the platform's place; '' is none."""
+    setting = os.environ.get("RADCALC_HISTORY")
+    if setting is not None:
+        return Path(setting).expanduser() if setting else None
     if os.name == "nt":
         state = os.environ.get("LOCALAPPDATA", "")
     else:

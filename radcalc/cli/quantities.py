@@ -3,7 +3,8 @@
 import click
 
 from radcalc.answer import texts_of
-from radcalc.cli.command import SEARCH, define
+from radcalc.calculators.page import SEARCH, Operand, Page
+from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import ENGLISH, LANGUAGES, language
 from radcalc.quantities.search import search
@@ -16,8 +17,13 @@ LANG = click.Option(
 )
 
 
-@define("quantities", {"Names": (LANG,)}, words="[SEARCH]", operands=(SEARCH, ()), calculates=False)
-def command(words: tuple[str, ...], lang: str | None, shown: Output) -> None:
+@define(
+    "quantities",
+    Page(operand=Operand("search", "[SEARCH]", SEARCH)),
+    {"Names": (LANG,)},
+    calculates=False,
+)
+def command(words: tuple[str, ...], lang: str | None, output: Output) -> None:
     """List the quantities of light: names in English, Czech and Russian, symbols and units.
 
     \b
@@ -33,30 +39,30 @@ def command(words: tuple[str, ...], lang: str | None, shown: Output) -> None:
     Words that stand for another quantity in some books (intensity, luminosity) are answered with
     the right term, and a note.
     """
-    refuse_number_options(shown, "quantities")
+    refuse_number_options(output, "quantities")
     first = lang or language()
-    found = search(" ".join(words))
-    order = [first, *(one for one in LANGUAGES if one != first)]
+    matches = search(" ".join(words))
+    order = [first, *(code for code in LANGUAGES if code != first)]
     rows = [
         {
             "name": q.name(first),
             "symbol": q.symbol,
             "unit": q.unit,
             "definition": q.definition,
-            **{one: q.names(one) for one in LANGUAGES},
+            **{code: q.names(code) for code in LANGUAGES},
             "note": note,
         }
-        for q, note in found
+        for q, note in matches
     ]
     table = [
         {
-            "name": "\n".join(", ".join(q.names(one)) for one in order if q.names(one)),
+            "name": "\n".join(", ".join(q.names(code)) for code in order if q.names(code)),
             "symbol": q.symbol,
             "unit": q.unit,
             "definition": q.definition,
         }
-        for q, _ in found
+        for q, _ in matches
     ]
-    notes = [f"{q.name(ENGLISH)}: {note}" for q, note in found if note]
+    notes = [f"{q.name(ENGLISH)}: {note}" for q, note in matches if note]
     inputs = texts_of({"search": " ".join(words), "lang": lang or ""})
-    shown.records(Records(rows, notes, table, inputs=inputs))
+    output.records(Records(rows, notes, table, inputs=inputs))

@@ -1,33 +1,29 @@
 """`radcalc scene FILE.csv`."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import click
 
-from radcalc import stdio
-from radcalc.answer import Answer, Input, Result, texts_of
+from radcalc import terminal
+from radcalc.answer import Answer, Result, ShownInput, texts_of
+from radcalc.calculators import scene as page
 from radcalc.calculators.results import element, name_of, pick
-from radcalc.cli.calculator import Answered, Asked, refuse_bare, result, run, show
+from radcalc.calculators.task import Task
+from radcalc.cli.answers import Answered, refuse_bare, result, show
+from radcalc.cli.calculator import run
 from radcalc.cli.cases import Case, cases
-from radcalc.cli.command import FILE, LIGHT, define
+from radcalc.cli.command import define
 from radcalc.cli.options import Output
+from radcalc.cli.request import Request
 from radcalc.errors import ConditionError, UsageError, quote
 from radcalc.errors import command as call_of
-from radcalc.given import (
-    AS_GRID,
-    IN_METRES,
-    Given,
-    Inputs,
-    inputs_of,
-    read_place,
-    refuse_uncertain,
-)
+from radcalc.inputs.given import Input, Inputs, refuse_uncertain, shown_inputs
+from radcalc.inputs.places import AS_GRID, IN_METRES, read_place
 from radcalc.quantities.symbols import SYMBOLS
-from radcalc.render import arrays
+from radcalc.render import columns
 from radcalc.render.formats import CSV, JSON
-from radcalc.texts import ENDINGS
 from radcalc.units.ranges import MOST
 
 COORDINATES = ("x", "y", "z")
@@ -38,84 +34,71 @@ AT = click.Option(
     metavar="X,Y,Z",
     help="A point that gets the light (repeatable), in metres or with units.",
 )
+HELP = """\
+\b
+Examples:
+  radcalc scene room.csv --at 1,2,0.75
+  radcalc scene room.csv --at 1,2,0.75 --at 3,2,0.75 --normal 0,-1,0
+  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75
+  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 -g uniformity
+  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --plot room.svg     (isolux)
+  radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --format csv > room-lux.csv
+  radcalc scene room.csv --at 1,2,0.75 -g share-desk:%
+  radcalc scene grow.csv --at 0,0,0 --spectrum LED-B3 -g irradiance:umol/m2/s
+
+\b
+FILE.csv has a title for each column and a source in each row:
+  name,x (m),y (m),z (m),aim_x,aim_y,aim_z,distribution,flux,exponent
+  desk,1,2,1.2,1,2,0.75,lobe,400lm,2
+  door,5,0.5,2.5,,,,downlight.ies,,
+
+\b
+x, y, z                 where it is; metres, unless the title or the cell has a unit
+aim_x, aim_y, aim_z     the point it is aimed at (straight down), or
+direction_x ... _z      the direction
+rotate                  angle by which it is turned about its axis, from +x towards +y
+distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) beside
+                        this one, or an expression in theta and phi
+half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
+flux, intensity         how strong it is (of a file: what it is scaled to)
+width, length or area; luminance, exitance, flux or intensity (lambertian)
+
+Rectangles are exact; every other source is small beside its distance.  Light from behind a
+receiver does not count.  A grid has the mean, the extremes and the uniformity; its points come
+with --format csv, or with -g x -g y -g irradiance:lx.
+"""
 
 
 @define(
     "scene",
-    {"The points": (AT, "grid", "normal"), "Kinds of light": LIGHT},
-    words="FILE.csv",
-    operands=(FILE, ENDINGS),
-    takes_lines=False,
-    draws=True,
+    page.PAGE,
+    {**page.PAGE.sections, "The points": (AT, *page.PAGE.sections["The points"])},
+    text=HELP,
 )
 def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     at: tuple[str, ...],
-    asked: Asked,
-    shown: Output,
+    asked: Request,
+    output: Output,
 ) -> int:
-    """Add up the light of many sources at points, or over a grid of them.
-
-    \b
-    Examples:
-      radcalc scene room.csv --at 1,2,0.75
-      radcalc scene room.csv --at 1,2,0.75 --at 3,2,0.75 --normal 0,-1,0
-      radcalc scene room.csv --grid 0:6:61,0:4:41,0.75
-      radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 -g uniformity
-      radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --plot room.svg     (isolux)
-      radcalc scene room.csv --grid 0:6:61,0:4:41,0.75 --format csv > room-lux.csv
-      radcalc scene room.csv --at 1,2,0.75 -g share-desk:%
-      radcalc scene grow.csv --at 0,0,0 --spectrum LED-B3 -g irradiance:umol/m2/s
-
-    \b
-    FILE.csv has a title for each column and a source in each row:
-      name,x (m),y (m),z (m),aim_x,aim_y,aim_z,distribution,flux,exponent
-      desk,1,2,1.2,1,2,0.75,lobe,400lm,2
-      door,5,0.5,2.5,,,,downlight.ies,,
-
-    \b
-    x, y, z                 where it is; metres, unless the title or the cell has a unit
-    aim_x, aim_y, aim_z     the point it is aimed at (straight down), or
-    direction_x ... _z      the direction
-    rotate                  angle by which it is turned about its axis, from +x towards +y
-    distribution            isotropic, cone, lobe, lambertian, a file (.ies, .ldt, .csv) beside
-                            this one, or an expression in theta and phi
-    half_angle, apex_angle, solid_angle (cone); exponent, beam_angle, field_angle (lobe)
-    flux, intensity         how strong it is (of a file: what it is scaled to)
-    width, length or area; luminance, exitance, flux or intensity (lambertian)
-
-    Rectangles are exact; every other source is small beside its distance.  Light from behind a
-    receiver does not count.  A grid has the mean, the extremes and the uniformity; its points come
-    with --format csv, or with -g x -g y -g irradiance:lx.
-    """
-    from radcalc.calculators import scene as page
-
+    """Answer for the points of a scene."""
     if len(words) != 1:
         problem = "there is a word too many" if words else "the file of the scene is missing"
         raise UsageError(problem, f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
-    each = cases(typed)
-    if len(each) > 1:
+    all_cases = cases(typed, arrays=False)
+    if len(all_cases) > 1:
         raise UsageError("a list of conditions is not for a scene", "one of them, and a loop")
-    given = each[0].given
+    given = all_cases[0].given
     refuse_uncertain(given.values(), "a scene")
     places = texts_of({"file": words[0], "at": " ".join(at)})
-    told = (*places, *inputs_of(given))
+    all_inputs = (*places, *shown_inputs(given))
     points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
     names = [*map(name_of, asked.wanted)]
-    of_all = [name for name in names if page.is_of_all(name)]
-    if of_all and len(of_all) < len(names):
-        other = next(name for name in names if name not in of_all)
-        problem = f"{quote(of_all[0])} is of all the points, {quote(other)} of each"
-        raise UsageError(problem, "one call for each")
-    if asked.check is not None and points.size > 1:
-        claimed = name_of(asked.check.partition("=")[0])
-        if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
-            problem = f"--check {quote(claimed)} is of one point, and there are {points.size}"
-            raise UsageError(problem, "--at X,Y,Z once, or --check mean-irradiance=VALUE")
-    if asked.steps and points.size > 1:
-        raise UsageError("--steps is of one point", "--at X,Y,Z once")
+    of_all = _of_all(names)
+    if points.size > 1:
+        _refuse_one_of_many(asked, points.size)
 
     def survey(given: Inputs) -> page.Survey:
         scene = page.scene(words[0], given, points.assumptions)
@@ -128,27 +111,46 @@ def command(
             return survey(given).at_point(next(points.blocks()))
         return survey(given).over_all(points.blocks(), points.is_grid)
 
-    by_points = shown.format == CSV or (bool(names) and not of_all)
-    if asked.check is None and by_points and not of_all and points.size > 1 and not asked.plot:
-        if shown.has_columns:
-            return _stream(survey(given), told, points, asked, shown)
-        return _list(survey(given), told, points, asked, shown)
-    is_list = not names and not points.is_grid and points.size > 1
-    if asked.check is None and is_list and not asked.plot:
-        return _show(survey(given), told, points, shown)
-    links = tuple(one for one in told if one.name not in given)
+    is_for_each = points.size > 1 and not of_all and asked.check is None and not asked.plot
+    if is_for_each and (output.format == CSV or names):
+        by_points = _stream if output.has_columns else _list
+        return by_points(survey(given), all_inputs, points, asked, output)
+    if is_for_each and not points.is_grid:
+        return _show(survey(given), all_inputs, points, output)
+    links = tuple(entry for entry in all_inputs if entry.name not in given)
     if asked.plot:
-        return _draw(survey, given, points, asked, shown, links)
-    return run([Case(given)], work_out, asked, shown, "scene", operands=links)
+        return _draw(survey, given, points, asked, output, links)
+    return run([Case(given)], Task("scene", work_out, links), asked, output)
+
+
+def _of_all(names: Sequence[str]) -> list[str]:
+    """Return the results of all the points together; refuse them next to results of each."""
+    of_all = [name for name in names if page.is_of_all(name)]
+    if of_all and len(of_all) < len(names):
+        other = next(name for name in names if name not in of_all)
+        problem = f"{quote(of_all[0])} is of all the points, {quote(other)} of each"
+        raise UsageError(problem, "one call for each")
+    return of_all
+
+
+def _refuse_one_of_many(asked: Request, count: int) -> None:
+    """Refuse the check and the derivation of a result that each of several points has."""
+    if asked.check is not None:
+        claimed = name_of(asked.check.partition("=")[0])
+        if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
+            problem = f"--check {quote(claimed)} is of one point, and there are {count}"
+            raise UsageError(problem, "--at X,Y,Z once, or --check mean-irradiance=VALUE")
+    if asked.steps:
+        raise UsageError("--steps is of one point", "--at X,Y,Z once")
 
 
 def _draw(
     survey: Callable[[Inputs], Any],
     given: Inputs,
     points: "Points",
-    asked: Asked,
-    shown: Output,
-    operands: tuple[Input, ...],
+    asked: Request,
+    output: Output,
+    operands: tuple[ShownInput, ...],
 ) -> int:
     """Draw what the points of a grid get, beside the answer over all of them.
 
@@ -162,22 +164,22 @@ def _draw(
 
     def work_out(given: Inputs) -> Answer:
         """The answer over all points, while those at each are kept."""
-        own: page.Survey = survey(given)
-        blocks.extend(own.at_points(points.blocks()))
-        sources.extend((one.name, one.source.place) for one in own.scene.sources)
-        return own.remarks(points.is_grid, with_values=True)
+        surveyed: page.Survey = survey(given)
+        blocks.extend(surveyed.at_points(points.blocks()))
+        sources.extend((source.name, source.source.place) for source in surveyed.scene.sources)
+        return surveyed.remarks(points.is_grid, with_values=True)
 
     of_each = [name for name in asked.wanted if not page.is_of_all(name_of(name))]
     drawn = Surveyed(points.axes, blocks, sources, *of_each[:1])
     asked = asked._replace(wanted=() if of_each else asked.wanted)
-    return run([Case(given)], work_out, asked, shown, "scene", operands=operands, drawn=drawn)
+    return run([Case(given)], Task("scene", work_out, operands, drawn=drawn), asked, output)
 
 
 def _stream(
-    survey: Any, inputs: tuple[Input, ...], points: "Points", asked: Asked, shown: Output
+    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", asked: Request, output: Output
 ) -> int:
     """Write a line for each point, a block of them at a time."""
-    shown.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
+    output.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
     from radcalc.render import csv
 
     is_first = True
@@ -185,69 +187,71 @@ def _stream(
         wanted = asked.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
         rows = [pick(answer.values, name) for name in wanted]
         if is_first:  # which tells that the answer is no single number
-            shown.hear([Result(tuple(rows))])
-        if shown.format == CSV:
+            output.hear([Result(tuple(rows))])
+        if output.format == CSV:
             at = () if _has_places(asked) else _coordinates(answer)
-            units = {one.name: one.unit for one in at}
-            text = csv.block(Result(tuple(rows), inputs=at), units, shown.style, is_first)
+            units = {coordinate.name: coordinate.unit for coordinate in at}
+            text = csv.block(Result(tuple(rows), inputs=at), units, output.style, is_first)
         else:
-            text = arrays.lines([row.value for row in rows], shown.style.precision)
-        stdio.pour(text.encode())
+            text = columns.lines([row.value for row in rows], output.style.precision)
+        terminal.pour(text.encode())
         is_first = False
-    shown.remark([result(Answered("", inputs, survey.remarks(points.is_grid)))])
-    return stdio.ANSWERED
+    output.remark([result(Answered("", inputs, survey.remarks(points.is_grid)))])
+    return terminal.ANSWERED
 
 
 def _list(
-    survey: Any, inputs: tuple[Input, ...], points: "Points", asked: Asked, shown: Output
+    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", asked: Request, output: Output
 ) -> int:
     """Write the results of each point that were asked for, as rows or objects."""
     if points.size > MOST:
         raise UsageError(f"a table of {points.size} points is too long", "--format csv")
-    each, _ = _each(survey, inputs, points)
-    if shown.format == CSV and _has_places(asked):
-        each = [one._replace(inputs=inputs) for one in each]
-    show(each, asked, shown)
-    return stdio.ANSWERED
+    answers, _ = _at_each(survey, inputs, points)
+    if output.format == CSV and _has_places(asked):
+        answers = [answered._replace(inputs=inputs) for answered in answers]
+    show(answers, asked, output)
+    return terminal.ANSWERED
 
 
-def _show(survey: Any, inputs: tuple[Input, ...], points: "Points", shown: Output) -> int:
+def _show(survey: Any, inputs: tuple[ShownInput, ...], points: "Points", output: Output) -> int:
     """Write what each of a few points gets, and then what all of them do."""
-    refuse_bare(shown)
-    each, over_all = _each(survey, inputs, points)
-    told = [result(one) for one in each]
-    if shown.format == JSON:
-        shown.show([*told, result(over_all)])
+    refuse_bare(output)
+    answers, over_all = _at_each(survey, inputs, points)
+    results = [result(answered) for answered in answers]
+    if output.format == JSON:
+        output.show([*results, result(over_all)])
     else:
-        shown.show([one._replace(assumptions=(), notes=()) for one in told])
-        shown.show([result(over_all)])
-    return stdio.ANSWERED
+        output.show([at_point._replace(assumptions=(), notes=()) for at_point in results])
+        output.show([result(over_all)])
+    return terminal.ANSWERED
 
 
-def _each(
-    survey: Any, inputs: tuple[Input, ...], points: "Points"
+def _at_each(
+    survey: Any, inputs: tuple[ShownInput, ...], points: "Points"
 ) -> tuple[list[Answered], Answered]:
     """The answer at each of the points, and over all of them."""
     blocks = list(survey.at_points(points.blocks()))
     over_all = survey.remarks(points.is_grid, with_values=True)
-    others = tuple(one for one in inputs if one.name not in ("at", "grid"))
-    each: list[Answered] = []
+    conditions = tuple(entry for entry in inputs if entry.name not in ("at", "grid"))
+    answers: list[Answered] = []
     for block in blocks:
         for k in range(len(block.values[0].si)):
             answer = over_all._replace(values=[element(value, k) for value in block.values])
             at = _coordinates(answer)
-            name = points.names[len(each)] if points.names else ",".join(f"{p.value:g}" for p in at)
-            each.append(Answered(name, (*others, *at), answer))
-    return each, Answered("", inputs, over_all)
+            name = (
+                points.names[len(answers)] if points.names else ",".join(f"{p.value:g}" for p in at)
+            )
+            answers.append(Answered(name, (*conditions, *at), answer))
+    return answers, Answered("", inputs, over_all)
 
 
-def _coordinates(answer: Answer) -> tuple[Input, ...]:
+def _coordinates(answer: Answer) -> tuple[ShownInput, ...]:
     """The place of an answer, or the places of a block."""
-    return tuple(Input(one.name, one.si, one.units[0]) for one in answer.values[:3])
+    return tuple(ShownInput(value.name, value.si, value.units[0]) for value in answer.values[:3])
 
 
-def _has_places(asked: Asked) -> bool:
-    """Whether coordinates are asked for, so that no others stand before what is asked for."""
+def _has_places(asked: Request) -> bool:
+    """Check for coordinates among the wanted results: no others precede the results then."""
     return any(name_of(name) in COORDINATES for name in asked.wanted)
 
 
@@ -262,11 +266,11 @@ class Points(NamedTuple):
 
     @property
     def is_grid(self) -> bool:
-        """Whether they are of a grid."""
+        """Return whether they are of a grid."""
         return not self.names
 
 
-def _points(at: tuple[str, ...], grid: Given | None) -> Points:
+def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     """The points that are typed one by one, or those of a grid."""
     from radcalc.distributions import scene
 
@@ -275,13 +279,13 @@ def _points(at: tuple[str, ...], grid: Given | None) -> Points:
     if grid:
         axes = [scene.Axis(*axis) for axis in grid.value]
         size = math.prod(axis.size for axis in axes)
-        said = () if grid.unit else (IN_METRES,)
-        return Points(lambda: scene.grid(*axes), size, (), said, tuple(axes))
+        assumptions = () if grid.unit else (IN_METRES,)
+        return Points(lambda: scene.grid(*axes), size, (), assumptions, tuple(axes))
     if not at:
         raise UsageError("there is no point", f"--at X,Y,Z or --grid {AS_GRID}")
     if several := next((text for text in at if ":" in text), None):
         raise ConditionError(f"--at {quote(several)} is a range", f"--grid {AS_GRID}")
     places = [read_place("point", text, "--at") for text in at]
     bare = any(place.unit is None for place in places)
-    every = [place.value for place in places]
-    return Points(lambda: scene.blocks(every), len(at), at, (IN_METRES,) if bare else ())
+    values = [place.value for place in places]
+    return Points(lambda: scene.blocks(values), len(at), at, (IN_METRES,) if bare else ())

@@ -13,10 +13,11 @@ from typing import Any
 
 import click
 
-from radcalc import cli, stdio
+from radcalc import cli, terminal
 from radcalc.answer import Result, Row
-from radcalc.cli import COMMANDS
+from radcalc.cli import group
 from radcalc.cli.cases import is_stream
+from radcalc.cli.help import COMMANDS
 from radcalc.cli.options import decide, defaults
 from radcalc.errors import RadcalcError, UsageError, listed, option, quote
 from radcalc.quantities.light import name_of
@@ -33,10 +34,13 @@ from radcalc.quantities.symbols import (
 from radcalc.quantities.targets import is_name
 from radcalc.quantities.units import full_name
 from radcalc.units import scales
-from radcalc.units.amounts import ALSO_UNITS, SEPARATORS, Amount, read_amount, read_operands
-from radcalc.units.numbers import FUNCTIONS, is_sentence, read_number
-from radcalc.units.table import unit_behind, unit_of
+from radcalc.units.amount import Amount
+from radcalc.units.amounts import ALSO_UNITS
+from radcalc.units.numbers import FUNCTIONS, SEPARATORS, is_sentence, read_number
+from radcalc.units.reading import read_amount, read_operands
+from radcalc.units.table import unit_of
 from radcalc.units.uncertain import SIGN
+from radcalc.units.unit import unit_behind
 
 ANS = "ans"
 LEAVING = ("exit", "quit")
@@ -103,7 +107,7 @@ class Session:
 
     def _answer(self, line: str, words: list[str]) -> int:
         if not line.strip() or line.lstrip().startswith("#"):
-            return stdio.ANSWERED
+            return terminal.ANSWERED
         if len(line) > LONGEST:
             problem = f"a line of {len(line)} characters is too long"
             raise UsageError(problem, f"at most {LONGEST}")
@@ -124,7 +128,7 @@ class Session:
             status = self._run(words)
         else:
             raise UsageError(f"{name} = has no value", f"{name} = 800 lm")
-        if name and status == stdio.ANSWERED:
+        if name and status == terminal.ANSWERED:
             self.variables[name] = _text(amount) if amount else self._kept(name)
             self.origins[name] = self.used | {self.count}
         if self.heard:
@@ -132,12 +136,12 @@ class Session:
         return status
 
     def _leaves(self, line: str) -> bool:
-        """Whether a line is meant to leave the prompt, and begins with no name that was given."""
+        """Check for a line that is meant to leave the prompt, and begins with no given name."""
         first = line.split()[0].rstrip("();.").lstrip(":")
         return first.lower() in ALSO_LEAVING and first not in self.variables
 
     def _has_names(self, text: str) -> bool:
-        return any(self._is_name(found) for found in NAME.findall(text))
+        return any(self._is_name(name) for name in NAME.findall(text))
 
     def read(self, line: str) -> list[str]:
         """The words of a line as the command line takes them."""
@@ -153,8 +157,8 @@ class Session:
         return words
 
     def _begins_with_name(self, word: str) -> bool:
-        found = NAME.match(word)
-        return found is not None and self._is_name(found[0])
+        match = NAME.match(word)
+        return match is not None and self._is_name(match[0])
 
     def _is_name(self, name: str) -> bool:
         return name.partition(".")[0] == ANS or name in self.variables
@@ -164,8 +168,8 @@ class Session:
         takers = _takers(called)
         operands: list[str] = []
         filled: list[str] = []
-        rest = iter(words)
-        for word in rest:
+        remaining = iter(words)
+        for word in remaining:
             if not _is_option(word):
                 operands.append(word)
                 if called != "convert":
@@ -175,7 +179,7 @@ class Session:
             name, equals, value = word.partition("=")
             filled.append(f"{name}={self._value(name, value)}" if equals else name)
             if name in takers and not equals:
-                filled += [self._value(name, value) for value in [next(rest, None)] if value]
+                filled += [self._value(name, value) for value in [next(remaining, None)] if value]
         return [*self._operands(operands), *filled] if called == "convert" else filled
 
     def _value(self, name: str, text: str) -> str:
@@ -188,12 +192,12 @@ class Session:
     def _fill(self, text: str, is_part: bool = False) -> str:
         """A text with amounts in the place of names: in brackets, unless they stand alone."""
 
-        def amount(found: re.Match[str]) -> str:
-            if not self._is_name(found[0]):
-                return found[0]
-            before, behind = text[: found.start()], text[found.end() :]
-            kept = self._text_of(found[0])
-            if before[-1:] in LIMITS and behind[:1] in LIMITS and not is_part:
+        def amount(match: re.Match[str]) -> str:
+            if not self._is_name(match[0]):
+                return match[0]
+            before, after = text[: match.start()], text[match.end() :]
+            kept = self._text_of(match[0])
+            if before[-1:] in LIMITS and after[:1] in LIMITS and not is_part:
                 return kept
             return f"({kept})"
 
@@ -205,7 +209,7 @@ class Session:
         What is uncertain may stand in a line once: values are taken to be off independently.
         """
         owner, _, result = name.partition(".")
-        text = self.variables.get(name) or text_of(self._one(result, self.rows, name), name)
+        text = self.variables.get(name) or text_of(self._only_row(result, self.rows, name), name)
         if (amount := _read(text)) and amount.is_uncertain:
             if self.used & self.origins[owner]:
                 problem = f"{name} is uncertain, and so is what it comes of or with in this line"
@@ -213,22 +217,22 @@ class Session:
             self.used |= self.origins[owner]
         return text
 
-    def _one(self, result: str, rows: Sequence[Row], name: str) -> Row:
+    def _only_row(self, result: str, rows: Sequence[Row], name: str) -> Row:
         """The only row, or the one of a result."""
         if not rows:
             raise UsageError(f"there is no {name} yet", "an answer before it, such as 100 lx fc")
-        named = [row for row in rows if not result or row.name == result]
-        if len(named) == 1:
-            return named[0]
+        matching = [row for row in rows if not result or row.name == result]
+        if len(matching) == 1:
+            return matching[0]
         names = list(dict.fromkeys(row.name for row in rows if row.name))
-        if not named:
+        if not matching:
             raise UsageError(f"the last answer has no '{quote(result)}'", listed(names))
         if len(names) < 2 or result:
-            problem = f"{name} stands for one value, and there are {len(named)}"
+            problem = f"{name} stands for one value, and there are {len(matching)}"
             raise UsageError(problem, "a call with one answer")
         raise UsageError(
             f"{name} stands for one value, and the answer has several",
-            listed([f"{ANS}.{one}" for one in names])
+            listed([f"{ANS}.{known}" for known in names])
             if name == ANS
             else f"{option('get', names[0])}, or another of them",
         )
@@ -244,58 +248,60 @@ class Session:
         if last < 0 or SEPARATING.intersection(words):
             return [self._fill(word, last >= 0) for word in words]
         end = last + (1 if words[last][-1] in OPERATIONS else 0)
-        value, rest = words[: end + 1], words[end + 1 :]
+        value, remaining = words[: end + 1], words[end + 1 :]
         is_bare = value[-1][-1] == ")" or bool(NUMBER_AT_END.search(value[-1]))
-        if is_bare and rest[1:]:
-            value, rest = [*value, rest[0]], rest[1:]
+        if is_bare and remaining[1:]:
+            value, remaining = [*value, remaining[0]], remaining[1:]
         head = self._fill(" ".join(value), True)
-        return _parted(head, rest[0]) if is_bare and len(rest) == 1 else [head, *rest]
+        return (
+            _parted(head, remaining[0]) if is_bare and len(remaining) == 1 else [head, *remaining]
+        )
 
     def _run(self, words: list[str]) -> int:
         """Run a command, or a word of the prompt."""
         called = words[0] if words else ""
         if called == "vars" and not words[1:]:
             self._list()
-            return stdio.ANSWERED
+            return terminal.ANSWERED
         if words == ["help"]:
-            stdio.write(_help())
-            return stdio.ANSWERED
+            terminal.write(_help())
+            return terminal.ANSWERED
         if called == "prompt" and not words[1:]:
             raise UsageError("this is the prompt", "help, or exit")
         if not self.has_stdin and any(map(is_stream, words)):
             problem = "- reads standard input, where the lines of the prompt are"
             raise UsageError(problem, "the same at a shell")
-        return cli.answered(words, self) if words else stdio.ANSWERED
+        return cli.answered(words, self) if words else terminal.ANSWERED
 
     def _list(self) -> None:
         """Write the variables and the last answer, as lines that could be typed."""
         texts = dict(self.variables)
         if len(self.rows) == 1:
             texts[ANS] = text_of(self.rows[0], ANS)
-        stdio.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
+        terminal.write("".join(f"{name} = {text}\n" for name, text in texts.items()))
 
     def _kept(self, name: str) -> str:
         """The text of what a command answered, to be kept under a name."""
         if not self.heard:
             raise UsageError(f"there is no amount for {name}", f"{name} = 800 lm")
-        return text_of(self._one("", self.heard, name), name)
+        return text_of(self._only_row("", self.heard, name), name)
 
     def _show(self, amount: Amount, words: list[str]) -> int:
         """Show an amount in its own unit."""
         if unit := amount.typed[1]:
             return cli.answered([*words, "to", unit.text], self)
-        with cli.context(self):
-            shown = decide(**(defaults() | self.settings))
+        with group.context(self):
+            output = decide(**(defaults() | self.settings))
         row = Row("", "", amount.number, "1", name="number", uncertainty=amount.uncertainty)
-        shown.show([Result((row,), named=False)])
-        return stdio.ANSWERED
+        output.show([Result((row,), named=False)])
+        return terminal.ANSWERED
 
 
 def _help() -> str:
-    """What can be typed at the prompt."""
-    from radcalc.cli.help import HelpFormatter
+    """Return the help of the prompt."""
+    from radcalc.cli.help_format import HelpFormatter
 
-    formatter = HelpFormatter(max_width=cli.context().max_content_width)
+    formatter = HelpFormatter(max_width=group.context().max_content_width)
     for title, rows in (("At the prompt", EXAMPLES), ("Commands", COMMANDS)):
         with formatter.section(title):
             formatter.write_dl(list(rows.items()))
@@ -347,38 +353,40 @@ def _takers(called: str) -> set[str]:
     """The options of a command that take the next word for their value."""
     if called not in COMMANDS:
         return set()
-    found = cli.commands.get_command(cli.context(), called)
-    options = [one for one in found.params if isinstance(one, click.Option)] if found else []
+    command = group.commands.get_command(group.context(), called)
+    options = (
+        [option for option in command.params if isinstance(option, click.Option)] if command else []
+    )
     # [=N] is a value that is never the next word
     takers = [o for o in options if not o.is_flag and not (o.metavar or "").startswith("[=")]
-    return {text for one in takers for text in one.opts}
+    return {text for option in takers for text in option.opts}
 
 
 def _is_option(word: str) -> bool:
-    """Whether a word begins with a dash, and is no number below 0."""
+    """Return whether a word begins with a dash, and is no number below 0."""
     return word[:1] == "-" and word[1:2] in ("-", *ascii_letters) and not _is_negative(word)
 
 
 def _is_negative(word: str) -> bool:
-    return cli.protect_negatives([word]) != [word]
+    return group.protect_negatives([word]) != [word]
 
 
 def _closed(words: list[str]) -> list[str]:
     """The words, of which those from a bracket to the one that closes it are one."""
-    found: list[str] = []
+    joined: list[str] = []
     text = " ".join(words)
     if text.count("(") != text.count(")"):
         return words
     for word in words:
-        if found and found[-1].count("(") > found[-1].count(")"):
-            found[-1] += f" {word}"
+        if joined and joined[-1].count("(") > joined[-1].count(")"):
+            joined[-1] += f" {word}"
         else:
-            found.append(word)
-    return found
+            joined.append(word)
+    return joined
 
 
 def _is_part(word: str, place: int) -> bool:
-    """Whether a word is a part of arithmetic over several words."""
+    """Return whether a word is a part of arithmetic over several words."""
     return bool(ARITHMETIC.search(word)) if place else word[-1:] in tuple(OPERATIONS)
 
 
@@ -388,18 +396,18 @@ def _parted(head: str, last: str) -> list[str]:
     `800 lm / 2 m2` has no target and `800 lm * 2 cd` has one, which their quantities tell; where
     both make sense, it is refused.
     """
-    whole = f"{head} {last}"
-    as_unit, value, target = _read(whole), _read(head), unit_of(last)
+    phrase = f"{head} {last}"
+    as_unit, value, target = _read(phrase), _read(head), unit_of(last)
     if value is None or value.unit is None:
-        return [whole]
+        return [phrase]
     if as_unit is None or (as_unit.unit and not name_of(as_unit.unit)):
         return [head, last]
     if target is None or target.dimension != value.unit.dimension:
-        return [whole]
+        return [phrase]
     number = NUMBER_AT_END.search(head)
-    other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({whole})"
+    other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({phrase})"
     raise UsageError(
-        f"'{quote(whole)}' can be read in two ways",
+        f"'{quote(phrase)}' can be read in two ways",
         f"{quote(head)} in {quote(last)}, or {quote(other)}",
     )
 
@@ -424,7 +432,7 @@ def _amount(words: list[str]) -> Amount | None:
 
 
 def _is_plain(amount: Amount) -> bool:
-    """Whether it was typed as a number with a unit, and not as arithmetic."""
+    """Return whether it was typed as a number with a unit, and not as arithmetic."""
     unit = amount.unit.text if amount.unit else ""
     if amount.scale:
         return True

@@ -1,4 +1,4 @@
-"""How the shell spells the symbols and commands that messages mention."""
+"""The shell's spelling of the symbols and commands that messages mention."""
 
 from radcalc.errors import spell
 
@@ -27,7 +27,7 @@ class Shell:
 
     @staticmethod
     def manual(name: str) -> str:
-        """Where the command is described."""
+        """Return the call that describes the command."""
         return f"radcalc {name} --help"
 
     @staticmethod

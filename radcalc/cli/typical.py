@@ -1,6 +1,7 @@
 """`radcalc typical [SEARCH]`: values for orientation, with their sources."""
 
 from radcalc.answer import Result, texts_of
+from radcalc.calculators.page import Operand, Page
 from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.language import translate
@@ -10,8 +11,12 @@ from radcalc.quantities.typical import words as searches
 from radcalc.render.formats import CSV, JSON, Records
 
 
-@define("typical", {}, words="[SEARCH]", operands=(CHOICE, searches()), calculates=False)
-def command(words: tuple[str, ...], shown: Output) -> None:
+@define(
+    "typical",
+    Page(operand=Operand("search", "[SEARCH]", CHOICE, searches())),
+    calculates=False,
+)
+def command(words: tuple[str, ...], output: Output) -> None:
     """List typical values: sun, sky, rooms, lamps, screens, plants, with sources.
 
     \b
@@ -24,18 +29,20 @@ def command(words: tuple[str, ...], shown: Output) -> None:
 
     Where a table of lecture notes is wrong, the corrected value is given, and a note says so.
     """
-    refuse_number_options(shown, "typical")
+    refuse_number_options(output, "typical")
     text = " ".join(words)
-    found = search(text)
+    matches = search(text)
     fields: tuple[str, ...] = ("what", "quantity", "value", "unit", "source", "note")
-    if shown.format in (JSON, CSV):
+    if output.format in (JSON, CSV):
         fields = (*fields, "low", "high")
-    rows = [{field: getattr(value, field) for field in fields} for value in found]
-    language = shown.style.language
-    told = [{"what": v.name(language), "quantity": translate(v.quantity, language)} for v in found]
-    table = [{**row, **names} for row, names in zip(rows, told, strict=True)]
-    notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in found if v.note]
+    rows = [{field: getattr(value, field) for field in fields} for value in matches]
+    language = output.style.language
+    translated = [
+        {"what": v.name(language), "quantity": translate(v.quantity, language)} for v in matches
+    ]
+    table = [{**row, **names} for row, names in zip(rows, translated, strict=True)]
+    notes = [f"{v.what}, {v.value} {v.unit}: {v.note}" for v in matches if v.note]
     inputs = texts_of({"search": text})
-    shown.records(Records(rows, notes, table, right=("value",), inputs=inputs))
-    if shown.format != JSON and (far := how_far(text, found)):
-        shown.remark([Result((), notes=(far,))])
+    output.records(Records(rows, notes, table, right=("value",), inputs=inputs))
+    if output.format != JSON and (far := how_far(text, matches)):
+        output.remark([Result((), notes=(far,))])

@@ -1,17 +1,18 @@
 """`radcalc units [SEARCH]`: the units, with their definitions and sources."""
 
 from radcalc.answer import texts_of
-from radcalc.cli.command import SEARCH, define
+from radcalc.calculators.page import SEARCH, Operand, Page
+from radcalc.cli.command import define
 from radcalc.cli.options import Output, refuse_number_options
 from radcalc.quantities.entries import search
 from radcalc.quantities.language import translate
 from radcalc.render.formats import Records
 
 
-@define("units", {}, words="[SEARCH]", operands=(SEARCH, ()), calculates=False)
+@define("units", Page(operand=Operand("search", "[SEARCH]", SEARCH)), calculates=False)
 def command(
     words: tuple[str, ...],
-    shown: Output,
+    output: Output,
 ) -> None:
     """List the units, with their definitions and sources.
 
@@ -24,10 +25,10 @@ def command(
       radcalc units cd/m2              what a unit measures, and its fellows
       radcalc units scales             dBm, mag, EV and others, with their formulas
     """
-    refuse_number_options(shown, "units")
-    found = search(" ".join(words))
-    rows = [e._asdict() for e in found]
+    refuse_number_options(output, "units")
+    matches = search(" ".join(words))
+    rows = [e._asdict() for e in matches]
     rows = [{"unit": row.pop("name"), **row} for row in rows]
-    table = [{**row, "quantity": translate(row["quantity"], shown.style.language)} for row in rows]
-    notes = list(dict.fromkeys(e.note for e in found if e.note))
-    shown.records(Records(rows, notes, table, inputs=texts_of({"search": " ".join(words)})))
+    table = [{**row, "quantity": translate(row["quantity"], output.style.language)} for row in rows]
+    notes = list(dict.fromkeys(e.note for e in matches if e.note))
+    output.records(Records(rows, notes, table, inputs=texts_of({"search": " ".join(words)})))

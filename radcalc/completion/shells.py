@@ -7,8 +7,9 @@ in `COMP_LINE`; nothing that stands there makes radcalc complain.
 
 import os
 
-from radcalc import stdio
-from radcalc.completion import Completion, completions
+from radcalc import terminal
+from radcalc.completion import completions
+from radcalc.completion.line import Completion
 from radcalc.completion.values import files
 from radcalc.errors import RadcalcError, UsageError, quote
 
@@ -64,27 +65,27 @@ complete --command radcalc --no-files --keep-order --arguments '(__radcalc_compl
 SCRIPTS = {"bash": BASH, "zsh": ZSH, "fish": FISH}
 
 
-def answer(asked: str) -> int:
+def answer(request: str) -> int:
     """Write what a shell asks for, and return the exit status."""
-    shell, _, wanted = asked.partition("_")
+    shell, _, wanted = request.partition("_")
     if shell in SCRIPTS and wanted == "source":
         return _write(SCRIPTS[shell].encode())
     if shell in SCRIPTS and wanted == "complete" and LINE in os.environ:
         lines = WRITERS[shell](Typed(os.environ[LINE], os.environ.get(BREAKS, "")))
-        return _write("".join([f"{one}\n" for one in lines]).encode("utf-8", "surrogateescape"))
-    problem = f"{VARIABLE}={quote(asked)} asks for nothing that can be completed"
+        return _write("".join([f"{line}\n" for line in lines]).encode("utf-8", "surrogateescape"))
+    problem = f"{VARIABLE}={quote(request)} asks for nothing that can be completed"
     hint = "bash_source, zsh_source or fish_source there, or without it"
-    return stdio.complain(UsageError(problem, hint))
+    return terminal.complain(UsageError(problem, hint))
 
 
 def _write(data: bytes) -> int:
     try:
-        stdio.pour(data)
+        terminal.pour(data)
     except BrokenPipeError:
-        return stdio.ANSWERED
+        return terminal.ANSWERED
     except RadcalcError as error:
-        return stdio.complain(error)
-    return stdio.ANSWERED
+        return terminal.complain(error)
+    return terminal.ANSWERED
 
 
 class Typed:
@@ -133,22 +134,24 @@ class Typed:
     def completions(self) -> list[Completion]:
         """What the last word can become; no file whose name would be several lines."""
         if self.is_redirected:
-            found = files(("",), self.word)
+            candidates = files(("",), self.word)
         else:
-            found = completions(self.words[1:], self.word)
-        return [one for one in found if not {"\n", "\r", "\t"} & set(one.text)]
+            candidates = completions(self.words[1:], self.word)
+        return [
+            candidate for candidate in candidates if not {"\n", "\r", "\t"} & set(candidate.text)
+        ]
 
 
 def _bash(typed: Typed) -> list[str]:
     """The part of the word that readline replaces, as one has to type it."""
     lines = []
-    for one in typed.completions():
-        text = one.text[typed.cut :]
+    for candidate in typed.completions():
+        text = candidate.text[typed.cut :]
         if typed.quote:
             lines.append(text if typed.quote == "'" else _escaped(text, lambda c: c not in '"\\$`'))
         else:
             text = _escaped(text, lambda c: c.isalnum() or c in SAFE or not c.isascii())
-            lines.append(text + " " if one.closes else text)
+            lines.append(text + " " if candidate.closes else text)
     return lines
 
 
@@ -158,18 +161,25 @@ def _escaped(text: str, is_plain: "Callable[[str], bool]") -> str:
 
 def _zsh(typed: Typed) -> list[str]:
     """Word and what is shown of it; a blank before one that ends its word."""
-    found = typed.completions()
-    width = max((len(one.text) for one in found), default=0)
-    return [f"{' ' * one.closes}{one.text}\t{_shown(one, width)}" for one in found]
+    candidates = typed.completions()
+    width = max((len(candidate.text) for candidate in candidates), default=0)
+    return [
+        f"{' ' * candidate.closes}{candidate.text}\t{_with_description(candidate, width)}"
+        for candidate in candidates
+    ]
 
 
-def _shown(one: Completion, width: int) -> str:
-    return f"{one.text:{width}}  -- {one.description}" if one.description else one.text
+def _with_description(candidate: Completion, width: int) -> str:
+    return (
+        f"{candidate.text:{width}}  -- {candidate.description}"
+        if candidate.description
+        else candidate.text
+    )
 
 
 def _fish(typed: Typed) -> list[str]:
     """Word and description."""
-    return [f"{one.text}\t{one.description}" for one in typed.completions()]
+    return [f"{candidate.text}\t{candidate.description}" for candidate in typed.completions()]
 
 
 WRITERS: "dict[str, Callable[[Typed], list[str]]]" = {"bash": _bash, "zsh": _zsh, "fish": _fish}

@@ -1,25 +1,28 @@
 """The operands of a conversion: units, and which of them the source's quantity reaches."""
 
-from radcalc.completion import Completion
+from radcalc.completion.line import Completion
 from radcalc.completion.table import NAMES
 from radcalc.completion.table import UNITS as MEASURES
 from radcalc.completion.values import split_number
 from radcalc.conversion.conditions import CONDITIONS
 from radcalc.conversion.plan import plan
 from radcalc.errors import MissingCondition, RadcalcError, mentioned, spell
-from radcalc.given import Given, read, values_of
+from radcalc.inputs.given import Input
+from radcalc.inputs.reading import read, split_values
 from radcalc.quantities.light import (
     is_per_length,
     name_of,
 )
 from radcalc.quantities.symbols import FLAG, LIGHT_UNITS, QUANTITY, SYMBOLS
 from radcalc.quantities.units import full_name, offered
-from radcalc.units.amounts import read_value, sides, with_unit
 from radcalc.units.compiled import NAMES as SPELLINGS
 from radcalc.units.compiled import UNITS
 from radcalc.units.ranges import read_lists
-from radcalc.units.scales import SCALES, resolve_any
-from radcalc.units.table import Exitance, Unit, resolve, unit_of
+from radcalc.units.reading import read_value, sides, with_unit
+from radcalc.units.scale_table import SCALES
+from radcalc.units.scales import resolve_any
+from radcalc.units.table import resolve, unit_of
+from radcalc.units.unit import Exitance, Unit
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -48,22 +51,28 @@ def operands(words: "Sequence[str]", given: "Mapping[str, str]", typed: str) -> 
     if not words:
         head, number, unit = split_number(typed)
         units = _units("", unit) if number and unit else []
-        return [Completion(head + number + one.text, one.description) for one in units]
-    source, behind, rest = _read(words)
+        return [
+            Completion(head + number + completion.text, completion.description)
+            for completion in units
+        ]
+    source, has_separator, target_words = _read(words)
     if source is None:
         return _units("", typed) if len(words) == 1 else []
-    if rest and not behind:
+    if target_words and not has_separator:
         return []
-    head = f"{' '.join(rest)} " if rest else ""
+    head = f"{' '.join(target_words)} " if target_words else ""
     before, comma, last = typed.rpartition(",")  # a list of targets
-    found = Reach(source, _conditions(given)).units(head, last)
-    return [Completion(before + comma + one.text, one.description) for one in found]
+    targets = Reach(source, _conditions(given)).units(head, last)
+    return [
+        Completion(before + comma + completion.text, completion.description)
+        for completion in targets
+    ]
 
 
 def lacking(words: "Sequence[str]", given: "Mapping[str, str]") -> tuple[str, ...]:
     """The symbols that a conversion lacks."""
-    source, _, rest = _read(words)
-    target = unit_of(" ".join(rest).rpartition(",")[2])  # the last of a list
+    source, _, target_words = _read(words)
+    target = unit_of(" ".join(target_words).rpartition(",")[2])  # the last of a list
     if source and target:
         try:
             plan(source, target, _conditions(given))
@@ -80,34 +89,34 @@ def _read(words: "Sequence[str]") -> tuple[Unit | None, bool, "Sequence[str]"]:
             return resolve_any(before), True, target.split()[:-1]
         return (resolve_any(words[1]) if words[1:] else None), False, words[2:]
     words = read_lists([*words, TYPING])[-1][-1]  # of a list or a range its last value
-    amount, separator, rest = read_value(words)
+    amount, separator, later_words = read_value(words)
     if separator:
-        return amount.typed[1], True, " ".join(rest).split()[:-1]
-    if amount.unit is None and rest[1:]:
-        amount, rest = with_unit(amount, rest[0]), rest[1:]
-    return amount.typed[1], False, rest[:-1]
+        return amount.typed[1], True, " ".join(later_words).split()[:-1]
+    if amount.unit is None and later_words[1:]:
+        amount, later_words = with_unit(amount, later_words[0]), later_words[1:]
+    return amount.typed[1], False, later_words[:-1]
 
 
-def _conditions(given: "Mapping[str, str]") -> list[Given]:
+def _conditions(given: "Mapping[str, str]") -> list[Input]:
     """The conditions as typed; what is no value (yet), or a file, as its example has it."""
-    found = []
+    conditions = []
     for option, text in given.items():
         name = option.lstrip("-")
         if name not in CONDITIONS:
             continue
         symbol = SYMBOLS[name]
         try:
-            as_typed = values_of(name, text)[0] if symbol.form == QUANTITY else symbol.example
-            found.append(read(name, symbol.form == FLAG or as_typed))
+            as_typed = split_values(name, text)[0] if symbol.form == QUANTITY else symbol.example
+            conditions.append(read(name, symbol.form == FLAG or as_typed))
         except RadcalcError:
-            found.append(read(name, symbol.example))
-    return found
+            conditions.append(read(name, symbol.example))
+    return conditions
 
 
 class Reach:
     """What can be reached from a unit under the conditions that are given."""
 
-    def __init__(self, source: Unit, given: "Sequence[Given]") -> None:
+    def __init__(self, source: Unit, given: "Sequence[Input]") -> None:
         self.source, self.given = source, given
         self.known: dict[tuple[object, ...], str | None] = {}
 
@@ -132,7 +141,7 @@ class Reach:
 
         A unit of the source's own quantity has no use for conditions, and stands last beside them.
         """
-        reached, conditional, others = [], [], []
+        reached, conditional, same_dimension = [], [], []
         seen = set() if self.source.is_scale else {frozenset(self.source.atoms)}
         for text in _texts(self.source, head, typed):
             unit = unit_of(head + text)
@@ -141,22 +150,27 @@ class Reach:
             seen.add(frozenset(unit.atoms))
             lack = self.lacks(unit)
             if lack:
-                said = f"{name_of(unit)}, with {lack}"
-                conditional.append((len(lack), Completion(text, said)))
+                description = f"{name_of(unit)}, with {lack}"
+                conditional.append((len(lack), Completion(text, description)))
             elif lack == "":
                 reached.append(Completion(text, full_name(unit)))
             elif self.given and unit.dimension == self.source.dimension:
-                others.append(Completion(text, full_name(unit)))
-        conditional.sort(key=lambda one: one[0])  # what takes least first
+                same_dimension.append(Completion(text, full_name(unit)))
+        conditional.sort(key=lambda row: row[0])  # what takes least first
         reached += [] if head else self._scales(typed)
-        return [*reached, *(one for _, one in conditional), *others, *self._names(head, typed)]
+        return [
+            *reached,
+            *(completion for _, completion in conditional),
+            *same_dimension,
+            *self._names(head, typed),
+        ]
 
     def _scales(self, typed: str) -> list[Completion]:
         """The scales of the source's quantity that begin so; of any in reach, once typed."""
-        rows = [(text, self.lacks(unit), said) for text, unit, said in _scales(typed)]
+        rows = [(text, self.lacks(unit), description) for text, unit, description in _scales(typed)]
         return [
-            Completion(text, f"{said}, with {lack}" if lack else said)
-            for text, lack, said in sorted(rows, key=lambda row: len(row[1] or ""))
+            Completion(text, f"{description}, with {lack}" if lack else description)
+            for text, lack, description in sorted(rows, key=lambda row: len(row[1] or ""))
             if text != self.source.text and (lack == "" or (typed and lack))
         ]
 
@@ -170,16 +184,18 @@ class Reach:
             else:
                 lack = self.lacks(resolve(text).of_class(Exitance if is_exitance else Unit))
             if lack is not None:
-                said = text.replace(" ", ".") or "of the same kind of light"
-                yield Completion(name, f"{said}, with {lack}" if lack else said)
+                description = text.replace(" ", ".") or "of the same kind of light"
+                yield Completion(name, f"{description}, with {lack}" if lack else description)
 
 
 def _units(head: str, typed: str) -> list[Completion]:
     """The units of any quantity that begin so."""
-    found = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
-    units = [Completion(text, full_name(unit)) for text, unit in found if unit and _is_known(unit)]
+    known = [(text, unit_of(head + text)) for text in _texts(None, head, typed)]
+    units = [Completion(text, full_name(unit)) for text, unit in known if unit and _is_known(unit)]
     return units + [
-        Completion(text, said) for text, _, said in _scales(typed) if typed and not head
+        Completion(text, description)
+        for text, _, description in _scales(typed)
+        if typed and not head
     ]
 
 
@@ -200,20 +216,12 @@ def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
     if head:
         yield from (part for part in BESIDE if part.startswith(typed))
         return
-    own = offered(source) if source else []
+    offered_texts = offered(source) if source else []
     if not typed:
-        yield from (text for text in own if text not in SPELLINGS)
+        yield from (text for text in offered_texts if text not in SPELLINGS)
         yield from USUAL
         return
-    style = "**" if "**" in typed else "^" if "^" in typed else ""
-    others = [text for units in MEASURES.values() for text, _ in units]
-    texts = sorted([*own, *USUAL, *others], key=lambda text: text in SPELLINGS)
-    for text in dict.fromkeys(texts):
-        text = _powers(text, style) if style else text
-        if text.startswith(typed):
-            yield text
-        elif typed.startswith(text):  # only then a density of it
-            yield from (text + axis for axis in AXES if (text + axis).startswith(typed))
+    yield from _spellings(offered_texts, typed)
     if len(typed) > 1:
         yield from (name for name in UNITS if name.startswith(typed.lower()))
     yield typed
@@ -221,6 +229,19 @@ def _texts(source: Unit | None, head: str, typed: str) -> "Iterator[str]":
     if cut:
         parts = BELOW if typed[cut - 1] == "/" else BESIDE
         yield from (typed[:cut] + part for part in parts if part.startswith(typed[cut:]))
+
+
+def _spellings(offered_texts: "Sequence[str]", typed: str) -> "Iterator[str]":
+    """Yield the units that begin as typed, and densities of those that are typed whole."""
+    style = "**" if "**" in typed else "^" if "^" in typed else ""
+    measure_texts = [text for units in MEASURES.values() for text, _ in units]
+    texts = sorted([*offered_texts, *USUAL, *measure_texts], key=lambda text: text in SPELLINGS)
+    for text in dict.fromkeys(texts):
+        text = _powers(text, style) if style else text
+        if text.startswith(typed):
+            yield text
+        elif typed.startswith(text):
+            yield from (text + axis for axis in AXES if (text + axis).startswith(typed))
 
 
 def _powers(text: str, style: str) -> str:

@@ -2,7 +2,7 @@
 
 import os
 
-from radcalc.completion import DIGITS, Completion
+from radcalc.completion.line import DIGITS, Completion
 from radcalc.completion.table import ENDINGS, NAMES, SPECTRA, UNITS
 from radcalc.spectra.kinds import FORMS
 
@@ -41,12 +41,12 @@ def in_units(quantities: "Sequence[str]", incomplete: str, likely: str = "") -> 
     head, number, typed = split_number(incomplete)
     if not number:
         return []
-    found = [
+    completions = [
         Completion(f"{head}{number}{text}", description)
         for text, description in units_of(quantities, typed)
     ]
     likely = f"{head}{number}{likely}"
-    return sorted(found, key=lambda one: one.text != likely)
+    return sorted(completions, key=lambda completion: completion.text != likely)
 
 
 def units_of(quantities: "Sequence[str]", typed: str) -> list[tuple[str, str]]:
@@ -77,25 +77,30 @@ def _results(results: Results, incomplete: str) -> list[Completion]:
     name, colon, unit = incomplete.partition(":")
     fitting = _named(results, name)
     if name in results and (colon or len(fitting) == 1):
-        found = [] if colon else [Completion(name)]
+        completions = [] if colon else [Completion(name)]
         units = units_of(results[name][1], unit)
-        return found + [Completion(f"{name}:{text}", said) for text, said in units]
-    return [Completion(one, "", False) for one in fitting]
+        return completions + [
+            Completion(f"{name}:{text}", description) for text, description in units
+        ]
+    return [Completion(result, "", False) for result in fitting]
 
 
 def _named(results: Results, typed: str) -> list[str]:
     """The results that begin so; those of one kind of light once something is typed."""
-    fitting = [one for one in results if one.startswith(typed)]
-    return fitting if typed else [one for one in fitting if not results[one][0]]
+    fitting = [name for name in results if name.startswith(typed)]
+    return fitting if typed else [name for name in fitting if not results[name][0]]
 
 
 def _claims(results: Results, incomplete: str) -> list[Completion]:
     """NAME=VALUE with its unit."""
     name, equals, value = incomplete.partition("=")
     if not equals:
-        return [Completion(f"{one}=", "", False) for one in _named(results, name)]
-    found = in_units(results[name][1], value) if name in results else []
-    return [Completion(f"{name}={one.text}", one.description) for one in found]
+        return [Completion(f"{result}=", "", False) for result in _named(results, name)]
+    in_each_unit = in_units(results[name][1], value) if name in results else []
+    return [
+        Completion(f"{name}={completion.text}", completion.description)
+        for completion in in_each_unit
+    ]
 
 
 def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -106,11 +111,13 @@ def _spectra(values: "Sequence[str]", incomplete: str) -> list[Completion]:
         units = [text for text in FORMS[kind][3] if number and text.startswith(typed)]
         return [Completion(f"{kind}:{head}{number}{text}") for text in units]
     named = [
-        Completion(name, said) for name, said in SPECTRA.items() if name.startswith(incomplete)
+        Completion(name, description)
+        for name, description in SPECTRA.items()
+        if name.startswith(incomplete)
     ]
     forms = [
-        Completion(f"{name}:", f"{said}, {example}", False)
-        for name, (_, said, example, _) in FORMS.items()
+        Completion(f"{name}:", f"{description}, {example}", False)
+        for name, (_, description, example, _) in FORMS.items()
         if name.startswith(incomplete)
     ]
     return [*named, *forms, *files(ENDINGS["spectrum"], incomplete)]
@@ -120,12 +127,15 @@ def _searches(values: "Sequence[str]", incomplete: str) -> list[Completion]:
     """The name of a quantity, or a unit."""
     named = [Completion(name, row[0]) for name, row in NAMES.items() if name.startswith(incomplete)]
     units = units_of(list(UNITS), incomplete) if incomplete else []
-    return named + [Completion(text, said) for text, said in units]
+    return named + [Completion(text, description) for text, description in units]
 
 
 def _units(quantities: "Sequence[str]", incomplete: str) -> list[Completion]:
     """A unit of these quantities, or 1 for none."""
-    return [Completion(text, said) for text, said in [*units_of(quantities, incomplete), ("1", "")]]
+    return [
+        Completion(text, description)
+        for text, description in [*units_of(quantities, incomplete), ("1", "")]
+    ]
 
 
 def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -133,10 +143,10 @@ def _distributions(values: "Sequence[str]", incomplete: str) -> list[Completion]
 
 
 def _environments(skies: "Sequence[str]", incomplete: str) -> list[Completion]:
-    found = files(ENDINGS["environment"], incomplete)
+    completions = files(ENDINGS["environment"], incomplete)
     if ":" in incomplete:
         return starting([f"sky:{name}" for name in skies], incomplete)
-    return starting(["sky:"], incomplete, closes=False) + found
+    return starting(["sky:"], incomplete, closes=False) + completions
 
 
 def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
@@ -146,9 +156,9 @@ def _files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
 def _figures(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
     """Folders and figures: another word is none of these."""
     return [
-        one
-        for one in files(endings, incomplete)
-        if not one.closes or one.text.lower().endswith(tuple(endings))
+        completion
+        for completion in files(endings, incomplete)
+        if not completion.closes or completion.text.lower().endswith(tuple(endings))
     ]
 
 
@@ -156,22 +166,24 @@ def files(endings: "Sequence[str]", incomplete: str) -> list[Completion]:
     """Folders, and the files with such an ending; every file where none has."""
     folder, name = os.path.split(incomplete)
     typed = incomplete[: len(incomplete) - len(name)]
-    found: list[Completion] = []
-    others: list[Completion] = []
+    fitting: list[Completion] = []
+    other_files: list[Completion] = []
     try:
-        entries = sorted(os.scandir(os.path.expanduser(folder) or "."), key=lambda one: one.name)
+        entries = sorted(
+            os.scandir(os.path.expanduser(folder) or "."), key=lambda entry: entry.name
+        )
     except (OSError, ValueError):  # a name that no file has
         return []
     for entry in entries:
         if not entry.name.startswith(name) or (entry.name[0] == "." and name[:1] != "."):
             continue
         if entry.is_dir():
-            found.append(Completion(f"{typed}{entry.name}/", "", False))
+            fitting.append(Completion(f"{typed}{entry.name}/", "", False))
         elif entry.name.lower().endswith(tuple(endings)):
-            found.append(Completion(typed + entry.name))
+            fitting.append(Completion(typed + entry.name))
         else:
-            others.append(Completion(typed + entry.name))
-    return found if any(one.closes for one in found) else found + others
+            other_files.append(Completion(typed + entry.name))
+    return fitting if any(completion.closes for completion in fitting) else fitting + other_files
 
 
 READERS: "dict[str, Callable[[Any, str], list[Completion]]]" = {

@@ -1,7 +1,7 @@
 """The conditions of a conversion: which symbols can be given, and what each of them is about.
 
 What factor a condition supplies is in `geometric.py` and `spectral.py`; which factors a
-conversion needs is the business of `bridges.py`.
+conversion needs is the business of `links.py`.
 """
 
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from radcalc.answer import Step
 from radcalc.errors import Exclusive
-from radcalc.given import Given
+from radcalc.inputs.given import Input
 
 # What a condition is about; two conditions about one thing contradict each other.
 LINK, TIME, AREA, CONE, DISTANCE = "link of kinds", "time", "area", "solid angle", "distance"
@@ -64,24 +64,24 @@ class Conditions:
 
     __slots__ = ("given", "used")
 
-    def __init__(self, given: Sequence[Given]) -> None:
-        self.given: dict[str, Given] = {}
+    def __init__(self, given: Sequence[Input]) -> None:
+        self.given: dict[str, Input] = {}
         self.used: set[str] = set()
-        for one in given:
-            about = CONDITIONS[one.name]
-            slot = one.name if about == REFINES else about
+        for condition in given:
+            about = CONDITIONS[condition.name]
+            slot = condition.name if about == REFINES else about
             if slot in self.given:
-                both = (self.given[slot].name, one.name)
-                raise Exclusive(both, f"contradict each other: both supply the {slot}")
-            self.given[slot] = one
+                names = (self.given[slot].name, condition.name)
+                raise Exclusive(names, f"contradict each other: both supply the {slot}")
+            self.given[slot] = condition
 
-    def use(self, slot: str) -> Given | None:
+    def use(self, slot: str) -> Input | None:
         """Take a condition, so that it counts as used."""
         if slot in self.given:
             self.used.add(slot)
         return self.given.get(slot)
 
-    def take(self, slot: str) -> Given:
+    def take(self, slot: str) -> Input:
         """Take a condition that is there."""
         self.used.add(slot)
         return self.given[slot]
@@ -89,4 +89,4 @@ class Conditions:
     @property
     def unused(self) -> list[str]:
         """The symbols of what has no use."""
-        return [one.name for slot, one in self.given.items() if slot not in self.used]
+        return [condition.name for slot, condition in self.given.items() if slot not in self.used]

@@ -13,7 +13,7 @@ from radcalc.conversion.conditions import Factor
 from radcalc.derivation import Formula, format_angle, format_number
 from radcalc.errors import ConditionError, HorizonCuts, TooNear, command, option, quote
 from radcalc.geometry import cones, far_field, lobes
-from radcalc.given import Given, half_angle_of, radius_of, require
+from radcalc.inputs.given import Input, half_angle_of, radius_of, require
 from radcalc.units.table import resolve
 
 INVERSE_SQUARE = Formula(
@@ -35,26 +35,26 @@ SLANTING_CONE = Formula(
 RETINA = Formula("retinal illuminance", "p = pi/4 {pupil}^2")
 
 
-def area(given: Given) -> Factor:
-    """The area of a source or a receiver [m2]."""
+def area(given: Input) -> Factor:
+    """Return the area of a source or a receiver [m2]."""
     if given.name == "area":
         return Factor("A", given.value, "m2", f"uniform over {given.text}")
     from radcalc.laws.sizes import CIRCLE
 
     radius = radius_of(given)
     value = CIRCLE.solve("area", lambda _: radius)
-    shown = f"{format_number(value)} m2"
-    step = CIRCLE.formula.step({"radius": radius}, shown)
-    return Factor("A", value, "m2", f"uniform over a circle of {shown}", (step,))
+    area_text = f"{format_number(value)} m2"
+    step = CIRCLE.formula.step({"radius": radius}, area_text)
+    return Factor("A", value, "m2", f"uniform over a circle of {area_text}", (step,))
 
 
-def duration(given: Given) -> Factor:
+def duration(given: Input) -> Factor:
     """A time [s]."""
     return Factor("t", given.value, "s", f"constant over {given.text}")
 
 
-def solid_angle(given: Given) -> Factor:
-    """The solid angle between flux and intensity [sr]."""
+def solid_angle(given: Input) -> Factor:
+    """Return the solid angle between flux and intensity [sr]."""
     if given.name == "isotropic":
         return Factor("Omega", cones.FULL, "sr", "uniform over 4 pi sr (isotropic)")
     if given.name == "hemisphere":
@@ -67,13 +67,13 @@ def solid_angle(given: Given) -> Factor:
 
     half = half_angle_of(given)
     omega = cones.cone(half)
-    shown = f"{format_number(omega)} sr"
-    step = CONE.formula.step({"half-angle": half}, shown)
-    said = f"uniform over a cone of half angle {format_angle(half)}, {shown}"
-    return Factor("Omega", omega, "sr", said, (step,))
+    omega_text = f"{format_number(omega)} sr"
+    step = CONE.formula.step({"half-angle": half}, omega_text)
+    assumption = f"uniform over a cone of half angle {format_angle(half)}, {omega_text}"
+    return Factor("Omega", omega, "sr", assumption, (step,))
 
 
-def _lobe(given: Given) -> Factor:
+def _lobe(given: Input) -> Factor:
     """A cosine-power lobe: the solid angle that, at the peak intensity, holds all the flux."""
     from radcalc.laws.point import BEAM_ANGLE, LOBE
 
@@ -84,15 +84,15 @@ def _lobe(given: Given) -> Factor:
         steps = (BEAM_ANGLE.formula.step({"beam-angle": given.value}, format_number(exponent)),)
     omega = lobes.solid_angle(exponent)
     step = LOBE.formula.step({"exponent": exponent}, f"{format_number(omega)} sr")
-    said = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
-    return Factor("Omega", omega, "sr", said, (*steps, step))
+    assumption = f"intensity I0 cos^n(theta) with n = {format_number(exponent)}; I0 is the peak"
+    return Factor("Omega", omega, "sr", assumption, (*steps, step))
 
 
 PROJECTED = ("half-angle", "apex-angle", "hemisphere")  # what has a projected solid angle
 
 
-def projected_solid_angle(given: Given, turn: Given | None) -> Factor:
-    """The projected solid angle between radiance and irradiance, exitance or flux [sr].
+def projected_solid_angle(given: Input, turn: Input | None) -> Factor:
+    """Return the projected solid angle between radiance and irradiance, exitance or flux [sr].
 
     It is about the surface's normal, or `turn` away from it.
     """
@@ -112,13 +112,13 @@ def projected_solid_angle(given: Given, turn: Given | None) -> Factor:
 
     half = _half_angle_at_most_right(given)
     omega = cones.projected_cone(half)
-    shown = f"{format_number(omega)} sr"
-    step = PROJECTED_CONE.formula.step({"half-angle": half}, shown)
-    said = f"uniform over a cone of half angle {format_angle(half)} about the normal"
-    return Factor("Omega_p", omega, "sr", f"{said}, {shown} projected", (step,))
+    omega_text = f"{format_number(omega)} sr"
+    step = PROJECTED_CONE.formula.step({"half-angle": half}, omega_text)
+    assumption = f"uniform over a cone of half angle {format_angle(half)} about the normal"
+    return Factor("Omega_p", omega, "sr", f"{assumption}, {omega_text} projected", (step,))
 
 
-def _half_angle_at_most_right(given: Given) -> Any:
+def _half_angle_at_most_right(given: Input) -> Any:
     """A half angle [rad] up to 90 degrees."""
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
@@ -130,7 +130,7 @@ def _half_angle_at_most_right(given: Given) -> Any:
 NARROW = math.atan(0.1)  # half the angle at which a disc is seen from five times its size
 
 
-def _slanting(given: Given, turn: Given) -> Factor:
+def _slanting(given: Input, turn: Input) -> Factor:
     """The projected solid angle of light that comes aslant [sr]: of a cone, or a small one."""
     from radcalc.geometry import projected
 
@@ -146,37 +146,37 @@ def _slanting(given: Given, turn: Given) -> Factor:
                 f"{option('half-angle', size)} in place of {option('solid-angle')}, for a cone",
             )
         omega = given.value * cosine
-        good = far_field.percent(maths.tan(half / 2) ** 2)
-        said = f"a small solid angle of {given.text}, {where} (Omega cos(theta) is {good})"
+        good = far_field.percent(maths.square(maths.tan(half / 2)))
+        assumption = f"a small solid angle of {given.text}, {where} (Omega cos(theta) is {good})"
         formula = Formula("small solid angle", "{projected-solid-angle} = {solid-angle} cos(theta)")
         step = formula.step({"solid-angle": given.value}, f"{format_number(omega)} sr")
-        return Factor("Omega_p", omega, "sr", said, (step,), notes)
+        return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
     half = math.pi / 2 if given.name == "hemisphere" else _half_angle_at_most_right(given)
     omega = projected.cone(half, angle)
-    shown = f"{format_number(omega)} sr"
-    said = f"uniform over a cone of half angle {format_angle(half)}, its axis {where}"
+    omega_text = f"{format_number(omega)} sr"
+    assumption = f"uniform over a cone of half angle {format_angle(half)}, its axis {where}"
     notes = ()
     if maths.any_true(half + angle > math.pi / 2 * (1 + maths.SLACK)):
-        told = option(turn.name, quote(turn.text))
-        what = "a part" if maths.any_true(omega > 0) else "all"
-        notes = (f"{told}: {what} of the cone is behind the surface, and left out",)
-    step = SLANTING_CONE.told(f"Omega_p = {shown}")
-    return Factor("Omega_p", omega, "sr", f"{said}, {shown} projected", (step,), notes)
+        tilt = option(turn.name, quote(turn.text))
+        cut = "a part" if maths.any_true(omega > 0) else "all"
+        notes = (f"{tilt}: {cut} of the cone is behind the surface, and left out",)
+    step = SLANTING_CONE.with_numbers(f"Omega_p = {omega_text}")
+    return Factor("Omega_p", omega, "sr", f"{assumption}, {omega_text} projected", (step,), notes)
 
 
-def turned(turn: Given) -> Factor:
-    """The cosine of the incidence on a surface, or of the tilt of one that shines."""
-    cosine, said, notes = _cosine(turn)
+def turned(turn: Input) -> Factor:
+    """Return the cosine of the incidence on a surface, or of the tilt of one that shines."""
+    cosine, assumption, notes = _cosine(turn)
     letter = "cos(theta)"
     if turn.name == "incidence":
-        said = f"the irradiance given is that across the light; {said}"
+        assumption = f"the irradiance given is that across the light; {assumption}"
     else:
-        letter, said = "cos(theta_s)", f"seen {turn.text} from its normal"
+        letter, assumption = "cos(theta_s)", f"seen {turn.text} from its normal"
     step = Step(f"cosine of the {turn.name}", "", f"{letter} = {format_number(cosine)}")
-    return Factor(letter, cosine, "", said, (step,), notes)
+    return Factor(letter, cosine, "", assumption, (step,), notes)
 
 
-def aperture(given: Given, distance: Given, incidence: Given | None) -> Factor:
+def aperture(given: Input, distance: Input, incidence: Input | None) -> Factor:
     """An area that a small source lights from afar [m2]; one too near is refused."""
     factor = area(given)
     size = far_field.size(factor.value)
@@ -188,41 +188,41 @@ def aperture(given: Given, distance: Given, incidence: Given | None) -> Factor:
                 f"{option('half-angle', f'{half:.6g}deg')} in place of {option(given.name)} and "
                 f"{option('distance')}, exactly for a round one"
             )
-        told = option("distance", quote(distance.text))
-        raise TooNear(told, "receiver", format_number(size), hint, "A / d^2")
+        distance_text = option("distance", quote(distance.text))
+        raise TooNear(distance_text, "receiver", format_number(size), hint, "A / d^2")
     angle = abs(incidence.value) if incidence else 0.0
     good = far_field.percent(far_field.error(size, distance.value, angle))
     return factor._replace(assumption=f"{factor.assumption} of a receiver (A / d^2 is {good})")
 
 
-def inverse_square(given: Given, incidence: Given | None) -> Factor:
+def inverse_square(given: Input, incidence: Input | None) -> Factor:
     """From the intensity of a small source to the irradiance at a distance [sr/m2]."""
     cosine, tilt, notes = _cosine(incidence)
-    value = cosine / given.value**2
+    value = cosine / maths.square(given.value)
     values = {"distance": given.value}
     if incidence:
         values["incidence"] = incidence.value
     formula = ASLANT if incidence else INVERSE_SQUARE
     step = formula.step(values, f"{format_number(value)} sr/m2")
-    said = f"a source small beside its distance, {tilt}"
-    return Factor("q", value, "sr/m2", said, (step,), notes)
+    assumption = f"a source small beside its distance, {tilt}"
+    return Factor("q", value, "sr/m2", assumption, (step,), notes)
 
 
-def _cosine(turn: Given | None) -> tuple[Any, str, tuple[str, ...]]:
+def _cosine(turn: Input | None) -> tuple[Any, str, tuple[str, ...]]:
     """The cosine of an incidence or a tilt; light from behind the surface gives 0, and a note."""
     if turn is None:
         return 1.0, "light along the receiver's normal", ()
     cosine = cones.facing(turn.value)
     notes: tuple[str, ...] = ()
     if maths.any_true(cosine == 0):
-        told = option(turn.name, quote(turn.text))
+        option_text = option(turn.name, quote(turn.text))
         to = "reach" if turn.name == "incidence" else "leave"
-        notes = (f"{told}: light from the side or behind does not {to} the surface",)
+        notes = (f"{option_text}: light from the side or behind does not {to} the surface",)
     return cosine, f"{turn.name} {turn.text} from the normal", notes
 
 
-def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
-    """The projected solid angle of a uniform disc seen from its axis [sr]."""
+def disc(source: Input, distance: Input, incidence: Input | None) -> Factor:
+    """Return the projected solid angle of a uniform disc seen from its axis [sr]."""
     from radcalc.geometry import projected
     from radcalc.laws.surface import CUT_DISC, disc_on_axis
 
@@ -239,14 +239,14 @@ def disc(source: Given, distance: Given, incidence: Given | None) -> Factor:
         if maths.any_true(angle + maths.atan(radius / away) > math.pi / 2 * (1 + 1e-15)):
             formula = CUT_DISC.formula
             cut = "partly below" if maths.any_true(omega > 0) else "below"
-            told = option("incidence", quote(incidence.text))
-            notes = (f"{told}: the disc is {cut} the receiver's horizon",)
+            incidence_text = option("incidence", quote(incidence.text))
+            notes = (f"{incidence_text}: the disc is {cut} the receiver's horizon",)
     step = formula.step(values, f"{format_number(omega)} sr")
-    said = f"a uniform disc seen from its axis at {distance.text}, {tilt}"
-    return Factor("Omega_p", omega, "sr", said, (step,), notes)
+    assumption = f"a uniform disc seen from its axis at {distance.text}, {tilt}"
+    return Factor("Omega_p", omega, "sr", assumption, (step,), notes)
 
 
-def far_area(source: Given, distance: Given, incidence: Given | None, tilt: Given | None) -> Factor:
+def far_area(source: Input, distance: Input, incidence: Input | None, tilt: Input | None) -> Factor:
     """An area that is seen from afar [m2]; one too near, or cut by the horizon, is refused."""
     factor = area(source)
     size, reach = far_field.size(factor.value), far_field.reach(factor.value)
@@ -259,8 +259,8 @@ def far_area(source: Given, distance: Given, incidence: Given | None, tilt: Give
             f"{command('lambertian')})"
         )
     if far_field.is_near(distance.value, size):
-        told = option("distance", quote(distance.text))
-        raise TooNear(told, "source", format_number(size), hint)
+        distance_text = option("distance", quote(distance.text))
+        raise TooNear(distance_text, "source", format_number(size), hint)
     if incidence and maths.any_true(far_field.is_cut(reach, distance.value, angle)):
         raise HorizonCuts("incidence", incidence.text, "", hint)
     good = far_field.percent(far_field.error(size, distance.value, slope, angle))
@@ -268,29 +268,29 @@ def far_area(source: Given, distance: Given, incidence: Given | None, tilt: Give
     return factor._replace(assumption=f"{factor.assumption}{facing} (A / d^2 is {good})")
 
 
-def reflector(given: Given) -> Factor:
+def reflector(given: Input) -> Factor:
     """A Lambertian reflector, from incident irradiance to radiance [1/sr]."""
     value = given.value / math.pi
     step = REFLECTOR.step({"reflectance": given.value}, f"{format_number(value)} /sr")
-    said = f"a Lambertian reflector of reflectance {given.text}"
-    return Factor("r", value, "/sr", said, (step,))
+    assumption = f"a Lambertian reflector of reflectance {given.text}"
+    return Factor("r", value, "/sr", assumption, (step,))
 
 
-def reflected(given: Given) -> Factor:
-    """The reflectance of a surface, from what arrives at it to what leaves it."""
-    said = f"nothing but reflected light leaves, with a reflectance of {given.text}"
-    step = REFLECTED.told(f"M = {format_number(given.value)} E")
-    return Factor("rho", given.value, "radlux/lx", said, (step,))
+def reflected(given: Input) -> Factor:
+    """Return the reflectance of a surface, from what arrives at it to what leaves it."""
+    assumption = f"nothing but reflected light leaves, with a reflectance of {given.text}"
+    step = REFLECTED.with_numbers(f"M = {format_number(given.value)} E")
+    return Factor("rho", given.value, "radlux/lx", assumption, (step,))
 
 
-def responsivity(given: Given) -> Factor:
+def responsivity(given: Input) -> Factor:
     """Amperes per watt of light on a detector."""
     assumption = f"a detector of {given.text} for all of that light, and no dark current"
     return Factor("s", given.value, "A/W", assumption)
 
 
 def yield_of(responsivity: Any, photon_energy: Any) -> tuple[str, ...]:
-    """What to say of a detector that gives more than one electron for a photon."""
+    """Return what to say of a detector that gives more than one electron for a photon."""
     electrons = responsivity * photon_energy / resolve("eV").factor  # 1 eV is e times 1 V
     if not maths.any_true(electrons > 1):
         return ()
@@ -298,9 +298,11 @@ def yield_of(responsivity: Any, photon_energy: Any) -> tuple[str, ...]:
     return (f"{number} electrons for a photon: only a detector that multiplies them gives so many",)
 
 
-def pupil(given: Given) -> Factor:
+def pupil(given: Input) -> Factor:
     """Trolands per candela per square metre: the pupil's area in mm2."""
     millimetres = given.value / 1e-3
-    value = math.pi / 4 * millimetres**2
-    step = RETINA.told(f"p = pi/4 ({format_number(millimetres)} mm)^2 = {format_number(value)} mm2")
+    value = math.pi / 4 * maths.square(millimetres)
+    step = RETINA.with_numbers(
+        f"p = pi/4 ({format_number(millimetres)} mm)^2 = {format_number(value)} mm2"
+    )
     return Factor("p", value, "td m2/cd", f"a round pupil of diameter {given.text}", (step,))

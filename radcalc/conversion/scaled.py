@@ -7,13 +7,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from radcalc.answer import Step
-from radcalc.conversion.plan import Plan, are_reciprocal, between
+from radcalc.conversion.linear import Plan, are_reciprocal, between
 from radcalc.errors import ConversionError, MissingCondition, RadcalcError, Unused, option, quote
-from radcalc.given import Given
+from radcalc.inputs.given import Input
 from radcalc.quantities.light import describe
 from radcalc.units.electric_fields import PEAK, RMS, FieldUnit, plane_wave
-from radcalc.units.scales import CONSTANTS, ScaleUnit, reciprocal
-from radcalc.units.table import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
+from radcalc.units.scale_table import CONSTANTS
+from radcalc.units.scales import ScaleUnit, reciprocal
+from radcalc.units.unit import FIELD_STRENGTH, INVERSE_TEMPERATURE, Unit
 
 LOSS = "OD"  # which counts what is lost, where the other ratios count what is gained
 
@@ -33,34 +34,36 @@ class ScaledPlan(Plan):
         self.notes = linear.notes
         self.linear, self.ends = linear, (source, target)
         self.source, self.target = _plain(source), _plain(target)
-        read = [one.told(settable=True) for one in (source, target) if isinstance(one, ScaleUnit)]
+        read = [
+            unit.describe(settable=True) for unit in (source, target) if isinstance(unit, ScaleUnit)
+        ]
         self.assumptions = (*dict.fromkeys(read), *linear.assumptions)
 
     def quantity(self, value: Any) -> Any:
-        """The result as a quantity, in the unit of the target's scale."""
-        return self._meant(value) if self.target.is_scale else self.apply(value)
+        """Return the result as a quantity, in the unit of the target's scale."""
+        return self._in_target_unit(value) if self.target.is_scale else self.apply(value)
 
-    def _meant(self, value: Any) -> Any:
-        """What the value comes to in the unit of the target, or of its scale."""
+    def _in_target_unit(self, value: Any) -> Any:
+        """Return what the value comes to in the unit of the target, or of its scale."""
         source = self.ends[0]
         return self.linear.apply(source.quantity(value) if isinstance(source, ScaleUnit) else value)
 
     def apply(self, value: Any) -> Any:
         """Convert a number of the source's, a reading where it is a scale."""
-        found, target = self._meant(value), self.ends[1]
+        quantity, target = self._in_target_unit(value), self.ends[1]
         if not isinstance(target, ScaleUnit):
-            return found
-        _refuse_gain_as_loss(self.source, target, value, found)
-        return target.reading(found)
+            return quantity
+        _refuse_gain_as_loss(self.source, target, value, quantity)
+        return target.reading(quantity)
 
     def derive(self, value: Any) -> list[Step]:
-        """The steps: the functions of the scales around those of the units."""
+        """Return the steps: the functions of the scales around those of the units."""
         source, target = self.ends
         steps = []
         if isinstance(source, ScaleUnit):
             scale, read = source.scale, source.quantity(value)
-            found = f"{read:.6g} {source.unit.text}".removesuffix(" 1")
-            numbers = f"{scale.inverse(f'{value:.6g}')} = {found}"
+            quantity = f"{read:.6g} {source.unit.text}".removesuffix(" 1")
+            numbers = f"{scale.inverse(f'{value:.6g}')} = {quantity}"
             steps.append(Step(f"scale {source.text}", scale.inverse(), numbers, scale.source))
             value = read
         if self.linear.links or self.linear.factor != 1:
@@ -74,46 +77,46 @@ class ScaledPlan(Plan):
         return steps
 
 
-def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, found: Any) -> None:
+def _refuse_gain_as_loss(source: Unit, target: ScaleUnit, value: Any, factor: Any) -> None:
     """Refuse 3 stops or 3 dB as a density below 0: who says so means a loss."""
     if target.scale.name == LOSS and isinstance(source, ScaleUnit) and source.scale != target.scale:
         from radcalc.maths import any_true
 
-        if any_true(found > 1):
-            told = quote(source.text)
+        if any_true(factor > 1):
+            unit = quote(source.text)
             raise ConversionError(
-                f"{value:.6g} {told} is more light, and a density above 0 is less",
-                f"-{value:.6g} {told}, for a loss",
+                f"{value:.6g} {unit} is more light, and a density above 0 is less",
+                f"-{value:.6g} {unit}, for a loss",
             )
 
 
-def plan(source: Unit, target: Unit, given: Sequence[Given], number: str) -> ScaledPlan:
+def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> ScaledPlan:
     """Plan a conversion from a scale or to one, of a field, or between reciprocals.
 
     Of a scale with several readings the first is taken that the other side, and the conditions,
     leave possible; what measures the same comes first.
     """
-    meter = {one.name: one for one in given if one.name in CONSTANTS}
-    constants = {name: one.value for name, one in meter.items()}
-    others = [one for one in given if one.name not in CONSTANTS]
+    meter = {condition.name: condition for condition in given if condition.name in CONSTANTS}
+    constants = {name: condition.value for name, condition in meter.items()}
+    conditions = [condition for condition in given if condition.name not in CONSTANTS]
     if FIELD_STRENGTH in (source.dimension, target.dimension):
-        source, target, others = _fields(source, target, others)
+        source, target, conditions = _fields(source, target, conditions)
     sources, targets = _readings(source, target, constants), _readings(target, source, constants)
     error: RadcalcError | None = None
-    pairs = [(one, other) for one in sources for other in targets]
-    for one, other in sorted(pairs, key=lambda pair: pair[0].dimension != pair[1].dimension):
+    pairs = [(start, end) for start in sources for end in targets]
+    for start, end in sorted(pairs, key=lambda pair: pair[0].dimension != pair[1].dimension):
         try:
-            linear = between(_unit(one), _unit(other), others, number)
+            linear = between(_unit(start), _unit(end), conditions, number)
         except RadcalcError as problem:
             error = error or problem
             continue
-        used = {end.scale.constant for end in (one, other) if isinstance(end, ScaleUnit)}
+        used = {unit.scale.constant for unit in (start, end) if isinstance(unit, ScaleUnit)}
         if idle := [name for name in constants if name not in used]:
             raise Unused(idle, f"from {quote(source.text)} to {quote(target.text)}")
-        made = ScaledPlan(one, other, linear)
-        told = [text for name in constants for text in meter[name].assumptions]
-        made.assumptions = (*told, *made.assumptions)
-        return made
+        planned = ScaledPlan(start, end, linear)
+        assumptions = [text for name in constants for text in meter[name].assumptions]
+        planned.assumptions = (*assumptions, *planned.assumptions)
+        return planned
     assert error is not None
     raise error
 
@@ -126,9 +129,9 @@ def _readings(unit: Unit, other: Unit, constants: dict[str, float]) -> list[Unit
     return [reciprocal(unit) if is_inverse else unit]
 
 
-def _fields(source: Unit, target: Unit, given: list[Given]) -> tuple[Unit, Unit, list[Given]]:
+def _fields(source: Unit, target: Unit, given: list[Input]) -> tuple[Unit, Unit, list[Input]]:
     """The units, a field strength as the irradiance of a plane wave, and the other conditions."""
-    kinds = [one for one in given if one.name == "electric-field"]
+    kinds = [condition for condition in given if condition.name == "electric-field"]
     if not kinds:
         raise MissingCondition(
             f"cannot convert {describe(source)} to {describe(target)}: whether the field is told "
@@ -138,11 +141,11 @@ def _fields(source: Unit, target: Unit, given: list[Given]) -> tuple[Unit, Unit,
             target.text,
             ("electric-field",),
         )
-    rest = [one for one in given if one.name != "electric-field"]
+    rest = [condition for condition in given if condition.name != "electric-field"]
     return _wave(source, kinds[0]), _wave(target, kinds[0]), rest
 
 
-def _wave(unit: Unit, kind: Given) -> Unit:
+def _wave(unit: Unit, kind: Input) -> Unit:
     return plane_wave(unit, kind.text) if unit.dimension == FIELD_STRENGTH else unit
 
 

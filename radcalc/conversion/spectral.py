@@ -7,7 +7,7 @@ from radcalc.answer import Step
 from radcalc.conversion.conditions import BAND, LINK, Factor
 from radcalc.derivation import Formula, format_number
 from radcalc.errors import ConditionError, Impossible, command, option, quote
-from radcalc.given import Given, Inputs, require
+from radcalc.inputs.given import Input, Inputs, require
 from radcalc.quantities.light import (
     AXIS,
     DENSITY_NAMES,
@@ -35,10 +35,10 @@ from radcalc.spectra.observers import (
 from radcalc.spectra.planck import AVOGADRO, LIGHT, PLANCK
 from radcalc.units.dimensions import COHERENT, FREQUENCY, LENGTH, WAVENUMBER
 from radcalc.units.numbers import parse_number
-from radcalc.units.table import Photosynthetic
+from radcalc.units.unit import Photosynthetic
 
 if TYPE_CHECKING:
-    from radcalc.conversion.bridges import Bridge, Links
+    from radcalc.conversion.bridge import Bridge, Links
     from radcalc.spectra.spectrum import Spectrum
 
 
@@ -48,7 +48,7 @@ NARROW = 0.1  # of a wavelength: the width of a band that is still small, to 0.3
 class Light(NamedTuple):
     """Light of one wavelength: in vacuum for photons, in standard air for the eye's table."""
 
-    given: Given
+    given: Input
     vacuum: Any
     table: Any
     observer: Observer
@@ -59,7 +59,7 @@ class Light(NamedTuple):
         return PLANCK * LIGHT / self.vacuum
 
 
-def light(given: Given, observer: Given | None) -> Light:
+def light(given: Input, observer: Input | None) -> Light:
     """Turn a wavelength, frequency, wavenumber or photon energy into a wavelength."""
     value = given.value
     seen_by = OBSERVERS[observer.value if observer else "photopic"]
@@ -78,7 +78,7 @@ VACUUM = "{} is taken as the wavelength in vacuum (in air it differs by 3e-4)"
 
 
 def kind_factor(of: Light, over: str, under: str) -> Factor:
-    """The ratio of two kinds, over / under, at one wavelength."""
+    """Return the ratio of two kinds, over / under, at one wavelength."""
     given, energy = of.given, of.photon_energy
     is_length = given.dimension == LENGTH
     assumption = ""
@@ -92,7 +92,7 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
             assumption += f"; {given.text} is {format_number(of.table * 1e9)} nm in standard air"
         if maths.any_true(efficacy == 0):
             notes = (
-                f"nothing is seen at {given.text}: the table spans "
+                f"nothing is seen at {given.text_where(efficacy == 0)}: the table spans "
                 f"{of.observer.start}-{of.observer.end} nm",
             )
         share = format_number(efficacy / of.observer.maximum)
@@ -101,21 +101,23 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
                 "luminous efficacy of one wavelength",
                 f"K = {of.observer.constant} {of.observer.label.split()[0]}",
                 "CIE 018:2019",
-            ).told(f"K = {of.observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W"),
+            ).with_numbers(
+                f"K = {of.observer.maximum:g} lm/W * {share} = {format_number(efficacy)} lm/W"
+            ),
         )
     if PHOTON in (over, under):
         from radcalc.laws import photon
         from radcalc.spectra.spectrum import OUTSIDE, PAR
 
-        found = f"{format_number(energy)} J"
-        steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, found),)
+        energy_text = f"{format_number(energy)} J"
+        steps += (photon.ENERGY.formula.step({"wavelength": of.vacuum}, energy_text),)
         photons = f"{given.text} is {format_number(of.vacuum * 1e9)} nm in vacuum"
-        said = VACUUM.format(given.text) if is_length else photons
-        assumption = "; ".join(filter(None, [assumption, said]))
+        vacuum_text = VACUUM.format(given.text) if is_length else photons
+        assumption = "; ".join(filter(None, [assumption, vacuum_text]))
         low, high = (end * 1e-9 for end in PAR)
         outside = (of.table < low * (1 - 1e-12)) | (of.table > high * (1 + 1e-12))
         if maths.any_true(outside):
-            notes += (f"{given.text} {OUTSIDE}",)
+            notes += (f"{given.text_where(outside)} {OUTSIDE}",)
     unit = KIND_UNITS[over, under]
     if LUMINOUS not in (over, under):
         symbol, value = "Q", energy
@@ -137,14 +139,14 @@ def kind_factor(of: Light, over: str, under: str) -> Factor:
 
 
 def spectral_factor(
-    given: Given,
+    given: Input,
     over: str,
     under: str,
-    limits: Given | None,
-    photon_limits: Given | None,
-    observer: Given | None,
+    limits: Input | None,
+    photon_limits: Input | None,
+    observer: Input | None,
 ) -> Factor:
-    """The ratio of two kinds, over / under, of a whole spectrum."""
+    """Return the ratio of two kinds, over / under, of a whole spectrum."""
     from radcalc.spectra import counts
 
     source: Spectrum = given.value
@@ -155,18 +157,18 @@ def spectral_factor(
         limits.value if limits else None,
         photon_limits.value if photon_limits else None,
     )
-    said = [source.described]
+    remarks = [source.described]
     for kind in (over, under):
         if kind == LUMINOUS:
-            said.append(seen_by.assumption)
+            remarks.append(seen_by.assumption)
         else:
-            said.append(f"{counts.NAMES[kind]} counted over {counted.over(kind)}")
+            remarks.append(f"{counts.NAMES[kind]} counted over {counted.over(kind)}")
     amounts = {kind: counted.amount(kind) for kind in (over, under)}
     if not all(amount > 0 or kind == LUMINOUS != under for kind, amount in amounts.items()):
-        told = option("spectrum", quote(given.text))
-        known = f"; it is known over {counted.known}" if counted.known else ""
+        spectrum_text = option("spectrum", quote(given.text))
+        known_range = f"; it is known over {counted.known}" if counted.known else ""
         raise ConditionError(
-            f"{told} has nothing that counts there: {'; '.join(said[1:])}{known}",
+            f"{spectrum_text} has nothing that counts there: {'; '.join(remarks[1:])}{known_range}",
             "another spectrum or range",
         )
     if problem := counted.impossible(over, under):
@@ -183,14 +185,14 @@ def spectral_factor(
         "trapezoid on the union of the data's and the observer's grids",
     )
     top, bottom = (over, under) if (over, under) in SHOWN else (under, over)
-    shown = counts.said(amounts[top] / amounts[bottom], top, bottom)
+    ratio_text = counts.ratio_text(amounts[top] / amounts[bottom], top, bottom)
     ratio = f"{format_number(amounts[over])} / {format_number(amounts[under])}"
-    step = formula.told(f"K = {ratio} = {format_number(value)}; that is {shown}")
-    said.insert(1, shown)
+    step = formula.with_numbers(f"K = {ratio} = {format_number(value)}; that is {ratio_text}")
+    remarks.insert(1, ratio_text)
     notes = source.notes + tuple(counted.notes((over, under)))
     if LUMINOUS in amounts and not amounts[LUMINOUS]:
         notes += ("nothing of this spectrum is seen",)
-    return Factor("K", value, KIND_UNITS[over, under], "; ".join(said), (step,), notes)
+    return Factor("K", value, KIND_UNITS[over, under], "; ".join(remarks), (step,), notes)
 
 
 SHOWN = [(over, under) for _, over, under in EFFICACIES]
@@ -223,7 +225,7 @@ PER_WATT_OF_LIGHT = (
 )
 
 
-def given_ratio(given: Given, over: str, under: str, observer: Given | None) -> Factor | None:
+def given_ratio(given: Input, over: str, under: str, observer: Input | None) -> Factor | None:
     """A given efficacy as over / under, or None where it links two other kinds."""
     value = given.value
     pairs = {dimension: pair for pair, dimension in RATIOS.items()}
@@ -233,10 +235,10 @@ def given_ratio(given: Given, over: str, under: str, observer: Given | None) -> 
     if LUMINOUS in pair:
         seen_by = OBSERVERS[observer.value if observer else "photopic"]
         if RADIANT in pair:
-            most, shown, scale, unit = seen_by.maximum, "{:g} lm/W", 1.0, "lm/W"
+            most, limit_text, scale, unit = seen_by.maximum, "{:g} lm/W", 1.0, "lm/W"
             notes = (PER_WATT_OF_LIGHT.format(given.text),)
         else:
-            most, shown = most_lumens_per_photon(seen_by), "{:.4g} lm s/umol"
+            most, limit_text = most_lumens_per_photon(seen_by), "{:.4g} lm s/umol"
             scale, unit = AVOGADRO * 1e-6, "lm.s/umol"
         lumens_per = value if pair[0] == LUMINOUS else 1 / value
         if maths.any_true(lumens_per > most * (1 + 1e-12)):
@@ -244,7 +246,7 @@ def given_ratio(given: Given, over: str, under: str, observer: Given | None) -> 
                 given.name,
                 given.text,
                 f"an efficacy of up to {int(most * scale)}{unit}",
-                because=f"no light gives more than {shown.format(most * scale)}",
+                because=f"no light gives more than {limit_text.format(most * scale)}",
             )
         if observer:
             text += f", by {seen_by.label}"
@@ -266,11 +268,13 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
     if of is None:
         value = LIGHT if end == PER_WAVENUMBER else 1 / LIGHT
         text = "J = d nu / d sigma = c" if end == PER_WAVENUMBER else "J = d sigma / d nu = 1/c"
-        step = Formula("density", text, "SI Brochure: exact c").told(f"J = {format_number(value)}")
-        said = "wavenumber in vacuum, 1 cycle per wavelength"
-        return Factor("J", value, _per_axis(start, end), said, (step,))
+        step = Formula("density", text, "SI Brochure: exact c").with_numbers(
+            f"J = {format_number(value)}"
+        )
+        assumption = "wavenumber in vacuum, 1 cycle per wavelength"
+        return Factor("J", value, _per_axis(start, end), assumption, (step,))
     per_frequency = {
-        PER_WAVELENGTH: of.vacuum**2 / LIGHT,
+        PER_WAVELENGTH: maths.square(of.vacuum) / LIGHT,
         PER_FREQUENCY: 1.0,
         PER_WAVENUMBER: 1 / LIGHT,
     }
@@ -286,14 +290,14 @@ def jacobian(of: Light | None, start: str, end: str) -> Factor:
         "density",
         f"J = |d {greek[start]} / d {greek[end]}| = {forms[start, end]}",
         "E_nu = E_lambda lambda^2 / c",
-    ).told(f"J = {format_number(value)} at {format_number(of.vacuum * 1e9)} nm")
+    ).with_numbers(f"J = {format_number(value)} at {format_number(of.vacuum * 1e9)} nm")
     assumption = f"spectral density at {of.given.text}"
     if of.given.dimension == LENGTH:
         assumption += "; " + VACUUM.format(of.given.text)
     return Factor("J", value, _per_axis(start, end), assumption, (step,))
 
 
-def width(bridge: "Bridge", given: Given) -> Factor | None:
+def width(bridge: "Bridge", given: Input) -> Factor | None:
     """From a density to another, at a wavelength, for the widths of one narrow band.
 
     None where the units are no widths of a band, or where the wavelength does not matter.
@@ -303,44 +307,44 @@ def width(bridge: "Bridge", given: Given) -> Factor | None:
     if start is None or end is None or PER_WAVELENGTH not in (start, end):
         return None
     bridge.conditions.used.add(LINK)
-    said = f"a width that is small beside {given.text}, where its band is"
+    assumption = f"a width that is small beside {given.text}, where its band is"
     if given.dimension == LENGTH:
-        said += "; " + VACUUM.format(given.text)
+        assumption += "; " + VACUUM.format(given.text)
     of = light(given, None)
-    made = jacobian(of, start, end)._replace(assumption=said)
+    factor = jacobian(of, start, end)._replace(assumption=assumption)
     size = parse_number(bridge.number) * float(bridge.source.factor)
-    if abs(size if start == PER_WAVELENGTH else size / made.value) > NARROW * of.vacuum:
+    if abs(size if start == PER_WAVELENGTH else size / factor.value) > NARROW * of.vacuum:
         raise ConditionError(
             f"a width of {bridge.amount} is not small beside {option(given.name, given.text)}: "
             "its ends are no longer at equal distances in both",
             f"the difference of its two ends, each by {command('photon', 'WAVELENGTH')}",
         )
-    return made
+    return factor
 
 
 def _per_axis(start: str, end: str) -> str:
     return f"{AXIS_UNITS[start]}/({AXIS_UNITS[end]})"
 
 
-def bandwidth(given: Given, of_kind: Given | None) -> Factor:
+def bandwidth(given: Input, of_kind: Input | None) -> Factor:
     """The width of a band [m, Hz or cycle/m], in which a kind may be taken at one wavelength."""
     axis = band_axis(given)
     width = given.value
     if axis == PER_WAVELENGTH:
         require(given, not maths.any_true(width > 1e-3), "at most 1 mm: a band of wavelengths")
-    said = f"constant over a band of {given.text}"
+    assumption = f"constant over a band of {given.text}"
     if of_kind is not None and of_kind.name == "wavelength":
-        said += f", in which everything is taken as at {of_kind.text}"
-    return Factor("B", width, AXIS_UNITS[axis], said)
+        assumption += f", in which everything is taken as at {of_kind.text}"
+    return Factor("B", width, AXIS_UNITS[axis], assumption)
 
 
-def band_axis(given: Given) -> str:
-    """Whether a band's width is in wavelength, frequency or wavenumber."""
+def band_axis(given: Input) -> str:
+    """Check whether a band's width is in wavelength, frequency or wavenumber."""
     return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)
 
 
 def between(bridge: "Bridge", start: Reading, end: Reading) -> "Links":
-    """What stands between two kinds, and between two axes of spectral density."""
+    """Return what stands between two kinds, and between two axes of spectral density."""
     links = [*_kind(bridge, start, end), *_axis(bridge, start, end)]
     if isinstance(bridge.target, Photosynthetic):
         _refuse_other_photons(bridge, bridge.target, links)
@@ -402,7 +406,7 @@ EXAMPLES = {
 }
 
 
-def _of_spectrum(bridge: "Bridge", given: Given, start: Reading, end: Reading) -> Factor:
+def _of_spectrum(bridge: "Bridge", given: Input, start: Reading, end: Reading) -> Factor:
     """By a whole spectrum, with what refines it."""
     if start.axis or end.axis:
         raise ConditionError(

@@ -75,8 +75,8 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
     A Lambertian surface is down to a half at 60 degrees:
 
     >>> from radcalc.distributions.shapes import Lobe
-    >>> found = beam(Lobe(1.0), 0.0, 0.5)
-    >>> round(math.degrees(found.outermost), 9), found.is_ambiguous
+    >>> beam_angle = beam(Lobe(1.0), 0.0, 0.5)
+    >>> round(math.degrees(beam_angle.outermost), 9), beam_angle.is_ambiguous
     (120.0, False)
     """
     angle = numpy.linspace(-math.pi, math.pi, 2 * STEPS + 1)

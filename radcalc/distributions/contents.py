@@ -11,9 +11,9 @@ from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager, suppress
 from io import FileIO
 
-from radcalc import stdio
+from radcalc import terminal
 from radcalc.errors import ConditionError, OutputError, quote, quote_path
-from radcalc.texts import readable
+from radcalc.files.text import readable
 
 BLOCK = 1 << 20  # bytes that are read at a time where nobody says how many there are
 
@@ -43,7 +43,7 @@ def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
         If it cannot be read, is no regular file or is too large.
     """
     if path == "-":
-        return "stdin", _whole(stdio.read, BLOCK, largest, "stdin")
+        return "stdin", _whole(terminal.read, BLOCK, largest, "stdin")
     with opened(path, largest, expected, "a file, or - for standard input") as file:
         return quote_path(path), whole(file, largest, path)
 
@@ -64,10 +64,10 @@ def opened(path: str, largest: int, expected: str, instead: str = "a file") -> I
     try: a file
     """
     with readable(path, expected) as name, FileIO(path, opener=_without_waiting) as file:
-        about = os.fstat(file.fileno())
-        if not stat.S_ISREG(about.st_mode):
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode):
             raise ConditionError(f"cannot read {name}: a pipe or a device", instead)
-        if about.st_size > largest:
+        if status.st_size > largest:
             raise _too_large(name, largest)
         yield file
 
@@ -140,19 +140,19 @@ def written(path: str) -> Iterator[str]:
     target = os.path.realpath(path)  # what a link leads to, and not the link
     # in the same folder, for what is moved from elsewhere may be there by halves
     extension = os.path.splitext(path)[1].lower()
-    made = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
+    temporary = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
     try:
-        with open(made, "xb"):  # with the permissions of any new file
+        with open(temporary, "xb"):  # with the permissions of any new file
             pass
-        yield made
+        yield temporary
         if os.path.exists(target):
-            os.chmod(made, stat.S_IMODE(os.stat(target).st_mode))
-        os.replace(made, target)
+            os.chmod(temporary, stat.S_IMODE(os.stat(target).st_mode))
+        os.replace(temporary, target)
     except OSError as error:
         raise _cannot_write(path, error.strerror or str(error)) from None
     finally:
         with suppress(OSError):  # it is there where something went wrong
-            os.remove(made)
+            os.remove(temporary)
 
 
 def _cannot_write(path: str, why: str) -> OutputError:
@@ -166,9 +166,9 @@ def _without_waiting(path: str, flags: int) -> int:
 
 def _whole(read: Callable[[int], bytes | None], block: int, largest: int, name: str) -> bytes:
     blocks, size = [], 0
-    while found := read(block):
-        blocks.append(found)
-        size += len(found)
+    while block_read := read(block):
+        blocks.append(block_read)
+        size += len(block_read)
         if size > largest:
             raise _too_large(name, largest)
     return b"".join(blocks)

@@ -138,7 +138,7 @@ def integrated(
     """
     if not (polar[0] < polar[1] and azimuth[0] < azimuth[1]):
         return Integral(0.0, 0.0, 0)
-    counts = DARK_AXIAL if distribution.is_axial else DARK
+    counts = DARK_AXIAL if distribution.is_axial else NO_LIGHT
     theta, phi = (
         _middles(*ends, count) for ends, count in zip((polar, azimuth), counts, strict=True)
     )
@@ -168,7 +168,7 @@ def _middles(low: float, high: float, count: int) -> Any:
 
 
 # Polar angles and azimuths of the grid that tells whether there is light.
-DARK, DARK_AXIAL = (361, 361), (20_000, 1)
+NO_LIGHT, DARK_AXIAL = (361, 361), (20_000, 1)
 
 
 def last_where(holds: Callable[[Any], Any], inside: float, outside: float) -> float:

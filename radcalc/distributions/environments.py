@@ -13,7 +13,8 @@ from radcalc.geometry.projections import has_shape, name_of_map
 from radcalc.quantities.light import KINDS, LUMINOUS, RADIANT, describe, light_dimension
 from radcalc.quantities.light import read as read_light
 from radcalc.quantities.symbols import LATLONG, PROJECTIONS, light_unit
-from radcalc.units.table import NUMBER, Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Unit
 
 if TYPE_CHECKING:
     from radcalc.distributions.maps.pictures import Picture
@@ -87,9 +88,9 @@ def expression(text: str) -> Environment:
     """
     if is_unknown_word(text):
         raise ConditionError(f"'{quote(text)}' is no file, sky or expression", EXAMPLE)
-    found = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
-    said = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
-    return Environment(FormulaRadiances(found), assumptions=(said, *unseen(found)))
+    formula = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
+    assumption = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
+    return Environment(FormulaRadiances(formula), assumptions=(assumption, *unseen(formula)))
 
 
 def of_picture(
@@ -122,9 +123,9 @@ def of_picture(
     from radcalc.distributions.maps.pictures import BY_REC_709, Y
     from radcalc.distributions.maps.radiance_map import RadianceMap
 
-    shown = projection_of(picture, projection)
+    map_projection = projection_of(picture, projection)
     factor, kind = unit_of(picture, unit)
-    own, overruled = _own(picture, unit, projection)
+    statements, overruled = _file_statements(picture, unit, projection)
     alone = list[str]()
     if channel:
         picture = channel_of(picture, channel)
@@ -132,16 +133,16 @@ def of_picture(
             alone.append(f"the channel {quote(picture.channels[0])} alone")
     sums = weighted(picture, kind)
     pixels = RadianceMap(
-        picture.pixels, shown, aim or FORWARD, sums.weights, factor, kind, picture.frame
+        picture.pixels, map_projection, aim or FORWARD, sums.weights, factor, kind, picture.frame
     )
     width, height = pixels.size
-    said = [f"{name_of_map(shown)} of {width} x {height} pixels"]
+    assumptions = [f"{name_of_map(map_projection)} of {width} x {height} pixels"]
     if not aim:
-        said[0] += mention(", whose middle shows +x ({aim})")
+        assumptions[0] += mention(", whose middle shows +x ({aim})")
     elif aim[0] == aim[1] == 0:  # nothing tells how it is turned
-        said[0] += ", whose left is towards +y"
-    said += own
-    said += [one for one in picture.assumptions if one != BY_REC_709]
+        assumptions[0] += ", whose left is towards +y"
+    assumptions += statements
+    assumptions += [assumption for assumption in picture.assumptions if assumption != BY_REC_709]
     notes = [*picture.notes, *overruled]
     if pixels.coverage < 1:
         covered = f"{100 * pixels.coverage:.3g} % of the sphere"
@@ -153,7 +154,7 @@ def of_picture(
         sums.efficacy,
         sums.formula,
         sums.reference,
-        (*said, *alone, *([sums.said] if sums.said else [])),
+        (*assumptions, *alone, *([sums.assumption] if sums.assumption else [])),
         tuple(notes),
     )
 
@@ -243,22 +244,28 @@ def picture_of(pixels: Any) -> "Picture":
     return Picture(pixels, Y, (1.0,), "array")
 
 
-def _own(picture: "Picture", unit: Unit | None, projection: str) -> tuple[list[str], list[str]]:
+def _file_statements(
+    picture: "Picture", unit: Unit | None, projection: str
+) -> tuple[list[str], list[str]]:
     """What counts of what a picture says of itself, and what is overruled by what is given."""
     used, overruled = list[str](), list[str]()
     if picture.projection and not projection:
         used.append(picture.projection)
     elif picture.projection not in ("", projection):
         overruled.append(f"{picture.projection}, and is taken as {projection}")
-    own = resolve(picture.unit) if picture.unit else None
-    if own and not unit:
-        used.append(_in(own))
-    elif own and unit and (unit.factor, unit.dimension) != (own.factor, own.dimension):
-        overruled.append(f"{_in(own)}, and is taken as {_in(unit)}")
+    file_unit = resolve(picture.unit) if picture.unit else None
+    if file_unit and not unit:
+        used.append(_in(file_unit))
+    elif (
+        file_unit
+        and unit
+        and (unit.factor, unit.dimension) != (file_unit.factor, file_unit.dimension)
+    ):
+        overruled.append(f"{_in(file_unit)}, and is taken as {_in(unit)}")
     saying = "the map says that it is "
     return (
         [saying + " and ".join(used)] if used else [],
-        [saying + one for one in overruled],
+        [saying + difference for difference in overruled],
     )
 
 
@@ -290,11 +297,13 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
     MissingInput
         If nobody says it.
     """
-    own = resolve(picture.unit) if picture.unit else None
-    if own and own.dimension not in (NUMBER, *RADIANCES):
-        problem = f"the map says that it is in {quote(own.text)}: that is {describe(own)}"
+    file_unit = resolve(picture.unit) if picture.unit else None
+    if file_unit and file_unit.dimension not in (NUMBER, *RADIANCES):
+        problem = (
+            f"the map says that it is in {quote(file_unit.text)}: that is {describe(file_unit)}"
+        )
         raise ConditionError(problem, "a map of radiances")
-    unit = given or own
+    unit = given or file_unit
     if unit is None:
         raise MissingInput(
             "the map does not say in which unit it is",
@@ -302,15 +311,15 @@ def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
         )
     if unit.dimension == NUMBER:
         if unit.factor != 1:
-            raise ConditionError(f"{_told(unit)} is no unit", mention("{unit=1}"))
+            raise ConditionError(f"{_unit_option(unit)} is no unit", mention("{unit=1}"))
         return 1.0, ""
     if unit.dimension not in RADIANCES:
-        problem = f"{_told(unit)}: a map has radiances, and that is {describe(unit)}"
+        problem = f"{_unit_option(unit)}: a map has radiances, and that is {describe(unit)}"
         raise ConditionError(problem, _radiance_for(unit))
     return unit.factor, RADIANCES[unit.dimension]
 
 
-def _told(unit: Unit) -> str:
+def _unit_option(unit: Unit) -> str:
     return option("unit", quote(unit.text))
 
 
@@ -329,14 +338,14 @@ class Weighted(NamedTuple):
     ----------
     weights : tuple of float [1]
         Of each channel.
-    said, formula, reference : str
+    assumption, formula, reference : str
         For an assumption and a derivation.
     efficacy : float [lm/W]
         What a watt of them counts; 0 where nothing says it.
     """
 
     weights: tuple[float, ...]
-    said: str = ""
+    assumption: str = ""
     formula: str = ""
     reference: str = ""
     efficacy: float = 0.0
@@ -367,18 +376,18 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         return Weighted((1.0,))
     if kind in ("", LUMINOUS):
         sums = _sum(picture.weights, names)
-        said, reference = f"the luminance is {sums}", ""
+        assumption, reference = f"the luminance is {sums}", ""
         if picture.weights == REC_709:
-            said, reference = f"{said}, of Rec. 709's primaries", "ITU-R BT.709"
+            assumption, reference = f"{assumption}, of Rec. 709's primaries", "ITU-R BT.709"
         elif names == RGB:
-            said += ", of the map's primaries"
-        return Weighted(picture.weights, said, f"L = {sums}", reference)
+            assumption += ", of the map's primaries"
+        return Weighted(picture.weights, assumption, f"L = {sums}", reference)
     if kind == RADIANT and names == RGB:
         weights = BRIGHTNESS if picture.weights == REC_709 else picture.weights
         sums = _sum(weights, names)
-        told = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
-        said = f"the radiance is {sums}, {told}"
-        return Weighted(weights, said, f"L = {sums}", RADIANCE, EFFICACY)
+        primaries = "of Radiance's primaries" if weights == BRIGHTNESS else "of the map's primaries"
+        assumption = f"the radiance is {sums}, {primaries}"
+        return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
     raise MissingInput(
         f"{', '.join(names)} have no sum that is a radiance in that unit",
         " or ".join(option("channel", name) for name in names),

@@ -34,12 +34,12 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc.columns import MARKS, Decimals, finite, numbers_at_once
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
-from radcalc.texts import refusal
+from radcalc.files.columns import MARKS, Decimals, finite, numbers_at_once
+from radcalc.files.text import refusal
 
 KILOLUMEN = 1000.0  # [lm]
 MOST = 10_000  # angles, planes, lamps
@@ -89,8 +89,8 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     A lamp of 1000 lm that sends 100 cd in every direction:
 
     >>> head = ["", 1, 1, 1, 0, 3, 90, *[""] * 14, 50, 100, 1, 0, 1, 1, "", 1000, "", "", 12]
-    >>> found = read([str(x) for x in [*head, *[""] * 10, 0, 0, 90, 180, 100, 100, 100]], "lamp")
-    >>> round(found.distribution.flux().value / math.pi, 9), found.declared["input-power"]
+    >>> lamp = read([str(x) for x in [*head, *[""] * 10, 0, 0, 90, 180, 100, 100, 100]], "lamp")
+    >>> round(lamp.distribution.flux().value / math.pi, 9), lamp.declared["input-power"]
     (400.0, 12.0)
     """
     return _Reader(lines, name).photometry()
@@ -180,23 +180,12 @@ class _Reader:
             )
         lumens = self.lamps(declared)
         stored = {0: planes, 1: 1, 4: planes // 4 + 1}.get(symmetry, planes // 2 + 1)
-        if len(self.lines) - self.at == planes + angles + stored * angles:
-            self.notes.append("the file has no direct ratios, which are of no use here")
-        else:
-            for k in range(10):
-                self.optional(f"direct ratio {k + 1}")
+        self.skip_direct_ratios(planes + angles + stored * angles)
         start = self.at
         azimuths = self.angles("C", planes, plane_step, 360)
         polar = self.angles("gamma", angles, angle_step, 180)
         values = self.intensities(stored, angles)
-        for number, line in enumerate(self.lines[self.at :], self.at + 1):
-            if not line.strip():
-                continue
-            self.refuse(
-                number,
-                f"'{quote(line.strip())}' behind the last intensity",
-                "a file that ends there; a line may be doubled, or Mc or Ng too small",
-            )
+        self.check_end()
         if doubt := self.decimals.doubt():
             self.refuse(*doubt, MARKS)
         values *= factor * lumens / KILOLUMEN
@@ -211,6 +200,24 @@ class _Reader:
             tuple(self.notes),
             max(size, 0.0) / 1000,
         )
+
+    def skip_direct_ratios(self, count: int) -> None:
+        """Read past the direct ratios, unless just the `count` numbers after them are there."""
+        if len(self.lines) - self.at == count:
+            self.notes.append("the file has no direct ratios, which are of no use here")
+        else:
+            for k in range(10):
+                self.optional(f"direct ratio {k + 1}")
+
+    def check_end(self) -> None:
+        """Refuse a file that goes on after its intensities."""
+        for number, line in enumerate(self.lines[self.at :], self.at + 1):
+            if line.strip():
+                self.refuse(
+                    number,
+                    f"'{quote(line.strip())}' behind the last intensity",
+                    "a file that ends there; a line may be doubled, or Mc or Ng too small",
+                )
 
     def check_planes(self, symmetry: int, planes: int) -> None:
         """Refuse a number of planes that the symmetry cannot have, on the line of Mc."""
@@ -233,15 +240,17 @@ class _Reader:
             self.text("colour of lamps")
             self.text("colour rendering of lamps")
             sets.append((count, lumens, self.optional(f"power of lamp set {k + 1} [W]", 0), line))
-        (count, lumens, power, line), *others = sets
+        (count, lumens, power, line), *alternatives = sets
         if not lumens:
             self.refuse(line, "the first lamp set has 0 lm", "intensities are per 1000 lm of it")
-        if others:
-            said = ", ".join(f"{other[1]:g} lm, {other[2]:g} W" for other in others[:3])
-            more = " ..." if len(others) > 3 else ""
+        if alternatives:
+            descriptions = ", ".join(
+                f"{other[1]:g} lm, {other[2]:g} W" for other in alternatives[:3]
+            )
+            more = " ..." if len(alternatives) > 3 else ""
             self.notes.append(
                 f"{len(sets)} lamp sets, which are alternatives: the first is taken "
-                f"({lumens:g} lm, {power:g} W), not {said}{more}"
+                f"({lumens:g} lm, {power:g} W), not {descriptions}{more}"
             )
         declared["input-power"] = power
         if count < 0:
@@ -257,24 +266,24 @@ class _Reader:
 
     def angles(self, what: str, count: int, step: float, highest: int) -> Any:
         """Angles that rise, by the declared step unless that is 0 [deg]."""
-        found: list[float] = []
+        angles: list[float] = []
         for k in range(count):
             angle = self.number(f"angle {what} {k + 1} of {count}", 0, highest)
-            if found and angle <= found[-1]:
+            if angles and angle <= angles[-1]:
                 self.refuse(
                     self.at,
-                    f"the angle {what} {angle:g} deg does not rise, after {found[-1]:g} deg",
+                    f"the angle {what} {angle:g} deg does not rise, after {angles[-1]:g} deg",
                     f"{count} rising angles",
                 )
-            if found and step and abs(angle - found[-1] - step) > STEP:
+            if angles and step and abs(angle - angles[-1] - step) > STEP:
                 self.refuse(
                     self.at,
-                    f"the angle {what} {angle:g} deg, after {found[-1]:g} deg, contradicts the "
+                    f"the angle {what} {angle:g} deg, after {angles[-1]:g} deg, contradicts the "
                     f"declared step D{what[0].lower()} of {step:g} deg",
                     "the step of the angles listed in line 5 or 7, or 0 for uneven angles",
                 )
-            found.append(angle)
-        return numpy.array(found)
+            angles.append(angle)
+        return numpy.array(angles)
 
     def intensities(self, planes: int, angles: int) -> Any:
         """The table [cd/klm], a row for each plane."""

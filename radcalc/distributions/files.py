@@ -12,10 +12,10 @@ from importlib import import_module
 from itertools import islice
 from typing import Any
 
-from radcalc import columns
 from radcalc.distributions import contents
 from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, quote
+from radcalc.files import columns
 
 MOST_BYTES = 1 << 26  # of a file
 ROWS = 3  # that tell a table
@@ -52,9 +52,11 @@ def read_file(path: str) -> Photometry:
     if not reader:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
     # only the one that is needed is loaded
-    found: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
-    grid: Any = found.distribution
-    return found._replace(notes=(*found.notes, *found.contradictions(), *grid.contradictions()))
+    photometry: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
+    grid: Any = photometry.distribution
+    return photometry._replace(
+        notes=(*photometry.notes, *photometry.contradictions(), *grid.contradictions())
+    )
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
@@ -94,9 +96,9 @@ def _lines(data: bytes, name: str, expected: str) -> list[str]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
-    whole = text.rstrip()
-    if whole.endswith(END_IN_DOS):
-        text = whole.rstrip(END_IN_DOS)
+    stripped = text.rstrip()
+    if stripped.endswith(END_IN_DOS):
+        text = stripped.rstrip(END_IN_DOS)
     text = text.rstrip("\r\n")  # the last line may end with tabs between cells that are blank
     if not text.strip():
         raise ConditionError(f"{name} is empty", expected)

@@ -86,19 +86,19 @@ class Formula:
         x, y, z = cartesian(theta, phi)
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
         with numpy.errstate(all="ignore"):
-            found = self.expression(at) * self.factor + 0.0 * (theta + phi)
-            least, most = numpy.min(found, initial=0.0), numpy.max(abs(found), initial=0.0)
+            values = self.expression(at) * self.factor + 0.0 * (theta + phi)
+            least, most = numpy.min(values, initial=0.0), numpy.max(abs(values), initial=0.0)
         if not numpy.isfinite(most):
-            self._refuse("no finite value", ~numpy.isfinite(found), theta, phi, "a finite number")
+            self._refuse("no finite value", ~numpy.isfinite(values), theta, phi, "a finite number")
         if least < -NEGATIVE * most:
             self._refuse(
                 "a negative value",
-                found < -NEGATIVE * most,
+                values < -NEGATIVE * most,
                 theta,
                 phi,
                 f"max({self.text}, 0) {self.unit}".strip(),
             )
-        return numpy.maximum(found, 0.0)
+        return numpy.maximum(values, 0.0)
 
     def _refuse(self, what: str, bad: Any, theta: Any, phi: Any, hint: str) -> None:
         bad, theta, phi = numpy.broadcast_arrays(bad, theta, phi)

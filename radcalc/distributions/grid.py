@@ -106,10 +106,10 @@ class Grid:
         """Intensity at the table's own angles."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
         if self._is_alike:
-            found = in_chunks(self._in_plane, polar.ravel())
+            values = in_chunks(self._in_plane, polar.ravel())
         else:
-            found = in_chunks(self._between_planes, polar.ravel(), azimuth.ravel())
-        return found.reshape(polar.shape)[()]
+            values = in_chunks(self._between_planes, polar.ravel(), azimuth.ravel())
+        return values.reshape(polar.shape)[()]
 
     def _in_plane(self, polar: Any) -> Any:
         """Linear between the two values about each direction."""
@@ -130,13 +130,13 @@ class Grid:
         row -= i
         column -= j
         flat, first = self.values.ravel(), i * count + j
-        here = flat[first] * (1 - column) + flat[first + 1] * column
-        next_ = flat[first + count] * (1 - column) + flat[first + count + 1] * column
-        found = here * (1 - row) + next_ * row
+        in_plane = flat[first] * (1 - column) + flat[first + 1] * column
+        in_next_plane = flat[first + count] * (1 - column) + flat[first + count + 1] * column
+        values = in_plane * (1 - row) + in_next_plane * row
         lit = self._reaches(polar)
         if not self._closes:
             lit &= turned <= self.azimuth[-1] + SLACK
-        return found * lit
+        return values * lit
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
         """Integral of the intensity over all directions, or a part of them: exact.
@@ -146,8 +146,8 @@ class Grid:
         """
         is_whole = (*polar, *azimuth) == (*ALL_POLAR, *ALL_AZIMUTHS)
         if self.system != "C" and not is_whole:
-            found = integrated(self, polar, azimuth, ACCURACY)
-            return found._replace(error=found.error + found.value * self._relative_error())
+            integral = integrated(self, polar, azimuth, ACCURACY)
+            return integral._replace(error=integral.error + integral.value * self._relative_error())
         value = self._sum(self.polar, self.values, polar, azimuth)
         zonal = self._sum(self.polar, self.values, polar, azimuth, is_zonal=True)
         halves = [self._every_other(polar, azimuth, first) for first in (0, 1)]
@@ -156,8 +156,8 @@ class Grid:
         return Integral(value, error, self.values.size)
 
     def _relative_error(self) -> float:
-        whole = self.flux()
-        return whole.error / whole.value if whole.value else 0.0
+        flux = self.flux()
+        return flux.error / flux.value if flux.value else 0.0
 
     def zonal_flux(self) -> float:
         """Flux by the zonal method: the mean of a cell's corners times its solid angle.
@@ -217,9 +217,9 @@ class Grid:
         intensity = float(self.values[row, column])
         polar, azimuth = float(self.polar[column]), float(self.azimuth[row]) % TURN
         if self.system != "C":
-            own = cartesian(polar, azimuth)
+            direction = cartesian(polar, azimuth)
             axes = AXES[self.system]
-            polar, azimuth, _ = spherical(*(own[axes.index(k)] for k in range(3)))
+            polar, azimuth, _ = spherical(*(direction[axes.index(k)] for k in range(3)))
         return Peak(intensity, polar, azimuth)
 
     def contradictions(self) -> tuple[str, ...]:
@@ -271,10 +271,10 @@ def _weights(nodes: Any, low: float, high: float, cell: Any) -> Any:
     mean, slope = cell((start + end) / 2, half)
     # the value at the middle of the part, in terms of those at the ends of the cell
     place = ((start + end) / 2 - left) / width
-    found = numpy.zeros(len(nodes))
-    found[:-1] += mean * (1 - place) - slope / width
-    found[1:] += mean * place + slope / width
-    return found
+    weights = numpy.zeros(len(nodes))
+    weights[:-1] += mean * (1 - place) - slope / width
+    weights[1:] += mean * place + slope / width
+    return weights
 
 
 def _even(middle: Any, half: Any) -> Any:
@@ -287,8 +287,8 @@ def _sine(middle: Any, half: Any) -> Any:
     sine, square = numpy.sin(half), half * half
     # sin(h) - h cos(h), of narrow cells by its series: the difference loses digits
     series = half * square * (1 / 3 - square * (1 / 30 - square * (1 / 840 - square / 45360)))
-    rest = numpy.where(half < NARROW, series, sine - half * numpy.cos(half))
-    return 2 * numpy.sin(middle) * sine, 2 * numpy.cos(middle) * rest
+    difference = numpy.where(half < NARROW, series, sine - half * numpy.cos(half))
+    return 2 * numpy.sin(middle) * sine, 2 * numpy.cos(middle) * difference
 
 
 def _zonal(middle: Any, half: Any) -> Any:

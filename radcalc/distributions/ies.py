@@ -27,7 +27,7 @@ from radcalc.distributions.ies_numbers import Numbers
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, quote
-from radcalc.texts import refusal
+from radcalc.files.text import refusal
 
 # kind of light and SI value of the units that intensities are met in
 UNITS = {
@@ -128,8 +128,8 @@ class _Label:
                 self.end, self.tilt = number, tilt[1].strip()
                 break
             self.lines.append(line)
-            if found := _KEYWORD.match(line):
-                title, text = found[1].strip().upper(), found[2].strip()
+            if keyword_match := _KEYWORD.match(line):
+                title, text = keyword_match[1].strip().upper(), keyword_match[2].strip()
                 if title == "MORE" and keyword:
                     number, before = self.keywords[keyword]
                     text = f"{before} {text}"
@@ -168,24 +168,24 @@ def _unit(label: _Label) -> tuple[str, float, list[str]]:
         spelled = {text}
         where = f"[{UNITS_ARE}]"
     else:
-        found = [
+        matches = [
             (number, match)
             for number, text in enumerate(label.lines, 1)
             for match in _RADIANT.findall(text)
         ]
-        if not found:
+        if not matches:
             for line, text in enumerate(label.lines, 1):
                 if "radiometric" in text.lower():
                     raise label.error(line, "radiometric intensities without a unit", wanted)
             return "v", 1.0, []
-        line = found[0][0]
-        spelled = {f"{match}/sr" for _, match in found}
+        line = matches[0][0]
+        spelled = {f"{match}/sr" for _, match in matches}
         where = f"line {line}"
     plain = {re.sub("[\u00b5\u03bc]", "u", text.replace(" ", "").lower()) for text in spelled}
-    meant = UNITS.get(plain.pop()) if len(plain) == 1 else None
-    if not meant:
+    kind_and_factor = UNITS.get(plain.pop()) if len(plain) == 1 else None
+    if not kind_and_factor:
         raise label.error(line, f"intensities in {quote(' and '.join(sorted(spelled)))}", wanted)
-    return *meant, [f"intensities in {quote(spelled.pop())}, by {where}"]
+    return *kind_and_factor, [f"intensities in {quote(spelled.pop())}, by {where}"]
 
 
 def _tilt(tilt: str, numbers: Numbers) -> str:
@@ -219,7 +219,7 @@ class _Header(NamedTuple):
 def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
     """Read the thirteen numbers, and hold the counts against what follows."""
     numbers.need(13, "the 13 numbers of the lamps and the table")
-    lumens = numbers.whole("number of lamps", 0) * numbers.one()
+    lumens = numbers.whole("number of lamps", 0) * numbers.number()
     factor = numbers.factor("multiplier")
     vertical = numbers.whole("number of vertical angles", 2)
     horizontal = numbers.whole("number of horizontal angles", 1)
@@ -231,7 +231,7 @@ def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
     if ballast != 1:
         assumptions.append(f"a ballast factor of {ballast:g}")
     factor *= _ballast_lamp_factor(numbers, edition, assumptions)
-    watts = numbers.one()
+    watts = numbers.number()
     _check_counts(numbers, vertical, horizontal)
     return _Header(lumens, factor, vertical, horizontal, system, watts, size)
 
@@ -243,7 +243,7 @@ def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str])
         if value != 1:
             assumptions.append(f"a ballast-lamp factor of {value:g}, as in LM-63-{edition}")
         return value
-    value = numbers.one()
+    value = numbers.number()
     if value != 1 and not edition:
         problem = f"{value:g} is a factor in some editions, and the first line names none"
         hint = "IESNA91 as the first line if it is one, IESNA:LM-63-2002 if not"
@@ -259,11 +259,11 @@ def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
     Records end with a line, so that the first that does not is wrong.
     """
     needed = vertical + horizontal + vertical * horizontal
-    if numbers.left() == needed:
+    if numbers.remaining() == needed:
         return
     problem = (
-        f"{numbers.left()} numbers follow, and {vertical} vertical and {horizontal} horizontal "
-        f"angles with their intensities are {needed}"
+        f"{numbers.remaining()} numbers follow, and {vertical} vertical and {horizontal} "
+        f"horizontal angles with their intensities are {needed}"
     )
     place, ends = numbers.place, set(numbers.ends)
     for count, what in _records(vertical, horizontal):
@@ -323,12 +323,14 @@ class _Table:
         self.assumptions += end_of(self.vertical)
         planes, values = self.horizontal, self.values
         first, last = planes[0], planes[-1]
-        said = f"the planes {first:g} to {last:g} deg stand for "
+        stand_for = f"the planes {first:g} to {last:g} deg stand for "
         if len(planes) == 1 and first == 0:
             self.assumptions.append("one plane stands for all")
             return self.vertical, planes, values
         if (first, last) in ((0, 90), (0, 180), (90, 270)):
-            self.assumptions.append(said + ("all four quadrants" if last == 90 else "both sides"))
+            self.assumptions.append(
+                stand_for + ("all four quadrants" if last == 90 else "both sides")
+            )
             return self.vertical, *mirrored(planes, values)
         if last != first + 360:
             self.assumptions.append(f"behind the plane {last:g} deg the first one follows")
@@ -365,7 +367,7 @@ class _Table:
             self.assumptions.append(f"the planes 0 to {angles[-1]:g} deg stand for both sides")
             angles = numpy.concatenate([-angles[:0:-1], angles])
             values = numpy.concatenate([values[:0:-1], values])
-        ends = [(found[0], found[-1]) for found in (self.vertical, angles)]
+        ends = [(side_angles[0], side_angles[-1]) for side_angles in (self.vertical, angles)]
         if ends != [vertical, horizontal]:
             (a, b), (c, d) = ends
             self.assumptions.append(
@@ -381,6 +383,8 @@ class _Table:
     def error(self, what: str, hint: str) -> ConditionError:
         """The error of the angles, which stand before the table, the vertical ones first."""
         angles = getattr(self, what)
-        behind = len(self.horizontal) if what == "vertical" else 0
+        later_angles = len(self.horizontal) if what == "vertical" else 0
         span = f"{angles[0]:g} to {angles[-1]:g}" if len(angles) > 1 else f"{angles[0]:g}"
-        return self.numbers.error(self.start - 1 - behind, f"{what} angles of {span} deg", hint)
+        return self.numbers.error(
+            self.start - 1 - later_angles, f"{what} angles of {span} deg", hint
+        )

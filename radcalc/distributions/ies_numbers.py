@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy
 
-from radcalc.columns import is_number, numbers_at_once
 from radcalc.errors import ConditionError, quote
-from radcalc.texts import refusal
+from radcalc.files.columns import is_number, numbers_at_once
+from radcalc.files.text import refusal
 
 BEYOND = 1e18  # no number is that large, so that products of them can be held
 
@@ -69,15 +69,15 @@ class Numbers:
         self.place += count
         return self.values[self.place - count : self.place]
 
-    def one(self) -> float:
+    def number(self) -> float:
         return float(self.take(1)[0])
 
-    def left(self) -> int:
+    def remaining(self) -> int:
         return len(self.values) - self.place
 
     def whole(self, what: str, least: int) -> int:
         """The next number, which counts."""
-        value = self.one()
+        value = self.number()
         if value != int(value) or value < least:
             raise self.error(
                 self.place - 1, f"the {what} is {value:g}", f"a whole number, {least} or more"
@@ -86,7 +86,7 @@ class Numbers:
 
     def one_of(self, what: str, codes: dict[int, str]) -> int:
         """The next number, which stands for something."""
-        value = self.one()
+        value = self.number()
         if value not in codes:
             meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
             raise self.error(self.place - 1, f"the {what} is {value:g}", f"one of: {meanings}")
@@ -94,15 +94,15 @@ class Numbers:
 
     def factor(self, what: str) -> float:
         """The next number, which multiplies."""
-        value = self.one()
+        value = self.number()
         if value <= 0:
             raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")
         return value
 
     def need(self, count: int, what: str) -> None:
-        if self.left() < count:
+        if self.remaining() < count:
             raise self.error(
                 len(self.values),
-                f"the file ends after {self.left()} of {what}",
+                f"the file ends after {self.remaining()} of {what}",
                 f"{count} numbers, and what follows them",
             )

@@ -58,19 +58,19 @@ class Photometry(NamedTuple):
         declared, flux = self.declared, self.distribution.flux().value
         if not (declared and flux):
             return
-        said = "the file declares {} of {} {unit}, and its intensities have {} {unit}"
+        template = "the file declares {} of {} {unit}, and its intensities have {} {unit}"
         lamps = declared.get("lamp-flux", math.inf)
         if flux > lamps * (1 + ODD):
-            yield said.format("lamps", *_rounded(lamps, flux), unit="lm") + ", which is more"
+            yield template.format("lamps", *_rounded(lamps, flux), unit="lm") + ", which is more"
         downward = self.distribution.flux((0.0, math.pi / 2)).value
-        for symbol, label, found, unit in (
+        for symbol, label, computed, unit in (
             ("flux", "a luminaire", flux, "lm"),
             ("output-ratio", "a light output ratio", 100 * flux / lamps, "%"),
             ("downward-fraction", "a downward part", 100 * downward / flux, "%"),
         ):
-            figure = declared.get(symbol, 0.0) * (100 if unit == "%" else 1)
-            if figure and abs(found - figure) > ODD * figure:
-                yield said.format(label, *_rounded(figure, found), unit=unit)
+            stated = declared.get(symbol, 0.0) * (100 if unit == "%" else 1)
+            if stated and abs(computed - stated) > ODD * stated:
+                yield template.format(label, *_rounded(stated, computed), unit=unit)
 
 
 def _rounded(*figures: float) -> Iterator[str]:

@@ -109,8 +109,8 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
     across = math.hypot(up[0], up[1])
     height = math.atan2(up[2], across)
     edge = abs(height)
-    ahead, behind = (0.0, edge), (math.pi - edge, math.pi)
-    sides = (ahead, behind) if height > 0 else (behind, ahead)
+    forwards, backwards = (0.0, edge), (math.pi - edge, math.pi)
+    sides = (forwards, backwards) if height > 0 else (backwards, forwards)
     if across == 0:
         try:
             return distribution.flux(sides[0])
@@ -127,8 +127,8 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
             _Arcs(distribution, -slope, highest + math.pi),
         )
     )
-    value, rest = upper.value + above.value, lower.value + below.value
-    missed = abs(value + rest - whole.value)
+    value, value_below = upper.value + above.value, lower.value + below.value
+    missed = abs(value + value_below - whole.value)
     if missed > ACCEPTED * whole.value:
         raise ConditionError(
             "the light is too narrow for the horizon to be cut from it",
@@ -239,18 +239,18 @@ def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[
     off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[:-1]
     off[0] = 1e-9  # where it is below the source but for what no number tells
     above = light(off) >= wanted
-    found = []
+    angles = []
     for k in numpy.flatnonzero(above[:-1] != above[1:]):
         holds = partial(_is_so, light, wanted, above[k])
         low = last_where(holds, float(off[k]), float(off[k + 1]))
         # where the light jumps, at the edge of a table, no place has just so much
         if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
-            found.append(low)
-    if not found:
+            angles.append(low)
+    if not angles:
         raise ConditionError(
             f"no {what} gives just that irradiance", "another irradiance, flux or intensity"
         )
-    return found
+    return angles
 
 
 def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, off: Any) -> Any:
@@ -336,8 +336,8 @@ def on_facing_disc(
         return _about_axis(distribution, radius, distance)
 
     def light(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> Any:
-        own, turned, slant = _seen(across, along, distance, theta, phi)
-        return distribution.intensity(own, turned) * distance / slant**3
+        polar, azimuth, slant = _seen(across, along, distance, theta, phi)
+        return distribution.intensity(polar, azimuth) * distance / slant**3
 
     counts = _counts(distribution, radius, distance)
     return _over_discs(light, counts, radius, distance, theta, phi)
@@ -389,9 +389,9 @@ def unevenness(
     across, along = ((part * wave(turn)).ravel() for wave in (numpy.cos, numpy.sin))
     place = (radius, distance, theta, phi)
     radius, distance, theta, phi = (numpy.asarray(x)[..., None] for x in place)
-    own, turned, _ = _seen(radius * across, radius * along, distance, theta, phi)
+    polar, azimuth, _ = _seen(radius * across, radius * along, distance, theta, phi)
     centre = distribution.intensity(theta, phi)
-    apart = abs(distribution.intensity(own, turned) - centre)
+    apart = abs(distribution.intensity(polar, azimuth) - centre)
     with numpy.errstate(all="ignore"):
         return float(numpy.where(apart > 0, apart / centre, 0.0).max())
 
@@ -420,13 +420,13 @@ def _over_discs(
     size, *where = (numpy.broadcast_to(x, shape).ravel() for x in (radius, *places))
     if 2 * counts[1] ** 2 * len(size) > MOST:
         raise ConditionError(f"{len(size)} receivers are too many", "fewer, or without their area")
-    found, error = _sums(light, counts[0], size, where), math.inf
+    sums, error = _sums(light, counts[0], size, where), math.inf
     for count in counts[1:]:
         if 2 * count * count * len(size) > MOST:
             break
-        before, found = found, _sums(light, count, size, where)
-        apart = abs(found - before)
-        error = float((apart / numpy.where(apart > 0, numpy.maximum(found, before), 1.0)).max())
+        before, sums = sums, _sums(light, count, size, where)
+        apart = abs(sums - before)
+        error = float((apart / numpy.where(apart > 0, numpy.maximum(sums, before), 1.0)).max())
         if error < ENOUGH:
             break
     if error > ACCEPTED:
@@ -434,7 +434,7 @@ def _over_discs(
             "the light on the receiver has edges that are too sharp to be integrated",
             "a smaller receiver, or one that is all inside the light",
         )
-    return found.reshape(shape)[()]
+    return sums.reshape(shape)[()]
 
 
 def _sums(light: Callable[..., Any], count: int, size: Any, where: list[Any]) -> Any:
@@ -445,11 +445,11 @@ def _sums(light: Callable[..., Any], count: int, size: Any, where: list[Any]) ->
     across = (radii[:, None] * numpy.cos(angles)).ravel()
     along = (radii[:, None] * numpy.sin(angles)).ravel()
     shares = numpy.repeat(weights / (4 * count), 2 * count)
-    found = numpy.empty(len(size))
+    integrals = numpy.empty(len(size))
     step = max(1, AT_ONCE // len(across))
     for start in range(0, len(size), step):
         part = slice(start, start + step)
         reach = size[part, None]
         values = light(reach * across, reach * along, *(x[part, None] for x in where))
-        found[part] = values @ shares * (math.pi * size[part] ** 2)
-    return found
+        integrals[part] = values @ shares * (math.pi * size[part] ** 2)
+    return integrals

@@ -49,7 +49,7 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
     """
     planes, values = numpy.array(planes, float), numpy.array(values, float)
     span = planes[-1] - planes[0]
-    if not any(math.isclose(span, whole, abs_tol=SLACK) for whole in (TURN / 4, TURN / 2)):
+    if not any(math.isclose(span, allowed, abs_tol=SLACK) for allowed in (TURN / 4, TURN / 2)):
         raise ConditionError(
             f"symmetric planes span {span:g} deg", "90 or 180 deg, from one symmetry to the next"
         )

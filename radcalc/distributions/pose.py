@@ -48,7 +48,7 @@ class Pose:
         axis = unit(aim)
         c0 = (math.cos(rotate), math.sin(rotate), 0.0)
         c90 = (-math.sin(rotate), math.cos(rotate), 0.0)
-        self.axes = tuple(_turned(own, axis) for own in (c0, c90, DOWN))
+        self.axes = tuple(_turned(source_axis, axis) for source_axis in (c0, c90, DOWN))
 
     def angles(self, to: Vector) -> tuple[Number, Number, Number]:
         """The source's own angles of a direction in the world, and the length of its vector.
@@ -74,18 +74,18 @@ class Pose:
         """
         return spherical(*components(self.axes, to))
 
-    def world(self, own: Vector) -> Vector:
+    def world(self, direction: Vector) -> Vector:
         """A vector in the source's own coordinates, as one in the world's.
 
         Parameters
         ----------
-        own : tuple of 3 floats or ndarrays
+        direction : tuple of 3 floats or ndarrays
 
         Returns
         -------
         tuple of 3 floats or ndarrays
         """
-        return from_components(self.axes, own)
+        return from_components(self.axes, direction)
 
 
 def _turned(vector: Vector, axis: Vector) -> Vector:

@@ -150,6 +150,6 @@ class _ReceivedAboutNormal(NamedTuple):
     is_axial: bool = False
 
     def intensity(self, theta: Any, phi: Any) -> Any:
-        own = cartesian(theta, phi)
-        polar, azimuth, _ = spherical(*from_components(self.axes, own))
-        return self.formula.intensity(polar, azimuth) * own[2]
+        direction = cartesian(theta, phi)
+        polar, azimuth, _ = spherical(*from_components(self.axes, direction))
+        return self.formula.intensity(polar, azimuth) * direction[2]

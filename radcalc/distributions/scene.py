@@ -114,8 +114,7 @@ class Emitter:
         try:
             intensity = self.factor * self.distribution.intensity(theta, phi)
         except ConditionError as error:  # of an expression
-            error.message = f"{self.name}: {error.message}"
-            raise
+            raise error.reworded(f"{self.name}: {error.message}") from None
         return intensity, -dot(normal, to) / distance, distance
 
     def near(self, points: Vector) -> Any:
@@ -182,11 +181,13 @@ class Panel:
         corners = [self.pose.world((a * self.half[0], b * self.half[1], 0.0)) for a, b in RECTANGLE]
         highest = numpy.max([dot(normal, corner) for corner in corners], axis=0)
         seen = (ahead > 0) & (highest > dot(normal, to))
-        found = numpy.where((ahead > 0) & ~seen, -1.0, 0.0)
+        solid_angles = numpy.where((ahead > 0) & ~seen, -1.0, 0.0)
         if numpy.any(seen):
             lit: Any = tuple(x[seen] for x in to)
-            found[seen] = projected.polygon([minus(corner, lit) for corner in corners], normal)
-        return found
+            solid_angles[seen] = projected.polygon(
+                [minus(corner, lit) for corner in corners], normal
+            )
+        return solid_angles
 
     def near(self, points: Vector) -> Any:
         """Which points are too near: none."""
@@ -346,10 +347,10 @@ class Statistics:
 
     Examples
     --------
-    >>> told = Statistics()
+    >>> statistics = Statistics()
     >>> points = tuple(numpy.zeros((3, 2)))
-    >>> told.add(Field(points, numpy.array([1.0, 3.0]), [], 0, (0,)))
-    >>> told.count, told.mean, told.least, told.most
+    >>> statistics.add(Field(points, numpy.array([1.0, 3.0]), [], 0, (0,)))
+    >>> statistics.count, statistics.mean, statistics.least, statistics.most
     (2, 2.0, 1.0, 3.0)
     """
 
@@ -360,25 +361,25 @@ class Statistics:
         self.least, self.most = math.inf, -math.inf
         self.least_at = self.most_at = (0.0, 0.0, 0.0)
 
-    def add(self, found: Field) -> None:
+    def add(self, field: Field) -> None:
         """Take in what more points get.
 
         Parameters
         ----------
-        found : Field
+        field : Field
             Of at least one point.
         """
-        self.count += len(found.total)
-        self.behind += found.behind
+        self.count += len(field.total)
+        self.behind += field.behind
         self.near = [
-            a + b for a, b in zip(self.near or [0] * len(found.near), found.near, strict=True)
+            a + b for a, b in zip(self.near or [0] * len(field.near), field.near, strict=True)
         ]
-        self.sums.append(float(found.total.sum()))
-        low, high = int(found.total.argmin()), int(found.total.argmax())
-        if found.total[low] < self.least:
-            self.least, self.least_at = float(found.total[low]), _point(found, low)
-        if found.total[high] > self.most:
-            self.most, self.most_at = float(found.total[high]), _point(found, high)
+        self.sums.append(float(field.total.sum()))
+        low, high = int(field.total.argmin()), int(field.total.argmax())
+        if field.total[low] < self.least:
+            self.least, self.least_at = float(field.total[low]), _point(field, low)
+        if field.total[high] > self.most:
+            self.most, self.most_at = float(field.total[high]), _point(field, high)
 
     @property
     def mean(self) -> float:
@@ -386,8 +387,8 @@ class Statistics:
         return math.fsum(self.sums) / self.count
 
 
-def _point(found: Field, k: int) -> tuple[float, float, float]:
-    x, y, z = (float(c[k]) for c in found.points)
+def _point(field: Field, k: int) -> tuple[float, float, float]:
+    x, y, z = (float(c[k]) for c in field.points)
     return x, y, z
 
 
@@ -435,7 +436,7 @@ def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
     for start in range(0, count, BLOCK):
         index = numpy.arange(start, min(start + BLOCK, count))
         places = numpy.unravel_index(index, (x.size, y.size, z.size))
-        a, b, c = (own[place] for own, place in zip(coordinates, places, strict=True))
+        a, b, c = (values[place] for values, place in zip(coordinates, places, strict=True))
         yield a, b, c
 
 
@@ -462,14 +463,14 @@ def blocks(points: Any) -> Iterator[Vector]:
     >>> [x.tolist() for x in next(blocks([[1, 2, 3]]))]
     [[1.0], [2.0], [3.0]]
     """
-    every = numpy.asarray(points, float)
-    if every.ndim != 2 or every.shape[1] != 3 or not len(every):
-        shape = " x ".join(map(str, every.shape))
+    coordinates = numpy.asarray(points, float)
+    if coordinates.ndim != 2 or coordinates.shape[1] != 3 or not len(coordinates):
+        shape = " x ".join(map(str, coordinates.shape))
         raise ConditionError(
             f"points of the shape {shape or 'of a number'}", "n points of 3 coordinates"
         )
-    if not numpy.isfinite(every).all():
+    if not numpy.isfinite(coordinates).all():
         raise ConditionError("a point has a coordinate that is not finite", "finite numbers")
-    for start in range(0, len(every), BLOCK):
-        x, y, z = every[start : start + BLOCK].T
+    for start in range(0, len(coordinates), BLOCK):
+        x, y, z = coordinates[start : start + BLOCK].T
         yield x, y, z

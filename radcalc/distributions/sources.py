@@ -10,7 +10,8 @@ from radcalc.distributions.photometry import Photometry
 from radcalc.errors import ConditionError, RadcalcError, nearest, quote
 from radcalc.quantities.light import KINDS, describe, light_dimension
 from radcalc.quantities.symbols import DISTRIBUTIONS
-from radcalc.units.table import Dimension, Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Dimension, Unit
 
 EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)^4 cd'"
 
@@ -138,7 +139,7 @@ def formula_with_unit(
     return Formula(parts[1], unit.factor, kinds[unit.dimension], parts[2], quantity)
 
 
-def _unit(text: str, whole: str) -> Unit:
+def _unit(text: str, source_text: str) -> Unit:
     """The unit behind an expression; where it was meant as a part of it, what is wrong there."""
     try:
         return resolve(text)
@@ -147,5 +148,5 @@ def _unit(text: str, whole: str) -> Unit:
 
         words = {*expression.NAMES, *expression.CONSTANTS, *expression.FUNCTIONS}
         if words.intersection(re.findall(r"\w+", text)):
-            expression.Expression(whole)  # which refuses it
+            expression.Expression(source_text)  # which refuses it
         raise

@@ -27,14 +27,14 @@ from typing import Any, NoReturn
 
 import numpy
 
-from radcalc import columns
-from radcalc.distributions import headings
+from radcalc.distributions import column_titles
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, without_noise
 from radcalc.errors import ConditionError, listed, quote
+from radcalc.files import columns
+from radcalc.files.text import refusal
 from radcalc.quantities.light import read as facts_of
-from radcalc.texts import refusal
 
 FLAT = 180.0  # [deg]
 AS_RADIANS = 3.15  # up to which an angle of no declared unit may be in radians
@@ -96,14 +96,14 @@ class _Reader:
     def photometry(self) -> Photometry:
         titles, head = self.titles()
         try:
-            angle_unit = headings.angles(titles[0])
-            found = [headings.column(title) for title in titles[1:]]
-            kind, factors = self.units(found)
+            angle_unit = column_titles.angles(titles[0])
+            titled_columns = [column_titles.column(title) for title in titles[1:]]
+            kind, factors = self.units(titled_columns)
         except ConditionError as error:
             self.refuse(head, error.message, error.hint)
         angles, values = self.numbers(len(titles))
         degrees = self.degrees(angles, math.degrees(angle_unit.factor) if angle_unit else 0.0)
-        planes = self.planes(titles[1:], found, head)
+        planes = self.planes(titles[1:], titled_columns, head)
         values = values * factors
         if degrees[0] < 0:
             polar, planes, rows = self.cuts(degrees, planes, values)
@@ -151,8 +151,8 @@ class _Reader:
         units = columns.cells(self.rows[0][1], self.delimiter)
         if not any(columns.is_number(unit, self.comma) for unit in units) and len(self.rows) > 1:
             del self.rows[0]
-            both = zip(titles, units, strict=True)
-            return [f"{title} ({unit})" if unit else title for title, unit in both], head
+            pairs = zip(titles, units, strict=True)
+            return [f"{title} ({unit})" if unit else title for title, unit in pairs], head
         return titles, head
 
     def split(self, line: str) -> list[str]:
@@ -165,7 +165,7 @@ class _Reader:
             titles = self.split(comment)
             if len(titles) == width and not columns.is_number(titles[0], self.comma):
                 try:
-                    headings.angles(titles[0])
+                    column_titles.angles(titles[0])
                 except ConditionError:  # a comment is free text
                     continue
                 return titles
@@ -204,7 +204,7 @@ class _Reader:
         if len(cells) != width:
             problem = f"{len(cells)} columns instead of {width}"
             self.refuse(number, problem, "a value in every column")
-        found = []
+        row_values = []
         for k, cell in enumerate(cells):
             value = columns.finite(cell, self.comma)
             if value is None:
@@ -212,8 +212,8 @@ class _Reader:
                 self.refuse(number, f"'{quote(cell)}' in column {k + 1} is not {what}", "a number")
             if self.comma and (problem := self.decimals.conflict(cell, number)):
                 self.refuse(number, problem, columns.MARKS)
-            found.append(value)
-        return found
+            row_values.append(value)
+        return row_values
 
     def degrees(self, angles: Any, factor: float) -> Any:
         """The angles in degrees; a factor of 0 stands for a unit that is not declared."""
@@ -225,26 +225,26 @@ class _Reader:
                     "a title such as angle (deg) or angle (rad)",
                 )
             self.assumptions.append("the angles are in degrees")
-        found = angles * (factor or 1.0)
-        if abs(found).max() > FLAT + SLACK:
-            line = self.rows[int(abs(found).argmax())][0]
+        degrees = angles * (factor or 1.0)
+        if abs(degrees).max() > FLAT + SLACK:
+            line = self.rows[int(abs(degrees).argmax())][0]
             self.refuse(
                 line,
-                f"a polar angle of {found[abs(found).argmax()]:g} deg",
+                f"a polar angle of {degrees[abs(degrees).argmax()]:g} deg",
                 "angles from 0 to 180 deg, or from -180 to 180 deg; a spectrum is no distribution",
             )
-        return numpy.clip(found, -FLAT, FLAT)
+        return numpy.clip(degrees, -FLAT, FLAT)
 
-    def units(self, found: Sequence[headings.Column]) -> tuple[str, Any]:
+    def units(self, titled_columns: Sequence[column_titles.Column]) -> tuple[str, Any]:
         """The kind of light, and what the values of each column are multiplied by."""
-        declared = [column.unit for column in found if column.unit]
-        common = None if declared else headings.in_comments(self.comments)
+        declared = [column.unit for column in titled_columns if column.unit]
+        common = None if declared else column_titles.in_comments(self.comments)
         if common:
             self.assumptions.append(f"intensities in {quote(common.text)}, as a comment says")
         elif not declared:
             self.assumptions.append("relative intensities: the titles have no unit, such as cd")
-        units = [common] * len(found) if common else declared
-        if len(units) not in (0, len(found)):
+        units = [common] * len(titled_columns) if common else declared
+        if len(units) not in (0, len(titled_columns)):
             raise ConditionError("some columns have a unit and others none", "one for each")
         facts = [facts_of(unit) for unit in units if unit]
         kinds = {fact.kind for fact in facts if fact} or {""}
@@ -252,28 +252,33 @@ class _Reader:
             raise ConditionError("the columns have different kinds of light", "one kind")
         return kinds.pop(), numpy.array([unit.factor for unit in units if unit] or 1.0)
 
-    def planes(self, titles: Sequence[str], found: Sequence[headings.Column], head: int) -> Any:
+    def planes(
+        self, titles: Sequence[str], titled_columns: Sequence[column_titles.Column], head: int
+    ) -> Any:
         """The C planes of the columns [deg]."""
-        if len(found) == 1 and found[0].plane is None:
+        if len(titled_columns) == 1 and titled_columns[0].plane is None:
             return numpy.zeros(1)
         unknown = [
-            title for title, column in zip(titles, found, strict=True) if column.plane is None
+            title
+            for title, column in zip(titles, titled_columns, strict=True)
+            if column.plane is None
         ]
         if unknown:
-            said = f" ({listed(unknown)})" if any(unknown) else ""
+            unknown_titles = f" ({listed(unknown)})" if any(unknown) else ""
             self.refuse(
                 head,
-                f"{len(unknown)} of {len(found)} columns{said} have no C plane in their titles",
+                f"{len(unknown)} of {len(titled_columns)} columns{unknown_titles} have no C plane "
+                "in their titles",
                 "titles such as gamma,C0,C90; or one column of intensities",
             )
-        planes = numpy.array([column.plane for column in found])
+        planes = numpy.array([column.plane for column in titled_columns])
         if (numpy.diff(planes) <= 0).any() or planes[0] < -FLAT or planes[-1] > 2 * FLAT:
-            said = listed([f"{plane:g}" for plane in planes])
-            self.refuse(head, f"the C planes are {said}", "rising angles, from 0 to 360 deg")
-        for column in found:
+            plane_texts = listed([f"{plane:g}" for plane in planes])
+            self.refuse(head, f"the C planes are {plane_texts}", "rising angles, from 0 to 360 deg")
+        for column in titled_columns:
             if column.opposite is not None and column.opposite - (column.plane or 0) != FLAT:
-                said = f"C{column.plane:g}-C{column.opposite:g}"
-                self.refuse(head, f"{said} is no plane through the axis", "such as C0-C180")
+                title = f"C{column.plane:g}-C{column.opposite:g}"
+                self.refuse(head, f"{title} is no plane through the axis", "such as C0-C180")
         return planes
 
     def cuts(self, degrees: Any, planes: Any, values: Any) -> tuple[Any, Any, Any]:
@@ -296,12 +301,12 @@ class _Reader:
             numpy.array([numpy.interp(sign * polar, degrees, column) for column in values.T])
             for sign in (1, -1)
         ]
-        both = numpy.concatenate([planes, planes + FLAT])
-        order = numpy.argsort(both)
+        azimuths = numpy.concatenate([planes, planes + FLAT])
+        order = numpy.argsort(azimuths)
         self.assumptions.append(
             "each column is a cut through the axis: negative angles are in the half plane opposite"
         )
-        return polar, both[order], numpy.concatenate(sides)[order]
+        return polar, azimuths[order], numpy.concatenate(sides)[order]
 
     def around(self, planes: Any, rows: Any) -> tuple[Any, Any]:
         """The planes of the whole circle [deg], and their values."""

@@ -11,7 +11,19 @@ from functools import wraps
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError
-from radcalc.maths import LARGEST, SLACK, Number, any_true, asin, cos, piecewise, sin, smaller, sqrt
+from radcalc.maths import (
+    LARGEST,
+    SLACK,
+    Number,
+    any_true,
+    asin,
+    cos,
+    piecewise,
+    sin,
+    smaller,
+    sqrt,
+    square,
+)
 
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
@@ -86,23 +98,23 @@ def bounded(function: F) -> F:
     names = function.__code__.co_varnames
 
     @wraps(function)
-    def held(*given: Any, **named: Any) -> Any:
+    def checked(*given: Any, **named: Any) -> Any:
         for name, size in (*zip(names, given, strict=False), *named.items()):
             if size is None or isinstance(size, tuple):
                 continue
             far = abs(size)
             least = 1 / LARGEST if name in SIZES else 0.0
             if any_true((far > LARGEST) | ((far < least) & (far > 0))):
-                shown = f"a size of {size}" if isinstance(size, float) else "one of the sizes"
+                size_text = f"a size of {size}" if isinstance(size, float) else "one of the sizes"
                 raise ConditionError(
-                    f"{shown} is beyond what radcalc reckons with",
+                    f"{size_text} is beyond what radcalc reckons with",
                     f"sizes from {1 / LARGEST:g} to {LARGEST:g}",
                 )
             if isinstance(size, float) and size != size:
                 return size
         return function(*given, **named)
 
-    return held  # type: ignore[return-value]
+    return checked  # type: ignore[return-value]
 
 
 def cone(half_angle: Number) -> Number:
@@ -155,7 +167,7 @@ def cone(half_angle: Number) -> Number:
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
     refuse(bad, "a cone of that half angle is not possible", "from 0 to 180 deg")
-    return FULL * sin(half_angle / 2) ** 2
+    return FULL * square(sin(half_angle / 2))
 
 
 def cone_of(solid_angle: Number) -> Number:
@@ -244,7 +256,7 @@ def projected_cone(half_angle: Number) -> Number:
     """
     cone(half_angle)  # refuses what is no cone
     return math.pi * piecewise(
-        half_angle < math.pi / 2, lambda a: sin(a) ** 2, lambda a: 1.0 + 0 * a, half_angle
+        half_angle < math.pi / 2, lambda a: square(sin(a)), lambda a: 1.0 + 0 * a, half_angle
     )
 
 

@@ -16,7 +16,7 @@ import math
 
 from radcalc.geometry import projected
 from radcalc.geometry.cones import bounded, refuse
-from radcalc.maths import SLACK, Number, hypot, larger, power_of_two, smaller, sqrt
+from radcalc.maths import SLACK, Number, hypot, larger, power_of_two, smaller, sqrt, square
 
 
 @bounded
@@ -129,8 +129,8 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     scale = power_of_two(larger(larger(radius, other), distance))
     radius, other, distance = radius / scale, other / scale, distance / scale
     root = hypot(distance, radius - other) * hypot(distance, radius + other)
-    total = radius**2 + other**2 + distance**2
-    return 2 * (math.pi * (radius * (other / sqrt(total + root))) * scale) ** 2
+    total = square(radius) + square(other) + square(distance)
+    return 2 * square(math.pi * (radius * (other / sqrt(total + root))) * scale)
 
 
 @bounded
@@ -169,7 +169,7 @@ def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
     3.0
     """
     part = _part_of_discs(etendue, smaller(radius, other))
-    return sqrt((radius**2 - part) * (other**2 - part) / part)
+    return sqrt((square(radius) - part) * (square(other) - part) / part)
 
 
 @bounded
@@ -211,7 +211,7 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     """
     refuse(distance <= 0, "the discs touch", "a distance above 0")
     part = _part_of_discs(etendue, other)
-    return sqrt(part * (other**2 + distance**2 - part) / (other**2 - part))
+    return sqrt(part * (square(other) + square(distance) - part) / (square(other) - part))
 
 
 def _part_of_discs(etendue: Number, radius: Number) -> Number:
@@ -219,7 +219,7 @@ def _part_of_discs(etendue: Number, radius: Number) -> Number:
     refuse(radius < 0, "a negative radius is not possible", "0 or more")
     part = etendue / math.pi**2
     refuse(
-        (part <= 0) | (part >= radius**2),
+        (part <= 0) | (part >= square(radius)),
         "discs of these sizes have no such etendue at any distance",
         "an etendue above 0 and below pi times the area of the smaller disc",
     )

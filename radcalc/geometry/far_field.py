@@ -15,7 +15,18 @@ import math
 from typing import Any
 
 from radcalc.geometry.cones import bounded, facing, refuse
-from radcalc.maths import Number, any_true, asin, is_array, larger, piecewise, sin, smaller
+from radcalc.maths import (
+    Number,
+    any_true,
+    asin,
+    is_array,
+    larger,
+    piecewise,
+    power,
+    sin,
+    smaller,
+    square,
+)
 
 MORE_ROOM = "more distance, or less area"  # the hint where a patch is too near
 FAR = 5  # [1] the least distance over the size
@@ -50,7 +61,7 @@ def size(area: Number, *sides: Number) -> Number:
     (1.128379, 4.0)
     """
     refuse(area < 0, "a negative area is not possible", "0 or more")
-    longest = 2 * (area / math.pi) ** 0.5
+    longest = 2 * power(area / math.pi, 0.5)
     for side in sides:
         longest = larger(longest, side)
     return longest
@@ -186,9 +197,9 @@ def error(
     """
     _check(size, distance)
     cosine = facing(incidence)
-    slope = piecewise(cosine > 0, lambda c: (1 - c * c) ** 0.5 / c, lambda c: 0.0 * c, cosine)
+    slope = piecewise(cosine > 0, lambda c: power(1 - c * c, 0.5) / c, lambda c: 0.0 * c, cosine)
     if is_long:
-        terms = 1.08 + 0.92 * sin(tilt) ** 2 + 4 / 3 * abs(sin(tilt)) * slope
+        terms = 1.08 + 0.92 * square(sin(tilt)) + 4 / 3 * abs(sin(tilt)) * slope
     else:
         terms = 1.05 + 0.53 * abs(sin(2 * tilt)) * slope
     part = size / (2 * distance)

@@ -93,7 +93,7 @@ def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
     >>> along.ravel().round(3).tolist(), down.ravel().round(3).tolist()
     ([0.0, -0.294, 0.0], [0.0, 0.0, -0.309])
     """
-    corners = shown(projection, u[..., None, :], v[..., :, None])
+    corners = shown_directions(projection, u[..., None, :], v[..., :, None])
     corner = numpy.stack(numpy.broadcast_arrays(*corners))
     left, right = corner[..., :-1], corner[..., 1:]
     along, step = right - left, left + right
@@ -103,7 +103,7 @@ def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
     )
 
 
-def shown(projection: str, u: Any, v: Any) -> Vector:
+def shown_directions(projection: str, u: Any, v: Any) -> Vector:
     """Directions that an image shows at places; outside of the circle, at the nearest place on it.
 
     Parameters
@@ -123,7 +123,8 @@ def shown(projection: str, u: Any, v: Any) -> Vector:
 
     Examples
     --------
-    >>> [round(float(x), 12) for x in shown("angular", numpy.array(1.0), numpy.array(1.0))]
+    >>> u = v = numpy.array(1.0)
+    >>> [round(float(x), 12) for x in shown_directions("angular", u, v)]
     [-1.0, -0.0, 0.0]
     """
     if projection != LATLONG:
@@ -211,15 +212,15 @@ def _angular(across: Any, down: Any) -> Any:
             u, v = x + a * wide, y + b * high
             r = numpy.hypot(u, v)
             weight = math.pi**2 * numpy.sinc(numpy.minimum(r, 1.0)) * (wide * high)
-            total = total + weight * numpy.stack(shown("angular", u, v))
+            total = total + weight * numpy.stack(shown_directions("angular", u, v))
             solid_angle = solid_angle + weight
     is_out = numpy.hypot(abs(x) + wide, abs(y) + high) > 1
     cut = is_out & (numpy.hypot(abs(x) - wide, abs(y) - high) < 1)
     if cut.any():
-        x, wide, y, high = (one[cut] for one in numpy.broadcast_arrays(x, wide, y, high))
+        x, wide, y, high = (array[cut] for array in numpy.broadcast_arrays(x, wide, y, high))
         inside = solid_angles_in_circle("angular", x, wide, y, high)
-        own = solid_angle[cut] > 0
-        mean = total[:, cut] / numpy.where(own, solid_angle[cut], 1.0)
-        mean[0, ~own] = -1.0  # of a corner that has none of the points
+        has_points = solid_angle[cut] > 0
+        mean = total[:, cut] / numpy.where(has_points, solid_angle[cut], 1.0)
+        mean[0, ~has_points] = -1.0  # of a corner that has none of the points
         total[:, cut] = mean * inside
     return total

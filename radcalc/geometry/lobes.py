@@ -13,7 +13,7 @@ Angles are in radians; arguments are floats or NumPy arrays, which are broadcast
 import math
 
 from radcalc.geometry.cones import refuse
-from radcalc.maths import SLACK, Number, asin, expm1, log1p, piecewise, sin
+from radcalc.maths import SLACK, Number, asin, expm1, log1p, piecewise, power, sin, square
 
 SMALLEST = 1e-150  # [rad] of a full angle, whose square a float can hold
 
@@ -55,7 +55,7 @@ def ln_cos(angle: Number) -> Number:
     """
     bad = abs(angle) > math.pi / 2
     refuse(bad, "a lobe has no light beyond 90 deg from its axis", "from 0 to 90 deg")
-    return log1p(-2 * sin(angle / 2) ** 2)
+    return log1p(-2 * square(sin(angle / 2)))
 
 
 def exponent(full_angle: Number, share: float) -> Number:
@@ -164,7 +164,7 @@ def angle(exponent: Number, share: float) -> Number:
     fall = piecewise(
         exponent > 0, lambda n: expm1(math.log(share) / n), lambda n: n - 1.0, exponent
     )
-    return 4 * asin((-fall / 2) ** 0.5)  # 1 - cos(x) = 2 sin^2(x/2)
+    return 4 * asin(power(-fall / 2, 0.5))  # 1 - cos(x) = 2 sin^2(x/2)
 
 
 def part(exponent: Number, within: Number) -> Number:

@@ -139,10 +139,12 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     size = max(length(side) for side in sides)
     # Newell's normal, whose length is twice the area
     area: Point = (0.0, 0.0, 0.0)
-    for one, two in pairwise(sides[1:]):
-        area = plus(area, cross(one, two))
+    for vertex, next_vertex in pairwise(sides[1:]):
+        area = plus(area, cross(vertex, next_vertex))
     if length(area) <= 1e-12 * size * size:
-        widest = max(length(cross(one, two)) for one in sides for two in sides)
+        widest = max(
+            length(cross(vertex, next_vertex)) for vertex in sides for next_vertex in sides
+        )
         if widest > 1e-12 * size * size:
             raise _crossing()  # a bow tie, whose halves are equal
         raise ConditionError("the polygon has no area", "vertices that are not on one line")

@@ -333,7 +333,7 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     lengths = [length(point) for point in points]
     for size in lengths:
         refuse(size == 0, "the observer is at a corner of the shape", "another viewpoint")
-    moves = [_move(first, far, *one) for one in zip(sides, points, lengths, strict=True)]
+    moves = [_move(first, far, *vertex) for vertex in zip(sides, points, lengths, strict=True)]
     turns = [
         smaller(length(side) / size, 2.0 + 0 * size)
         for side, size in zip(sides, lengths, strict=True)
@@ -357,7 +357,9 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
     def strips(*xs: Any) -> Number:
         start, toward, *rest = (xs[i : i + 3] for i in range(0, len(xs), 3))
         pairs = pairwise(rest[1:])
-        return sum(over_triangle(start, one, two, toward) for one, two in pairs)
+        return sum(
+            over_triangle(start, vertex, next_vertex, toward) for vertex, next_vertex in pairs
+        )
 
     given = [*first, *normal, *(x for side in sides for x in side)]
     return piecewise(

@@ -40,6 +40,7 @@ from radcalc.maths import (
     power_of_two,
     sin,
     smaller,
+    square,
 )
 
 HEMISPHERE = math.pi  # [sr] and of all directions too: a surface sees one half of them
@@ -325,18 +326,18 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
 def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number, Number]:
     """Light vector of a whole disc: its components towards the disc's axis, and along it."""
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
-    both, square = nearest * farthest, height**2 + offset**2
-    more = height**2 + (offset - radius) * (offset + radius)
+    both, away = nearest * farthest, square(height) + square(offset)
+    more = square(height) + (offset - radius) * (offset + radius)
     along = piecewise(
         more > 0,
-        lambda b, m, r, h: 2 * (r * h) ** 2 / (b * (b + m)),
+        lambda b, m, r, h: 2 * square(r * h) / (b * (b + m)),
         lambda b, m, r, h: (1 - m / b) / 2,
         both,
         more,
         radius,
         height,
     )
-    across = 2 * height * offset * radius**2 / (both * (both + square + radius**2))
+    across = 2 * height * offset * square(radius) / (both * (both + away + square(radius)))
     return math.pi * across, math.pi * along
 
 
@@ -499,8 +500,8 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     """
     solid.check_pyramid(horizontal, vertical)
     a, b = horizontal / 2, vertical / 2
-    one = sin(a) * atan2(sin(b) * cos(a), cos(b))
-    return 2 * (one + sin(b) * atan2(sin(a) * cos(b), cos(a)))
+    term = sin(a) * atan2(sin(b) * cos(a), cos(b))
+    return 2 * (term + sin(b) * atan2(sin(a) * cos(b), cos(a)))
 
 
 def polygon(vertices: Any, normal: Any) -> Number:
@@ -565,17 +566,17 @@ def _clipped(first: Any, sides: Any, normal: Any) -> Number:
     axis = unit(n)
     coordinates = [*first, *axis, *(x for side in sides for x in side)]
 
-    def one(*xs: Any) -> Number:
+    def clipped(*xs: Any) -> Number:
         flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
         kept, kept_sides = above(flat[0], flat[2:], flat[1])
         return abs(projected(kept, kept_sides, flat[1])) if kept_sides else 0.0
 
-    def whole(*xs: Any) -> Number:
+    def unclipped(*xs: Any) -> Number:
         flat: list[Any] = [xs[i : i + 3] for i in range(0, len(xs), 3)]
         return abs(projected(flat[0], flat[2:], flat[1]))
 
     if not any(map(is_array, coordinates)):
-        return one(*coordinates)
+        return clipped(*coordinates)
     heights = [dot(axis, first) + dot(axis, side) for side in sides]
     lowest = reduce(smaller, heights)
-    return piecewise(lowest >= 0, whole, lambda *xs: each(one, *xs), *coordinates)
+    return piecewise(lowest >= 0, unclipped, lambda *xs: each(clipped, *xs), *coordinates)

@@ -44,6 +44,7 @@ from radcalc.maths import (
     sin,
     smaller,
     sqrt,
+    square,
 )
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
 
@@ -180,7 +181,10 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
         if not (is_array(u) or is_array(v)):
             limit = "u and v from -1 to 1" if projection == LATLONG else "u^2 + v^2 of at most 1"
             raise ConditionError("there is no image at that place", limit)
-        u, v = (piecewise(outside, lambda a: a * math.nan, lambda a: a, one) for one in (u, v))
+        u, v = (
+            piecewise(outside, lambda a: a * math.nan, lambda a: a, coordinate)
+            for coordinate in (u, v)
+        )
     if projection == LATLONG:
         azimuth, elevation = -math.pi * u, math.pi / 2 * v
         across = cos(elevation)
@@ -188,7 +192,7 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     r = hypot(u, v)
     if projection == MIRROR_BALL:
         normal = sqrt(larger(0.0, (1 - r) * (1 + r)))
-        return 2 * normal**2 - 1, 2 * normal * u, 2 * normal * v
+        return 2 * square(normal) - 1, 2 * normal * u, 2 * normal * v
     share = piecewise(r == 0, lambda a: a + math.pi, lambda a: sin(math.pi * a) / a, r)
     return cos(math.pi * r), -share * u, share * v
 
@@ -381,7 +385,7 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     # Left and right, top and bottom are mirror images: what is right of the middle and below it
     # serves all.
     below, down = numpy.unique(abs(2 * row + 1 - height) // 2, return_inverse=True)
-    high = (one[:, None] for one in _span(height // 2 + below, height))
+    high = (bound[:, None] for bound in _span(height // 2 + below, height))
     across = _span(numpy.arange(width // 2, width), width)
     quadrant = _in_quadrant(projection == MIRROR_BALL, *across, *high)
     return quadrant[numpy.ix_(down, abs(2 * numpy.arange(width) + 1 - width) // 2)]
@@ -448,7 +452,7 @@ def _in_quadrant(
 ) -> Number:
     """Solid angle of a pixel of positive u and v, times how often it counts."""
 
-    def whole(x: Number, wide: Number, y: Number, high: Number) -> Number:
+    def uncut(x: Number, wide: Number, y: Number, high: Number) -> Number:
         return _rectangle(ball, x, wide, y, high)
 
     def cut(x: Number, wide: Number, y: Number, high: Number) -> Number:
@@ -456,7 +460,7 @@ def _in_quadrant(
 
     def inside(x: Number, wide: Number, y: Number, high: Number) -> Number:
         is_whole = hypot(x + wide, y + high) <= 1
-        return piecewise(is_whole, whole, cut, x, wide, y, high)
+        return piecewise(is_whole, uncut, cut, x, wide, y, high)
 
     is_out = hypot(x - wide, y - high) >= 1
     return halves * parts * piecewise(is_out, lambda *xs: 0 * xs[0], inside, x, wide, y, high)

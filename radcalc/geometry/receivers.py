@@ -126,7 +126,7 @@ def cone(
     cones.cone(half_angle)  # refuses what is no cone
     _check(radius, distance, off_axis)
 
-    def one(half: float, size: float, away: float, off: float, turn: float) -> Number:
+    def of_floats(half: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
             reach = math.asin(size / away) if size < away else math.pi
             if turn >= math.pi / 2 or off - reach >= half:
@@ -142,7 +142,7 @@ def cone(
         return _across(lambda gamma: 1.0, cones.cone, half, size, height, aside)
 
     turn = math.nan if incidence is None else abs(incidence)
-    return each(one, half_angle, radius, distance, off_axis, turn)
+    return each(of_floats, half_angle, radius, distance, off_axis, turn)
 
 
 @cones.bounded
@@ -201,7 +201,7 @@ def lobe(
     _check(radius, distance, off_axis)
     lobes.solid_angle(exponent)  # refuses what is no lobe
 
-    def one(n: float, size: float, away: float, off: float, turn: float) -> Number:
+    def of_floats(n: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
             if turn >= math.pi / 2:
                 return 0.0
@@ -227,7 +227,7 @@ def lobe(
         )
 
     turn = math.nan if incidence is None else abs(incidence)
-    return each(one, exponent, radius, distance, off_axis, turn)
+    return each(of_floats, exponent, radius, distance, off_axis, turn)
 
 
 @cones.bounded

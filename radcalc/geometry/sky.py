@@ -16,7 +16,7 @@ from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import NO_NORMAL
 from radcalc.geometry.numerics.quadrature import gauss
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
-from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt
+from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt, square
 
 CIE = "CIE S 011:2003 (ISO 15469:2004)"
 HALF_PI = math.pi / 2
@@ -116,7 +116,7 @@ class SkyType(NamedTuple):
         return (
             1
             + self.c * (exp(self.d * away) - math.exp(self.d * HALF_PI))
-            + self.e * (cos(away) ** 2)
+            + self.e * (square(cos(away)))
         )
 
 
@@ -206,9 +206,8 @@ def angle_between(polar: Number, azimuth: Number, sun: tuple[Number, Number]) ->
     0.2
     """
     height, bearing = sun
-    half = (
-        sin((polar - height) / 2) ** 2
-        + sin(polar) * sin(height) * sin((azimuth - bearing) / 2) ** 2
+    half = square(sin((polar - height) / 2)) + sin(polar) * sin(height) * square(
+        sin((azimuth - bearing) / 2)
     )
     return 2 * asin(sqrt(smaller(half, 1.0 + 0 * half)))
 
@@ -242,12 +241,12 @@ def relative_luminance(
     0.666666666667
     """
     height = cos(polar)
-    found = (polar <= HALF_PI) * sky.gradation((height + abs(height)) / 2) / sky.gradation(1.0)
+    ratio = (polar <= HALF_PI) * sky.gradation((height + abs(height)) / 2) / sky.gradation(1.0)
     if sky.follows_sun:
         assert sun is not None
-        found = found * sky.indicatrix(angle_between(polar, azimuth, sun))
-        found = found / sky.indicatrix(sun[0])
-    return found + 0.0 * azimuth
+        ratio = ratio * sky.indicatrix(angle_between(polar, azimuth, sun))
+        ratio = ratio / sky.indicatrix(sun[0])
+    return ratio + 0.0 * azimuth
 
 
 def projected_sky(
@@ -301,8 +300,8 @@ def projected_sky(
         if not sky.is_linear:
             return even, ROUNDING * even
         tilt = math.atan2(across, facing[2])
-        found = even / 3 + 4 / 9 * ((math.pi - tilt) * facing[2] + across)
-        return found, ROUNDING
+        integral = even / 3 + 4 / 9 * ((math.pi - tilt) * facing[2] + across)
+        return integral, ROUNDING
     return _integrals(sky, sun, facing)
 
 
@@ -451,8 +450,8 @@ def _graded(
             for arc in arcs
         )
     places, weights = numpy.array(rule).T
-    found = _at(numpy, b, bearing, numpy.array(arcs).T[:, :, None], places)
-    return float(numpy.sum(found * weights))
+    heights = _at(numpy, b, bearing, numpy.array(arcs).T[:, :, None], places)
+    return float(numpy.sum(heights * weights))
 
 
 def _at(functions: Any, b: float, bearing: float, arc: Sequence[Any], place: Number) -> Number:
@@ -475,16 +474,16 @@ def _arcs(half: float, other: float, bearing: float) -> list[tuple[float, float]
     """The arcs that are within `half` of 0 and within `other` of `bearing`."""
     if half == math.pi:
         return [(bearing - other, bearing + other)] if other else []
-    found = []
+    arcs = []
     for turn in (-2 * math.pi, 0.0, 2 * math.pi):
         start, end = max(-half, bearing - other + turn), min(half, bearing + other + turn)
         if other == math.pi:
             start, end = -half, half
         if start < end:
-            found.append((start, end))
+            arcs.append((start, end))
             if other == math.pi:
                 break
-    return found
+    return arcs
 
 
 _RULES: dict[int, list[tuple[float, float]]] = {}

@@ -43,6 +43,7 @@ from radcalc.maths import (
     sin,
     smaller,
     sqrt,
+    square,
 )
 
 
@@ -299,12 +300,12 @@ def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
     The function is the solid angle per turn about the line from the observer to the disc's centre.
     """
     away = hypot(height, offset)
-    total = 0.0
+    far, both, total = square(away), square(away) + square(radius), 0.0
     for k in range(RIM):
         along = radius * offset * math.cos(2 * math.pi * k / RIM)
-        to_rim = sqrt(away**2 + radius**2 + 2 * along)
-        total = total + 1 / (to_rim * (to_rim * away + away**2 + along))
-    return 2 * math.pi / RIM * radius**2 * height * total
+        to_rim = sqrt(both + 2 * along)
+        total = total + 1 / (to_rim * (to_rim * away + far + along))
+    return 2 * math.pi / RIM * square(radius) * height * total
 
 
 def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
@@ -605,4 +606,4 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     refuse(area < 0, "a negative area is not possible", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
-    return area / distance**2 * facing(tilt)
+    return area / square(distance) * facing(tilt)

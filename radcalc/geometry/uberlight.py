@@ -22,7 +22,7 @@ References
 
 from radcalc.geometry import lobes
 from radcalc.geometry.cones import refuse
-from radcalc.maths import Number, atan2, exp, expm1, hypot, larger, log, piecewise, smaller
+from radcalc.maths import Number, atan2, exp, expm1, hypot, larger, log, piecewise, power, smaller
 
 MOST = 690.0  # of a logarithm, whose exponential a float holds
 OUTSIDE = 1e150  # of every cross-section
@@ -189,7 +189,7 @@ def superellipse_scale(
     across, along = abs(x) / width, abs(y) / height
     most, least = larger(across, along), smaller(across, along)
     ratio = piecewise(most > 0, lambda m, n: n / m, lambda m, n: 0.0 * m, most, least)
-    return most * (1 + ratio ** (2 / roundness)) ** (roundness / 2)
+    return most * power(1 + power(ratio, 2 / roundness), roundness / 2)
 
 
 def superellipse_clip(
@@ -364,7 +364,7 @@ def falloff(
     refuse(maximum < 1, "a maximum is at least the 1 at the fall-off distance", "1 or more")
     return piecewise(
         distance < reference,
-        _held,
+        _limited,
         lambda d, n, far, m: _power(d, n, far) + 0 * m,
         distance,
         exponent,
@@ -377,10 +377,10 @@ def _power(distance: Number, exponent: Number, reference: Number) -> Number:
     ratio = reference / distance
     beyond = abs(exponent * log(ratio)) > MOST
     refuse(beyond, "that fall-off is beyond what a number holds", "a smaller exponent")
-    return ratio**exponent
+    return power(ratio, exponent)
 
 
-def _held(distance: Number, exponent: Number, reference: Number, maximum: Number) -> Number:
+def _limited(distance: Number, exponent: Number, reference: Number, maximum: Number) -> Number:
     """Within the fall-off distance: exp(-m expm1(x / m)), with m = ln M and x = N ln(d / L)."""
     return piecewise(
         maximum > 1,

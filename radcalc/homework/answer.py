@@ -4,12 +4,14 @@ import math
 from typing import NamedTuple
 
 from radcalc.errors import MINUS, ConditionError, NumberError, RadcalcError, option, quote
-from radcalc.given import MARKED, read_as
+from radcalc.inputs.quantities import MARKED
+from radcalc.inputs.reading import read_as
 from radcalc.quantities.symbols import ANY, Symbol
 from radcalc.units.amounts import UNCERTAIN
 from radcalc.units.numbers import read_number, typed_digits
 from radcalc.units.scales import find, refuse_product
-from radcalc.units.table import NUMBER, Unit, divide, unit_of
+from radcalc.units.table import unit_of
+from radcalc.units.unit import NUMBER, Unit, divide
 
 DIGITS_OF_EXACT = 15
 LEAST_MEANT = 2  # digits that a number is meant to have
@@ -36,29 +38,30 @@ class Claim(NamedTuple):
 
 def read_claim(text: str) -> Claim:
     """Read `[NAME=]VALUE[UNIT]`."""
-    name, equals, rest = text.partition("=")
+    name, equals, value_text = text.partition("=")
     if not equals:
-        name, rest = "", text
+        name, value_text = "", text
     elif not name.strip():
         raise ConditionError(
             f"{option('check', quote(text))} has no name before =",
             option("check", "illuminance=25lx"),
         )
-    rest, off = rest.strip().replace(MINUS, "-").removeprefix(MARKED.get(name.strip(), "")), 0.0
+    value_text = value_text.strip().replace(MINUS, "-")
+    value_text, off = value_text.removeprefix(MARKED.get(name.strip(), "")), 0.0
     try:
-        if any(mark in rest for mark in UNCERTAIN):
+        if any(mark in value_text for mark in UNCERTAIN):
             from radcalc.units.uncertain import read_uncertain
 
-            if reading := read_uncertain(rest):
-                off, rest = reading.uncertainty, reading.nominal
-        if found := _arithmetic(rest):
-            return Claim(text, name.strip(), *found)
-        value, end = read_number(rest)
+            if reading := read_uncertain(value_text):
+                off, value_text = reading.uncertainty, reading.nominal
+        if evaluated := _arithmetic(value_text):
+            return Claim(text, name.strip(), *evaluated)
+        value, end = read_number(value_text)
     except NumberError as error:
         raise NumberError(
             f"{option('check')}: {error.message}", f"{option('check', '25lx')}; {error.hint}"
         ) from None
-    number, unit = rest[:end], rest[end:].strip()
+    number, unit = value_text[:end], value_text[end:].strip()
     digits, half, widest = _digits(number, value)
     return Claim(text, name.strip(), value, unit, number, digits, half, widest, off)
 
@@ -77,10 +80,10 @@ def _arithmetic(text: str) -> tuple[float, str, str, int, float, float] | None:
         pass
     from radcalc.units.expressions import read_expression
 
-    found = read_expression(text)
-    if found is None:
+    result = read_expression(text)
+    if result is None:
         return None
-    value, unit, off = found
+    value, unit, off = result
     half = abs(value) * off
     digits = min(DIGITS_OF_EXACT, max(1, -math.floor(math.log10(2 * off))))
     return value, unit.text if unit else "", f"{value:.12g}", digits, half, half
@@ -129,11 +132,11 @@ class Tolerance(NamedTuple):
 def read_tolerance(text: str, unit: Unit) -> Tolerance:
     """Read 1%, 0.01, 0.5lx or 3sf."""
     text = text.strip().lower() if text.strip().lower().endswith("sf") else text.strip()
-    told = option("tolerance", quote(text))
+    typed = option("tolerance", quote(text))
     hint = f"{option('tolerance', '1%')}, 0.5lx (in the answer's unit) or 3sf (significant digits)"
     if text.endswith("sf"):
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
-            raise ConditionError(f"{told} is not possible", hint)
+            raise ConditionError(f"{typed} is not possible", hint)
         count = int(text[:-2])
         digits = f"within half a unit of digit {count}"
         return Tolerance(digits, "digits", count)
@@ -145,9 +148,9 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         name = option("tolerance")
         raise ConditionError(f"{name}: {error.message.removeprefix(f'{name}: ')}", hint) from None
     if given.value < 0:
-        raise ConditionError(f"{told} is not possible", hint)
+        raise ConditionError(f"{typed} is not possible", hint)
     if given.unit is None and given.value >= 1:
-        raise ConditionError(f"{told} has no unit", hint)
+        raise ConditionError(f"{typed} has no unit", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER
     if is_part or given.unit is None or given.unit.text in ("%", "1"):
         return Tolerance(f"within {given.text}", "relative", given.value)

@@ -12,9 +12,9 @@ from itertools import combinations
 from typing import Any
 
 from radcalc.answer import Answer, Value
-from radcalc.calculators.light import Ratio
+from radcalc.calculators.kinds import Ratio
 from radcalc.errors import RadcalcError
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import CONE
 from radcalc.laws.law import AnyLaw, Law, Several, law
 from radcalc.laws.solver import Derivation
@@ -41,24 +41,24 @@ class Chain:
         self._scale = right / values.setdefault(goal, right) if right else 1.0
         self.steps: Steps = []
         needed = {goal}
-        for one, target in reversed(steps):
+        for step_law, target in reversed(steps):
             if target in needed:
-                needed.update(one.names)
-                self.steps.insert(0, (one, target))
+                needed.update(step_law.names)
+                self.steps.insert(0, (step_law, target))
         self.symbols = needed.intersection(values)
 
     def after(self, name: str, value: float) -> float | None:
         """The result where a symbol has another value; None where there is none."""
         values, changed = {**self.values, name: value}, {name}
         try:
-            for one, target in self.steps:
-                if target != name and not changed.isdisjoint(one.names):
-                    values[target] = _single(one.solve(target, values.__getitem__))
+            for step_law, target in self.steps:
+                if target != name and not changed.isdisjoint(step_law.names):
+                    values[target] = _single(step_law.solve(target, values.__getitem__))
                     changed.add(target)
-            found = values[self.goal] * self._scale
+            result = values[self.goal] * self._scale
         except FAILURES:
             return None
-        return found if self.goal in changed and math.isfinite(found) else None
+        return result if self.goal in changed and math.isfinite(result) else None
 
     def solved(self, target: str, solve: Callable[[Callable[[str], Any]], Any]) -> float | None:
         """The result where a symbol follows in another way from the others."""
@@ -82,7 +82,9 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
     if not isinstance(answer.steps, Derivation):
         return Chain({}, [], goal, right)
     solution, kind = answer.steps.solution, answer.steps.kind
-    values = {n: one.value for n, one in solution.values.items() if isinstance(one.value, float)}
+    values = {
+        n: amount.value for n, amount in solution.values.items() if isinstance(amount.value, float)
+    }
     steps: Steps = list(solution.used)
     if goal not in values:
         goal = SAME.get(goal) or SYMBOLS[goal].generic or goal
@@ -101,10 +103,10 @@ def of_answer(answer: Answer, target: Value, given: Inputs) -> Chain:
 
 def _add_ratio(goal: str, given: Inputs, values: dict[str, float], steps: Steps) -> None:
     """Add how the ratio of two kinds follows from one quantity that was given in both."""
-    lights = [one for one in given.values() if one.symbol.generic]
-    for one, other in combinations(lights, 2):
-        if one.symbol.generic == other.symbol.generic:
-            ratio = Ratio.of(one, other)
+    light_inputs = [light for light in given.values() if light.symbol.generic]
+    for light, other in combinations(light_inputs, 2):
+        if light.symbol.generic == other.symbol.generic:
+            ratio = Ratio.of(light, other)
             if ratio.name == goal:
                 over, _, under = ratio.law.names
                 values |= {over: ratio.over.value, under: ratio.under.value, goal: ratio.value}

@@ -21,7 +21,9 @@ SPREAD = math.log(GUESS)
 BY_CHANCE = 0.03  # the part of such answers that the mistakes looked for may take in
 
 
-def diagnose(question: Question, target: Value, said: Claim, scale: float) -> tuple[Diagnosis, ...]:
+def diagnose(
+    question: Question, target: Value, claim: Claim, scale: float
+) -> tuple[Diagnosis, ...]:
     """The mistakes that reproduce an answer to the digits typed, the likeliest first.
 
     `scale` is the answer's unit [SI].  Two mistakes at once are looked for only
@@ -29,27 +31,31 @@ def diagnose(question: Question, target: Value, said: Claim, scale: float) -> tu
     """
     problem = Problem(question, target)
     single = candidates(problem)
-    search = _Search(said, problem.right, scale)
-    found = search.of(single, said.half_unit)
-    if not found and said.digits >= LEAST_DIGITS:
-        both = pairs(single, problem.right)
-        found = [one.together() for one in search.of(both, said.half_unit)]
-    if not found and said.widest > said.half_unit:
-        found = _Search(said, problem.right, scale).of(single, said.widest)
-    near = [one for one in found if one.rank <= found[0].rank + 1]  # rarer ones only confuse
+    search = _Search(claim, problem.right, scale)
+    matches = search.of(single, claim.half_unit)
+    if not matches and claim.digits >= LEAST_DIGITS:
+        combined = pairs(single, problem.right)
+        matches = [pair.together() for pair in search.of(combined, claim.half_unit)]
+    if not matches and claim.widest > claim.half_unit:
+        matches = _Search(claim, problem.right, scale).of(single, claim.widest)
+    # rarer ones only confuse
+    near = [match for match in matches if match.rank <= matches[0].rank + 1]
     seen: dict[str, Diagnosis] = {}
-    for one in near:
-        seen.setdefault(one.mistake, Diagnosis(one.mistake, one.done, one.right))
+    for match in near:
+        seen.setdefault(match.mistake, Diagnosis(match.mistake, match.done, match.right))
     return tuple(seen.values())[:MOST]
 
 
 def candidates(problem: Problem) -> list[Candidate]:
     """Every wrong value that one mistake leads to, the most common mistakes first."""
-    found: list[Candidate] = []
+    wrong_values: list[Candidate] = []
     for family in (edits.find, siblings.find, outside.find, misread.find):
         with suppress(ArithmeticError):  # powers of an extreme input leave what a float holds
-            found += family(problem)
-    return sorted((one for one in found if _is_wrong(one.value, problem.right)), key=_rank)
+            wrong_values += family(problem)
+    return sorted(
+        (candidate for candidate in wrong_values if _is_wrong(candidate.value, problem.right)),
+        key=_rank,
+    )
 
 
 def _is_wrong(value: float, right: float) -> bool:
@@ -80,18 +86,22 @@ def pairs(single: Sequence[Candidate], right: float) -> list[Pair]:
     """What two common mistakes together lead to, the most common first."""
     if not right:
         return []
-    laws = [one for one in single if one.rank <= COMMON and one.mistake not in SLIPS]
-    slips = [one for one in single if one.mistake in SLIPS]
-    found = [
+    laws = [
+        candidate
+        for candidate in single
+        if candidate.rank <= COMMON and candidate.mistake not in SLIPS
+    ]
+    slips = [candidate for candidate in single if candidate.mistake in SLIPS]
+    combined = [
         Pair(law.rank + slip.rank, law.value * slip.value / right, law, slip)
         for law in laws
         for slip in slips
     ]
-    return sorted(found, key=_rank)
+    return sorted(combined, key=_rank)
 
 
-def _rank(one: Candidate | Pair) -> float:
-    return one.rank
+def _rank(candidate: Candidate | Pair) -> float:
+    return candidate.rank
 
 
 Wrong = TypeVar("Wrong", Candidate, Pair)
@@ -104,26 +114,28 @@ class _Search:
     so that a number that has nothing to do with any of them seldom hits one by chance.
     """
 
-    def __init__(self, said: Claim, right: float, scale: float) -> None:
-        self.said, self.right, self.scale = said, right, scale
+    def __init__(self, claim: Claim, right: float, scale: float) -> None:
+        self.claim, self.right, self.scale = claim, right, scale
         self.seen: set[float] = set()  # those looked at that are as large as a guess might be
 
     def of(self, options: Sequence[Wrong], half_unit: float) -> list[Wrong]:
         """Those that agree with the answer within half a unit of its last digit, best first."""
-        value = self.said.value
+        value = self.claim.value
         allowed = min(half_unit, COARSEST * abs(value)) * (1 + 1e-9)
         most = BY_CHANCE * SPREAD * abs(value) / allowed if allowed else 0.0
         close = []
-        for one in options:
-            if self.right and 1 / GUESS < abs(one.value / self.right) < GUESS:
-                if len(self.seen) >= most and one.value not in self.seen:
+        for candidate in options:
+            if self.right and 1 / GUESS < abs(candidate.value / self.right) < GUESS:
+                if len(self.seen) >= most and candidate.value not in self.seen:
                     continue
-                self.seen.add(one.value)
-            if abs(one.value - self.right) <= allowed * self.scale:
+                self.seen.add(candidate.value)
+            if abs(candidate.value - self.right) <= allowed * self.scale:
                 continue  # so few digits do not tell it from the right value
-            off = abs(one.value / self.scale - value)
+            off = abs(candidate.value / self.scale - value)
             if off <= allowed:
                 # Rounded, so that of equal values the first to be found comes first.
-                close.append((one.rank, round(off / allowed, 6) if allowed else 0.0, one))
-        close.sort(key=lambda found: found[:2])
-        return [one for _, _, one in close]
+                close.append(
+                    (candidate.rank, round(off / allowed, 6) if allowed else 0.0, candidate)
+                )
+        close.sort(key=lambda entry: entry[:2])
+        return [candidate for _, _, candidate in close]

@@ -80,7 +80,7 @@ CYCLES = ("frequency", "wavenumber", "photon energy")  # the laws that count the
 def find(p: Problem) -> Iterator[Candidate]:
     """What follows with one edit of a law that leads to the result."""
     # where pi is in the sum over directions, it is left out (`outside`), not put in
-    has_pi = p.is_of("environment") or not p.chain.symbols.isdisjoint(SKIES)
+    has_pi = p.lists("all around") or not p.chain.symbols.isdisjoint(SKIES)
     for law, target in p.chain.steps:
         if "scale" in law.names:
             continue  # what a distribution is, of which nobody leaves a part out
@@ -90,11 +90,11 @@ def find(p: Problem) -> Iterator[Candidate]:
         yield from filter(None, _constants(p, law, target, number, power))
     if not has_pi and (p.light or p.asks("solid-angle", "etendue", "sphere-fraction")):
         rule = "pi and 4 pi stand where directions are summed: M = pi L, Phi = 4 pi I"
-        for name, told, size in (
+        for name, factor, size in (
             ("pi-forgotten", "pi", math.pi),
             ("wrong-sphere", "4 pi", 4 * math.pi),
         ):
-            done = f"{told} was put in where it does not belong"
+            done = f"{factor} was put in where it does not belong"
             for value in (p.right * size, p.right / size):
                 yield Candidate(name, SELDOM, value, done, rule)
 
@@ -115,21 +115,21 @@ def _label(name: str) -> str:
 
 def _powers(p: Problem, law: Law, target: str) -> Iterator[Candidate]:
     """What follows with one of the powers of a monomial edited."""
-    own = dict(law.powers).get(target, -1.0)
+    power_of_target = dict(law.powers).get(target, -1.0)
     start = p.chain.values[target]
     for name, power in law.powers:
         if name == target or name in WHOLE or (name in SYMBOLS and SYMBOLS[name].geometry):
             continue
         rule = "; ".join(filter(None, (text_of(law) or RULES[name], WHY.get(name))))
-        exponent = -power / own  # in the law as it was solved
+        exponent = -power / power_of_target  # in the law as it was solved
         for kind, rank, done, by in _edits(name, abs(power), exponent > 0):
             for size, later in _sizes(p, name, kind):
                 value = p.chain.after(target, start * size ** (exponent * by))
                 if value is not None:
-                    called = f"{NAMES.get(name, name)}-{kind}"
-                    yield Candidate(called, rank + later, value, done, rule)
+                    mistake = f"{NAMES.get(name, name)}-{kind}"
+                    yield Candidate(mistake, rank + later, value, done, rule)
     if target != law.result and start and not SYMBOLS[target].geometry:
-        yield from _turned(p, law, target, abs(own))
+        yield from _turned(p, law, target, abs(power_of_target))
 
 
 def _edits(name: str, power: float, is_above: bool) -> Iterator[tuple[str, float, str, float]]:
@@ -157,9 +157,9 @@ def _sizes(p: Problem, name: str, kind: str) -> Iterator[tuple[float, float]]:
     size = p.chain.values[name]
     if size > 0:
         yield size, 0.0
-        own = "efficacy" if "efficacy" in NAMES.get(name, name) else name
-        typed = p.given[own].number if own in p.given else None
-        if isinstance(typed, float) and (kind == "not-squared" or own in IN_ITS_UNIT):
+        input_name = "efficacy" if "efficacy" in NAMES.get(name, name) else name
+        typed = p.given[input_name].number if input_name in p.given else None
+        if isinstance(typed, float) and (kind == "not-squared" or input_name in IN_ITS_UNIT):
             yield typed, 0.5
 
 
@@ -225,12 +225,12 @@ def _constant(law: AnyLaw) -> tuple[float, int]:
 
 def scaled(p: Problem, law: AnyLaw, target: str, ratio: float) -> float | None:
     """The result where what a law gives is another number of times the right one."""
-    left = law.names[0]
+    result = law.names[0]
 
     def solve(at: At) -> Any:
-        if target == left:
+        if target == result:
             return at(target) * ratio
-        return law.solve(target, lambda one: at(one) / (ratio if one == left else 1.0))
+        return law.solve(target, lambda name: at(name) / (ratio if name == result else 1.0))
 
     return p.chain.solved(target, solve)
 
@@ -245,18 +245,18 @@ def _constants(
 
     if law.name in ("diameter", "apex angle", "diameter of the receiver"):
         return  # in which 2 is half for full
-    own = f"{number:g} pi" if number != 1 else "pi"
+    right_constant = f"{number:g} pi" if number != 1 else "pi"
     if power and number >= 1:
         for size in (1, 2, 4):
-            wrong = f"{size} pi" if size > 1 else "pi"
-            if (own, wrong) == ("pi", "2 pi"):
+            wrong_constant = f"{size} pi" if size > 1 else "pi"
+            if (right_constant, wrong_constant) == ("pi", "2 pi"):
                 yield edit("two-pi-for-pi", 2.0**power)
             elif size != number:
-                done = f"{wrong} was used for {own}"
+                done = f"{wrong_constant} was used for {right_constant}"
                 yield edit("wrong-sphere", (size / number) ** power, done)
         name = "pi-forgotten" if number == 1 else "wrong-sphere"
         yield edit(name, math.pi**-power, PI_FORGOTTEN)
-        yield edit(name, (number * math.pi) ** -power, f"{own} was forgotten")
+        yield edit(name, (number * math.pi) ** -power, f"{right_constant} was forgotten")
     elif power:
         yield edit("pi-forgotten", math.pi**-power, PI_FORGOTTEN)
         yield edit("constant-forgotten", (number * math.pi) ** -power)

@@ -7,9 +7,9 @@ import math
 
 from radcalc.conversion import spectral
 from radcalc.conversion.conditions import Factor
-from radcalc.conversion.plan import Plan
-from radcalc.given import Inputs
+from radcalc.conversion.linear import Plan
 from radcalc.homework.chain import VALUE, Chain, Powers, Steps, between_kinds, multiply
+from radcalc.inputs.given import Inputs
 from radcalc.laws.cones import APEX, CONE, PROJECTED_CONE
 from radcalc.laws.law import Law, law
 from radcalc.laws.point import BEAM_ANGLE, LOBE
@@ -18,16 +18,16 @@ from radcalc.laws.surface import disc_on_axis
 from radcalc.quantities.light import read
 
 
-def of_conversion(made: Plan, right: float, given: Inputs) -> Chain:
+def of_conversion(conversion: Plan, right: float, given: Inputs) -> Chain:
     """The chain of a conversion: its source times the factors of the conditions."""
-    values = {name: one.value for name, one in given.items() if isinstance(one.value, float)}
+    values = {name: item.value for name, item in given.items() if isinstance(item.value, float)}
     steps: Steps = []
     powers: Powers = []
-    for factor, sign in made.links:
+    for factor, sign in conversion.links:
         name = _factor(factor, given, values, steps)
         if name:
             powers.append((name, float(sign)))
-    start, end = read(made.source), read(made.target)
+    start, end = read(conversion.source), read(conversion.target)
     if start and end and start.kind != end.kind:
         powers += between_kinds(start.kind, end.kind, given, values, steps)
     multiply(powers, right, values, steps)
@@ -35,7 +35,7 @@ def of_conversion(made: Plan, right: float, given: Inputs) -> Chain:
 
 
 def _of_factor(name: str, formula: str, letter: str, *powers: tuple[str, float]) -> Law:
-    return Law(name, formula, (letter, *(one for one, _ in powers)), powers)
+    return Law(name, formula, (letter, *(symbol for symbol, _ in powers)), powers)
 
 
 INVERSE_SQUARE = _of_factor(
@@ -85,35 +85,39 @@ def _factor(factor: Factor, given: Inputs, values: dict[str, float], steps: Step
     """The symbol that stands for a factor, or '' for a link of kinds; its laws are added."""
     letter, size = factor.letter, float(factor.value)
     name = SYMBOL_OF.get(letter, letter)
-    for one, target in BEFORE.get(letter, ()):
-        if target not in values and values.keys() >= set(one.names) - {target}:
-            values[target] = float(one.solve(target, values.__getitem__))
-            steps.append((one, target))
-    round_ones = [one for (by, of), one in ALL_ROUND.items() if of == letter and by in given]
-    whole = next((one for one in round_ones if math.isclose(one.constant, size)), None)
+    for earlier_law, target in BEFORE.get(letter, ()):
+        if target not in values and values.keys() >= set(earlier_law.names) - {target}:
+            values[target] = float(earlier_law.solve(target, values.__getitem__))
+            steps.append((earlier_law, target))
+    candidates = [
+        candidate for (by, of), candidate in ALL_ROUND.items() if of == letter and by in given
+    ]
+    factor_law = next(
+        (candidate for candidate in candidates if math.isclose(candidate.constant, size)), None
+    )
     if letter == "q":
         values["cosine"] = size * values["distance"] ** 2
-        whole = INVERSE_SQUARE
+        factor_law = INVERSE_SQUARE
     elif letter == "Omega_p" and "solid-angle" in given:
         values["cosine"] = size / values["solid-angle"]
-        whole = SMALL_SOLID_ANGLE
+        factor_law = SMALL_SOLID_ANGLE
     elif letter == "r":
-        whole = REFLECTOR._replace(constant=1 / math.pi)
+        factor_law = REFLECTOR._replace(constant=1 / math.pi)
     elif letter == "p":
         values["pupil"] /= 1e-3
-        whole = PUPIL._replace(constant=math.pi / 4)
+        factor_law = PUPIL._replace(constant=math.pi / 4)
     elif letter == "J" and "wavelength" in given:
         values["wavelength"] = float(spectral.light(given["wavelength"], None).vacuum)
         is_from_length = factor.unit.startswith("m/")
         formula = "J = {wavelength}^2 / c" if is_from_length else "J = c / {wavelength}^2"
         power = 2.0 if is_from_length else -2.0
-        whole = _of_factor("density", formula, letter, ("wavelength", power))
-        whole = whole._replace(constant=size / values["wavelength"] ** power)
+        factor_law = _of_factor("density", formula, letter, ("wavelength", power))
+        factor_law = factor_law._replace(constant=size / values["wavelength"] ** power)
     elif name == letter:
         return ""
     if name in values and not math.isclose(values[name], size, rel_tol=1e-9):
         steps.pop()  # a disc aslant is no disc on its axis
     values[name] = size
-    if whole:
-        steps.append((whole, name))
+    if factor_law:
+        steps.append((factor_law, name))
     return name

@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterator
 
-from radcalc.given import Given
 from radcalc.homework.problem import Candidate, Problem, usual
+from radcalc.inputs.given import Input
 from radcalc.spectra.planck import AVOGADRO
 from radcalc.spectra.spectrum import BlackBody
 from radcalc.units.dimensions import (
@@ -17,7 +17,8 @@ from radcalc.units.dimensions import (
     TEMPERATURE,
     TIME,
 )
-from radcalc.units.table import COUNT_AT, FIELD_STRENGTH, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import COUNT_AT, FIELD_STRENGTH
 
 Found = Iterator[Candidate | None]
 SLIPS = ("power-of-ten", "length-unit", "area-unit")  # that are made beside another mistake
@@ -44,46 +45,49 @@ CELSIUS = 273.15
 
 def find(p: Problem) -> Iterator[Candidate]:
     """Every input misread, and every slip of the whole."""
-    for family in (_halves, _angles, _in_radians, _lengths, _photons, _fields, _units, _slips):
+    inputs = (_halves, _angles, _in_radians, _in_other_units, _to_surface, _absorbed)
+    for family in (*inputs, _photons, _fields, _units, _slips):
         yield from filter(None, family(p))
 
 
-def _both(name: str, right: float, *factors: float) -> Found:
+def _multiples(name: str, right: float, *factors: float) -> Found:
     for factor in factors:
         yield usual(name, right * factor)
         yield usual(name, right / factor)
 
 
-def _numbers(p: Problem) -> list[Given]:
-    return [one for one in p.given.values() if isinstance(one.value, float)]
+def _numbers(p: Problem) -> list[Input]:
+    return [quantity for quantity in p.given.values() if isinstance(quantity.value, float)]
 
 
 def _halves(p: Problem) -> Found:
     """Full angles for half ones, and diameters for radii."""
-    for one in _numbers(p):
+    for quantity in _numbers(p):
         for factor in (2.0, 0.5):
-            if one.name in (*CONES, *PAIRS[0]):
-                yield usual("full-for-half", p.misread(one.name, factor * one.value))
-            if one.name in SIZES:
-                is_usual = (factor == 2) == ("radius" not in one.name)
-                value = p.misread(one.name, factor * one.value)
+            if quantity.name in (*CONES, *PAIRS[0]):
+                yield usual("full-for-half", p.misread(quantity.name, factor * quantity.value))
+            if quantity.name in SIZES:
+                is_usual = (factor == 2) == ("radius" not in quantity.name)
+                value = p.misread(quantity.name, factor * quantity.value)
                 yield usual("diameter-for-radius", value, later=0.0 if is_usual else 2.0)
     for names in PAIRS:
-        if p.is_of("solid-angle") and p.given.keys() >= {*names}:
+        if p.lists("pair of full angles") and p.given.keys() >= {*names}:
             for factor in (2.0, 0.5):
                 changed = {name: factor * p.given[name].value for name in names}
                 yield usual("full-for-half", p.anew(changed))
     if p.asks(*CONES):
-        yield from _both("full-for-half", p.right, 2.0)
+        yield from _multiples("full-for-half", p.right, 2.0)
     if p.asks("radius", "diameter"):
-        yield from _both("diameter-for-radius", p.right, 2.0)
+        yield from _multiples("diameter-for-radius", p.right, 2.0)
 
 
 def _angles(p: Problem) -> Found:
     """Angles that are counted from the wrong line."""
-    for one in _numbers(p):
-        if one.name in FROM_NORMAL:
-            yield usual("angle-from-surface", p.misread(one.name, abs(math.pi / 2 - one.value)))
+    for quantity in _numbers(p):
+        if quantity.name in FROM_NORMAL:
+            yield usual(
+                "angle-from-surface", p.misread(quantity.name, abs(math.pi / 2 - quantity.value))
+            )
     if p.asks("polar", "elevation", "incidence"):
         yield usual("angle-from-surface", math.pi / 2 - p.right)
 
@@ -91,51 +95,66 @@ def _angles(p: Problem) -> Found:
 def _in_radians(p: Problem) -> Found:
     """Degrees in a calculator set to radians."""
     name = "degrees-as-radians"
-    for one in _numbers(p):
-        if one.dimension != ANGLE or one.unit_text == "rad":
+    for quantity in _numbers(p):
+        if quantity.dimension != ANGLE or quantity.unit_text == "rad":
             continue
-        number = float(one.number)
+        number = float(quantity.number)
         turned = math.fmod(abs(number), 2 * math.pi)
         for angle in (turned, 2 * math.pi - turned):  # the cosine is the same
-            yield usual(name, p.misread(one.name, angle) or None)  # 0 is light from behind
-        if one.name == "incidence" and math.cos(one.value):
-            yield usual(name, p.right * math.cos(number) / math.cos(one.value))
-        if one.name in ("half-angle", "apex-angle"):
-            parts = 2 if one.name == "apex-angle" else 1
-            number, half = number / parts, one.value / parts
+            yield usual(name, p.misread(quantity.name, angle) or None)  # 0 is light from behind
+        if quantity.name == "incidence" and math.cos(quantity.value):
+            yield usual(name, p.right * math.cos(number) / math.cos(quantity.value))
+        if quantity.name in ("half-angle", "apex-angle"):
+            parts = 2 if quantity.name == "apex-angle" else 1
+            number, half = number / parts, quantity.value / parts
             yield usual(name, p.chain.after("solid-angle", 2 * math.pi * (1 - math.cos(number))))
-            if p.is_of("lambertian", "etendue", "solid-angle") and not p.asks("solid-angle"):
+            if p.lists("projected cone") and not p.asks("solid-angle"):
                 yield usual(name, p.right * (math.sin(number) / math.sin(half)) ** 2)
     if ANGLE in p.target.dimensions:
-        yield from _both(name, p.right, math.degrees(1))
+        yield from _multiples(name, p.right, math.degrees(1))
 
 
-def _lengths(p: Problem) -> Found:
-    """Lengths, areas, times and temperatures in another unit, and distances to another point."""
-    for one in _numbers(p):
-        if one.dimension in NEIGHBOURS and one.unit and one.name not in ("wavelength", "bandwidth"):
-            mistake, others = NEIGHBOURS[one.dimension]
-            own = one.unit.factor
-            factors = {1 / other for other in others} if own == 1 else {1.0, *others}
-            if one.dimension == AREA:  # as a length is
-                factors.add(own**0.5)
-            for factor in sorted(factors - {own}):
-                value = p.misread(one.name, float(one.number) * factor)
-                yield usual(mistake, value, later=0.0 if factor == 1 else 0.5)
-        if one.dimension == TEMPERATURE:
+def _in_other_units(p: Problem) -> Found:
+    """Lengths, areas, times and temperatures in another unit."""
+    for quantity in _numbers(p):
+        if quantity.name not in ("wavelength", "bandwidth"):
+            yield from _in_neighbouring_units(p, quantity)
+        if quantity.dimension == TEMPERATURE:
             for shift in (CELSIUS, -CELSIUS):
-                yield usual("kelvin-for-celsius", p.misread(one.name, one.value + shift))
+                yield usual("kelvin-for-celsius", p.misread(quantity.name, quantity.value + shift))
     body = p.given["spectrum"].value if "spectrum" in p.given else None
     if isinstance(body, BlackBody) and body.temperature > CELSIUS:
         for shift in (CELSIUS, -CELSIUS):
             changed = {"spectrum": BlackBody(body.temperature + shift)}
             yield usual("kelvin-for-celsius", p.anew(changed))
+
+
+def _in_neighbouring_units(p: Problem, quantity: Input) -> Found:
+    """Read a length, an area or a time in another unit."""
+    if quantity.dimension not in NEIGHBOURS or not quantity.unit:
+        return
+    mistake, other_units = NEIGHBOURS[quantity.dimension]
+    typed_factor = quantity.unit.factor
+    factors = {1 / other for other in other_units} if typed_factor == 1 else {1.0, *other_units}
+    if quantity.dimension == AREA:  # as a length is
+        factors.add(typed_factor**0.5)
+    for factor in sorted(factors - {typed_factor}):
+        value = p.misread(quantity.name, float(quantity.number) * factor)
+        yield usual(mistake, value, later=0.0 if factor == 1 else 0.5)
+
+
+def _to_surface(p: Problem) -> Found:
+    """Distances to the surface of a sphere for those to its centre, and the reverse."""
     radius, distance = p.radius(), p.amount("distance")
     if p.question.shape == "sphere" and radius and distance:
         for other in (distance - radius, distance + radius) if "distance" in p.given else ():
             yield usual("distance-to-surface", p.misread("distance", other))
         if p.asks("distance"):
             yield usual("distance-to-surface", p.right - radius)
+
+
+def _absorbed(p: Problem) -> Found:
+    """The absorbed part of the light for the reflected one, and the reverse."""
     for name in ("reflectance", "absorptance"):
         part = p.amount(name)
         if part and part < 1 and name in p.chain.symbols:
@@ -144,24 +163,28 @@ def _lengths(p: Problem) -> Found:
 
 def _photons(p: Problem) -> Found:
     """Energies and wavelengths in the wrong unit, and moles."""
-    wave = p.given.get("wavelength")
-    dimensions = (*p.target.dimensions, *(one.dimension for one in p.given.values()))
-    if wave is not None and wave.dimension in (ENERGY, PHOTON_ENERGY):
+    wavelength = p.given.get("wavelength")
+    dimensions = (*p.target.dimensions, *(item.dimension for item in p.given.values()))
+    if wavelength is not None and wavelength.dimension in (ENERGY, PHOTON_ENERGY):
         for factor in (EV, 1 / EV):
-            yield usual("joules-for-electronvolts", p.anew({"wavelength": wave.value * factor}))
+            yield usual(
+                "joules-for-electronvolts", p.anew({"wavelength": wavelength.value * factor})
+            )
     if PHOTON_ENERGY in p.target.dimensions:
-        yield from _both("joules-for-electronvolts", p.right, EV, EV**2)
-    if wave is not None and (not p.light or not p.chain.symbols.isdisjoint(("photon-energy", "J"))):
-        yield from _both("nanometres-for-metres", p.right, 1e9, 1e7, 1e2)
-    if any(one[COUNT_AT] for one in dimensions) or (wave is not None and p.light):
-        yield from _both("avogadro", p.right, AVOGADRO, AVOGADRO * 1e-6)
+        yield from _multiples("joules-for-electronvolts", p.right, EV, EV**2)
+    if wavelength is not None and (
+        not p.light or not p.chain.symbols.isdisjoint(("photon-energy", "J"))
+    ):
+        yield from _multiples("nanometres-for-metres", p.right, 1e9, 1e7, 1e2)
+    if any(dimension[COUNT_AT] for dimension in dimensions) or (wavelength is not None and p.light):
+        yield from _multiples("avogadro", p.right, AVOGADRO, AVOGADRO * 1e-6)
 
 
 def _fields(p: Problem) -> Found:
     """The peak of a field for its root mean square."""
     if "electric-field" in p.given:
         factor = math.sqrt(2) if FIELD_STRENGTH in p.target.dimensions else 2.0
-        yield from _both("peak-for-rms", p.right, factor)
+        yield from _multiples("peak-for-rms", p.right, factor)
 
 
 def _units(p: Problem) -> Found:
@@ -176,7 +199,7 @@ def _units(p: Problem) -> Found:
         for name, size in (("pi-forgotten", math.pi), ("pi-upside-down", math.pi**2)):
             for value in (p.right * size, p.right / size):
                 yield usual(name, value, right=CARRIES_PI)
-        yield from _both("two-pi-for-pi", p.right, 2.0)
+        yield from _multiples("two-pi-for-pi", p.right, 2.0)
     if not plan.links and math.log10(plan.factor) % 1:
         yield usual("unit-upside-down", p.right / plan.factor**2)
     for unit, sign in units:
@@ -190,7 +213,7 @@ def _units(p: Problem) -> Found:
 def _slips(p: Problem) -> Found:
     """Feet, square degrees and prefixes in the answer."""
     if p.light and p.light.area:
-        yield from _both("feet-for-metres", p.right, FOOT**2, FOOT)
+        yield from _multiples("feet-for-metres", p.right, FOOT**2, FOOT)
     if SOLID_ANGLE in p.target.dimensions:
-        yield from _both("deg2-for-sr", p.right, math.degrees(1) ** 2, math.degrees(1))
-    yield from _both("power-of-ten", p.right, *(10.0**power for power in (1, 2, 3, 4, 6, 9)))
+        yield from _multiples("deg2-for-sr", p.right, math.degrees(1) ** 2, math.degrees(1))
+    yield from _multiples("power-of-ten", p.right, *(10.0**power for power in (1, 2, 3, 4, 6, 9)))

@@ -81,7 +81,7 @@ def _aside(p: Problem) -> Found:
     slant = math.hypot(height, offset)
     cosine = height / slant
     square = p.right
-    if p.is_of("solid-angle"):
+    if p.lists("disc off its axis"):
         if p.question.shape != "disc" or not radius or not p.asks("solid-angle"):
             return
         small = PI * (radius / slant) ** 2
@@ -92,7 +92,7 @@ def _aside(p: Problem) -> Found:
     if far and near and p.asks("irradiance"):
         square = p.right * far / near
         yield usual("cosine-forgotten", square / cosine)
-    is_flat = p.is_of("lambertian")  # which has a cosine of its own
+    is_flat = p.lists("flat source")  # which has a cosine of its own
     for power in (2, 3, 4)[: 2 + is_flat]:  # from the third on without a cosine too
         yield usual("height-for-distance", square / cosine**power)
         if p.asks("intensity", "flux"):
@@ -162,7 +162,7 @@ def _integral(p: Problem) -> Found:
 
 def _direction(p: Problem) -> Found:
     """A direction, by its angles or its coordinates."""
-    if not p.is_of("direction"):
+    if not p.lists("direction"):
         return
     if p.asks("azimuth"):
         for turn in (PI, -PI):
@@ -189,7 +189,7 @@ def _direction(p: Problem) -> Found:
 def _sky(p: Problem) -> Found:
     """A sky taken as uniform, the pi of it, and a plane by what the ground gets."""
     ground = p.amount("horizontal-sky")
-    if not p.is_of("sky") or not ground:
+    if not p.lists("sky") or not ground:
         return
     symbols = [("horizontal-sky", ground, PI)]
     plane = p.amount("plane-sky")
@@ -205,10 +205,10 @@ def _sky(p: Problem) -> Found:
         symbols.append(("plane-sky", plane, PI * part))
     for symbol, size, even in symbols:
         yield usual("uniform-sky", p.chain.after(symbol, even))
-        for whole in (even, size):
-            yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * whole), right=DIFFUSE)
-            yield usual("pi-forgotten", p.chain.after(symbol, whole / PI), PI_FORGOTTEN, DIFFUSE)
-            yield usual("pi-upside-down", p.chain.after(symbol, 1 / whole), right=DIFFUSE)
+        for integral in (even, size):
+            yield usual("two-pi-for-pi", p.chain.after(symbol, 2 * integral), right=DIFFUSE)
+            yield usual("pi-forgotten", p.chain.after(symbol, integral / PI), PI_FORGOTTEN, DIFFUSE)
+            yield usual("pi-upside-down", p.chain.after(symbol, 1 / integral), right=DIFFUSE)
     height = p.amount("sun-height")
     if height:
         aside = math.sqrt(max(0.0, 1 - height * height))
@@ -217,7 +217,7 @@ def _sky(p: Problem) -> Found:
 
 def _environment(p: Problem) -> Found:
     """The pi of what all directions send."""
-    if p.is_of("environment") and p.asks("irradiance"):
+    if p.lists("all around") and p.asks("irradiance"):
         yield usual("pi-forgotten", p.right / PI, PI_FORGOTTEN, DIFFUSE)
         yield usual("two-pi-for-pi", 2 * p.right, right=DIFFUSE)
         yield usual("wrong-sphere", 4 * p.right, right=DIFFUSE)
@@ -275,18 +275,18 @@ def _eyes(p: Problem) -> Found:
     for symbol in (*OF_EYES, "sp-ratio"):
         if symbol not in p.chain.symbols:
             continue
-        own = p.chain.values[symbol]
-        others = [own * ratio for ratio in rounded] + [own / ratio for ratio in rounded]
+        right = p.chain.values[symbol]
+        wrong_values = [right * ratio for ratio in rounded] + [right / ratio for ratio in rounded]
         if symbol != "sp-ratio":
             for size in (683.0, day.maximum):
                 yield usual("683-for-any-light", p.chain.after(symbol, size))
             for eye, other in ((day, night), (night, day)):
                 seen = _efficacy(p, eye, eye is night)
-                others += [seen, seen * other.maximum / eye.maximum] if seen else []
+                wrong_values += [seen, seen * other.maximum / eye.maximum] if seen else []
             own_eye = night if symbol == OF_EYES[1] else day
             if "efficacy" not in p.given:
-                yield usual("683-forgotten", p.chain.after(symbol, own / own_eye.maximum))
-        for size in others:
+                yield usual("683-forgotten", p.chain.after(symbol, right / own_eye.maximum))
+        for size in wrong_values:
             yield usual("scotopic-for-photopic", p.chain.after(symbol, size))
 
 
@@ -297,13 +297,13 @@ def _efficacy(p: Problem, eye: "Observer", is_dark: bool) -> float | None:
         from radcalc.spectra.observers import luminous_efficacy
 
         return float(luminous_efficacy(light(p.given["wavelength"], None).table, eye))
-    return p.amount(OF_EYES[is_dark]) if p.is_of("spectrum") else None
+    return p.amount(OF_EYES[is_dark]) if p.lists("efficacies of eyes") else None
 
 
 def _beam(p: Problem) -> Found:
     """A beam as a sphere, or a lobe as a cone."""
     is_round = not p.given.keys().isdisjoint(("isotropic", "hemisphere"))
-    if not p.light or is_round or not p.is_of("point-source", "convert"):
+    if not p.light or is_round or not p.lists("beam"):
         return
     yield usual("spot-as-sphere", p.chain.after("solid-angle", cones.FULL))
     hemisphere = p.chain.after("solid-angle", cones.HEMISPHERE)

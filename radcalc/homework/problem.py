@@ -4,6 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from radcalc.answer import Value
+from radcalc.calculators.pages import page_of
 from radcalc.homework.chain import FAILURES, of_answer
 from radcalc.homework.question import Question
 from radcalc.homework.usual import USUAL
@@ -36,8 +37,8 @@ def usual(
     """
     if value is None or not math.isfinite(value):
         return None
-    rank, said, rule = USUAL[name]
-    return Candidate(name, rank + later, value, done or said, rule or right)
+    rank, usual_done, rule = USUAL[name]
+    return Candidate(name, rank + later, value, done or usual_done, rule or right)
 
 
 class Problem:
@@ -59,9 +60,9 @@ class Problem:
         else:
             self.chain = of_answer(question.answer, target, self.given)
 
-    def is_of(self, *commands: str) -> bool:
-        """Whether the question is one of these commands'."""
-        return self.question.command in commands
+    def lists(self, mistake: str) -> bool:
+        """Return whether the page of the calculator lists a mistake of its own."""
+        return mistake in page_of(self.question.command).mistakes
 
     def asks(self, *names: str) -> bool:
         """Whether the result is one of these; a generic name serves every kind of light."""
@@ -91,16 +92,16 @@ class Problem:
         for name, value in changed.items():
             given[name] = given[name]._replace(value=value, is_exact=True)
         try:
-            for found in self.question.work_out(given).values:
-                if found.name == self.target.name and found.dimensions == self.target.dimensions:
-                    return float(found.amount)
+            for result in self.question.work_out(given).values:
+                if result.name == self.target.name and result.dimensions == self.target.dimensions:
+                    return float(result.amount)
         except FAILURES:
             pass  # a wrong input may be an impossible one
         return None
 
     def misread(self, name: str, value: float) -> float | None:
         """The result with one input changed [SI]; by the laws alone where that is refused."""
-        found = self.anew({name: value})
-        if found is None and name in self.chain.symbols:
+        result = self.anew({name: value})
+        if result is None and name in self.chain.symbols:
             return self.chain.after(name, value)
-        return found
+        return result

@@ -5,12 +5,14 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from radcalc.answer import Answer, Step, Value
+from radcalc.calculators.task import Task
 from radcalc.calculators.uncertainty import value_of, with_uncertainties
-from radcalc.conversion.plan import Plan, plan
-from radcalc.given import Given, Inputs, any_uncertain
+from radcalc.conversion.linear import Plan
+from radcalc.conversion.plan import plan
+from radcalc.inputs.given import Input, Inputs, any_uncertain
 from radcalc.quantities.light import name_of, result_name, symbol_of
-from radcalc.units.amounts import Amount
-from radcalc.units.table import Unit
+from radcalc.units.amount import Amount
+from radcalc.units.unit import Unit
 
 
 class Question(NamedTuple):
@@ -34,15 +36,10 @@ class Question(NamedTuple):
     samples: Mapping[str, float] = MappingProxyType({})
 
 
-def of_calculator(
-    command: str,
-    shape: str,
-    given: Inputs,
-    work_out: Callable[[Inputs], Answer],
-    steps: bool = False,
-) -> Question:
-    """The question that a calculator answers from what is given."""
-    question = Question(work_out(given), given, work_out, command, shape)
+def of_task(task: Task, given: Inputs, steps: bool = False) -> Question:
+    """Return the question that a calculator answers from what is given."""
+    answer = task.nominal(given)
+    question = Question(answer, given, task.nominal, task.command, task.shape, samples=task.samples)
     return _with_uncertainties(question, given, steps)
 
 
@@ -50,19 +47,19 @@ def _with_uncertainties(question: Question, given: Inputs, steps: bool) -> Quest
     """The question with its steps, and with the uncertainties that what was given leads to."""
     answer = question.answer
     if any_uncertain(given.values()):
-        told = with_uncertainties(question.work_out, given)
+        uncertain = with_uncertainties(question.work_out, given)
         # the mistakes are found along the steps of the numbers
-        answer = told._replace(values=answer.values, more=answer.more, steps=answer.steps)
-        question = question._replace(answer=answer, uncertain=told)
-    told = question.uncertain or answer
-    return question._replace(steps=tuple(told.steps)) if steps else question
+        answer = uncertain._replace(values=answer.values, more=answer.more, steps=answer.steps)
+        question = question._replace(answer=answer, uncertain=uncertain)
+    explained = question.uncertain or answer
+    return question._replace(steps=tuple(explained.steps)) if steps else question
 
 
 def of_conversion(
     number: float,
     source: Unit,
     target: Unit,
-    given: Sequence[Given],
+    given: Sequence[Input],
     steps: bool = False,
     amount: Amount | None = None,
 ) -> Question:
@@ -73,23 +70,28 @@ def of_conversion(
 
     def work_out(inputs: Inputs) -> Answer:
         value = inputs[""].value if "" in inputs else number
-        made = plan(source, target, [one for name, one in inputs.items() if name])
-        unit = made.target  # of a scale the reading that was meant
+        conversion = plan(source, target, [condition for name, condition in inputs.items() if name])
+        unit = conversion.target  # of a scale the reading that was meant
         name = name_of(unit)
         result = Value(
             "value",
             name or "value",
             symbol_of(unit),
-            made.quantity(value) * unit.factor,
+            conversion.quantity(value) * unit.factor,
             (unit.dimension,),
             (unit.text,),
             also=result_name(unit),
         )
-        return Answer([result], made.assumptions, made.notes, made.derive(value) if steps else ())
+        return Answer(
+            [result],
+            conversion.assumptions,
+            conversion.notes,
+            conversion.derive(value) if steps else (),
+        )
 
-    conditions = {one.name: one for one in given}
+    conditions = {condition.name: condition for condition in given}
     answer = work_out(conditions)
-    made = plan(source, target, given)
-    question = Question(answer, conditions, work_out, "convert", plan=made, number=number)
+    conversion = plan(source, target, given)
+    question = Question(answer, conditions, work_out, "convert", plan=conversion, number=number)
     inputs = {**conditions, "": value_of(amount)} if amount else conditions
     return _with_uncertainties(question, inputs, steps)

@@ -23,9 +23,9 @@ def find(p: Problem) -> Iterator[Candidate]:
         for name_of_law, symbol, wrong in LAWS:
             if target == symbol and law.name == name_of_law:
                 for name, value in _values(p, wrong):
-                    found = usual(name, p.chain.after(target, value), right=text_of(law))
-                    if found:
-                        yield found
+                    candidate = usual(name, p.chain.after(target, value), right=text_of(law))
+                    if candidate:
+                        yield candidate
 
 
 def _values(p: Problem, wrong: Callable[[At], Wrong]) -> Wrong:
@@ -153,23 +153,23 @@ def _of_uniform(at: At) -> Wrong:
     yield "exit-forgotten", wider
 
 
-def _beside(whole: float, part: float) -> float:
-    return math.sqrt(whole**2 - part**2)
+def _other_leg(hypotenuse: float, leg: float) -> float:
+    return math.sqrt(hypotenuse**2 - leg**2)
 
 
 def _reach_of_gaussian(at: At) -> Wrong:
-    spot, own, angle = at("limit-diameter"), at("diameter"), at("divergence")
+    spot, exit_diameter, angle = at("limit-diameter"), at("diameter"), at("divergence")
     mean = spot / math.sqrt(2)  # where the mean over the spot is the limit
-    yield "sum-for-root", (spot - own) / angle
-    yield "uniform-for-gaussian", (mean - own) / angle
+    yield "sum-for-root", (spot - exit_diameter) / angle
+    yield "uniform-for-gaussian", (mean - exit_diameter) / angle
     yield "exit-forgotten", spot / angle
     yield "mean-for-peak", mean / angle
 
 
 def _reach_of_uniform(at: At) -> Wrong:
-    spot, own, angle = at("limit-diameter"), at("diameter"), at("divergence")
-    yield "sum-for-root", _beside(spot, own) / angle
-    yield "gaussian-for-uniform", _beside(math.sqrt(2) * spot, own) / angle
+    spot, exit_diameter, angle = at("limit-diameter"), at("diameter"), at("divergence")
+    yield "sum-for-root", _other_leg(spot, exit_diameter) / angle
+    yield "gaussian-for-uniform", _other_leg(math.sqrt(2) * spot, exit_diameter) / angle
     yield "exit-forgotten", spot / angle
 
 

@@ -11,7 +11,7 @@ from radcalc.calculators.results import in_unit
 from radcalc.derivation import format_number, with_unit
 from radcalc.homework.answer import Claim, Diagnosis, Tolerance
 from radcalc.homework.question import Question
-from radcalc.units.table import Unit
+from radcalc.units.unit import Unit
 
 NEAR = 0.05  # of an uncertainty, which has two digits at most
 WRONG = "uncertainty"  # the mistake that has no better name
@@ -33,12 +33,12 @@ def tolerance(off: float, unit: str) -> Tolerance:
     return Tolerance(f"within {_in(off, unit)}, the standard uncertainty", "absolute", off)
 
 
-def judge(number: Any, said: Claim, unit: str, allowed: float) -> tuple[Diagnosis, ...]:
+def judge(number: Any, claim: Claim, unit: str, allowed: float) -> tuple[Diagnosis, ...]:
     """What is wrong with the uncertainty that an answer claims; nothing where that is right.
 
     Of an exact result it may be as large as the answer was `allowed` to be off, in the `unit`.
     """
-    off, claimed = getattr(number, "std_dev", 0.0), said.uncertainty
+    off, claimed = getattr(number, "std_dev", 0.0), claim.uncertainty
     if not off:
         too_large = claimed > allowed
         return (Diagnosis(WRONG, "an uncertainty is claimed", EXACT),) if too_large else ()
@@ -47,9 +47,13 @@ def judge(number: Any, said: Claim, unit: str, allowed: float) -> tuple[Diagnosi
     right = f"it is {_in(off, unit)}"
     components = number.error_components()
     parts = [abs(size) for size in components.values()]
-    sizes = [one.std_dev / one.nominal_value for one in components if one.nominal_value]
+    sizes = [
+        component.std_dev / component.nominal_value
+        for component in components
+        if component.nominal_value
+    ]
     without_slopes = abs(number.nominal_value) * math.hypot(*sizes)
-    found = [
+    mistakes = [
         ("uncertainties-added", sum(parts), "the uncertainties were added up", SQUARES),
         ("uncertainty-expanded", 2 * off, "that is twice it, for k = 2", "k = 1 is asked for"),
         ("uncertainty-slope", without_slopes, "parts of the inputs were added as they are", SLOPES),
@@ -59,7 +63,7 @@ def judge(number: Any, said: Claim, unit: str, allowed: float) -> tuple[Diagnosi
             if len(parts) > 1
         ),
     ]
-    for name, size, done, why in found:
+    for name, size, done, why in mistakes:
         if _is_near(claimed, size):
             return (Diagnosis(name, done, f"{why}: {right}"),)
     return (Diagnosis(WRONG, "the uncertainty is another one", right),)

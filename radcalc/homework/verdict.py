@@ -13,8 +13,9 @@ from radcalc.homework import uncertainty
 from radcalc.homework.answer import LEAST_MEANT, Claim, Diagnosis, read_claim, read_tolerance
 from radcalc.homework.question import Question
 from radcalc.quantities.light import describe
-from radcalc.units.scales import CONSTANTS, ScaleUnit
-from radcalc.units.table import Unit
+from radcalc.units.scale_table import CONSTANTS
+from radcalc.units.scales import ScaleUnit
+from radcalc.units.unit import Unit
 
 ROUNDED = "rounded"  # which is no mistake
 TOLERANCE, ONE_PERCENT = "1%", 0.01
@@ -54,18 +55,20 @@ def check(question: Question, claim: str, tolerance: str | None = None) -> Verdi
     is given, one of them is right.
     """
     uncertain = question.uncertain
-    others = (uncertain, *uncertain.more) if uncertain else repeat(None)
+    uncertain_answers = (uncertain, *uncertain.more) if uncertain else repeat(None)
     verdicts = (
         _check(question._replace(answer=answer, uncertain=other), claim, tolerance)
-        for answer, other in zip((question.answer, *question.answer.more), others, strict=False)
+        for answer, other in zip(
+            (question.answer, *question.answer.more), uncertain_answers, strict=False
+        )
     )
     first = next(verdicts)
     return first if first.right else next((v for v in verdicts if v.right), first)
 
 
-def _check(question: Question, claim: str, asked: str | None) -> Verdict:
-    said, tolerance = read_claim(claim), asked or TOLERANCE
-    target, unit_text, is_of_another = _target(question, said, tolerance)
+def _check(question: Question, claim_text: str, asked_tolerance: str | None) -> Verdict:
+    claim, tolerance = read_claim(claim_text), asked_tolerance or TOLERANCE
+    target, unit_text, is_of_another = _target(question, claim, tolerance)
     unit = measured_in(unit_text, target.name)
     if isinstance(unit, ScaleUnit):  # it is judged by what it stands for
         unit = unit.with_constants(
@@ -73,20 +76,22 @@ def _check(question: Question, claim: str, asked: str | None) -> Verdict:
         )
         scale = unit.measures((*target.dimensions, *target.reach))
         if is_of_another:
-            return _judged(question, said, target, scale.unit.text, True, tolerance, asked)
-        meant = _stands_for(said, scale), target, scale.unit.text, False
-        return _in_readings(_judged(question, *meant, tolerance, asked), said, scale)
-    return _judged(question, said, target, unit_text, is_of_another, tolerance, asked)
+            return _judged(
+                question, claim, target, scale.unit.text, True, tolerance, asked_tolerance
+            )
+        arguments = _stands_for(claim, scale), target, scale.unit.text, False
+        return _in_readings(_judged(question, *arguments, tolerance, asked_tolerance), claim, scale)
+    return _judged(question, claim, target, unit_text, is_of_another, tolerance, asked_tolerance)
 
 
 def _judged(
     question: Question,
-    said: Claim,
+    claim: Claim,
     target: Value,
     unit_text: str,
     is_of_another: bool,
     tolerance: str,
-    asked: str | None,
+    asked_tolerance: str | None,
 ) -> Verdict:
     """Judge an answer that is meant for one of the results, in a unit."""
     unit = measured_in(unit_text, target.name)
@@ -97,104 +102,121 @@ def _judged(
         )
     if target.name == "azimuth":  # whole turns make no difference
         turn = 2 * math.pi / unit.factor
-        said = said._replace(value=said.value + turn * round((right - said.value) / turn))
+        claim = claim._replace(value=claim.value + turn * round((right - claim.value) / turn))
     number = uncertainty.of_result(question, target, unit)
     off = getattr(number, "std_dev", 0.0)
     allowed = read_tolerance(tolerance, unit)
-    if not asked and off > ONE_PERCENT * abs(right):
+    if not asked_tolerance and off > ONE_PERCENT * abs(right):
         allowed = uncertainty.tolerance(off, unit_text)
-    is_near = allowed.holds(said.value, right)
-    ratio = said.value / right if right else math.inf
+    is_near = allowed.holds(claim.value, right)
+    ratio = claim.value / right if right else math.inf
     verdict = Verdict(
         is_near and not is_of_another,
         target.name,
         unit_text,
         right,
-        said.value,
-        said.unit or unit_text,
+        claim.value,
+        claim.unit or unit_text,
         ratio if math.isfinite(ratio) and not is_of_another else None,
         allowed.text,
         (),
         question.steps,
         off,
-        said.uncertainty,
+        claim.uncertainty,
     )
     if verdict.right:
-        found = uncertainty.judge(number, said, unit_text, allowed.width(right))
-        return verdict._replace(right=not found, diagnoses=found)
+        diagnoses = uncertainty.judge(number, claim, unit_text, allowed.width(right))
+        return verdict._replace(right=not diagnoses, diagnoses=diagnoses)
     if is_of_another:
-        return verdict._replace(diagnoses=(_wrong_unit(said, target, unit_text, is_near),))
-    if marked := _marked(question, said, target, unit):
-        if asked:
+        return verdict._replace(diagnoses=(_wrong_unit(claim, target, unit_text, is_near),))
+    return _explained(question, claim, target, unit, verdict, asked_tolerance)
+
+
+def _explained(
+    question: Question,
+    claim: Claim,
+    target: Value,
+    unit: Unit,
+    verdict: Verdict,
+    asked_tolerance: str | None,
+) -> Verdict:
+    """Accept an answer that is off as a camera's marked number or a rounded one is, or diagnose it.
+
+    A tolerance that was asked for accepts neither.
+    """
+    right = verdict.value
+    if marked := _marked(question, claim, target, unit):
+        if asked_tolerance:
             return verdict._replace(diagnoses=(marked,))
         return verdict._replace(right=True, tolerance=marked.done, diagnoses=(marked,))
-    if said.value and abs(right - said.value) <= max(said.half_unit, said.widest):
-        rounded = _rounded(said, right)
-        if asked or said.digits < LEAST_MEANT:
+    if claim.value and abs(right - claim.value) <= max(claim.half_unit, claim.widest):
+        rounded = _rounded(claim, right)
+        if asked_tolerance or claim.digits < LEAST_MEANT:
             return verdict._replace(diagnoses=(rounded,))
         return verdict._replace(right=True, tolerance=rounded.done, diagnoses=(rounded,))
     from radcalc.homework.diagnosis import diagnose  # which right answers do without
 
     scale = float(target.amount) / right if right else unit.factor
-    found = diagnose(question, target, said, scale)
-    if question.steps and found and verdict.ratio is not None:
-        verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, found[0])))
-    return verdict._replace(diagnoses=found)
+    diagnoses = diagnose(question, target, claim, scale)
+    if question.steps and diagnoses and verdict.ratio is not None:
+        verdict = verdict._replace(steps=(*question.steps, _as_answered(verdict, diagnoses[0])))
+    return verdict._replace(diagnoses=diagnoses)
 
 
-def _stands_for(said: Claim, scale: ScaleUnit) -> Claim:
+def _stands_for(claim: Claim, scale: ScaleUnit) -> Claim:
     """A reading as what it stands for; half a unit of its digits becomes a part of that."""
-    slope = abs(scale.slope(said.value))
-    return said._replace(
-        value=scale.quantity(said.value),
+    slope = abs(scale.slope(claim.value))
+    return claim._replace(
+        value=scale.quantity(claim.value),
         unit=scale.unit.text,
-        uncertainty=said.uncertainty * slope,
-        half_unit=said.half_unit * slope,
-        widest=said.widest * slope,
+        uncertainty=claim.uncertainty * slope,
+        half_unit=claim.half_unit * slope,
+        widest=claim.widest * slope,
     )
 
 
-def _in_readings(verdict: Verdict, said: Claim, scale: ScaleUnit) -> Verdict:
+def _in_readings(verdict: Verdict, claim: Claim, scale: ScaleUnit) -> Verdict:
     """A verdict with readings for what they stand for, which have no ratio."""
     right = scale.reading(verdict.value)
     tolerance = verdict.tolerance
     if tolerance.endswith("%"):
         tolerance += " of what it stands for"
     diagnoses = tuple(
-        _rounded(said, right) if one.mistake == ROUNDED else one for one in verdict.diagnoses
+        _rounded(claim, right) if diagnosis.mistake == ROUNDED else diagnosis
+        for diagnosis in verdict.diagnoses
     )
     return verdict._replace(
         value=right,
         unit=scale.text,
-        claimed=said.value,
+        claimed=claim.value,
         claimed_unit=scale.text,
         ratio=None,
         tolerance=tolerance,
         diagnoses=diagnoses,
         uncertainty=verdict.uncertainty / abs(scale.slope(right)),
-        claimed_uncertainty=said.uncertainty,
+        claimed_uncertainty=claim.uncertainty,
     )
 
 
-def _as_answered(verdict: Verdict, found: Diagnosis) -> Step:
+def _as_answered(verdict: Verdict, diagnosis: Diagnosis) -> Step:
     """How the likeliest mistake leads from the right value to the answer."""
     sizes = (verdict.value, verdict.ratio, verdict.claimed)
     right, ratio, claimed = map(format_number, sizes)
     numbers = f"{with_unit(right, verdict.unit)} * {ratio} = {with_unit(claimed, verdict.unit)}"
-    return Step(f"as it was answered: {found.done}", "", numbers)
+    return Step(f"as it was answered: {diagnosis.done}", "", numbers)
 
 
-def _rounded(said: Claim, right: float) -> Diagnosis:
+def _rounded(claim: Claim, right: float) -> Diagnosis:
     """The answer is the right one, in fewer digits than the tolerance asks for."""
     digits = next(
-        (n for n in range(1, said.digits) if float(f"{right:.{n}g}") == said.value), said.digits
+        (n for n in range(1, claim.digits) if float(f"{right:.{n}g}") == claim.value), claim.digits
     )
-    told = "the digit" if digits == 1 else f"the {digits} digits"
+    digits_given = "the digit" if digits == 1 else f"the {digits} digits"
     nearer = f"{right:.{max(3, digits + 1)}g}"
-    return Diagnosis(ROUNDED, f"to {told} given", f"{nearer} is nearer")
+    return Diagnosis(ROUNDED, f"to {digits_given} given", f"{nearer} is nearer")
 
 
-def _marked(question: Question, said: Claim, target: Value, unit: Unit) -> Diagnosis | None:
+def _marked(question: Question, claim: Claim, target: Value, unit: Unit) -> Diagnosis | None:
     """That the answer is what a camera is marked with for the right value, as 1/125 for 1/128 s."""
     name = CAMERA_SCALES.get(target.name)
     if question.command != "ev" or name is None:
@@ -202,85 +224,87 @@ def _marked(question: Question, said: Claim, target: Value, unit: Unit) -> Diagn
     from radcalc.laws.exposure import mark
 
     exact = mark(name, float(target.amount))
-    if exact is None or not math.isclose(said.value * unit.factor, exact, rel_tol=1e-9):
+    if exact is None or not math.isclose(claim.value * unit.factor, exact, rel_tol=1e-9):
         return None
     return Diagnosis(ROUNDED, "as cameras are marked, in rounded numbers", "whole stops are exact")
 
 
-def _wrong_unit(said: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
+def _wrong_unit(claim: Claim, target: Value, unit: str, is_near: bool) -> Diagnosis:
     """The answer's unit measures something else than the result."""
     number = "the number would be right" if is_near else "check both"
     return Diagnosis(
         "wrong-unit",
-        f"{describe(measured_in(said.unit, target.name))} is not {target.label}; {number}",
+        f"{describe(measured_in(claim.unit, target.name))} is not {target.label}; {number}",
         f"{target.label} is in {unit}",
     )
 
 
-def _target(question: Question, said: Claim, tolerance: str) -> tuple[Value, str, bool]:
+def _target(question: Question, claim: Claim, tolerance: str) -> tuple[Value, str, bool]:
     """The result that is meant, the unit to compare in, and whether the unit is of another.
 
     Without a name it is the first that has that unit; where the number fits only another one,
     nothing can be said before it is named.
     """
-    told = option("check", quote(said.text))
-    pool = _named(question, said) if said.name else _unnamed(question)
-    if not said.unit:
+    typed = option("check", quote(claim.text))
+    pool = _named(question, claim) if claim.name else _unnamed(question)
+    if not claim.unit:
         if len({value.name for value in pool}) > 1 or len(set(pool[0].units)) != 1:
-            missing = "in which unit" if said.name else "which result is meant"
-            raise ConditionError(f"{told}: say {missing}", _ways(pool, said))
+            missing = "in which unit" if claim.name else "which result is meant"
+            raise ConditionError(f"{typed}: say {missing}", _ways(pool, claim))
         return pool[0], pool[0].units[0], False
-    unit = measured_in(said.unit, *(value.name for value in pool))
-    fitting = [value for value in pool if said.unit in value.units] or [
+    unit = measured_in(claim.unit, *(value.name for value in pool))
+    fitting = [value for value in pool if claim.unit in value.units] or [
         value for value in pool if unit.dimension in (*value.dimensions, *value.reach)
     ]
     if fitting:
-        holding = [value for value in fitting if _holds(value, unit, said, tolerance)]
+        holding = [value for value in fitting if _holds(value, unit, claim, tolerance)]
         if holding and fitting[0] not in holding:
             raise ConditionError(
-                f"{told} would be right for {holding[0].name}: say which result is meant",
-                _ways([fitting[0], *holding], said),
+                f"{typed} would be right for {holding[0].name}: say which result is meant",
+                _ways([fitting[0], *holding], claim),
             )
-        return fitting[0], said.unit, False
+        return fitting[0], claim.unit, False
     for value in pool:  # the one that the number fits, if any
         for text in value.units:
-            if _holds(value, measured_in(text, value.name), said, tolerance):
+            if _holds(value, measured_in(text, value.name), claim, tolerance):
                 return value, text, True
     return pool[0], pool[0].units[0], True
 
 
-def _named(question: Question, said: Claim) -> list[Value]:
+def _named(question: Question, claim: Claim) -> list[Value]:
     """The results of a name."""
-    named = [value for value in question.answer.values if said.name in (value.name, value.also)]
-    shown = [value for value in named if not value.is_absent]
-    if shown:
-        return shown
+    named = [value for value in question.answer.values if claim.name in (value.name, value.also)]
+    present = [value for value in named if not value.is_absent]
+    if present:
+        return present
     if named:
-        pick(named, said.name)  # which says what it lacks
+        pick(named, claim.name)  # which says what it lacks
     names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
-    missing = f"{option('check')}: there is no result '{quote(said.name)}'"
+    missing = f"{option('check')}: there is no result '{quote(claim.name)}'"
     raise ConditionError(missing, ", ".join(names))
 
 
 def _unnamed(question: Question) -> list[Value]:
     """The results that a number alone may mean: what follows, then what was given."""
-    shown = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
-    if not shown:
+    present = [v for v in question.answer.values if not v.is_absent and v.name not in REMARKS]
+    if not present:
         raise ConditionError(f"{option('check')}: there is nothing to check", "less of it given")
-    asked = ASKED.get(question.command, ())
-    return sorted(shown, key=lambda value: (value.given is not None, value.name not in asked))
+    asked_names = ASKED.get(question.command, ())
+    return sorted(
+        present, key=lambda value: (value.given is not None, value.name not in asked_names)
+    )
 
 
-def _holds(value: Value, unit: Unit, said: Claim, tolerance: str) -> bool:
+def _holds(value: Value, unit: Unit, claim: Claim, tolerance: str) -> bool:
     right = in_unit(value, unit)
-    return isinstance(right, float) and read_tolerance(tolerance, unit).holds(said.value, right)
+    return isinstance(right, float) and read_tolerance(tolerance, unit).holds(claim.value, right)
 
 
-def _ways(values: Sequence[Value], said: Claim) -> str:
+def _ways(values: Sequence[Value], claim: Claim) -> str:
     """How the answer can be said clearly."""
-    ways = [
-        option("check", f"{value.name}={said.number}{unit.replace(' ', '.').removeprefix('1')}")
+    clear_answers = [
+        option("check", f"{value.name}={claim.number}{unit.replace(' ', '.').removeprefix('1')}")
         for value in values
-        for unit in ([said.unit] if said.unit else value.units)
+        for unit in ([claim.unit] if claim.unit else value.units)
     ]
-    return ", ".join([*dict.fromkeys(ways)][:WAYS])
+    return ", ".join([*dict.fromkeys(clear_answers)][:WAYS])

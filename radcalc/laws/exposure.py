@@ -26,8 +26,8 @@ from collections.abc import Callable
 from typing import Any
 
 from radcalc.laws.law import AnyLaw, At, law, relation
-from radcalc.maths import log2, sqrt
-from radcalc.units.scales import ILLUMINANCE_EV, LUMINANCE_EV
+from radcalc.maths import log2, power, sqrt, square
+from radcalc.units.scale_table import ILLUMINANCE_EV, LUMINANCE_EV
 
 SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
 # What is marked for 2^-13 s to 2^5 s, and for f-numbers of 2^(0/2) to 2^(12/2); scantips.com,
@@ -45,7 +45,7 @@ STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact on
 
 
 def mark(name: str, value: float) -> float | None:
-    """What a camera is marked with at a time or an f-number of whole stops.
+    """Return what a camera is marked with at a time or an f-number of whole stops.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ EV100 = relation(
     {
         "ev100": lambda at: at("ev") - log2(at("iso") / 100),
         "ev": lambda at: at("ev100") + log2(at("iso") / 100),
-        "iso": lambda at: 100 * 2.0 ** (at("ev") - at("ev100")),
+        "iso": lambda at: 100 * power(2.0, at("ev") - at("ev100")),
     },
     "ISO 2720",
 )
@@ -112,7 +112,7 @@ LAWS: list[AnyLaw] = [
         "{ev} = log2({exposure-setting} / 1 Hz)",
         {
             "ev": lambda at: log2(at("exposure-setting")),
-            "exposure-setting": lambda at: 2.0 ** at("ev"),
+            "exposure-setting": lambda at: power(2.0, at("ev")),
         },
         "ISO 2720",
     ),
@@ -122,7 +122,7 @@ LAWS: list[AnyLaw] = [
     relation(
         "saturation",
         "{saturation-luminance} = 1.2 cd/m2 2^{ev100}",
-        {"saturation-luminance": lambda at: SATURATION * 2.0 ** at("ev100")},
+        {"saturation-luminance": lambda at: SATURATION * power(2.0, at("ev100"))},
         "ISO 12232, saturation-based speed",
     ),
 ]
@@ -139,7 +139,7 @@ FILTERED: list[AnyLaw] = [
         {
             "ev100": lambda at: at("ev") - log2(at("iso") / 100) + at("stops"),
             "ev": lambda at: at("ev100") + log2(at("iso") / 100) - at("stops"),
-            "iso": lambda at: 100 * 2.0 ** (at("ev") - at("ev100") + at("stops")),
+            "iso": lambda at: 100 * power(2.0, at("ev") - at("ev100") + at("stops")),
             "stops": lambda at: at("ev100") - at("ev") + log2(at("iso") / 100),
         },
         "ISO 2720",
@@ -149,8 +149,8 @@ FILTERED: list[AnyLaw] = [
         "time behind a filter",
         "{time} = {unfiltered-time} 2^{stops}",
         {
-            "time": lambda at: at("unfiltered-time") * 2.0 ** at("stops"),
-            "unfiltered-time": lambda at: at("time") * 2.0 ** -at("stops"),
+            "time": lambda at: at("unfiltered-time") * power(2.0, at("stops")),
+            "unfiltered-time": lambda at: at("time") * power(2.0, -at("stops")),
             "stops": lambda at: log2(at("time") / at("unfiltered-time")),
         },
         "ISO 2720",
@@ -162,7 +162,7 @@ def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
     """Guide number, distance, f-number and speed, and the stops of a filter if there is one."""
 
     def lost(at: At) -> Any:
-        return 2.0 ** (at("stops") / 2) if filtered else 1.0
+        return power(2.0, at("stops") / 2) if filtered else 1.0
 
     solvers: dict[str, Callable[[At], Any]] = {
         "guide-number": lambda at: (
@@ -174,8 +174,8 @@ def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
         "f-number": lambda at: (
             at("guide-number") * sqrt(at("iso")) / (10 * at("distance") * lost(at))
         ),
-        "iso": lambda at: (
-            (10 * at("distance") * at("f-number") * lost(at) / at("guide-number")) ** 2
+        "iso": lambda at: square(
+            10 * at("distance") * at("f-number") * lost(at) / at("guide-number")
         ),
     }
     if filtered:

@@ -19,7 +19,7 @@ from typing import Any
 from radcalc.geometry import cones
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import AnyLaw, At, Relation, law, relation
-from radcalc.maths import expm1, hypot, larger, log1p, smaller, sqrt
+from radcalc.maths import expm1, hypot, larger, log1p, smaller, sqrt, square
 from radcalc.quantities.symbols import GAUSSIAN, UNIFORM
 from radcalc.units.numbers import EXACT
 
@@ -32,7 +32,7 @@ EXIT = law("spot at the laser's exit", "{spot-diameter} = {diameter}")
 
 
 def _without(whole: Any, part: Any) -> Any:
-    """What the square of a diameter has beside that of another one, as a length."""
+    """Return what the square of a diameter has beside that of another one, as a length."""
     return sqrt((whole - part) * (whole + part))
 
 
@@ -40,13 +40,13 @@ def _minus(whole: Any, part: Any) -> Any:
     return whole - part
 
 
-def _plus(one: Any, other: Any) -> Any:
-    return one + other
+def _plus(first: Any, second: Any) -> Any:
+    return first + second
 
 
-def _rest(whole: Any, part: Any) -> Any:
-    cones.refuse(whole < part, "no beam becomes narrower on its way", WIDER)
-    return whole
+def _widened(far: Any, near: Any) -> Any:
+    cones.refuse(far < near, "no beam becomes narrower on its way", WIDER)
+    return far
 
 
 SPREADS = {  # how diameters add up and are taken apart, how that is written, and who says so
@@ -62,8 +62,8 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     def widening(at: At) -> Any:
         return at("divergence") * at(distance)
 
-    def left(at: At, part: Any) -> Any:
-        return take(_rest(at(spot), part), part)
+    def remaining(at: At, part: Any) -> Any:
+        return take(_widened(at(spot), part), part)
 
     def before(at: At) -> Any:
         problem = "the divergence alone makes as wide a spot, of a beam that has no width"
@@ -74,7 +74,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
     def away(at: At) -> Any:
         if distance == HAZARD:
             return take(larger(at(spot), at("diameter")), at("diameter"))
-        return left(at, at("diameter"))
+        return remaining(at, at("diameter"))
 
     return relation(
         f"spread of a {profile} beam",
@@ -82,7 +82,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
         {
             spot: lambda at: add(at("diameter"), widening(at)),
             "diameter": before,
-            "divergence": lambda at: left(at, at("diameter")) / at(distance),
+            "divergence": lambda at: remaining(at, at("diameter")) / at(distance),
             distance: lambda at: away(at) / at("divergence"),
         },
         reference,
@@ -90,20 +90,20 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
 
 
 def _not_all(at: At) -> Any:
-    """The part of the flux that is received, which is not all of it."""
+    """Return the part of the flux that is received, which is not all of it."""
     part = at("received-flux") / at("flux")
     cones.refuse(part >= 1, "no receiver gets all of that beam's flux", "less of it")
     return part
 
 
 def _within(at: At) -> Any:
-    """The part of a Gaussian beam's flux that gets through an aperture."""
-    return -expm1(-2 * (at("receiver-diameter") / at("spot-diameter")) ** 2)
+    """Return the part of a Gaussian beam's flux that gets through an aperture."""
+    return -expm1(-2 * square(at("receiver-diameter") / at("spot-diameter")))
 
 
 def _covered(at: At) -> Any:
-    """The part of a uniform beam's flux that gets through an aperture."""
-    return smaller(1.0, at("receiver-diameter") / at("spot-diameter")) ** 2
+    """Return the part of a uniform beam's flux that gets through an aperture."""
+    return square(smaller(1.0, at("receiver-diameter") / at("spot-diameter")))
 
 
 def _widths(at: At) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from radcalc.derivation import Formula
 from radcalc.errors import ConditionError
-from radcalc.maths import any_true, is_array
+from radcalc.maths import any_true, is_array, power
 
 At = Callable[[str], Any]  # gives the value of a symbol
 
@@ -64,7 +64,7 @@ class Law(NamedTuple):
 
     @property
     def formula(self) -> Formula:
-        """How it is written in a derivation."""
+        """Return how it is written in a derivation."""
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:
@@ -93,24 +93,27 @@ class Law(NamedTuple):
         >>> square.solve("distance", {"irradiance": 25.0, "intensity": 100.0}.get)
         2.0
         """
-        product, power = self.constant, 1.0
+        product, root = self.constant, 1.0
         for name, exponent in self.powers:
             if name == target:
-                power = exponent
+                root = exponent
+            elif exponent == 1:
+                product = product * at(name)
             elif exponent == -1:
                 product = product / at(name)
             else:
-                product = product * at(name) ** exponent
+                product = product * power(at(name), exponent)
         if target == self.names[0]:
             return product
         result = at(self.names[0])
-        if any_true(product == 0) or (power < 0 and any_true(result == 0)):
+        is_dark = product == 0
+        if (is_dark is not False and any_true(is_dark)) or (root < 0 and any_true(result == 0)):
             raise ConditionError(
                 f"no light arrives, so no {target.replace('-', ' ')} follows from it",
                 "a receiver in the light",
             )
         quotient = result / product
-        return quotient if power == 1 else quotient ** (1 / power)
+        return quotient if root == 1 else power(quotient, 1 / root)
 
 
 def law(
@@ -243,7 +246,7 @@ class Relation(NamedTuple):
 
     @property
     def formula(self) -> Formula:
-        """How it is written in a derivation."""
+        """Return how it is written in a derivation."""
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:

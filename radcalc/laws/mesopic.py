@@ -15,7 +15,7 @@ from typing import Any
 
 from radcalc.errors import ConditionError
 from radcalc.laws.law import AnyLaw, At, law, relation
-from radcalc.maths import in_one_step, limit
+from radcalc.maths import Number, any_true, each, limit
 from radcalc.quantities.symbols import SYMBOLS
 
 # m = A + B log10 L_mes, and V'(lambda0) = 683/1699 at 555 nm; CIE 191:2010.
@@ -58,18 +58,17 @@ def mixture(luminance: float, scotopic: float, m: float) -> float:
     return (m * luminance + night * scotopic) / (m + night)
 
 
-@in_one_step
-def adaptation(mesopic: float) -> float:
+def adaptation(mesopic: Number) -> Number:
     """Adaptation coefficient that a mesopic luminance goes with.
 
     Parameters
     ----------
-    mesopic : float [cd/m2]
+    mesopic : float or ndarray [cd/m2]
         More than 0.
 
     Returns
     -------
-    float [1]
+    float or ndarray [1]
         From 0, up to 0.005 cd/m2, to 1, from 5 cd/m2 on.
 
     Notes
@@ -87,6 +86,10 @@ def adaptation(mesopic: float) -> float:
     >>> adaptation(0.001), round(adaptation(0.1), 4), adaptation(10.0)
     (0.0, 0.4336, 1.0)
     """
+    return each(_adaptation, mesopic)
+
+
+def _adaptation(mesopic: float) -> float:
     if mesopic >= PHOTOPIC_FROM:
         return 1.0
     if mesopic <= SCOTOPIC_TO:
@@ -127,7 +130,7 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
     scotopic = ratio * luminance
 
     def excess(m: float) -> float:
-        return m - adaptation(mixture(luminance, scotopic, m))
+        return m - _adaptation(mixture(luminance, scotopic, m))
 
     low, high = 0.0, 1.0
     if excess(low) >= 0:
@@ -138,14 +141,8 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
     return mixture(luminance, scotopic, m), m
 
 
-@in_one_step
-def _mesopic(luminance: float, ratio: float) -> float:
-    """The mesopic luminance, from the photopic one and the ratio."""
-    return solve(luminance, ratio)[0]
-
-
 def _luminance(at: At) -> Any:
-    """The photopic luminance, from the mesopic one and the ratio."""
+    """Return the photopic luminance, from the mesopic one and the ratio."""
     mesopic = at("mesopic-luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
@@ -153,17 +150,18 @@ def _luminance(at: At) -> Any:
 
 
 def _ratio(at: At) -> Any:
-    """The S/P ratio, from the mesopic luminance and the photopic one."""
+    """Return the S/P ratio, from the mesopic luminance and the photopic one."""
     mesopic, luminance = at("mesopic-luminance"), at("luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
-    ratio = (mesopic * (m + night) / luminance - m) / night if night else -1.0
-    if not 0 < ratio <= SYMBOLS["sp-ratio"].limits.high:
-        raise ConditionError(
-            "no S/P ratio leads from that luminance to that mesopic luminance",
-            "luminances nearer to each other, below 5 cd/m2",
-        )
-    return ratio
+    if not any_true(night == 0):
+        ratio = (mesopic * (m + night) / luminance - m) / night
+        if not any_true((ratio <= 0) | (ratio > SYMBOLS["sp-ratio"].limits.high)):
+            return ratio
+    raise ConditionError(
+        "no S/P ratio leads from that luminance to that mesopic luminance",
+        "luminances nearer to each other, below 5 cd/m2",
+    )
 
 
 SCOTOPIC = law("scotopic luminance", "{scotopic-luminance} = {sp-ratio} {luminance}")
@@ -178,7 +176,9 @@ MESOPIC = relation(
     "{mesopic-luminance} = (m {luminance} + (1 - m) {sp-ratio} {luminance} V0) / "
     "(m + (1 - m) V0), V0 = 683/1699",
     {
-        "mesopic-luminance": lambda at: _mesopic(at("luminance"), at("sp-ratio")),
+        "mesopic-luminance": lambda at: each(
+            lambda luminance, ratio: solve(luminance, ratio)[0], at("luminance"), at("sp-ratio")
+        ),
         "luminance": _luminance,
         "sp-ratio": _ratio,
     },

@@ -77,8 +77,10 @@ from radcalc.maths import (
     limit,
     log,
     piecewise,
+    power,
     sin,
     sqrt,
+    square,
     tan,
 )
 from radcalc.quantities.symbols import DISTRIBUTIONS
@@ -87,13 +89,13 @@ ISOTROPIC, CONICAL, LOBED = DISTRIBUTIONS
 
 
 def _exponent_of(solid_angle: Any) -> Any:
-    found = 2 * math.pi / solid_angle - 1
+    exponent = 2 * math.pi / solid_angle - 1
     cones.refuse(
-        found < -1e-9,
+        exponent < -1e-9,
         "no lobe sends that flux at that intensity: it would fill more than a hemisphere",
         f"more intensity or less flux, or {option('distribution', 'cone')}",
     )
-    return piecewise(found < 0, lambda n: 0.0 * n, lambda n: n, found)
+    return piecewise(exponent < 0, lambda n: 0.0 * n, lambda n: n, exponent)
 
 
 LOBE = relation(
@@ -192,7 +194,7 @@ LAWS: dict[str, list[AnyLaw]] = {
         relation(
             "part of an isotropic source",
             "{part} = sin^2({within}/2)",
-            {"part": lambda at: sin(at("within") / 2) ** 2},
+            {"part": lambda at: square(sin(at("within") / 2))},
         ),
     ],
     CONICAL: [
@@ -204,7 +206,7 @@ LAWS: dict[str, list[AnyLaw]] = {
             {
                 "part": lambda at: piecewise(
                     at("within") < at("half-angle"),
-                    lambda w, a: (sin(w / 2) / sin(a / 2)) ** 2,
+                    lambda w, a: square(sin(w / 2) / sin(a / 2)),
                     lambda w, a: 1.0 + 0 * (w + a),
                     at("within"),
                     at("half-angle"),
@@ -287,13 +289,13 @@ def _incidence_of(cosine: Any) -> Any:
 
 
 def _side(distance: Any, other: Any, name: str) -> Any:
-    """The height or the offset, by Pythagoras from the other of the two."""
+    """Return the height or the offset, by Pythagoras from the other of the two."""
     cones.refuse(
         distance < other,
         f"the distance is less than the {name}",
         f"{option('distance')} is the straight line to the source",
     )
-    return (distance - other) ** 0.5 * (distance + other) ** 0.5
+    return power(distance - other, 0.5) * power(distance + other, 0.5)
 
 
 INSIDE = relation(
@@ -328,7 +330,7 @@ FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
 
 
 def _floor(shape: str, of_energy: bool) -> Relation:
-    """What a place on the floor gets, solved for the place."""
+    """Return what a place on the floor gets, solved for the place."""
     exponent = (lambda at: at("exponent")) if shape == LOBED else (lambda at: 0.0)
     height, distance = "{height}", "({height}^2 + {lateral}^2)^(3/2)"
     if shape == LOBED:
@@ -339,7 +341,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
         left, right = "{exposure}", f"{{energy}} {height} Omega0 / ({whole} {distance})"
 
     def part(at: At) -> Any:
-        """What a square metre gets, over the intensity."""
+        """Return what a square metre gets, over the intensity."""
         if not of_energy:
             return at("irradiance") / at("intensity")
         whole = 4 * math.pi if shape == ISOTROPIC else at("solid-angle")
@@ -350,7 +352,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
         f"{left} = {right}",
         {
             "lateral": lambda at: _lateral_of(
-                part(at) * at("height") ** 2, at("height"), exponent(at)
+                part(at) * square(at("height")), at("height"), exponent(at)
             ),
             "height": lambda at: _heights_of(part(at), at("lateral"), exponent(at)),
         },
@@ -358,7 +360,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
 
 
 def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
-    """The offset where so much is left of the irradiance under the source: cos^(n + 3)."""
+    """Return the offset where so much is left of the irradiance under the source: cos^(n + 3)."""
     cones.refuse(
         (part > 1) | (part <= 0),
         f"more light than that intensity sends to that height ({format_number(part)} times it)",
@@ -379,8 +381,8 @@ def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
         )
 
     brightest = atan(sqrt(2 / (exponent + 1)))
-    found = _both_sides(excess, 1e-9, brightest, math.pi / 2 - 1e-9, "height")
-    return Several(lateral / tan(off) for off in found)
+    angles = _both_sides(excess, 1e-9, brightest, math.pi / 2 - 1e-9, "height")
+    return Several(lateral / tan(off) for off in angles)
 
 
 ROUNDING = 1e-12  # [1] of the light at the brightest place
@@ -389,7 +391,7 @@ ROUNDING = 1e-12  # [1] of the light at the brightest place
 def _both_sides(
     excess: Callable[[float], float], low: float, top: float, high: float, what: str
 ) -> tuple[float, ...]:
-    """Where a function that rises to its top, and falls behind it, is 0."""
+    """Return where a function that rises to its top, and falls behind it, is 0."""
     most = excess(top)
     cones.refuse(
         most < -ROUNDING,
@@ -409,8 +411,8 @@ FLOOR = {
 
 
 def _exponents_of(at: At) -> Any:
-    """The exponents, up to two, with which (n + 1) cos(gamma)^n is so much."""
-    part = 2 * math.pi * at("irradiance") * at("distance") ** 2 / at("flux") / at("cosine")
+    """Return the exponents, up to two, with which (n + 1) cos(gamma)^n is so much."""
+    part = 2 * math.pi * at("irradiance") * square(at("distance")) / at("flux") / at("cosine")
     fall = -lobes.ln_cos(at("off-axis"))
     refuse_arrays("exponents", part, fall)
     if fall == 0:
@@ -435,7 +437,7 @@ SPOT = relation(
 
 
 def _exponent_at(share: Any, off_axis: Any) -> Any:
-    """The exponent of a lobe from how much is left of its peak at an angle."""
+    """Return the exponent of a lobe from how much is left of its peak at an angle."""
     cones.refuse(
         (share > 1 + 1e-9) | (share <= 0),
         "no lobe has that irradiance there: it is more than its peak would give, or nothing",
@@ -446,7 +448,7 @@ def _exponent_at(share: Any, off_axis: Any) -> Any:
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
     """What a round receiver gets of a distribution, by where its centre is and how it is turned."""
-    own, texts = _INTEGRANDS[shape]
+    parameters, texts = _INTEGRANDS[shape]
     places = [name for name, is_one in (("off-axis", aside), ("incidence", turned)) if is_one]
     names = {"off-axis": "{off-axis} off the axis", "incidence": "turned by {incidence}"}
     where = ", ".join(["a disc of {receiver-area} at {distance}", *map(names.__getitem__, places)])
@@ -456,7 +458,7 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
 
         radius = sqrt(at("receiver-area") / math.pi)
         place = {name.replace("-", "_"): at(name) for name in places}
-        return getattr(receivers, shape)(*map(at, own), radius, at("distance"), **place)
+        return getattr(receivers, shape)(*map(at, parameters), radius, at("distance"), **place)
 
     title = f"{shape}, a receiver in its light"
     if aside:

@@ -12,7 +12,7 @@ from typing import Any
 
 from radcalc.geometry import cones
 from radcalc.laws.law import AnyLaw, law, relation
-from radcalc.maths import sqrt
+from radcalc.maths import sqrt, square
 
 RECTANGLE = law("area of a rectangle", "{area} = {width} {length}")
 CIRCLE = law("area of a circle", "{area} = pi {radius}^2")
@@ -31,7 +31,7 @@ def _aspect(ratio: Any) -> Any:
 ASPECT = relation(
     "aspect of a rectangle, by its area and diagonal",
     "{diagonal}^2 = {area} ({aspect} + 1 / {aspect})",
-    {"aspect": lambda at: _aspect(at("diagonal") ** 2 / at("area"))},
+    {"aspect": lambda at: _aspect(square(at("diagonal")) / at("area"))},
 )
 
 

@@ -77,12 +77,12 @@ class Disagreement(ConditionError):
         The law that is broken.
     name : str
         The symbol.
-    given, found : float or ndarray [SI]
+    given, implied : float or ndarray [SI]
         Its value, and that which the law gives.
 
     Attributes
     ----------
-    law, name, given, found
+    law, name, given, implied
         As the parameters.
 
     Examples
@@ -92,9 +92,9 @@ class Disagreement(ConditionError):
     "diameter contradicts the others by the law 'diameter'"
     """
 
-    def __init__(self, law: AnyLaw, name: str, given: Any, found: Any) -> None:
+    def __init__(self, law: AnyLaw, name: str, given: Any, implied: Any) -> None:
         super().__init__(f"{name} contradicts the others by the law '{law.name}'", "fewer of them")
-        self.law, self.name, self.given, self.found = law, name, given, found
+        self.law, self.name, self.given, self.implied = law, name, given, implied
 
 
 def solve(
@@ -212,7 +212,7 @@ class _Sheet(NamedTuple):
     rounded: list[AnyLaw]
 
     def off(self, name: str) -> Any:
-        """How far a value may be off [SI], by the roundings of all that it follows from."""
+        """Return how far a value may be off [SI], by the roundings of all that it follows from."""
         known = self.values[name]
         off = known.rounding
         if off is UNKNOWN:
@@ -228,11 +228,11 @@ UNKNOWN = None  # the rounding of a value that nobody has asked for yet
 
 def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
     values, last = sheet.values, sheet.last
-    found = True
-    while found or last:
-        if not found:
+    is_followed = True
+    while is_followed or last:
+        if not is_followed:
             last = frozenset()
-        found = False
+        is_followed = False
         for law in tuple(waiting):
             if not last.isdisjoint(law.names):
                 continue
@@ -247,7 +247,7 @@ def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
                 if isinstance(value, Several):
                     return _follow_each(waiting, sheet, target, value)
                 values[target] = Known(value, UNKNOWN)
-                found = True
+                is_followed = True
     return [Solution(values, [(law, target) for target, law in sheet.laws.items()])]
 
 
@@ -271,7 +271,7 @@ def _follow_each(
 
 
 def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
-    """The target by the law; where no value fits, one that does within the roundings."""
+    """Return the target by the law; where no value fits, one that does within the roundings."""
     at = {name: sheet.values[name].value for name in law.names if name != target}
     try:
         value = law.solve(target, at.__getitem__)
@@ -303,7 +303,7 @@ ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
 
 
 def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
-    """The target at the limit of what a relation allows, if the roundings reach it, or None.
+    """Return the target at the limit of what a relation allows, if the roundings reach it, or None.
 
     A cosine of 1.004, of numbers typed with three digits, is one of 1; what is typed as
     impossible remains so.
@@ -326,7 +326,7 @@ def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any
 def _moved(
     law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], part: float = 1.0
 ) -> Any:
-    """The target where other symbols are moved by a part of so much; None past a limit."""
+    """Return the target where other symbols are moved by a part of so much; None past a limit."""
     moved = at | {name: at[name] + part * size for name, size in move.items()}
     try:
         value = law.solve(target, moved.__getitem__)
@@ -348,7 +348,7 @@ def _limit(
 
 
 def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
-    """How far the target of a law may be off, by the roundings of its other symbols."""
+    """Return how far the target of a law may be off, by the roundings of its other symbols."""
     at = {name: sheet.values[name].value for name in law.names if name != target}
     value = sheet.values[target].value
     total = 0.0 * value
@@ -362,17 +362,17 @@ def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
 
 
 def _cut(law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any) -> Any:
-    """The target with one symbol moved, as far as it can be; of several values the nearest.
+    """Return the target with one symbol moved, as far as it can be; of several values the nearest.
 
     An incidence typed as 90 deg is not meant as 90.05.
     """
-    found = _moved(law, target, at, move)
-    if found is None and not is_array(value):
+    moved = _moved(law, target, at, move)
+    if moved is None and not is_array(value):
         most = _limit(law, target, at, move, 1.0, 0.0)
-        found = _moved(law, target, at, move, most)
-    if isinstance(found, Several):
-        return min(found, key=lambda one: abs(one - value))
-    return value if found is None else found
+        moved = _moved(law, target, at, move, most)
+    if isinstance(moved, Several):
+        return min(moved, key=lambda candidate: abs(candidate - value))
+    return value if moved is None else moved
 
 
 def _check(law: AnyLaw, sheet: _Sheet) -> None:
@@ -388,12 +388,12 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
         other = _follow(law, name, sheet)
     value = sheet.values[name].value
     if isinstance(other, Several):
-        other = min(other, key=lambda one: abs(one - value))
+        other = min(other, key=lambda candidate: abs(candidate - value))
     difference = abs(value - other)
     if not any_true(difference > EXACT * abs(value) + 1e-300):
         return
-    for each in law.names:
-        sheet.off(each)  # by the values as they are, before the other one takes its place
+    for symbol in law.names:
+        sheet.off(symbol)  # by the values as they are, before the other one takes its place
     aside = sheet._replace(values={**sheet.values, name: Known(other)})
     allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
     if any_true(difference > allowed):
@@ -471,7 +471,7 @@ class Derivation(Sequence[Step]):
         return [*self._before, *laws, *self._after]
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Return how many there are."""
         return len(self._before) + len(self.solution.used) + len(self._after)
 
     def __getitem__(self, index: Any) -> Any:
@@ -491,12 +491,12 @@ def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
 
     letter, value = letter_of(target), values[target].value
     unit = coherent_unit_of(target, kind)
-    found = format_value(value, unit)
+    result = format_value(value, unit)
     if isinstance(law, Relation) and law.template.startswith(f"{{{target}}} = "):
         others = {name: values[name].value for name in law.names if name != target}
-        return law.formula.step(others, found, kind)
+        return law.formula.step(others, result, kind)
     numbers = fill(law.template, write)
-    told = f"{numbers} = {found}"
+    sentence = f"{numbers} = {result}"
     if not numbers.startswith(f"{letter} = "):
-        told = f"{numbers}, so {letter} = {found}"
-    return law.formula.told(told)
+        sentence = f"{numbers}, so {letter} = {result}"
+    return law.formula.with_numbers(sentence)

@@ -39,7 +39,7 @@ from typing import Any
 from radcalc.geometry import cones, projected
 from radcalc.laws.energy import ENERGY, EXPOSURE
 from radcalc.laws.law import HOWELL, AnyLaw, At, Relation, Several, law, refuse_arrays, relation
-from radcalc.maths import SLACK, each, limit, piecewise, sqrt
+from radcalc.maths import SLACK, each, limit, piecewise, sqrt, square
 
 CONFIGURATION_FACTOR = law(
     "configuration factor", "{configuration-factor} = {projected-solid-angle} / (pi Omega0)"
@@ -206,20 +206,24 @@ def disc_flux(away: str) -> Relation:
     """
 
     def side(at: At, other: str) -> Any:
-        square = at("flux") / (math.pi * at("irradiance")) - at(other) ** 2
+        rest = at("flux") / (math.pi * at("irradiance")) - square(at(other))
         cones.refuse(
-            square < 0,
+            rest < 0,
             "more irradiance than a disc of that flux gives there",
             "more flux, or less irradiance",
         )
-        return sqrt(square)
+        return sqrt(rest)
 
     return relation(
         "flux of a disc, from its axis",
         f"{{flux}} = pi ({{radius}}^2 + {{{away}}}^2) {{irradiance}}",
         {
-            "flux": lambda at: math.pi * (at("radius") ** 2 + at(away) ** 2) * at("irradiance"),
-            "irradiance": lambda at: at("flux") / (math.pi * (at("radius") ** 2 + at(away) ** 2)),
+            "flux": lambda at: (
+                math.pi * (square(at("radius")) + square(at(away))) * at("irradiance")
+            ),
+            "irradiance": lambda at: (
+                at("flux") / (math.pi * (square(at("radius")) + square(at(away))))
+            ),
             "radius": lambda at: side(at, away),
             away: lambda at: side(at, "radius"),
         },
@@ -235,33 +239,31 @@ def _slope(at: At) -> Any:
 
 def _disc_offset(at: At) -> Any:
     radius, height = at("radius"), at("height")
-    square = radius**2 - height**2 + _slope(at) * radius * height
-    cones.refuse(square < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
-    return sqrt(square)
+    rest = square(radius) - square(height) + _slope(at) * radius * height
+    cones.refuse(rest < 0, "more irradiance than below the disc's centre", TOO_MUCH[1])
+    return sqrt(rest)
 
 
 def _disc_heights(at: At) -> Any:
-    """The heights, up to two beside the disc, at which so much of it is seen."""
+    """Return the heights, up to two beside the disc, at which so much of it is seen."""
     radius, offset = at("radius"), at("lateral")
     half = _slope(at) * radius / 2
     rest = (offset - radius) * (offset + radius)
     refuse_arrays("heights", half, rest)
-    square = half**2 - rest
+    within = square(half) - rest
     cones.refuse(
-        square < 0 or (half <= 0 <= rest),
+        within < 0 or (half <= 0 <= rest),
         "more irradiance than at any height there",
         TOO_MUCH[1],
     )
-    far = half + sqrt(square) if half > 0 else -rest / (sqrt(square) - half)
+    far = half + sqrt(within) if half > 0 else -rest / (sqrt(within) - half)
     return Several((rest / far, far)) if rest > 0 and rest < far * far else far
 
 
 def _disc_radius(at: At) -> Any:
-    half, square = _slope(at) * at("height") / 2, at("height") ** 2 + at("lateral") ** 2
-    root = sqrt(half**2 + square)
-    return piecewise(
-        half > 0, lambda h, r, s: s / (r + h), lambda h, r, s: r - h, half, root, square
-    )
+    half, away = _slope(at) * at("height") / 2, square(at("height")) + square(at("lateral"))
+    root = sqrt(square(half) + away)
+    return piecewise(half > 0, lambda h, r, s: s / (r + h), lambda h, r, s: r - h, half, root, away)
 
 
 DISC_ASIDE = relation(

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from radcalc.errors import UsageError, mention
-from radcalc.given import Inputs
+from radcalc.inputs.given import Inputs
 from radcalc.plots.curves import RANGE, Solved, curves, ranged, varied
 from radcalc.plots.data import Picture
 from radcalc.spectra.observers import OBSERVERS, Observer
@@ -48,9 +48,9 @@ def picture(
     return OF_ONE[command](solved, wanted, operand)
 
 
-def depends(command: str, one: Solved, name: str) -> bool:
+def depends(command: str, solved: Solved, name: str) -> bool:
     """Whether the picture of an answer depends on a result, NAME[:UNIT], that is asked for."""
-    if varied([one]) and command not in LISTS:
+    if varied([solved]) and command not in LISTS:
         return True
     from radcalc.plots.directions import is_intensity
 
@@ -62,7 +62,7 @@ def _spectrum(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> 
 
     given = solved[0].given
     limits = given["range"].value if "range" in given else WHOLE
-    return spectra([one.given["spectrum"].value for one in solved], _eye(given), limits)
+    return spectra([answer.given["spectrum"].value for answer in solved], _eye(given), limits)
 
 
 def _photon(solved: Sequence[Solved], wanted: Sequence[str], operand: Any) -> Picture:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from radcalc.answer import Answer, Row
 from radcalc.calculators.results import pick
 from radcalc.errors import ConditionError, UsageError, mention, option, quote
-from radcalc.given import Given, Inputs
+from radcalc.inputs.given import Input, Inputs
 from radcalc.maths import is_array
 from radcalc.plots.data import LINE, POINTS, Axis, Chart, Series
 from radcalc.quantities.symbols import DIRECTION, QUANTITY
@@ -18,6 +18,7 @@ SMOOTH = 16  # points from which on there is a line between them
 WIDE = 50.0  # from where on the ratio of what is along an axis asks for a logarithmic one
 PREFERRED = ("irradiance", "radiance-toward", "intensity-toward", "luminous-efficacy")
 RANGE = "a list or a range of values: {distance=1m:10m:0.1m}"
+Lines = dict[str, tuple[list[float], list[float]]]  # x and y of the points, by the label
 
 
 class Solved(NamedTuple):
@@ -27,7 +28,7 @@ class Solved(NamedTuple):
     answer: Answer
 
     @property
-    def each(self) -> list[Answer]:
+    def answers(self) -> list[Answer]:
         """All the answers, where several fit."""
         return [self.answer, *self.answer.more]
 
@@ -37,18 +38,18 @@ def varied(solved: Sequence[Solved]) -> list[str]:
     first = solved[0].given
     return [
         name
-        for name, one in first.items()
-        if is_array(one.value) or any(other.given[name].text != one.text for other in solved)
+        for name, item in first.items()
+        if is_array(item.value) or any(other.given[name].text != item.text for other in solved)
     ]
 
 
 def ranged(given: Inputs) -> str:
     """A range of an input that may be drawn over: up to what was given; nothing without any."""
-    for name, one in given.items():
-        is_size = isinstance(one.number, (int, float)) and one.number > 0
-        if one.symbol.form == QUANTITY and is_size and not isinstance(one.unit, ScaleUnit):
-            ends = (f"{one.number * part:.6g}" for part in (0.5, 1, 0.05))
-            unit = one.unit_text if one.unit else ""
+    for name, item in given.items():
+        is_size = isinstance(item.number, (int, float)) and item.number > 0
+        if item.symbol.form == QUANTITY and is_size and not isinstance(item.unit, ScaleUnit):
+            ends = (f"{item.number * part:.6g}" for part in (0.5, 1, 0.05))
+            unit = item.unit_text if item.unit else ""
             return "a range of values: " + option(name, ":".join(f"{end}{unit}" for end in ends))
     return ""
 
@@ -68,40 +69,22 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     UsageError
         If there is nothing to draw, or results in different units.
     """
+    _check_arrays(solved[0].given)
     lists = varied(solved)
-    for given in solved[0].given.values():
-        if is_array(given.value) and (given.value.ndim != 1 or not given.value.size):
-            problem = f"{option(given.name)} is an array of the shape {given.value.shape}"
-            raise UsageError(problem, "one dimension, with an element or more")
     numbers = [name for name in lists if _is_number(solved[0].given[name])]
     along = (numbers or lists)[-1]
-    others = [name for name in lists if name != along]
-    own = solved[0].given[along]
-    wanted = wanted or [_usual(solved, along)]
-    lines: dict[str, tuple[list[float], list[float]]] = {}
-    rows: list[Row] = []
-    for one in solved:
-        places = _places(one.given[along], own)
-        told = [f"{name} {one.given[name].text}".strip() for name in others]
-        for k, answer in enumerate(one.each, start=1):
-            case = [*told, *([f"answer {k}"] if len(one.each) > 1 else [])]
-            for name in wanted:
-                row = pick(answer.values, name, ", ".join(case))
-                rows.append(row)
-                label = ", ".join([*([row.quantity] if len(wanted) > 1 else []), *case])
-                x, y = lines.setdefault(label, ([], []))
-                x += places
-                y += _numbers(row.value, len(places))
+    other_lists = [name for name in lists if name != along]
+    lines, rows = _lines(solved, wanted or [_usual(solved, along)], along, other_lists)
     if len({row.unit for row in rows}) > 1:
         several = " and ".join(dict.fromkeys(f"{row.name} in {row.unit}" for row in rows))
         raise UsageError(f"{several}: an axis has one unit", "one of them")
     _refuse_many(lines)
     is_log = all(_is_wide([line[k] for line in lines.values()]) for k in (0, 1))
-    x_axis = Axis(*_name(own), is_log=is_log)
+    x_axis = Axis(*_name(solved[0].given[along]), is_log=is_log)
     names = list(dict.fromkeys(f"{row.quantity} {row.symbol}".strip() for row in rows))
     y_axis = Axis(names[0] if len(names) == 1 else "", rows[0].unit, is_log=is_log)
-    fixed = [one for name, one in solved[0].given.items() if name not in (*others, along)]
-    title = ", ".join(f"{one.name} {one.text}".strip() for one in fixed)
+    fixed = [item for name, item in solved[0].given.items() if name not in (*other_lists, along)]
+    title = ", ".join(f"{item.name} {item.text}".strip() for item in fixed)
     drawn = [
         Series(label, *_in_order(*line), LINE if len(line[0]) >= SMOOTH else POINTS)
         for label, line in lines.items()
@@ -109,27 +92,57 @@ def curves(solved: Sequence[Solved], wanted: Sequence[str] = ()) -> Chart:
     return Chart(title, x_axis, y_axis, drawn)
 
 
+def _check_arrays(given: Inputs) -> None:
+    """Refuse arrays of several dimensions, and empty ones."""
+    for item in given.values():
+        if is_array(item.value) and (item.value.ndim != 1 or not item.value.size):
+            problem = f"{option(item.name)} is an array of the shape {item.value.shape}"
+            raise UsageError(problem, "one dimension, with an element or more")
+
+
+def _lines(
+    solved: Sequence[Solved], wanted: Sequence[str], along: str, other_lists: Sequence[str]
+) -> tuple[Lines, list[Row]]:
+    """Collect the points of each line by its label, and the rows that they come from."""
+    first = solved[0].given[along]
+    lines: Lines = {}
+    rows: list[Row] = []
+    for answered in solved:
+        places = _places(answered.given[along], first)
+        list_texts = [f"{name} {answered.given[name].text}".strip() for name in other_lists]
+        for k, answer in enumerate(answered.answers, start=1):
+            case = [*list_texts, *([f"answer {k}"] if len(answered.answers) > 1 else [])]
+            for name in wanted:
+                row = pick(answer.values, name, ", ".join(case))
+                rows.append(row)
+                label = ", ".join([*([row.quantity] if len(wanted) > 1 else []), *case])
+                x, y = lines.setdefault(label, ([], []))
+                x += places
+                y += _numbers(row.value, len(places))
+    return lines, rows
+
+
 def _usual(solved: Sequence[Solved], along: str) -> str:
     """The result that a curve is of where nobody says: what the answer is about, and varies."""
     values = [
-        one
-        for one in solved[0].answer.values
-        if not one.is_absent and one.given is None and one.name != along
+        value
+        for value in solved[0].answer.values
+        if not value.is_absent and value.given is None and value.name != along
     ]
-    names = [one.name for one in values]
-    for name in (*(one for one in PREFERRED if one in names), *names):
-        found = [pick(one.answer.values, name).value for one in solved if _has(one, name)]
-        if len(found) == len(solved) and (is_array(found[0]) or len(set(found)) > 1):
+    names = [value.name for value in values]
+    for name in (*(preferred for preferred in PREFERRED if preferred in names), *names):
+        results = [pick(case.answer.values, name).value for case in solved if _has(case, name)]
+        if len(results) == len(solved) and (is_array(results[0]) or len(set(results)) > 1):
             return name
     problem = f"nothing that follows depends on {option(along)}"
     raise UsageError(problem, "a range of something else")
 
 
-def _has(one: Solved, name: str) -> bool:
-    return any(value.name == name and not value.is_absent for value in one.answer.values)
+def _has(solved: Solved, name: str) -> bool:
+    return any(value.name == name and not value.is_absent for value in solved.answer.values)
 
 
-def _places(given: Given, first: Given) -> list[float]:
+def _places(given: Input, first: Input) -> list[float]:
     """Where the answers stand along the axis, in the unit of the first."""
     if given.symbol.form == DIRECTION:
         return [math.degrees(given.value[0])]
@@ -152,13 +165,13 @@ def _in_order(x: list[float], y: list[float]) -> tuple[list[float], list[float]]
     return [x[k] for k in places], [y[k] for k in places]
 
 
-def _is_number(given: Given) -> bool:
+def _is_number(given: Input) -> bool:
     return given.symbol.form == DIRECTION or (
         given.symbol.form == QUANTITY and given.number is not None
     )
 
 
-def _name(given: Given) -> tuple[str, str]:
+def _name(given: Input) -> tuple[str, str]:
     """The label and the unit of what is along the axis."""
     if given.symbol.form == DIRECTION:
         return "polar angle \u03b8", "deg"
@@ -171,7 +184,7 @@ def _numbers(value: Any, count: int) -> list[float]:
     return [float(x) for x in value] if is_array(value) else [float(value)] * count
 
 
-def _refuse_many(lines: dict[str, tuple[list[float], list[float]]]) -> None:
+def _refuse_many(lines: Lines) -> None:
     count = sum(len(x) for x, _ in lines.values())
     if count > MOST:
         raise UsageError(f"a picture of {count} points is too many", f"at most {MOST}")
@@ -179,5 +192,5 @@ def _refuse_many(lines: dict[str, tuple[list[float], list[float]]]) -> None:
 
 def _is_wide(numbers: Sequence[Sequence[float]]) -> bool:
     """Whether numbers are positive and far apart."""
-    every = [x for some in numbers for x in some]
-    return min(every) > 0 and max(every) > WIDE * min(every)
+    values = [x for row in numbers for x in row]
+    return min(values) > 0 and max(values) > WIDE * min(values)

@@ -62,7 +62,7 @@ class Chart(NamedTuple):
     @property
     def curves(self) -> list[Series]:
         """What is not there to compare with."""
-        return [one for one in self.series if one.style != REFERENCE]
+        return [series for series in self.series if series.style != REFERENCE]
 
     @property
     def crowd(self) -> str:
@@ -73,9 +73,9 @@ class Chart(NamedTuple):
     @property
     def named(self) -> list[int]:
         """Which of the series are named."""
-        found = [k for k, one in enumerate(self.series) if one.label]
-        own = [k for k in found if self.series[k].style != REFERENCE]
-        return [k for k in found if k not in own[1:-1]] if self.crowd else found
+        labelled = [k for k, series in enumerate(self.series) if series.label]
+        curves = [k for k in labelled if self.series[k].style != REFERENCE]
+        return [k for k in labelled if k not in curves[1:-1]] if self.crowd else labelled
 
 
 class Plane(NamedTuple):

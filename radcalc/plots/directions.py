@@ -7,7 +7,7 @@ from typing import Any
 import numpy
 
 from radcalc.calculators.environment import Source, surroundings
-from radcalc.calculators.point_source import spread
+from radcalc.calculators.point_laws import spread
 from radcalc.calculators.results import name_of, pick
 from radcalc.calculators.sky import place_of_sun
 from radcalc.derivation import format_angle
@@ -59,9 +59,9 @@ def polar(distribution: Distribution, factor: float, radius: Axis, title: str = 
     return Polar(title, radius, planes)
 
 
-def of_point_source(one: Solved, wanted: Sequence[str] = ()) -> Polar:
+def of_point_source(solved: Solved, wanted: Sequence[str] = ()) -> Polar:
     """The polar diagram of a point source, in the unit of its intensity."""
-    values, given = one.answer.values, one.given
+    values, given = solved.answer.values, solved.given
     amounts = {value.name: value for value in values if not value.is_absent}
     chosen = given["distribution"].value if "distribution" in given else ""
     title = given["distribution"].text if "distribution" in given else ""
@@ -77,20 +77,20 @@ def of_point_source(one: Solved, wanted: Sequence[str] = ()) -> Polar:
     known = [name for name in STRENGTHS if name in amounts]
     if not known:
         return polar(distribution, 1 / distribution.peak().value, RELATIVE, title)
-    own = [name for name in wanted if is_intensity(name)]
+    intensities = [name for name in wanted if is_intensity(name)]
     name = "intensity" if on_axis and "intensity" in known else "peak-intensity"
-    row = pick(values, own[0] if own and name == "intensity" else name)
+    row = pick(values, intensities[0] if intensities and name == "intensity" else name)
     factor = row.value / (on_axis if name == "intensity" else distribution.peak().value)
     axis = Axis(f"{row.quantity} I", row.unit)
     return polar(distribution, factor, axis, title)
 
 
-def of_sky(name: str, one: Solved) -> Disc:
+def of_sky(name: str, solved: Solved) -> Disc:
     """A sky as who looks up sees it, in the unit of its zenith's luminance."""
-    given = one.given
+    given = solved.given
     kind = sky_type(name)
     sun = place_of_sun(given) if "sun-elevation" in given else None
-    row = pick(one.answer.values, "zenith-radiance")
+    row = pick(solved.answer.values, "zenith-radiance")
     sky = Sky(name, sun if kind.follows_sun else None)
     title = f"sky {name}: {kind.name}"
     if sun and "sun-azimuth" not in given:
@@ -100,14 +100,14 @@ def of_sky(name: str, one: Solved) -> Disc:
     )
 
 
-def of_environment(source: Source, one: Solved) -> Disc:
+def of_environment(source: Source, solved: Solved) -> Disc:
     """What a receiver sees of its surroundings."""
-    radiances = surroundings(source, one.given)
+    radiances = surroundings(source, solved.given)
     unit = light_unit("radiance", radiances.kind) if radiances.kind else ""
     label = specific_name("radiance", radiances.kind) if unit else "relative radiance"
     factor = 1 / float(resolve(unit).factor) if unit else 1.0
-    normal = one.given["normal"].value if "normal" in one.given else UP
-    title = "" if "normal" not in one.given else f"toward {one.given['normal'].text}"
+    normal = solved.given["normal"].value if "normal" in solved.given else UP
+    title = "" if "normal" not in solved.given else f"toward {solved.given['normal'].text}"
     value = Axis(label.replace("-", " "), unit)
     is_image = isinstance(radiances, RadianceMap)
     return fisheye(radiances, factor, value, normal, title, is_image=is_image)
@@ -157,8 +157,8 @@ def fisheye(
     away = numpy.hypot(x, y)
     angle = numpy.minimum(away, 1.0) * math.pi / 2
     across = numpy.sin(angle) / numpy.where(away > 0, away, 1.0)
-    own = (x * across, y * across, numpy.cos(angle))
-    theta, phi, _ = spherical(*from_components((right, up, forward), own))
+    direction = (x * across, y * across, numpy.cos(angle))
+    theta, phi, _ = spherical(*from_components((right, up, forward), direction))
     values = numpy.broadcast_to(factor * radiances.radiance(theta, phi), x.shape)
     rim = [("up", 0), ("right", 90), ("down", 180), ("left", 270)]
     centre = "normal"
@@ -204,8 +204,8 @@ def integrand(
     def values_at(along: Any, around: Any) -> Any:
         x, y, z = cartesian(along, around)
         with numpy.errstate(all="ignore"):  # at a pole
-            found = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
-        return numpy.broadcast_to(found, numpy.shape(along)).astype(float)
+            values = expression({"theta": along, "phi": around, "x": x, "y": y, "z": z})
+        return numpy.broadcast_to(values, numpy.shape(along)).astype(float)
 
     with numpy.errstate(all="ignore"):
         weighted = values_at(along, around).mean(axis=0) * numpy.sin(theta)
@@ -215,9 +215,11 @@ def integrand(
         finite = numpy.isfinite(values)
         return Series(name, numpy.degrees(theta[finite]).tolist(), values[finite].tolist(), style)
 
-    shown = [start + (end - start) * k / FEW for k in range(1 if expression.is_axial else FEW)]
+    drawn_azimuths = [
+        start + (end - start) * k / FEW for k in range(1 if expression.is_axial else FEW)
+    ]
     curves = []
-    for azimuth in shown:
+    for azimuth in drawn_azimuths:
         name = "f(\u03b8)"
         if not expression.is_axial:
             name = f"f(\u03b8, \u03c6 = {format_angle(azimuth)})"

@@ -32,7 +32,7 @@ SQUARE, HALF = (6.4, 6.4), (7.2, 4.9)
 WEDGE, CIRCLE = (0.09, -0.05, 0.82, 1.2), (0.14, 0.15, 0.72, 0.72)  # of a polar diagram
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 POWER, INDEX = re.compile(r"(?<=[A-Za-z])-?\d+"), re.compile(r"\b(\w)_(\w+)")
-GREY, DARK, FAINT = "#6b7280", "#374151", "#d1d5db"
+GREY, NO_LIGHT, FAINT = "#6b7280", "#374151", "#d1d5db"
 DASHES = ("-", (0, (4, 2)))  # of the planes of a polar diagram
 STRIP = 0.03  # of the height of a chart, in which the colours of its axis are
 TICKS = 6  # of an axis whose ends are round
@@ -58,9 +58,9 @@ SETTINGS = {
     "lines.solid_capstyle": "round",
     "svg.hashsalt": "radcalc",  # with which the names in an SVG are the same every time
     "xtick.color": GREY,
-    "xtick.labelcolor": DARK,
+    "xtick.labelcolor": NO_LIGHT,
     "ytick.color": GREY,
-    "ytick.labelcolor": DARK,
+    "ytick.labelcolor": NO_LIGHT,
 }
 
 
@@ -75,16 +75,16 @@ def figure(picture: Picture) -> Any:
     matplotlib = _matplotlib()
     from matplotlib.figure import Figure
 
-    ways: dict[type, Callable[[Any, Any], None]] = {
+    drawers: dict[type, Callable[[Any, Any], None]] = {
         Chart: _chart,
         Polar: _polar,
         Field: _field,
         Disc: _disc,
     }
     with matplotlib.rc_context({**matplotlib.rcParamsDefault, **SETTINGS}):
-        made = Figure(figsize=SIZE, layout="constrained")
-        ways[type(picture)](picture, made)
-    return made
+        drawing = Figure(figsize=SIZE, layout="constrained")
+        drawers[type(picture)](picture, drawing)
+    return drawing
 
 
 def data(picture: Picture, extension: str) -> bytes:
@@ -98,10 +98,10 @@ def data(picture: Picture, extension: str) -> bytes:
     matplotlib = _matplotlib()
     out = io.BytesIO()
     metadata = {"Date": None} if extension == ".svg" else {"Software": None}
-    made = figure(picture)
+    drawing = figure(picture)
     with matplotlib.rc_context(SETTINGS), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # of letters that the font has not
-        made.savefig(out, format=extension[1:], dpi=DOTS, metadata=metadata)
+        drawing.savefig(out, format=extension[1:], dpi=DOTS, metadata=metadata)
     return out.getvalue()
 
 
@@ -159,37 +159,37 @@ def _matplotlib() -> Any:
 # -- charts ----------------------------------------------------------------------------------------
 
 
-def _chart(chart: Chart, made: Any) -> None:
-    axes = made.subplots()
+def _chart(chart: Chart, drawing: Any) -> None:
+    axes = drawing.subplots()
     colors = iter(_colors(chart))
     drawn = []
-    for one in chart.series:
-        if one.style == REFERENCE:
+    for series in chart.series:
+        if series.style == REFERENCE:
             dashes: Any = (0, (2, 2))
-            artist = axes.plot(one.x, one.y, color=GREY, linestyle=dashes, lw=1.3)[0]
-        elif one.style == LINES:
-            artist = axes.vlines(one.x, 0, one.y, color=next(colors), lw=2)
+            artist = axes.plot(series.x, series.y, color=GREY, linestyle=dashes, lw=1.3)[0]
+        elif series.style == LINES:
+            artist = axes.vlines(series.x, 0, series.y, color=next(colors), lw=2)
         else:
-            look = {"marker": "o", "ls": "", "ms": 6} if one.style == POINTS else {}
-            artist = axes.plot(one.x, one.y, color=next(colors), **look)[0]
+            look = {"marker": "o", "ls": "", "ms": 6} if series.style == POINTS else {}
+            artist = axes.plot(series.x, series.y, color=next(colors), **look)[0]
         drawn.append(artist)
     for label, place in chart.marks:
         axes.axvline(place, color=GREY, lw=1)
         axes.annotate(
             _safe(label), (place, 1), (4, -4), xycoords=("data", "axes fraction"),
-            textcoords="offset points", va="top", color=DARK,
+            textcoords="offset points", va="top", color=NO_LIGHT,
         )  # fmt: skip
     _axis(axes.xaxis, axes.set_xlim, axes.set_xscale, chart.x)
     _axis(axes.yaxis, axes.set_ylim, axes.set_yscale, chart.y)
     if not chart.y.is_log and chart.y.limits is None:
-        axes.set_ylim(*limits([y for one in chart.series for y in one.y], TICKS))
+        axes.set_ylim(*limits([y for series in chart.series for y in series.y], TICKS))
     if chart.y.limits:
         axes.set_ylim(chart.y.limits[0], chart.y.limits[1] * 1.04)
     if chart.hues:
         _hues(chart, axes)
     if named := chart.named:
-        shown = [drawn[k] for k in named], [_safe(chart.series[k].label) for k in named]
-        axes.legend(*shown, title=chart.crowd or None)
+        entries = [drawn[k] for k in named], [_safe(chart.series[k].label) for k in named]
+        axes.legend(*entries, title=chart.crowd or None)
     axes.set_title(_safe(chart.title), wrap=True)
 
 
@@ -230,8 +230,8 @@ def _hues(chart: Chart, axes: Any) -> None:
     axes.set_ylim(*heights)
 
 
-def _axis(own: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
-    own.set_label_text(_text(axis))
+def _axis(mpl_axis: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
+    mpl_axis.set_label_text(_text(axis))
     if axis.is_log:
         set_scale("log")
     if axis.limits:
@@ -241,12 +241,12 @@ def _axis(own: Any, set_ends: Any, set_scale: Any, axis: Axis) -> None:
 # -- polar diagrams --------------------------------------------------------------------------------
 
 
-def _polar(polar: Polar, made: Any) -> None:
+def _polar(polar: Polar, drawing: Any) -> None:
     """The axis points down; only the lower half is drawn where there is nothing in the upper."""
     is_half, circles = polar.is_half, rings(polar.most)
-    made.set_layout_engine("none")
-    made.set_size_inches(*(HALF if is_half else SQUARE))
-    axes = made.add_axes(WEDGE if is_half else CIRCLE, projection="polar")
+    drawing.set_layout_engine("none")
+    drawing.set_size_inches(*(HALF if is_half else SQUARE))
+    axes = drawing.add_axes(WEDGE if is_half else CIRCLE, projection="polar")
     axes.set_theta_zero_location("S")
     for color, plane, dashes in zip(COLORS, polar.planes, DASHES, strict=False):
         turns = [math.radians(angle) for angle in plane.angles]
@@ -263,30 +263,30 @@ def _polar(polar: Polar, made: Any) -> None:
     axes.set_yticks(circles, texts(circles))
     axes.set_rlabel_position(RIGHT if is_half else 75)
     axes.spines["polar"].set_color(FAINT)
-    made.legend(title=_text(polar.radius), loc="lower center", ncols=2)
-    made.suptitle(_safe(polar.title), fontsize=11, wrap=True)
+    drawing.legend(title=_text(polar.radius), loc="lower center", ncols=2)
+    drawing.suptitle(_safe(polar.title), fontsize=11, wrap=True)
 
 
 # -- fields and discs ------------------------------------------------------------------------------
 
 
-def _field(field: Field, made: Any) -> None:
-    axes = made.subplots()
+def _field(field: Field, drawing: Any) -> None:
+    axes = drawing.subplots()
     axes.grid(visible=False)
     axes.set_aspect("equal")
-    _filled(made, axes, field.xs, field.ys, field.rows, field.value)
+    _filled(drawing, axes, field.xs, field.ys, field.rows, field.value)
     _marks(axes, field.marks)
     axes.set_xlabel(_text(field.x))
     axes.set_ylabel(_text(field.y))
     axes.set_title(_safe(field.title), wrap=True)
 
 
-def _disc(disc: Disc, made: Any) -> None:
+def _disc(disc: Disc, drawing: Any) -> None:
     import numpy
     from matplotlib.patches import Circle
 
-    made.set_size_inches(*SQUARE)
-    axes = made.subplots()
+    drawing.set_size_inches(*SQUARE)
+    axes = drawing.subplots()
     axes.set_aspect("equal")
     axes.axis("off")
     places = numpy.linspace(-1.0, 1.0, len(disc.rows))
@@ -298,16 +298,16 @@ def _disc(disc: Disc, made: Any) -> None:
 
         norm = LogNorm(*shades(inside.tolist()))
         drawn = axes.pcolormesh(places, places, rows, cmap=COLORMAP, norm=norm, rasterized=True)
-        made.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
+        drawing.colorbar(drawn, ax=axes, shrink=0.8, label=_text(disc.value), extend="both")
     else:
-        _filled(made, axes, places, places, rows, disc.value, numpy.hypot(x, y) < WHOLE)
+        _filled(drawing, axes, places, places, rows, disc.value, numpy.hypot(x, y) < WHOLE)
     for drawn in axes.collections:
         drawn.set_clip_path(Circle((0, 0), 1, transform=axes.transData))
     axes.add_patch(Circle((0, 0), 1, fill=False, color=GREY))
     for label, angle in disc.rim:
         turn = math.radians(angle)
         axes.text(
-            1.09 * math.sin(turn), 1.09 * math.cos(turn), label, color=DARK,
+            1.09 * math.sin(turn), 1.09 * math.cos(turn), label, color=NO_LIGHT,
             ha="center", va="center",
         )  # fmt: skip
     _marks(axes, disc.marks)
@@ -315,30 +315,36 @@ def _disc(disc: Disc, made: Any) -> None:
 
 
 def _filled(
-    made: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
+    drawing: Any, axes: Any, xs: Any, ys: Any, rows: Any, value: Axis, inside: Any = None
 ) -> None:
     """Contours, whose numbers stand where it is inside, and colours between them."""
     import matplotlib
     import numpy
 
-    every = numpy.asarray(rows, float)
-    found = levels(every.ravel().tolist())
-    if not found:
-        made.colorbar(axes.pcolormesh(xs, ys, every, cmap=COLORMAP), ax=axes, label=_text(value))
+    values = numpy.asarray(rows, float)
+    contour_levels = levels(values.ravel().tolist())
+    if not contour_levels:
+        drawing.colorbar(
+            axes.pcolormesh(xs, ys, values, cmap=COLORMAP), ax=axes, label=_text(value)
+        )
         return
-    bounds = [min(float(every.min()), found[0]), *found, max(float(every.max()), found[-1])]
+    bounds = [
+        min(float(values.min()), contour_levels[0]),
+        *contour_levels,
+        max(float(values.max()), contour_levels[-1]),
+    ]
     shades = matplotlib.colormaps[COLORMAP](numpy.linspace(0.05, 0.95, len(bounds) - 1))
-    shown = axes.contourf(xs, ys, every, bounds, colors=shades)
-    lines = axes.contour(xs, ys, every, found, colors="white", linewidths=0.9)
-    names = texts(found)
-    how: dict[str, Any] = {"fmt": dict(zip(found, names, strict=True)), "fontsize": 8.5}
+    filled = axes.contourf(xs, ys, values, bounds, colors=shades)
+    lines = axes.contour(xs, ys, values, contour_levels, colors="white", linewidths=0.9)
+    names = texts(contour_levels)
+    how: dict[str, Any] = {"fmt": dict(zip(contour_levels, names, strict=True)), "fontsize": 8.5}
     if inside is not None:
-        within = axes.contour(xs, ys, numpy.where(inside, every, math.nan), found)
+        within = axes.contour(xs, ys, numpy.where(inside, values, math.nan), contour_levels)
         how["manual"] = [number.get_position() for number in axes.clabel(within, **how)]
         within.remove()
     axes.clabel(lines, **how)
-    bar = made.colorbar(shown, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
-    bar.set_ticks(found, labels=names)
+    bar = drawing.colorbar(filled, ax=axes, shrink=0.8, label=_text(value), spacing="uniform")
+    bar.set_ticks(contour_levels, labels=names)
 
 
 def _safe(text: str) -> str:
@@ -348,7 +354,7 @@ def _safe(text: str) -> str:
 
 def _text(axis: Axis) -> str:
     """The title of an axis, with indices and powers as print has them."""
-    unit = POWER.sub(lambda found: found[0].translate(SUPERSCRIPTS), axis.unit)
+    unit = POWER.sub(lambda match: match[0].translate(SUPERSCRIPTS), axis.unit)
     return INDEX.sub(r"$\1_{\\mathrm{\2}}$", axis._replace(unit=unit).title)
 
 
@@ -356,13 +362,13 @@ def _marks(axes: Any, marks: Sequence[Mark]) -> None:
     from matplotlib.patheffects import withStroke
 
     for mark in marks:
-        axes.plot(mark.x, mark.y, "o", color="white", mec=DARK, ms=6)
+        axes.plot(mark.x, mark.y, "o", color="white", mec=NO_LIGHT, ms=6)
         axes.annotate(
             _safe(mark.label),
             (mark.x, mark.y),
             (6, 5),
             textcoords="offset points",
-            color=DARK,
+            color=NO_LIGHT,
             fontsize=9,
             path_effects=[withStroke(linewidth=2.5, foreground="white")],
         )

@@ -10,7 +10,7 @@ from radcalc.calculators.results import pick
 from radcalc.distributions.scene import Axis as Coordinates
 from radcalc.errors import UsageError, option
 from radcalc.geometry.numerics.vectors import Vector
-from radcalc.given import AS_GRID
+from radcalc.inputs.places import AS_GRID
 from radcalc.plots.data import Axis, Chart, Field, Mark, Picture, Series
 
 NAMES = "xyz"
@@ -25,12 +25,12 @@ class Surveyed(NamedTuple):
     wanted: str = "irradiance"
 
 
-def over_grid(found: Surveyed) -> Picture:
+def over_grid(survey: Surveyed) -> Picture:
     """What the points of a grid get: contours over a plane, or a curve along a line.
 
     Parameters
     ----------
-    found : Surveyed
+    survey : Surveyed
         The result that is `wanted` of it is NAME[:UNIT].
 
     Raises
@@ -38,17 +38,17 @@ def over_grid(found: Surveyed) -> Picture:
     UsageError
         If the grid is a point, or of three dimensions.
     """
-    long = [k for k, axis in enumerate(found.axes) if axis.size > 1]
+    long = [k for k, axis in enumerate(survey.axes) if axis.size > 1]
     if not 1 <= len(long) <= 2:
-        what = "a single point" if not long else "a grid in x, y and z"
-        problem = f"{what} has no picture"
+        subject = "a single point" if not long else "a grid in x, y and z"
+        problem = f"{subject} has no picture"
         raise UsageError(problem, f"{option('grid')} {AS_GRID}")
-    rows = [pick(block.values, found.wanted) for block in found.blocks]
+    rows = [pick(block.values, survey.wanted) for block in survey.blocks]
     values = numpy.concatenate([row.value for row in rows])
-    values = values.reshape([axis.size for axis in found.axes])
+    values = values.reshape([axis.size for axis in survey.axes])
     value = Axis(f"{rows[0].quantity} {rows[0].symbol}".strip(), rows[0].unit)
-    lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in found.axes]
-    for k, axis in enumerate(found.axes):
+    lines = [numpy.linspace(axis.start, axis.end, axis.size).tolist() for axis in survey.axes]
+    for k, axis in enumerate(survey.axes):
         if axis.start > axis.end:
             lines[k].reverse()
             values = numpy.flip(values, k)
@@ -63,7 +63,7 @@ def over_grid(found: Surveyed) -> Picture:
     table = values.reshape(len(lines[i]), len(lines[j])).T
     marks = [
         Mark(name, place[i], place[j])
-        for name, place in found.sources
+        for name, place in survey.sources
         if lines[i][0] <= place[i] <= lines[i][-1] and lines[j][0] <= place[j] <= lines[j][-1]
     ]
     axes = Axis(NAMES[i], "m"), Axis(NAMES[j], "m")

@@ -13,7 +13,7 @@ from plotille import Canvas
 
 from radcalc.errors import printable
 from radcalc.plots.data import LINES, POINTS, REFERENCE, Axis
-from radcalc.stdio import RESET, fold
+from radcalc.terminal import RESET, fold
 
 PLAIN: Mapping[int, str] = MappingProxyType({})  # no colours of columns
 EMPTY = 0x2800  # the Braille letter without dots
@@ -92,8 +92,8 @@ class Sheet:
 
     def lines(self, style: Style) -> list[str]:
         """The rows as texts."""
-        drawn = [one.canvas.plot("\n").split("\n") for one in self.layers]
-        found = []
+        drawn = [layer.canvas.plot("\n").split("\n") for layer in self.layers]
+        lines = []
         for row in range(self.rows):
             cells = []
             for column in range(self.columns):
@@ -101,8 +101,8 @@ class Sheet:
                 if not letter:
                     letter, color = self._dots([rows[row][column] for rows in drawn], column, style)
                 cells.append((letter, color))
-            found.append(_joined(cells, style))
-        return found
+            lines.append(_joined(cells, style))
+        return lines
 
     def _dots(self, letters: Sequence[str], column: int, style: Style) -> tuple[str, str]:
         """What layers have in one cell: all their dots, in the colour of the topmost."""
@@ -172,27 +172,27 @@ def heading(title: str, style: Style) -> list[str]:
 
 
 def beside(
-    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], left: int, style: Style
+    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], margin: int, style: Style
 ) -> list[str]:
     """The rows of a sheet with the y axis at their left, its numbers and its title over them."""
     numbered = {sheet.row(place): text for place, text in numbers.items()}
-    lines = [" " * (left - 1) + part for part in fold(axis.title, style.width - left)]
+    lines = [" " * (margin - 1) + part for part in fold(axis.title, style.width - margin)]
     for row, line in enumerate(sheet.lines(style)):
         text = numbered.get(row, "")
-        edge = f"{text:>{left - 1}}{'┤' if text else '│'}"
-        lines.append(_painted(edge, DIM, style) + line)
+        rule = f"{text:>{margin - 1}}{'┤' if text else '│'}"
+        lines.append(_painted(rule, DIM, style) + line)
     return lines
 
 
 def below(
-    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], left: int, style: Style
+    axis: Axis, sheet: Sheet, numbers: Mapping[float, str], margin: int, style: Style
 ) -> list[str]:
     """The x axis, its numbers and its title."""
-    rule, written = ["─"] * sheet.columns, [" "] * (left + sheet.columns + 1)
+    rule, written = ["─"] * sheet.columns, [" "] * (margin + sheet.columns + 1)
     taken = 0
     for place, text in numbers.items():
         column = sheet.column(place)
-        start = max(left + column - len(text) // 2, 0)
+        start = max(margin + column - len(text) // 2, 0)
         start = min(start, style.width - len(text))
         if start < taken:
             continue
@@ -200,9 +200,9 @@ def below(
         written[start : start + len(text)] = text
         taken = start + len(text) + 1
     return [
-        _painted(f"{' ' * (left - 1)}└{''.join(rule)}", DIM, style),
+        _painted(f"{' ' * (margin - 1)}└{''.join(rule)}", DIM, style),
         _painted("".join(written), DIM, style),
-        *caption(axis.title, left, sheet.columns),
+        *caption(axis.title, margin, sheet.columns),
     ]
 
 
@@ -230,7 +230,7 @@ def legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
         return []
     lines, line, size = [], "", 0
     for look, color, label in entries:
-        label, *rest = fold(printable(label), style.width - len(look) - 1)
+        label, *more_lines = fold(printable(label), style.width - len(look) - 1)
         text = f"{look} {label}"
         if size and size + GAP + len(text) > style.width:
             lines.append(line)
@@ -238,7 +238,7 @@ def legend(entries: Sequence[tuple[str, str, str]], style: Style) -> list[str]:
         if size:
             line, size = line + " " * GAP, size + GAP
         line, size = f"{line}{_painted(look, color, style)} {label}", size + len(text)
-        if rest:
-            lines += [line, *(f"   {part}" for part in rest)]
+        if more_lines:
+            lines += [line, *(f"   {part}" for part in more_lines)]
             line, size = "", 0
     return [*lines, *([line] if line else [])]

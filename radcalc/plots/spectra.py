@@ -34,13 +34,15 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
     unit = ""
     if len(quantities) == 1 and (quantity := quantities.pop()):
         unit = f"{light_unit(quantity, RADIANT)}/nm"
-        own = specific_name(quantity, RADIANT).replace("-", " ").replace("radiant", "").strip()
-        axis = Axis(f"spectral {own}", unit)
+        quantity_name = (
+            specific_name(quantity, RADIANT).replace("-", " ").replace("radiant", "").strip()
+        )
+        axis = Axis(f"spectral {quantity_name}", unit)
     else:
         several = len(sources) > 1
         axis = RELATIVE._replace(label=f"{RELATIVE.label}, {EACH}" if several else RELATIVE.label)
     drawn = []
-    thermal = _thermal([one for one in sources if isinstance(one, BlackBody)], limits)
+    thermal = _thermal([source for source in sources if isinstance(source, BlackBody)], limits)
     for source in sources:
         x, y = _points(source, thermal if isinstance(source, BlackBody) else limits)
         if not any(y):
@@ -51,12 +53,12 @@ def spectra(sources: Sequence[Spectrum], eye: Observer, limits: Range = WHOLE) -
             y = [value / peak for value in y]
         style = LINES if isinstance(source, Lines) else LINE
         drawn.append(Series(source.label, x, y, style))
-    most = max(max(one.y) for one in drawn)
+    most = max(max(series.y) for series in drawn)
     reference = efficiency(eye, most)
     if unit:
         name = f"{reference.label}, 1 at {most:.3g} {unit}"
         reference = reference._replace(label=name)
-    ends = _ends([one.x for one in drawn], limits)
+    ends = _ends([series.x for series in drawn], limits)
     axis = axis._replace(limits=(0.0, most))
     return Chart("", WAVELENGTH._replace(limits=ends), axis, [*drawn, reference], hues=hues())
 
@@ -73,14 +75,14 @@ def hues() -> list[Hue]:
 
     No single wavelength is within sRGB (IEC 61966-2-1): parts below 0 are left out.
     """
-    found = []
+    visible = []
     for k in range(0, len(X), APART):
         nm = START + k
         inside = [max(sum(map(mul, row, (X[k], Y[k], Z[k]))), 0.0) for row in SRGB]
         if VISIBLE[0] <= nm <= VISIBLE[1]:
             red, green, blue = (_encoded(part / max(inside)) for part in inside)
-            found.append(Hue(float(nm), red, green, blue))
-    return found
+            visible.append(Hue(float(nm), red, green, blue))
+    return visible
 
 
 def _encoded(part: float) -> float:
@@ -91,7 +93,7 @@ def _encoded(part: float) -> float:
 def photon(wavelengths: Sequence[tuple[str, float]], eye: Observer) -> Chart:
     """Where wavelengths [nm] stand below the luminous efficiency, by day and by night."""
     night = OBSERVERS["scotopic"]
-    curves = [efficiency(one)._replace(style=LINE) for one in dict.fromkeys((eye, night))]
+    curves = [efficiency(observer)._replace(style=LINE) for observer in dict.fromkeys((eye, night))]
     ends = VISIBLE
     if wavelengths:
         places = [nm for _, nm in wavelengths]

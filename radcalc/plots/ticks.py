@@ -37,11 +37,11 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     """
     step = round_step((high - low) / max(most - 1, 1))
     first = math.ceil(low / step - ROUNDING)
-    found = []
+    places = []
     while first * step <= high + step * ROUNDING:
-        found.append(float(f"{first * step:.12g}"))
+        places.append(float(f"{first * step:.12g}"))
         first += 1
-    return found if len(found) <= most or most <= 2 else ticks(low, high, most - 1)
+    return places if len(places) <= most or most <= 2 else ticks(low, high, most - 1)
 
 
 def round_step(least: float) -> float:
@@ -68,14 +68,14 @@ def log_ticks(low: float, high: float, most: int) -> list[float]:
     """
     ends = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     for factors in ((1, 2, 5), (1,)):
-        found = [float(f"{f}e{power}") for power in ends for f in factors]
-        found = [x for x in found if low * (1 - ROUNDING) <= x <= high * (1 + ROUNDING)]
-        if len(found) <= most:
-            return found
+        places = [float(f"{f}e{power}") for power in ends for f in factors]
+        places = [x for x in places if low * (1 - ROUNDING) <= x <= high * (1 + ROUNDING)]
+        if len(places) <= most:
+            return places
     apart = 2
-    while len(found[::apart]) > most:
+    while len(places[::apart]) > most:
         apart += 1
-    return found[::apart]
+    return places[::apart]
 
 
 def limits(values: list[float], most: int) -> tuple[float, float]:
@@ -125,13 +125,13 @@ def levels(values: Iterable[float], most: int = 10) -> list[float]:
     >>> levels([6e-17, 210.0])
     [25.0, 50.0, 75.0, 100.0, 125.0, 150.0, 175.0, 200.0]
     """
-    every = sorted(values)
-    low, high = every[0], every[-1]
+    ordered = sorted(values)
+    low, high = ordered[0], ordered[-1]
     if not low < high * (1 - 1e-6):
         return []
     is_far = low > NEGLIGIBLE * high and high > FAR * low
-    found = log_ticks(low, high, most) if is_far else ticks(low, high, most)
-    return [x for x in found if low < x < high]
+    places = log_ticks(low, high, most) if is_far else ticks(low, high, most)
+    return [x for x in places if low < x < high]
 
 
 def ends(values: Iterable[float]) -> tuple[float, float]:
@@ -142,8 +142,8 @@ def ends(values: Iterable[float]) -> tuple[float, float]:
     >>> ends([6e-17, 210.0])
     (0.0, 210.0)
     """
-    every = [*values]
-    low, high = min(every), max(every)
+    numbers = [*values]
+    low, high = min(numbers), max(numbers)
     least = ROUNDED * max(abs(low), abs(high))
     return low if abs(low) > least else 0.0, high if abs(high) > least else 0.0
 
@@ -156,9 +156,9 @@ def shades(values: list[float]) -> tuple[float, float]:
     >>> shades([0.0, 2.0, 400.0])
     (0.4, 400.0)
     """
-    every = sorted(values)
-    high = every[round(CLIPPED * (len(every) - 1))] or 1.0
-    return max(every[0], high / SPAN), high
+    ordered = sorted(values)
+    high = ordered[round(CLIPPED * (len(ordered) - 1))] or 1.0
+    return max(ordered[0], high / SPAN), high
 
 
 def texts(values: list[float]) -> list[str]:
@@ -170,7 +170,7 @@ def texts(values: list[float]) -> list[str]:
     (['0', '0.5', '1'], ['0', '2e-07'])
     """
     for digits in range(DIGITS, 17):
-        found = [f"{value + 0.0:.{digits}g}" for value in values]
-        if len(set(found)) == len(values):
+        numbers = [f"{value + 0.0:.{digits}g}" for value in values]
+        if len(set(numbers)) == len(values):
             break
-    return found
+    return numbers

@@ -12,8 +12,10 @@ from radcalc.quantities.light import EXITANCES, describe, is_per_length, name_of
 from radcalc.quantities.units import composed, named
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import NAMES, NOTES, PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.scales import SCALES, Scale, find, on, usual
-from radcalc.units.table import Unit, resolve
+from radcalc.units.scale_table import SCALES, Scale, usual
+from radcalc.units.scales import find, on
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 
 class Entry(NamedTuple):
@@ -28,20 +30,20 @@ class Entry(NamedTuple):
 
 
 def entry(name: str) -> Entry:
-    """Everything that the definitions say of one unit."""
+    """Return everything that the definitions say of one unit."""
     symbols, _, definition, source = CATALOGUE[name]
     prefixes = UNITS[name][3]
     allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
-    every = len(allowed) == len(PREFIX_NAMES)
-    takes = f" (prefixes: {'all' if every else ' '.join(allowed)})" if allowed else ""
-    shown = ", ".join(symbols) + takes
+    takes_all = len(allowed) == len(PREFIX_NAMES)
+    takes = f" (prefixes: {'all' if takes_all else ' '.join(allowed)})" if allowed else ""
+    spellings = ", ".join(symbols) + takes
     return Entry(
-        name, shown.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
+        name, spellings.strip(), name_of(resolve(name)), definition, source, NOTES.get(name, "")
     )
 
 
 def product(text: str, quantity: str) -> Entry:
-    """The same of a unit that has no name of its own, such as W/m2."""
+    """Return the same of a unit that has no name of its own, such as W/m2."""
     parts = [
         f"{'*' if power > 0 else '/'} {name}{f'**{abs(power)}' if abs(power) > 1 else ''}"
         for name, power in sorted(resolve(text).atoms, key=lambda atom: atom[1] < 0)
@@ -50,7 +52,7 @@ def product(text: str, quantity: str) -> Entry:
 
 
 def scales(rows: Iterable[Scale]) -> list[Entry]:
-    """The same of scales, which have a function where a unit has a definition."""
+    """Return the same of scales, which have a function where a unit has a definition."""
     return [
         Entry(
             scale.name,
@@ -75,8 +77,8 @@ def search(text: str) -> list[Entry]:
         return [entry(name) for name in UNITS] + scales(SCALES)
     if text.lower() in ("scale", "scales"):
         return scales(SCALES)
-    if found := find(text):
-        return scales(one.scale for one in (found, *found.others))
+    if scale := find(text):
+        return scales(reading.scale for reading in (scale, *scale.others))
     if text.lower().replace("-", "_") in NAMES:
         return _of_name(text)
     return _of_quantities(text) or _of_name(text) or _of_unit(text)
@@ -86,15 +88,17 @@ def _of_quantities(text: str) -> list[Entry]:
     """The units of the quantities of that name, or of which it is a misnomer, with the note."""
     from radcalc.quantities.search import called, comparable, index, with_words
 
-    found = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
-    if not found and (other := index().others.get(comparable(text))):
-        found = [(other.names[0], other.unit, "")]
-    if not found:
-        found = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]
+    measured = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
+    if not measured and (other := index().others.get(comparable(text))):
+        measured = [(other.names[0], other.unit, "")]
+    if not measured:
+        measured = [(q.name(ENGLISH), resolve(q.unit), "") for q in with_words(text)]
     entries: dict[tuple[str, str], Entry] = {}
-    for name, unit, note in found:
-        for one in _of_quantity(name, unit):
-            entries.setdefault((one.name, one.quantity), one._replace(note=one.note or note))
+    for name, unit, note in measured:
+        for listed in _of_quantity(name, unit):
+            entries.setdefault(
+                (listed.name, listed.quantity), listed._replace(note=listed.note or note)
+            )
     return list(entries.values())
 
 
@@ -111,21 +115,23 @@ def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
 
 
 def _products(quantity: str, unit: Unit) -> list[Entry]:
-    """The units of a quantity that are no symbol alone, nor one with a prefix."""
+    """Return the units of a quantity that are no symbol alone, nor one with a prefix."""
     texts = [text for text in composed(unit) if not text.isalpha()]
     return [product(text, quantity) for text in texts]
 
 
 def _of_name(text: str) -> list[Entry]:
-    """The units of that symbol, and those in whose names the text is."""
-    wanted = text.lower().replace("-", "_")
+    """Return the units of that symbol, and those in whose names the text is."""
+    folded = text.lower().replace("-", "_")
     exact = [name for name in UNITS if text in CATALOGUE[name][0]]
-    if exact and len(wanted) < 3:
+    if exact and len(folded) < 3:
         return [entry(name) for name in exact]
-    part = [n for n in UNITS if n not in exact and any(wanted in k for k in CATALOGUE[n][1])]
-    wanted = wanted.replace("_", " ")
-    read = [one for one in SCALES if any(wanted in known.lower() for known in one.spellings)]
-    return [entry(name) for name in exact + part] + scales(read)
+    part = [n for n in UNITS if n not in exact and any(folded in k for k in CATALOGUE[n][1])]
+    folded = folded.replace("_", " ")
+    scales_found = [
+        scale for scale in SCALES if any(folded in spelling.lower() for spelling in scale.spellings)
+    ]
+    return [entry(name) for name in exact + part] + scales(scales_found)
 
 
 def _of_unit(text: str) -> list[Entry]:
@@ -140,14 +146,14 @@ def _of_unit(text: str) -> list[Entry]:
             f"no unit and no quantity is called '{quote(text)}'", ", ".join(names) or error.hint
         ) from None
     reading = read(unit)
-    found = []
+    entries = []
     if not is_per_length(unit):
-        found = [entry(name) for name in named(unit.dimension)]
-    found += _products(name_of(unit), unit)
-    found += [] if unit.is_exitance else scales(on(unit.dimension))
+        entries = [entry(name) for name in named(unit.dimension)]
+    entries += _products(name_of(unit), unit)
+    entries += [] if unit.is_exitance else scales(on(unit.dimension))
     if reading and is_per_length(unit):  # of a strip, and of a spectrum
         spectral = Unit("", 1, 1, unit.dimension, (("nanometre", -1),))
-        found += _products(reading.name, spectral)
-    if not found:
+        entries += _products(reading.name, spectral)
+    if not entries:
         raise UnitError(f"{describe(unit)} has no unit with a name of its own", command("units"))
-    return found
+    return entries

@@ -7,7 +7,7 @@ LANGUAGES = (ENGLISH, "cs", "ru")
 
 
 def language() -> str:
-    """The language of the locale's messages; English where it is not one of `LANGUAGES`."""
+    """Return the language of the locale's messages; English where it is not one of `LANGUAGES`."""
     for variable in ("LC_ALL", "LC_MESSAGES", "LANG"):
         if locale := os.environ.get(variable):
             spoken = locale.replace(".", "_").replace("@", "_").partition("_")[0]

@@ -35,7 +35,7 @@ from radcalc.units.dimensions import (
     WAVENUMBER,
     times,
 )
-from radcalc.units.table import FIELD_STRENGTH, NUMBER, Dimension, Unit
+from radcalc.units.unit import FIELD_STRENGTH, NUMBER, Dimension, Unit
 
 RADIANT, LUMINOUS, PHOTON = "e", "v", "p"
 NONE, PER_WAVELENGTH, PER_FREQUENCY, PER_WAVENUMBER = "", "lambda", "nu", "sigma"
@@ -148,7 +148,7 @@ class Reading(NamedTuple):
 
     @property
     def is_radiance(self) -> bool:
-        """Whether the quantity is per projected solid angle: radiance, luminance, troland."""
+        """Check whether the quantity is per projected solid angle: radiance, luminance, troland."""
         return bool(self.area and self.solid_angle)
 
     @property
@@ -168,7 +168,7 @@ class Reading(NamedTuple):
 
 
 def light_dimension(kind: str, geometry: tuple[int, int, int], axis: str) -> Dimension:
-    """The dimension of a light quantity, from its facts."""
+    """Return the dimension of a light quantity, from its facts."""
     return _DIMENSIONS[kind, geometry, axis]
 
 
@@ -213,7 +213,7 @@ def is_incident(unit: Unit) -> bool:
 
 
 def name_of(unit: Unit) -> str:
-    """The name of the quantity that a unit measures, or '' where it has none."""
+    """Return the name of the quantity that a unit measures, or '' where it has none."""
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[0]
@@ -232,7 +232,7 @@ def result_name(unit: Unit) -> str:
 
 
 def symbol_of(unit: Unit) -> str:
-    """The symbol of the quantity that a unit measures, or ''."""
+    """Return the symbol of the quantity that a unit measures, or ''."""
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[1]
@@ -260,7 +260,7 @@ COHERENT_AXES = {
 
 
 def coherent_unit(unit: Unit) -> str:
-    """The coherent SI unit of a light quantity, as a derivation shows it."""
+    """Return the coherent SI unit of a light quantity, as a derivation shows it."""
     reading = read(unit)
     if reading is None:
         return COHERENT.get(unit.dimension, unit.text)
@@ -268,7 +268,7 @@ def coherent_unit(unit: Unit) -> str:
 
 
 def coherent_text(reading: Reading) -> str:
-    """The coherent SI unit of a light quantity, from its facts."""
+    """Return the coherent SI unit of a light quantity, from its facts."""
     if reading.retinal:
         return "td"
     area = "/m2" if reading.area else ""

@@ -23,12 +23,12 @@ class Quantity(NamedTuple):
     definition: str
 
     def names(self, language: str) -> list[str]:
-        """The names in one language, the first to be preferred."""
+        """Return the names in one language, the first to be preferred."""
         text: str = getattr(self, language)
         return text.split(", ") if text else []
 
     def name(self, language: str) -> str:
-        """The name to use in a language; the English one where it has none."""
+        """Return the name to use in a language; the English one where it has none."""
         return (self.names(language) or self.names("en"))[0]
 
 

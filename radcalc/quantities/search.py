@@ -24,7 +24,8 @@ from radcalc.quantities.names import LABELS, MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.dimensions import LENGTH
 from radcalc.units.languages import bare
 from radcalc.units.scales import find
-from radcalc.units.table import NUMBER, Unit, resolve, unit_of
+from radcalc.units.table import resolve, unit_of
+from radcalc.units.unit import NUMBER, Unit
 
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
@@ -53,7 +54,7 @@ def matching(
     where: Callable[[Item], str],
     alike: Callable[[str, str], bool] = str.startswith,
 ) -> list[Item]:
-    """The items in whose text every word of another is found, as the beginning of a word."""
+    """Return the items in whose text every word of another is found, as the beginning of a word."""
     words = comparable(text).split()
     return [
         item
@@ -73,7 +74,7 @@ def search(text: str) -> list[Found]:
     if len(text) > LONGEST:
         raise UsageError(f"no quantity is called '{quote(text)}'", "a name of a few words")
     unit = _unit(text.strip("[]()"))
-    found = (
+    matches = (
         called(text)
         or _by_symbol(text, str)
         or _by_words(text, str.__eq__)
@@ -83,8 +84,8 @@ def search(text: str) -> list[Found]:
         or _by_words(text, str.startswith)
         or (_by_words(text, str.__contains__) if len(comparable(text)) > 2 else [])
     )
-    if found:
-        return found
+    if matches:
+        return matches
     if unit and (measured := name_of(unit)):
         raise UsageError(
             f"'{quote(text)}' measures {measured}, no quantity of light", command("quantities")
@@ -116,22 +117,22 @@ class Index(NamedTuple):
 
 @cache
 def index() -> Index:
-    """Every name and misnomer in every language."""
-    made = Index({}, {}, {}, {})
-    for other in _others():
-        made.others.update({comparable(name): other for name in other.names})
+    """Return every name and misnomer in every language."""
+    result = Index({}, {}, {}, {})
+    for other in _other_quantities():
+        result.others.update({comparable(name): other for name in other.names})
     for q in QUANTITIES:
         names = [[comparable(name) for name in q.names(lang)] for lang in LANGUAGES]
         for name in dict.fromkeys(name for group in names for name in group):
-            made.names.setdefault(name, []).append(q)
-        made.words[q.symbol] = [[name.split() for name in group] for group in names]
+            result.names.setdefault(name, []).append(q)
+        result.words[q.symbol] = [[name.split() for name in group] for group in names]
     for terms, symbol, note in MISNOMERS:
         for term in terms:
-            made.misnomers.setdefault(comparable(term), {})[symbol] = note
-    return made
+            result.misnomers.setdefault(comparable(term), {})[symbol] = note
+    return result
 
 
-def _others() -> Iterator[Other]:
+def _other_quantities() -> Iterator[Other]:
     """The quantities that `name_of` tells and the vocabulary does not, then the wavelength."""
     for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
@@ -149,34 +150,34 @@ def called(text: str) -> list[Found]:
     A misnomer is part of some right names, too: "intensity" of kinds of light, which come first;
     "výkon" of a ratio and "плотность потока" of a density, which come last.
     """
-    wanted = comparable(text)
-    named = [Found(q) for q in index().names.get(wanted, ())]
-    notes = index().misnomers.get(wanted, {})
-    meant = [Found(q, notes[q.symbol]) for q in QUANTITIES if q.symbol in notes]
-    parts = _by_words(text, str.__eq__, 1) if meant and not named else []
-    others = [f for f in (*named, *parts) if f.quantity.symbol not in notes]
-    last = [f for f in others if parts and not _is_plain(f.quantity)]
-    return [f for f in others if f not in last] + meant + last
+    folded = comparable(text)
+    named = [Found(q) for q in index().names.get(folded, ())]
+    notes = index().misnomers.get(folded, {})
+    misnamed = [Found(q, notes[q.symbol]) for q in QUANTITIES if q.symbol in notes]
+    parts = _by_words(text, str.__eq__, 1) if misnamed and not named else []
+    rightly_named = [f for f in (*named, *parts) if f.quantity.symbol not in notes]
+    last = [f for f in rightly_named if parts and not _is_plain(f.quantity)]
+    return [f for f in rightly_named if f not in last] + misnamed + last
 
 
 def _is_plain(quantity: Quantity) -> bool:
-    """Whether it is light itself: no ratio of light, and no density along a spectrum."""
+    """Check whether it is light itself: no ratio of light, and no density along a spectrum."""
     reading = read(resolve(quantity.unit))
     return reading is not None and reading.axis == NONE
 
 
 def with_words(text: str) -> list[Quantity]:
-    """The quantities that have every word of the text in the name to use."""
+    """Return the quantities that have every word of the text in the name to use."""
     return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(comparable(text)) > 2 else []
 
 
 def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
     """The names most like a text that is none, of quantities of light and of others given."""
     names = [name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)]
-    known = {
+    by_comparable = {
         comparable(name): name for name in (*names, *(n for other in others for n in other.names))
     }
-    return [known[name] for name in nearest(comparable(text), known, count)]
+    return [by_comparable[name] for name in nearest(comparable(text), by_comparable, count)]
 
 
 def _key(symbol: str) -> str:
@@ -188,17 +189,17 @@ def _key(symbol: str) -> str:
 
 
 def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
-    """The quantities of that symbol, or of that letter without what stands below it."""
-    wanted = case(_key(case(text)))
-    found = []
+    """Return the quantities of that symbol, or of that letter without what stands below it."""
+    key = case(_key(case(text)))
+    matches = []
     for q in QUANTITIES:
         letter, _, below = q.symbol.partition("_")
         keys = {_key(q.symbol), _key(q.symbol.replace("_e,", "_"))}
         if below in KINDS or "(" in letter:
             keys.add(letter[0])
-        if wanted in map(case, keys):
-            found.append(Found(q))
-    return found
+        if key in map(case, keys):
+            matches.append(Found(q))
+    return matches
 
 
 def _by_words(
@@ -206,17 +207,17 @@ def _by_words(
 ) -> list[Found]:
     """The quantities in one of whose (first) names, or kinds, every word of the text is found."""
     words = comparable(text).split()
-    found = []
+    matches = []
     for q in QUANTITIES:
         kind = [KINDS.get(q.symbol.partition("_")[2][:1], "")]
         names = [name + kind for group in index().words[q.symbol] for name in group[:first]]
         if words and any(all(any(alike(n, w) for n in name) for w in words) for name in names):
-            found.append(Found(q))
-    return found
+            matches.append(Found(q))
+    return matches
 
 
 def _unit(text: str) -> Unit | None:
-    """The text as a unit; None where it is none."""
+    """Return the text as a unit; None where it is none."""
     unit = find(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
@@ -227,21 +228,22 @@ def _by_unit(unit: Unit | None) -> list[Found]:
         return []
     if is_per_length(unit):
         return _per_length(unit)
-    found = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
+    measured = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if unit.is_exitance:
-        found = [q for q in found if q.symbol.startswith("M")]
+        measured = [q for q in measured if q.symbol.startswith("M")]
     elif name_of(unit) == "illuminance" and not any(n.endswith("lumen") for n, _ in unit.atoms):
-        found = [q for q in found if not q.symbol.startswith("M")]  # an exitance is not in lux
-    if found:
-        return [Found(q) for q in found]
+        # an exitance is not in lux
+        measured = [q for q in measured if not q.symbol.startswith("M")]
+    if measured:
+        return [Found(q) for q in measured]
     reading = read(unit)
     if reading is None or reading.axis == NONE:
         return []
-    return _whole(reading, f"{quote(unit.text)} measures {name_of(unit)}")
+    return _without_axis(reading, f"{quote(unit.text)} measures {name_of(unit)}")
 
 
-def _whole(reading: Reading, note: str) -> list[Found]:
-    """The quantity of which another is a density."""
+def _without_axis(reading: Reading, note: str) -> list[Found]:
+    """Return the quantity of which another is a density."""
     name = reading._replace(axis=NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 
@@ -255,9 +257,9 @@ def _per_length(unit: Unit) -> list[Found]:
     of_spectrum = f"{reading.name} where the length is one of wavelength"
     spectral = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if not spectral:
-        return _whole(reading, f"{of_strip}, and {of_spectrum}")
+        return _without_axis(reading, f"{of_strip}, and {of_spectrum}")
     note = f"{quote(unit.text)} measures {of_spectrum}"
-    return _whole(reading, of_strip) + [Found(q, note) for q in spectral]
+    return _without_axis(reading, of_strip) + [Found(q, note) for q in spectral]
 
 
 def _by_name_and_unit(text: str) -> list[Found]:

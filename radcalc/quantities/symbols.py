@@ -43,7 +43,7 @@ from radcalc.units.dimensions import (
     WAVENUMBER,
     times,
 )
-from radcalc.units.table import NUMBER, Dimension
+from radcalc.units.unit import NUMBER, Dimension
 
 INFINITE = math.inf
 
@@ -80,15 +80,12 @@ PAIR = "pair"  # of whole numbers, within the limits
 UNIT, WORD = "unit", "word"
 
 
-NOWHERE: dict[str, tuple[str, str]] = {}
-
-
 class Symbol(NamedTuple):
     """A symbol: what it is called, what it measures, and which values it can have.
 
     `dimensions` are those in which it can be given or asked for, the first is its own; `unit` is
-    the one in which it is shown.  `narrower` has, for commands in which it means less, another
-    example and help.  A light quantity has its geometry, and its kind where its name fixes it.
+    the one in which it is shown.  A light quantity has its geometry, and its kind where its name
+    fixes it.
     """
 
     name: str
@@ -102,14 +99,9 @@ class Symbol(NamedTuple):
     takes: str = ""
     form: str = QUANTITY
     choices: tuple[str, ...] = ()
-    narrower: dict[str, tuple[str, str]] = NOWHERE
     geometry: tuple[int, int, int] | None = None
     kind: str = ""
     generic: str = ""
-
-    def shown_in(self, command: str) -> tuple[str, str]:
-        """The example and the help, as a command means the symbol."""
-        return self.narrower.get(command, (self.example, self.help))
 
 
 def article(noun: str) -> str:
@@ -130,12 +122,8 @@ def _symbol(
     label: str = "",
     unit: str = "",
     takes: str = "",
-    **narrower: str | tuple[str, str],
 ) -> Symbol:
-    """A row whose unit and wording follow from its dimension, unless they are given.
-
-    What remains are other texts, or an example and a text, for single commands.
-    """
+    """Make a row; its unit and wording follow from its dimension, unless they are given."""
     if not takes:
         takes = "a number from 0 to 1" if limits is PART else article(OTHERS[dimension][0])
     return Symbol(
@@ -148,23 +136,14 @@ def _symbol(
         label or name.replace("-", " "),
         unit or ("deg" if dimension == ANGLE else COHERENT[dimension]),
         takes,
-        narrower=_narrower(example, narrower),
     )
 
 
-def _narrower(example: str, texts: dict[str, str | tuple[str, str]]) -> dict[str, tuple[str, str]]:
-    """Example and help by command; where there is a help alone, the example is the usual one."""
-    return {
-        command.replace("_", "-"): (example, text) if isinstance(text, str) else text
-        for command, text in texts.items()
-    }
-
-
-def _length(name: str, letter: str, *words: str, **more: str | tuple[str, str]) -> Symbol:
+def _length(name: str, letter: str, *words: str, **more: str) -> Symbol:
     return _symbol(LENGTH, name, letter, *words, **more)  # type: ignore[arg-type]
 
 
-def _area(name: str, letter: str, *words: str, **more: str | tuple[str, str]) -> Symbol:
+def _area(name: str, letter: str, *words: str, **more: str) -> Symbol:
     return _symbol(AREA, name, letter, *words, **more)  # type: ignore[arg-type]
 
 
@@ -175,7 +154,6 @@ def _text(
     example: str,
     help_: str,
     choices: tuple[str, ...] = (),
-    **narrower: str | tuple[str, str],
 ) -> Symbol:
     """A row of what is no quantity."""
     return Symbol(
@@ -189,7 +167,6 @@ def _text(
         takes=takes,
         form=form,
         choices=choices,
-        narrower=_narrower(example, narrower),
     )
 
 
@@ -214,94 +191,57 @@ _ROWS = (
         also=(FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY), unit="nm",
         takes="a wavelength, frequency, wavenumber or photon energy"),
     _text(SPECTRUM, "spectrum", "a spectrum", "D65",
-        "Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ...",
-        mesopic=("SOURCE", "A spectrum, for its S/P ratio.")),
+        "Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ..."),
     _symbol(RATIOS[LUMINOUS, RADIANT], "efficacy", "K", "93lm/W",
         "A given ratio of two kinds: 93lm/W, 2.1umol/J, 54lm.s/umol.",
         also=tuple(RATIOS[pair] for pair in RATIOS if pair != (LUMINOUS, RADIANT)), unit="lm/W",
         takes="a ratio of two kinds"),
     _text(CHOICE, "observer", "an observer", "photopic",
-        "Whose eyes see {wavelength} or {spectrum}.", OBSERVER_NAMES,
-        photon="Whose eyes the luminous efficiency is for.",
-        spectrum="Whose eyes the luminous efficacy is for."),
+        "Whose eyes see {wavelength} or {spectrum}.", OBSERVER_NAMES),
     _text(WAVELENGTHS, "range", "two wavelengths", "380nm:780nm",
-        "Where the watts of {spectrum} are counted.",
-        spectrum=("LOW:HIGH", "Where watts are counted.")),
+        "Where the watts of {spectrum} are counted."),
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
-        "Where the photons of {spectrum} are counted (default 400nm:700nm).",
-        spectrum=("LOW:HIGH", "Where photons are counted."),
-        sensor="Where the photons of {spectrum} are counted (as the watts)."),
+        "Where the photons of {spectrum} are counted (default 400nm:700nm)."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
         "Width of a band in which the spectral density is constant.", also=(FREQUENCY, WAVENUMBER),
         takes="a width in wavelength, frequency or wavenumber"),
     # Sizes and places.
-    _length("radius", "R", "10cm", "Radius of the source.", convert="Radius of a circular area.",
-        solid_angle="Radius of a sphere, a disc or a round patch."),
-    _length("diameter", "D", "20cm", "Diameter of the source.",
-        convert="Diameter of a circular area.",
-        solid_angle="Diameter of a sphere, a disc or a round patch.",
-        laser=("1mm", "Diameter of the beam at the laser's exit.")),
-    _length("width", "w", "2m", "Width of the source, along x.",
-        solid_angle="Width of a rectangle, along x.", screen="Width of the picture.",
-        room=("6m", "Width of the room.")),
-    _length("length", "l", "1m", "Length of the source, along y.",
-        solid_angle="Length of a rectangle, along y.", room=("9m", "Length of the room.")),
-    _area("area", "A", "1m2", "Area of the source.", convert="Uniform over that area.",
-        solid_angle="Area of a small patch.", screen=("2m2", "Area of the picture."),
-        room=("54m2", "Area of the room.")),
-    _length("distance", "d", "2m", "Straight line to the centre of what is seen.",
-        convert="Straight line from a small source to the receiver.",
-        point_source="Straight line from the source to the receiver.",
-        ev=("3m", "Distance from the flash to what it lights."),
-        laser=("10m", "Distance from the laser's exit, where the spot is without it.")),
-    _length("height", "h", "50cm", "Height above the source's plane, along its axis.",
-        point_source="Height of the source above the receiver's plane, along its axis.",
-        screen=("1.2m", "Height of the picture."),
-        room=("2m", "Height of the luminaires above the working plane.")),
+    _length("radius", "R", "10cm", "Radius of the source."),
+    _length("diameter", "D", "20cm", "Diameter of the source."),
+    _length("width", "w", "2m", "Width of the source, along x."),
+    _length("length", "l", "1m", "Length of the source, along y."),
+    _area("area", "A", "1m2", "Area of the source."),
+    _length("distance", "d", "2m", "Straight line to the centre of what is seen."),
+    _length("height", "h", "50cm", "Height above the source's plane, along its axis."),
     _symbol(LENGTH, "offset", "x", "20cm",
         "How far aside of the source's axis, along x (with {height}).", ANY),
     _symbol(LENGTH, "offset-y", "y", "20cm", "How far aside of it along y (with {height}).", ANY,
         label="offset along y"),
     _symbol(ANGLE, "tilt", "θ_s", "60deg",
-        "Angle by which the source is turned from the line of sight.", TURN,
-        solid_angle="Angle by which a patch is turned from the line of sight.",
-        convert="Angle between the normal of a surface and the way its light takes.",
-        sky=("90deg", "Tilt of a plane from the horizontal: 90deg is a wall.")),
+        "Angle by which the source is turned from the line of sight.", TURN),
     _symbol(ANGLE, "incidence", "θ", "45deg", "Angle between the light and the receiver's normal.",
-        TURN,
-        convert="Angle between the light and the normal of the surface that is lit."),
-    _area("receiver-area", "A_r", "4cm2", "Area of the receiver.",
-        calorimeter="The area that the light falls on."),
+        TURN),
+    _area("receiver-area", "A_r", "4cm2", "Area of the receiver."),
     _length("receiver-radius", "R_r", "1m", "Radius of the receiver."),
-    _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver.",
-        laser=("7mm", "Diameter of a round receiver about the beam's axis: a pupil, a sensor.")),
+    _length("receiver-diameter", "D_r", "2m", "Diameter of the receiver."),
     # Cones and lobes.
     _symbol(ANGLE, "half-angle", "α", "30deg", "Half angle of a cone, from its axis to its edge.",
-        Limits(0.0, math.pi, "at most 180 deg", without_low=True),
-        convert="Uniform over the cone of that half angle, from axis to edge.",
-        lambertian="Half angle of the part of a hemisphere that shines, about its zenith.",
-        integrate="The cone of that half angle about +z."),
+        Limits(0.0, math.pi, "at most 180 deg", without_low=True)),
     _symbol(ANGLE, "apex-angle", "2α", "60deg", "Full angle of a cone, from edge to edge.",
-        Limits(0.0, 2 * math.pi, "at most 360 deg", without_low=True),
-        convert="Uniform over the cone of that full angle, from edge to edge."),
+        Limits(0.0, 2 * math.pi, "at most 360 deg", without_low=True)),
     _symbol(SOLID_ANGLE, "solid-angle", "Ω", "1sr", "Solid angle.",
-        Limits(0.0, 4 * math.pi, "at most 4pi sr", without_low=True),
-        convert="Uniform over that solid angle.", point_source="Solid angle of a uniform cone.",
-        solid_angle="Solid angle of the cone, or of the sphere."),
+        Limits(0.0, 4 * math.pi, "at most 4pi sr", without_low=True)),
     _symbol(SOLID_ANGLE, "projected-solid-angle", "Ω_p", "1sr",
         "Solid angle projected along the cone's axis.",
         Limits(0.0, math.pi, "at most pi sr, a hemisphere", without_low=True)),
     _text(FLAG, "isotropic", "", "", "Uniform in all directions, over 4 pi sr."),
-    _text(FLAG, "hemisphere", "", "", "Uniform over a hemisphere.",
-        integrate="The hemisphere about +z."),
+    _text(FLAG, "hemisphere", "", "", "Uniform over a hemisphere."),
     _text(FLAG, "sphere", "", "", "All directions."),
     _symbol(NUMBER, "configuration-factor", "F", "0.1", "Configuration factor."),
     _symbol(NUMBER, "sphere-fraction", "Ω/4π", label="fraction of the sphere"),
-    _symbol(NUMBER, "exponent", "n", "1", "Exponent of a cosine-power lobe.", FROM_ZERO,
-        convert="A lobe that falls off as a power of the cosine; 1 is Lambertian."),
+    _symbol(NUMBER, "exponent", "n", "1", "Exponent of a cosine-power lobe.", FROM_ZERO),
     _symbol(ANGLE, "beam-angle", "FWHM", "30deg",
-        "Full angle of a lobe, where half the peak is left.", BEAM,
-        convert="A cosine-power lobe of that full angle at half the peak intensity."),
+        "Full angle of a lobe, where half the peak is left.", BEAM),
     _symbol(ANGLE, "field-angle", "FWTM", "60deg",
         "Full angle of a lobe, where a tenth of it is left.", BEAM),
     _symbol(ANGLE, "off-axis-angle", "θ", "20deg",
@@ -323,21 +263,15 @@ _ROWS = (
         label="luminous efficacy of the source", unit="lm/W"),
     # Directions and shapes.
     _symbol(ANGLE, "polar", "θ", "45deg", "Polar angle, from +z.",
-        Limits(0.0, math.pi, "from 0 to 180 deg"),
-        solid_angle=("30deg:60deg", "Polar angles of a zone, from +z."),
-        integrate=("30deg:60deg", "A zone between two polar angles.")),
-    _symbol(ANGLE, "azimuth", "φ", "30deg", "Azimuth, from +x towards +y.", ANY,
-        solid_angle=("0deg:90deg", "Azimuths of a zone (default: all)."),
-        sky=("180deg", "Azimuth that the plane faces (with {tilt})."),
-        integrate=("0deg:90deg", "Only between these azimuths.")),
+        Limits(0.0, math.pi, "from 0 to 180 deg")),
+    _symbol(ANGLE, "azimuth", "φ", "30deg", "Azimuth, from +x towards +y.", ANY),
     _symbol(ANGLE, "elevation", "h", "45deg", "Elevation above the plane of x and y.",
         Limits(-math.pi / 2, math.pi / 2, "from -90 to 90 deg")),
     _symbol(ANGLE, "horizontal", "a", "60deg",
         "Full angle between the pyramid's left and right face."),
     _symbol(ANGLE, "vertical", "b", "40deg", "Full angle between its upper and lower face."),
     # Etendues.
-    _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr",
-        sensor=("1um2.sr", "Etendue of the light on a pixel.")),
+    _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr"),
     _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
     _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
         Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
@@ -348,9 +282,8 @@ _ROWS = (
     _symbol(NUMBER, "aspect", "a", "16/9", "Width of the picture over its height."),
     _symbol(NUMBER, "gain", "g", "1", "Gain of the screen, over a perfect diffuser (1)."),
     _symbol(NUMBER, "reflectance", "ρ", "0.8", "Reflectance of the reflector, 0 to 1 or in %.",
-        PART, convert="A Lambertian reflector, 0 to 1 or in %."),
-    _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle.",
-        solid_angle="Seen from above a corner of the rectangle."),
+        PART),
+    _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle."),
     _text(FLAG, "perpendicular", "", "", "Its normal runs along the rectangle's length."),
     _text(DISTRIBUTION, "distribution", "a distribution", "lobe",
         "How the light is spread: isotropic (unless an option of a cone or a lobe is given), cone, "
@@ -358,28 +291,17 @@ _ROWS = (
         DISTRIBUTIONS),
     _text(DIRECTION, "toward", "a direction", "60deg,90deg",
         "A direction from the source, in which the receiver is: POLAR from its axis, "
-        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis.",
-        environment="A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z.",
-        sky="Where in the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up."),
+        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis."),
     _text(VECTOR, "aim", "a direction", "X,Y,Z",
-        "Where the source's axis points; straight down is 0,0,-1.",
-        environment="What the middle of the map shows (1,0,0)."),
+        "Where the source's axis points; straight down is 0,0,-1."),
     _symbol(ANGLE, "rotate", "ψ", "90deg",
         "Angle by which the source is turned about its axis, C0 from +x towards +y.", ANY),
     _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
-    _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto.",
-        scene="Where the receivers face (0,0,1: up).",
-        uberlight="Normal of the receiver (it faces the light).",
-        environment="Where the receiver faces (0,0,1: up).",
-        sky="Where the plane faces, in place of {tilt}: z is up."),
+    _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto."),
     _symbol(NUMBER, "uniformity", "U_o", label="uniformity, minimum over mean"),
     _symbol(NUMBER, "minimum-to-maximum", "U_d", label="minimum over maximum"),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
-    _symbol(TIME, "time", "t", "1h", "How long the light is constant.",
-        convert="Constant over that time.", ev=("1/100s", "Exposure time, with any filter."),
-        sensor=("1/100s", "Exposure time."),
-        calorimeter="How long it is in the light.",
-        laser=("10ns", "How long the flux is constant: a pulse, or an exposure.")),
+    _symbol(TIME, "time", "t", "1h", "How long the light is constant."),
     _symbol(TIME, "max-gap", "", "10min", "Bridge no longer step between samples than that.",
         label="longest step"),
     _symbol(TIME, "duration", "T", unit="h"),
@@ -467,8 +389,7 @@ _ROWS = (
     # The sky.
     _symbol(ANGLE, "sun-elevation", "γ_s", "40deg", "Elevation of the sun above the horizon.",
         Limits(0.0, math.pi / 2, "from 0 to 90 deg, above the horizon")),
-    _symbol(ANGLE, "sun-azimuth", "α_s", "180deg", "Azimuth of the sun, from +x towards +y.", ANY,
-        sky="Azimuth of the sun, counted as those of the plane and of directions."),
+    _symbol(ANGLE, "sun-azimuth", "α_s", "180deg", "Azimuth of the sun, from +x towards +y.", ANY),
     _symbol(ANGLE, "sun-radius", "r_s", "0.2666deg",
         "Angular radius of the sun's disc (0.2666 deg).",
         Limits(0.0, math.pi / 2, "less than 90 deg", without_low=True, without_high=True),
@@ -519,8 +440,8 @@ _ROWS = (
         "Give the direction's reflection at a mirror of that normal."),
     _text(VECTOR, "reflect-to", "a direction", "X,Y,Z",
         "Give the normal of the mirror that reflects the direction to there."),
-    *(_symbol(NUMBER, f"mirror-ball-{one}", one, limits=ANY, label=f"{one} on a mirror ball")
-      for one in "uvw"),
+    *(_symbol(NUMBER, f"mirror-ball-{axis}", axis, limits=ANY, label=f"{axis} on a mirror ball")
+      for axis in "uvw"),
     _pair("size", "1024x512", "Width and height of a map, in pixels.",
         Limits(1, MOST_PIXELS, f"from 1 to {MOST_PIXELS} pixels each way")),
     _pair("pixel", "0,0", "COLUMN,ROW of a pixel of a map; 0,0 is at the top left.",
@@ -642,7 +563,7 @@ LIGHT_UNITS = {
 
 
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
-    """The unit to show of a light quantity by its generic name, or its coherent one."""
+    """Return the unit to show of a light quantity by its generic name, or its coherent one."""
     geometry = _LIGHT_ROWS[name][1]
     text = LIGHT_UNITS[geometry][coherent][KINDS.index(kind)]
     return "lm/m2" if text == "lx" and name == "exitance" else text
@@ -667,7 +588,6 @@ def _of_light(
         label,
         unit,
         article(label),
-        narrower=_NARROWER.get(name, {}),
         geometry=geometry,
         kind=kind,
         generic=generic,
@@ -675,46 +595,10 @@ def _of_light(
 
 
 _EXAMPLES = {"luminance": "1000cd/m2", "illuminance": "10klx"}
-_NARROWER: dict[str, dict[str, tuple[str, str]]] = {
-    "radiance": {"sensor": ("1000cd/m2", "The radiance of the scene.")},
-    "exposure": {
-        "sensor": ("0.1lx.s", "The exposure of the sensor (with {time})."),
-        "laser": ("100J/m2", "The exposure of the spot (with {time})."),
-    },
-    "peak-irradiance": {
-        "laser": ("10W/m2", "The irradiance on the axis, where it is greatest."),
-    },
-    "limit": {
-        "laser": ("25W/m2", "A limit of the peak, from the standard (with {hazard-distance})."),
-    },
-    "luminance": {
-        "ev": (_EXAMPLES["luminance"], "Luminance of the scene."),
-        "mesopic": ("0.1cd/m2", "The photopic luminance."),
-    },
-    "illuminance": {"ev": (_EXAMPLES["illuminance"], "Illuminance on the scene.")},
-    "flux": {
-        "sensor": ("0.1uW", "The flux on a pixel, or on the detector."),
-        "etendue": ("100lm", "The flux of the beam."),
-        "calorimeter": ("100W", "The flux on the body."),
-        "room": ("3600lm", "The flux of one luminaire."),
-        "laser": ("5mW", "The flux of the beam, or within a pulse."),
-    },
-    "energy": {
-        "sensor": ("1fJ", "The energy on a pixel (with {time})."),
-        "calorimeter": ("100J", "The energy that reaches the body (with {time})."),
-        "laser": ("10mJ", "The energy of a pulse, or of the beam in the {time}."),
-    },
-    "irradiance": {
-        "sensor": ("10lx", "The irradiance of the sensor."),
-        "calorimeter": ("100W/m2", "The irradiance on the body (with {receiver-area})."),
-        "room": ("500lx", "The mean irradiance of the working plane."),
-        "laser": ("1W/m2", "The flux over the area of the spot."),
-    },
-}
 
 
 def specific_name(generic: str, kind: str) -> str:
-    """The name of a light quantity in one kind: flux and luminous give luminous-flux."""
+    """Return the name of a light quantity in one kind: flux and luminous give luminous-flux."""
     _, geometry, _, _, pattern = _LIGHT_ROWS[generic]
     if not pattern:
         return generic if kind == RADIANT else f"{KIND_NAMES[kind]}-{generic}"
@@ -736,28 +620,16 @@ for _name, _row in _LIGHT_ROWS.items():
         if _own != _name:
             SPECIFIC[_own] = (_name, _kind)
             SYMBOLS[_own] = _of_light(_own, _name, _kind, _row)
+METER_UNITS = {"k": "cd.s/m2", "c": "lx.s"}  # of the constants of light meters, written bare
 LINKS = ("wavelength", "spectrum", "efficacy")  # what links the kinds of light
 EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("luminous-efficacy", LUMINOUS, RADIANT),
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
-# Results of a command that measure what another does: how far that may be off.
-ALIKE = {("environment", "error"): "irradiance", ("point-source", "error"): "flux"}
 REFINEMENTS = ("observer", "range", "photon-range")  # what only refines a link
 
 
-def as_result(name: str, command: str) -> Symbol:
-    """The symbol of a result, as a command measures it."""
-    symbol = SYMBOLS[name]
-    if alike := ALIKE.get((command, name)):
-        other = SYMBOLS[alike]
-        return symbol._replace(
-            dimensions=other.dimensions, geometry=other.geometry, generic=other.generic
-        )
-    return symbol
-
-
 def names_of_kinds(generic: str) -> tuple[str, ...]:
-    """The names of one kind that go with a generic name."""
-    return tuple(name for name, (own, _) in SPECIFIC.items() if own == generic)
+    """Return the names of one kind that go with a generic name."""
+    return tuple(name for name, (generic_name, _) in SPECIFIC.items() if generic_name == generic)

@@ -14,7 +14,8 @@ from radcalc.quantities.search import near as names_like
 from radcalc.quantities.symbols import LIGHT_UNITS, SYMBOLS, light_unit, specific_name
 from radcalc.quantities.units import composed
 from radcalc.units.dimensions import COHERENT
-from radcalc.units.table import Exitance, Photosynthetic, Unit, resolve, suggest, unit_of
+from radcalc.units.table import resolve, suggest, unit_of
+from radcalc.units.unit import Exitance, Photosynthetic, Unit
 
 # Names that serve every kind of light: the source decides which.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
@@ -31,13 +32,13 @@ class Target(NamedTuple):
     note: str = ""
 
     def as_unit(self) -> Unit:
-        """The unit, with what is to be said of the name."""
+        """Return the unit, with what is to be said of the name."""
         kind = Exitance if self.name in EXITANCES else Unit
         return resolve(self.unit).of_class(kind, *filter(None, [self.note]))
 
 
 def named(text: str, source: Unit | None = None) -> Unit:
-    """The usual unit of the quantity of that name, which is the name of no unit.
+    """Return the usual unit of the quantity of that name, which is the name of no unit.
 
     `source` decides the kind of a name that serves every kind, where it is known.  Raises
     UnitError for what is no quantity either, and for a name that has several meanings.
@@ -56,28 +57,28 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
 
 def is_name(text: str) -> bool:
-    """Whether a quantity, or several, are called that."""
+    """Check whether a quantity, or several, are called that."""
     return bool(_meanings(text, None)) or comparable(text) in index().names
 
 
 def names_starting(prefix: str) -> list[tuple[str, str]]:
-    """The names of quantities that begin so, each as one word, with their usual units."""
+    """Return the names of quantities that begin so, each as one word, with their usual units."""
     return sorted((name, target.unit) for name, target in _targets(comparable(prefix)).items())
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
-    """What a name may stand for."""
-    wanted = comparable(text)
-    if len(wanted) < SHORTEST:
+    """Return what a name may stand for."""
+    folded = comparable(text)
+    if len(folded) < SHORTEST:
         return []
-    if wanted in GENERIC:
-        return _of_kinds(wanted, source)
-    if exact := index().names.get(wanted):
+    if folded in GENERIC:
+        return _of_kinds(folded, source)
+    if exact := index().names.get(folded):
         return [_target(q) for q in exact if q.symbol not in WITHOUT_OWN_UNIT]
-    found = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
-    if found := [f for f in found if "λ" not in f.quantity.symbol]:
-        return [_target(f.quantity, f.note) for f in found]
-    other = index().others.get(wanted)
+    matches = [f for f in called(text) if f.quantity.symbol not in WITHOUT_OWN_UNIT]
+    if matches := [f for f in matches if "λ" not in f.quantity.symbol]:
+        return [_target(f.quantity, f.note) for f in matches]
+    other = index().others.get(folded)
     target = _other(other) if other else None
     return [target] if target else []
 
@@ -120,19 +121,19 @@ def _other(other: Other) -> Target | None:
 
 
 def _targets(start: str) -> dict[str, Target]:
-    """Every name with one meaning that begins so, as one word."""
-    found = {}
+    """Return every name with one meaning that begins so, as one word."""
+    targets = {}
     for folded, name in _names().items():
         if folded.startswith(start) and unit_of(name) is None:
             meanings = _meanings(name, None)
             if len(meanings) == 1 or folded in GENERIC:
-                found[name.replace(" ", "-")] = meanings[0]
-    return found
+                targets[name.replace(" ", "-")] = meanings[0]
+    return targets
 
 
 def _names() -> dict[str, str]:
-    """Every name, by how it is compared."""
-    names = [name for q in QUANTITIES for one in LANGUAGES for name in q.names(one)]
+    """Return every name, by how it is compared."""
+    names = [name for q in QUANTITIES for language in LANGUAGES for name in q.names(language)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
     names += [name for other in index().others.values() for name in other.names]
     return {comparable(name): name for name in (*names, *GENERIC)}
@@ -157,7 +158,8 @@ def _unknown(text: str) -> UnitError:
         alike = [known[name] for name in nearest(comparable(text), known, 4, 0.75)]
         near = [name for name in alike if len(_meanings(name, None)) == 1][:2]
         if near:
-            unknown.hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
+            hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
+            unknown = unknown.reworded(hint=hint)
         elif " " in text.strip() and (alike := names_like(text, 2)):  # of a quantity, no unit
             unknown = UnitError(f"no quantity or unit is called '{quote(text)}'", ", ".join(alike))
     return unknown
@@ -165,8 +167,8 @@ def _unknown(text: str) -> UnitError:
 
 def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
     """Refuse a name of several quantities."""
-    told = [f"{target.name} ({target.unit})" for target in meanings]
+    names = [f"{target.name} ({target.unit})" for target in meanings]
     units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
     return UnitError(
-        f"'{quote(text)}' may be {', '.join(told[:-1])} or {told[-1]}", ", ".join(units)
+        f"'{quote(text)}' may be {', '.join(names[:-1])} or {names[-1]}", ", ".join(units)
     )

@@ -10,9 +10,10 @@ from radcalc.quantities.language import ENGLISH, LANGUAGES
 from radcalc.quantities.names import QUANTITIES
 from radcalc.quantities.search import called, comparable, matching
 from radcalc.quantities.typical_values import VALUES, Typical
-from radcalc.units.amounts import Amount, read_amount
+from radcalc.units.amount import Amount
+from radcalc.units.reading import read_amount
 from radcalc.units.scales import ScaleUnit, resolve_any
-from radcalc.units.table import Unit
+from radcalc.units.unit import Unit
 
 THINGS = (
     *("sun", "sky", "overcast", "shade", "twilight", "moon", "starlight", "cloud", "UV"),
@@ -33,8 +34,11 @@ STEM = 4  # letters that stay
 def words() -> tuple[str, ...]:
     """What is worth searching for: things, and the names of the quantities, each as one word."""
     measured = {value.quantity for value in VALUES}
-    there = [q for q in QUANTITIES if q.name(ENGLISH) in measured]
-    return (*THINGS, *(q.name(one).replace(" ", "-") for one in LANGUAGES for q in there))
+    quantities = [q for q in QUANTITIES if q.name(ENGLISH) in measured]
+    return (
+        *THINGS,
+        *(q.name(language).replace(" ", "-") for language in LANGUAGES for q in quantities),
+    )
 
 
 def search(text: str) -> list[Typical]:
@@ -46,12 +50,12 @@ def search(text: str) -> list[Typical]:
     text = text.strip()
     if not text:
         return list(VALUES)
-    found = _near(text) or _of_quantity(text) or _in_unit(text)
-    found = found or matching(text, VALUES, _names)
-    found = found or matching(text, VALUES, lambda v: f"{v.note} {v.source}", str.__eq__)
-    found = found or matching(text, VALUES, _names, _is_alike)
-    if found:
-        return found
+    matches = _near(text) or _of_quantity(text) or _in_unit(text)
+    matches = matches or matching(text, VALUES, _names)
+    matches = matches or matching(text, VALUES, lambda v: f"{v.note} {v.source}", str.__eq__)
+    matches = matches or matching(text, VALUES, _names, _is_alike)
+    if matches:
+        return matches
     words = {word for v in VALUES for word in comparable(_names(v)).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
@@ -71,7 +75,7 @@ def _of_quantity(text: str) -> list[Typical]:
 
 
 def _is_alike(word: str, typed: str) -> bool:
-    """Whether a word begins as the one typed does, but for the ending of a case."""
+    """Check whether a word begins as the one typed does, but for the ending of a case."""
     return len(typed) > STEM and word.startswith(typed[: max(STEM, len(typed) - ENDING)])
 
 
@@ -81,18 +85,18 @@ def _in_unit(text: str) -> list[Typical]:
     except RadcalcError:
         return []
     if unit.is_scale:
-        own = [value for value in VALUES if value.unit == unit.text]
-        if own:
-            return own
+        on_scale = [value for value in VALUES if value.unit == unit.text]
+        if on_scale:
+            return on_scale
     return [value for value in VALUES if value.measured.dimension == unit.dimension]
 
 
-def how_far(text: str, found: list[Typical]) -> str:
-    """What to say where a value that is asked about is far from all that are found."""
+def how_far(text: str, values: list[Typical]) -> str:
+    """Return what to say where a value that is asked about is far from all that are found."""
     amount = _amount(text.strip())
-    if not amount or any(_is_named(value, amount) for value in found):
+    if not amount or any(_is_named(value, amount) for value in values):
         return ""
-    away = min(_away(value, amount) for value in found)
+    away = min(_away(value, amount) for value in values)
     if away < math.log(FAR):
         return ""
     return (
@@ -101,7 +105,7 @@ def how_far(text: str, found: list[Typical]) -> str:
 
 
 def _amount(text: str) -> Amount | None:
-    """The amount that values are to be near to; None for a word, or a number alone."""
+    """Return the amount that values are to be near to; None for a word, or a number alone."""
     try:
         amount = read_amount(text)
     except NumberError:
@@ -137,7 +141,7 @@ def _near(text: str) -> list[Typical]:
 
 
 def _is_named(value: Typical, amount: Amount) -> bool:
-    """Whether a value has an amount in its name, as a bulb of 60 W has."""
+    """Check whether a value has an amount in its name, as a bulb of 60 W has."""
     typed = f"{amount.number:g} {amount.unit.text if amount.unit else ''}"
     return bool(matching(typed, (value,), lambda value: value.what, str.__eq__))
 
@@ -151,7 +155,7 @@ def _size(amount: Amount) -> float:
 
 
 def _away(value: Typical, amount: Amount) -> float:
-    """How far an amount is outside a value, as the logarithm of their ratio."""
+    """Return how far an amount is outside a value, as the logarithm of their ratio."""
     size = _size(amount)
     low, high = (_in_si(value, end) for end in (value.low, value.high))
     return max(math.log(low / size), math.log(size / high), 0.0)

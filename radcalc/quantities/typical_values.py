@@ -9,7 +9,7 @@ from typing import NamedTuple
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import name_of
 from radcalc.units.scales import resolve_any
-from radcalc.units.table import Unit
+from radcalc.units.unit import Unit
 
 
 class Typical(NamedTuple):
@@ -27,11 +27,11 @@ class Typical(NamedTuple):
 
     @property
     def what(self) -> str:
-        """What it is of, in English."""
+        """Return what it is of, in English."""
         return self.names[0]
 
     def name(self, language: str) -> str:
-        """What it is of, in a language."""
+        """Return what it is of, in a language."""
         return self.names[LANGUAGES.index(language)]
 
     @property

@@ -14,7 +14,7 @@ from radcalc.quantities.light import (
 )
 from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.table import Dimension, Unit
+from radcalc.units.unit import Dimension, Unit
 
 # Derived units that have no name of their own are products: a head for kind and time, then
 # what it is per.  Candelas already are per steradian.
@@ -69,26 +69,26 @@ def composed(unit: Unit) -> list[str]:
 
 
 def units_of(unit: Unit) -> list[str]:
-    """The spellings of every unit that measures the same as `unit`."""
-    found = composed(unit)
+    """Return the spellings of every unit that measures the same as `unit`."""
+    spellings = composed(unit)
     for name in named(unit.dimension):
         symbols = CATALOGUE[name][0]
-        found.append((symbols or (name,))[0])
+        spellings.append((symbols or (name,))[0])
         allowed = UNITS[name][3]
         if symbols:
-            found += [p + symbols[0] for p in PREFIXES if PREFIX_SYMBOLS[p] in allowed]
-    return list(dict.fromkeys(found))
+            spellings += [p + symbols[0] for p in PREFIXES if PREFIX_SYMBOLS[p] in allowed]
+    return list(dict.fromkeys(spellings))
 
 
 def named(dimension: Dimension) -> list[str]:
-    """The named units of a dimension, in the order of the definitions."""
+    """Return the named units of a dimension, in the order of the definitions."""
     return [name for name, (_, _, powers, _) in UNITS.items() if powers == dimension]
 
 
 def offered(unit: Unit) -> list[str]:
     """`units_of` as one would name them: by symbols, as products, by names without a symbol."""
-    found = units_of(unit)
-    return sorted(found, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
+    spellings = units_of(unit)
+    return sorted(spellings, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
 
 
 def full_name(unit: Unit) -> str:

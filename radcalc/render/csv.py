@@ -5,10 +5,10 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Input, Result, Row, shows, varying
+from radcalc.answer import Result, Row, ShownInput, shows, varying
 from radcalc.conversion.plan import plan
 from radcalc.errors import printable
-from radcalc.render.arrays import formatted
+from radcalc.render.columns import formatted
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import fields, number, refuse_verdict
 from radcalc.units.scales import resolve_given
@@ -49,22 +49,27 @@ def block(result: Result, units: Mapping[str, str], style: Style, with_header: b
 
     `units` are those of the inputs that vary in any part.
     """
-    others = {
+    unshown_inputs = {
         name: unit
         for name, unit in units.items()
         if not any(shows(row, name) for row in result.rows)
     }
-    columns = _inputs(result, others)
+    columns = _inputs(result, unshown_inputs)
     columns |= {f"{row.name}:{row.unit}": row.value for row in result.rows}
     form = f"%.{style.precision}g" if style.precision else "%r"
     cells = [_write([[x]])[:-1] if isinstance(x, str) else x for x in columns.values()]
     return (_write([list(columns)]) if with_header else "") + formatted(cells, form, ",")
 
 
-def units_of_varied(inputs: Sequence[Sequence[Input]]) -> dict[str, str]:
+def units_of_varied(inputs: Sequence[Sequence[ShownInput]]) -> dict[str, str]:
     """The inputs that vary, with the unit in which they are told; '' for a text."""
     return {
-        name: _unit([next((one for one in some if one.name == name), None) for some in inputs])
+        name: _unit(
+            [
+                next((item for item in case_inputs if item.name == name), None)
+                for case_inputs in inputs
+            ]
+        )
         for name in varying(inputs)
     }
 
@@ -83,9 +88,11 @@ def verdict(judgement: Judgement, style: Style) -> str:
 def _inputs(result: Result, units: Mapping[str, str]) -> dict[str, Any]:
     """The inputs of some names by their heads, as numbers in their units or as texts."""
     return {
-        f"{one.name}:{unit}" if unit else one.name: _in(one, unit) if unit else printable(one.text)
-        for one in result.inputs
-        if (unit := units.get(one.name)) is not None
+        f"{item.name}:{unit}" if unit else item.name: _in(item, unit)
+        if unit
+        else printable(item.text)
+        for item in result.inputs
+        if (unit := units.get(item.name)) is not None
     }
 
 
@@ -95,19 +102,19 @@ def _is_column(name: str, given: Sequence[Sequence[Row]]) -> bool:
     return bool(set.intersection(*units))
 
 
-def _unit(cells: Sequence[Input | None]) -> str:
+def _unit(cells: Sequence[ShownInput | None]) -> str:
     """The unit of the first of several quantities; '' where they are not all of its dimension."""
-    units = {one.unit if one else "" for one in cells}
+    units = {cell.unit if cell else "" for cell in cells}
     if "" in units or len({resolve_given(unit).dimension for unit in units}) > 1:
         return ""
     return cells[0].unit if cells[0] else ""
 
 
-def _in(one: Input, text: str) -> Any:
+def _in(item: ShownInput, unit: str) -> Any:
     """The number of an input in another unit of its quantity."""
-    if one.unit == text:
-        return one.value
-    return plan(resolve_given(one.unit), resolve_given(text)).apply(one.value)
+    if item.unit == unit:
+        return item.value
+    return plan(resolve_given(item.unit), resolve_given(unit)).apply(item.value)
 
 
 def _write(lines: Iterable[Sequence[Any]]) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from radcalc.answer import Input, Result, Row
+from radcalc.answer import Result, Row, ShownInput
 from radcalc.quantities.language import ENGLISH
 
 TABLE, PLAIN, JSON, CSV = "table", "plain", "json", "csv"
@@ -46,7 +46,7 @@ class Records(NamedTuple):
     notes: Sequence[str]
     table: Sequence[Mapping[str, str]]
     right: Sequence[str] = ()
-    inputs: Sequence[Input] = ()
+    inputs: Sequence[ShownInput] = ()
 
 
 class Judgement(NamedTuple):
@@ -54,7 +54,7 @@ class Judgement(NamedTuple):
 
     verdict: Any
     right: Row
-    inputs: Sequence[Input]
+    inputs: Sequence[ShownInput]
     assumptions: Sequence[str]
     notes: Sequence[str]
 

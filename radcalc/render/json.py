@@ -9,7 +9,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from radcalc.answer import Input, Result, Row, Step
+from radcalc.answer import Result, Row, ShownInput, Step
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import number
 
@@ -20,7 +20,7 @@ def results(results: Sequence[Result], style: Style) -> str:
     """One object, or of several answers an array with one on each line."""
     objects = [_text(_of_result(result, style)) for result in results]
     together = ",\n".join(objects)
-    is_list = len(objects) != 1 or any(one.tells for result in results for one in result.inputs)
+    is_list = len(objects) != 1 or any(item.tells for result in results for item in result.inputs)
     return f"[{together}]\n" if is_list else f"{together}\n"
 
 
@@ -31,29 +31,29 @@ def line(result: Result, style: Style, place: dict[str, object]) -> str:
 
 def records(records: Records, style: Style) -> str:
     """One object, whose `records` are the rows."""
-    told = _object(style, records.inputs, notes=records.notes)
-    return f"{_text({**told, 'records': list(records.rows)})}\n"
+    answer = _object(style, records.inputs, notes=records.notes)
+    return f"{_text({**answer, 'records': list(records.rows)})}\n"
 
 
 def verdict(judgement: Judgement, style: Style) -> str:
     """One object, whose `check` is the judgement; its result is the right value."""
-    said, right = judgement.verdict, judgement.right
+    verdict, right = judgement.verdict, judgement.right
     check = {
-        "right": said.right,
+        "right": verdict.right,
         "name": right.name,
-        "value": _rounded(said.value, style),
-        **({"uncertainty": _rounded(said.uncertainty, style)} if said.uncertainty else {}),
-        "unit": said.unit,
-        "claimed": said.claimed,
-        **({"claimed_uncertainty": off} if (off := said.claimed_uncertainty) else {}),
-        "claimed_unit": said.claimed_unit,
-        "ratio": None if said.ratio is None else _rounded(said.ratio, style),
-        "tolerance": said.tolerance,
-        "diagnoses": [diagnosis._asdict() for diagnosis in said.diagnoses],
+        "value": _rounded(verdict.value, style),
+        **({"uncertainty": _rounded(verdict.uncertainty, style)} if verdict.uncertainty else {}),
+        "unit": verdict.unit,
+        "claimed": verdict.claimed,
+        **({"claimed_uncertainty": off} if (off := verdict.claimed_uncertainty) else {}),
+        "claimed_unit": verdict.claimed_unit,
+        "ratio": None if verdict.ratio is None else _rounded(verdict.ratio, style),
+        "tolerance": verdict.tolerance,
+        "diagnoses": [diagnosis._asdict() for diagnosis in verdict.diagnoses],
     }
     remarks = judgement.assumptions, judgement.notes
-    told = _object(style, judgement.inputs, [right], *remarks, said.steps, check)
-    return f"{_text(told)}\n"
+    answer = _object(style, judgement.inputs, [right], *remarks, verdict.steps, check)
+    return f"{_text(answer)}\n"
 
 
 def _of_result(result: Result, style: Style) -> dict[str, Any]:
@@ -64,7 +64,7 @@ def _of_result(result: Result, style: Style) -> dict[str, Any]:
 
 def _object(
     style: Style,
-    inputs: Iterable[Input],
+    inputs: Iterable[ShownInput],
     rows: Iterable[Row] = (),
     assumptions: Iterable[str] = (),
     notes: Iterable[str] = (),
@@ -74,7 +74,7 @@ def _object(
     """What every answer has."""
     return {
         "command": style.command,
-        "inputs": {one.name: _input(one) for one in inputs},
+        "inputs": {item.name: _input(item) for item in inputs},
         "results": _results(rows, style),
         "assumptions": list(assumptions),
         "notes": list(notes),
@@ -83,27 +83,27 @@ def _object(
     }
 
 
-def _input(one: Input) -> dict[str, Any]:
+def _input(item: ShownInput) -> dict[str, Any]:
     """A quantity as its number and unit, with the text if there was one; else a text or true."""
-    if one.is_quantity:
-        told = _amount(one.value, one.uncertainty, one.unit)
-        return {**told, "text": one.text} if one.text else told
-    return {"text": one.text} if one.value is None else {"value": one.value}
+    if item.is_quantity:
+        amount = _amount(item.value, item.uncertainty, item.unit)
+        return {**amount, "text": item.text} if item.text else amount
+    return {"text": item.text} if item.value is None else {"value": item.value}
 
 
 def _results(rows: Iterable[Row], style: Style) -> dict[str, Any]:
     """The results by their names; what is shown in more than one unit has the others in `also`."""
-    found: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for row in rows:
         off = row.uncertainty and _rounded(row.uncertainty, style)
         amount = _amount(_rounded(row.value, style), off, row.unit)
-        first = found.get(row.name)
+        first = results.get(row.name)
         if first is None:
-            about = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}
-            found[row.name] = {**amount, **about}
-        elif row.unit not in {one["unit"] for one in (first, *first.get("also", ()))}:
+            description = {"quantity": row.quantity, "symbol": row.symbol, "given": row.given}
+            results[row.name] = {**amount, **description}
+        elif row.unit not in {entry["unit"] for entry in (first, *first.get("also", ()))}:
             first.setdefault("also", []).append(amount)
-    return found
+    return results
 
 
 def _amount(value: Any, uncertainty: float, unit: str) -> dict[str, Any]:

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
-from radcalc.answer import Input, Result, Row
+from radcalc.answer import Result, Row, ShownInput
 from radcalc.maths import is_column
 from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
-from radcalc.stdio import remarks
-from radcalc.units.table import unit_behind
+from radcalc.terminal import remarks
+from radcalc.units.unit import unit_behind
 
 MOST, ENDS = 8, 3  # elements of an array that are shown, or of a longer one at each end
 QUIET = ' style="opacity: 0.7"'
@@ -19,43 +19,45 @@ STYLE = ' style="border-collapse: collapse"'
 LEFT, RIGHT = ' style="text-align: left"', ' style="text-align: right"'
 
 
-def text(command: str, told: Result) -> str:
+def text(command: str, result: Result) -> str:
     """A line for each result, then what was assumed and noted."""
-    lines = [(row.name, f"{_value(row)}{unit_behind(row.unit)}", _given(row)) for row in told.rows]
+    lines = [
+        (row.name, f"{_value(row)}{unit_behind(row.unit)}", _given(row)) for row in result.rows
+    ]
     width = max((len(name) for name, *_ in lines), default=0)
-    shown = [f"{name:<{width}}  {value}{given}" for name, value, given in lines]
-    shown += remarks(told.assumptions, told.notes)
-    return "\n".join([f"radcalc {command}", *(f"  {one}" for one in shown)])
+    texts = [f"{name:<{width}}  {value}{given}" for name, value, given in lines]
+    texts += remarks(result.assumptions, result.notes)
+    return "\n".join([f"radcalc {command}", *(f"  {text_line}" for text_line in texts)])
 
 
-def html(command: str, told: Result) -> str:
+def html(command: str, result: Result) -> str:
     """A table of what was given and what follows, the remarks, and the derivation folded up."""
-    given = [_input(one) for one in told.inputs]
-    rows = [_row(row) for row in told.rows if not row.given]
+    given = [_input(item) for item in result.inputs]
+    rows = [_row(row) for row in result.rows if not row.given]
     parts = [
         f"<table{STYLE}><caption{LEFT}>{escape(command)}</caption>",
         "<thead>" + _cells("th", ("quantity", "symbol", "value", "unit")) + "</thead>",
         f"<tbody{QUIET}>{''.join(given)}</tbody>" if given else "",
         f"<tbody>{''.join(rows)}</tbody></table>",
     ]
-    if said := remarks(told.assumptions, told.notes):
-        parts.append(f"<ul>{_items(said)}</ul>")
-    if told.steps:
-        steps = escape("\n".join(derivation(told.steps)))
+    if result_remarks := remarks(result.assumptions, result.notes):
+        parts.append(f"<ul>{_items(result_remarks)}</ul>")
+    if result.steps:
+        steps = escape("\n".join(derivation(result.steps)))
         parts.append(f"<details><summary>steps</summary><pre>{steps}</pre></details>")
     return f'<div class="radcalc">{"".join(parts)}</div>'
 
 
 def _items(texts: Iterable[str]) -> str:
-    return "".join(f"<li>{escape(one)}</li>" for one in texts)
+    return "".join(f"<li>{escape(text)}</li>" for text in texts)
 
 
-def _input(one: Input) -> str:
-    name = one.name.replace("-", " ")
-    if one.is_quantity and is_column(one.value):
-        return _cells("td", (f"{name} (given)", "", _number(one.value), one.unit))
-    said = one.text or ("yes" if one.value is True else f"{one.value:.12g} {one.unit}")
-    return _cells("td", (f"{name} (given)", "", said, ""))
+def _input(item: ShownInput) -> str:
+    name = item.name.replace("-", " ")
+    if item.is_quantity and is_column(item.value):
+        return _cells("td", (f"{name} (given)", "", _number(item.value), item.unit))
+    value = item.text or ("yes" if item.value is True else f"{item.value:.12g} {item.unit}")
+    return _cells("td", (f"{name} (given)", "", value, ""))
 
 
 def _row(row: Row) -> str:
@@ -64,8 +66,8 @@ def _row(row: Row) -> str:
 
 def _cells(tag: str, texts: Sequence[str]) -> str:
     """A row of cells, in which the numbers stand to the right."""
-    *others, unit = texts
-    name, symbol, value, unit = map(escape, (*others, unit_behind(unit).strip()))
+    *first_cells, unit = texts
+    name, symbol, value, unit = map(escape, (*first_cells, unit_behind(unit).strip()))
     return (
         f"<tr><{tag}{LEFT}>{name}</{tag}><{tag}{LEFT}>{symbol}</{tag}>"
         f"<{tag}{RIGHT}>{value}</{tag}><{tag}{LEFT}>{unit}</{tag}></tr>"
@@ -88,12 +90,12 @@ def _number(values: Any) -> str:
         return f"an array of the shape {values.shape}, not computed yet"
     if values.ndim > 1:
         return f"[{' '.join(map(_number, values))}]" if values.size <= MOST else _shape(values)
-    every = [number(one, TABLE_DIGITS) for one in values.tolist()]
-    if len(every) > MOST:
-        every = [*every[:ENDS], "...", *every[-ENDS:]]
-    return f"[{' '.join(every)}]"
+    texts = [number(value, TABLE_DIGITS) for value in values.tolist()]
+    if len(texts) > MOST:
+        texts = [*texts[:ENDS], "...", *texts[-ENDS:]]
+    return f"[{' '.join(texts)}]"
 
 
 def _shape(values: Any) -> str:
-    least, most = (number(float(one), TABLE_DIGITS) for one in (values.min(), values.max()))
+    least, most = (number(float(value), TABLE_DIGITS) for value in (values.min(), values.max()))
     return f"an array of the shape {values.shape}, from {least} to {most}"

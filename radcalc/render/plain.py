@@ -1,6 +1,6 @@
 """Plain text: one result a line, fields separated by tabs."""
 
-from radcalc.units.table import unit_behind
+from radcalc.units.unit import unit_behind
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -61,7 +61,9 @@ def results(results: "Sequence[Result]", style: "Style") -> str:
     lines: list[str] = []
     for result in results:
         is_named = result.named and not style.bare
-        lines += [f"{one.name}\t{one.text}\n" for one in result.inputs if one.tells and is_named]
+        lines += [
+            f"{item.name}\t{item.text}\n" for item in result.inputs if item.tells and is_named
+        ]
         lines += [
             (f"{row.name}\t" if is_named else "")
             + line(row.value, row.unit, style.precision, style.bare, row.uncertainty)
@@ -87,26 +89,26 @@ def verdict(judgement: "Judgement", style: "Style", digits: int = DIGITS) -> str
     """Whether an answer is right, and what most likely went wrong."""
     if style.bare:
         refuse_verdict()
-    said = judgement.verdict
+    verdict = judgement.verdict
     digits = style.precision or digits
-    size = uncertain(said.value, said.uncertainty, style.precision, digits)
-    right = f"{said.name} is {size}{unit_behind(said.unit)}"
-    if said.right:
-        nearer = "".join(f"; {diagnosis.right}" for diagnosis in said.diagnoses)
-        return f"right ({said.tolerance}): {right}{nearer}\n"
-    times = "1" if said.ratio is None else number(said.ratio + 0.0, RATIO_DIGITS)
+    size = uncertain(verdict.value, verdict.uncertainty, style.precision, digits)
+    right = f"{verdict.name} is {size}{unit_behind(verdict.unit)}"
+    if verdict.right:
+        nearer = "".join(f"; {diagnosis.right}" for diagnosis in verdict.diagnoses)
+        return f"right ({verdict.tolerance}): {right}{nearer}\n"
+    times = "1" if verdict.ratio is None else number(verdict.ratio + 0.0, RATIO_DIGITS)
     ratio = f" ({times} times that)" if times != "1" else ""
-    claimed = uncertain(said.claimed, said.claimed_uncertainty, digits)  # as typed
-    claimed += unit_behind(said.claimed_unit)
-    lines = [f"wrong ({said.tolerance}): {right}, not {claimed}{ratio}"]
+    claimed = uncertain(verdict.claimed, verdict.claimed_uncertainty, digits)  # as typed
+    claimed += unit_behind(verdict.claimed_unit)
+    lines = [f"wrong ({verdict.tolerance}): {right}, not {claimed}{ratio}"]
     word = "likely"
-    for diagnosis in said.diagnoses:
+    for diagnosis in verdict.diagnoses:
         if diagnosis.mistake == "rounded":
             lines.append(f"right {diagnosis.done}; {diagnosis.right}")
             continue
         lines += [f"{word}: {diagnosis.done}", f"    {diagnosis.right}"]
         word = "or"
-    if not said.diagnoses:
+    if not verdict.diagnoses:
         lines.append("no usual mistake gives that number")
     return "\n".join(lines) + "\n"
 

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from radcalc.answer import Result, Row
-from radcalc.conversion.plan import LARGEST, exact_ratio, plan
+from radcalc.conversion.linear import LARGEST, exact_ratio
+from radcalc.conversion.plan import plan
 from radcalc.render import plain
 from radcalc.render.formats import CSV, TABLE
 from radcalc.units.numbers import SMALLEST
@@ -32,13 +33,13 @@ def with_prefixes(results: Sequence[Result], form: str, precision: int | None) -
         columns.setdefault((row.name, row.unit), []).append(row)
     units = {key: _suited(rows, precision, digits) for key, rows in columns.items() if of_columns}
 
-    def shown(row: Row) -> Row:
+    def prefixed(row: Row) -> Row:
         if row.given:
             return row
         unit = units.get((row.name, row.unit)) or _suited([row], precision, digits)
         return _in_unit(row, unit)
 
-    return [result._replace(rows=tuple(map(shown, result.rows))) for result in results]
+    return [result._replace(rows=tuple(map(prefixed, result.rows))) for result in results]
 
 
 def _suited(rows: Sequence[Row], precision: int | None, digits: int) -> str:

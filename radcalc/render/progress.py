@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from radcalc import stdio
+from radcalc import terminal
 
 PATIENCE = 1.0  # [s] before anything is shown
 
@@ -17,8 +17,8 @@ def progress(task: str, is_wanted: bool = True) -> Iterator[Callable[[int, int],
     Nothing is drawn where standard error is no terminal, nor is Rich loaded; at the end the bar is
     wiped away.
     """
-    if not (is_wanted and stdio.error_is_terminal()):
-        yield lambda done, whole: None
+    if not (is_wanted and terminal.error_is_terminal()):
+        yield lambda done, total: None
         return
     bar = _Bar(task)
     try:
@@ -35,19 +35,19 @@ class _Bar:
         self.drawn: Any = None
         self.row: Any = None
 
-    def __call__(self, done: int, whole: int) -> None:
+    def __call__(self, done: int, total: int) -> None:
         if self.drawn is None:
             if time.monotonic() - self.start < PATIENCE:
                 return
             from rich.console import Console
             from rich.progress import Progress
 
-            colors: Any = "auto" if stdio.wants_color(stdio.chosen_color(), True) else None
+            colors: Any = "auto" if terminal.wants_color(terminal.chosen_color(), True) else None
             console = Console(stderr=True, no_color=False, color_system=colors)
             self.drawn = Progress(console=console, transient=True)
             self.row = self.drawn.add_task(self.task)
             self.drawn.start()
-        self.drawn.update(self.row, completed=done, total=whole)
+        self.drawn.update(self.row, completed=done, total=total)
 
     def stop(self) -> None:
         if self.drawn is not None:

@@ -19,8 +19,8 @@ from radcalc.quantities.language import translate
 from radcalc.render import plain
 from radcalc.render.formats import Judgement, Records, Style
 from radcalc.render.plain import TABLE_DIGITS, derivation, number, uncertain
-from radcalc.stdio import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
-from radcalc.units.table import unit_behind
+from radcalc.terminal import BOLD, FAINT, HANGING, RESET, can_show, fold, message, remarks
+from radcalc.units.unit import unit_behind
 
 # Columns of the terminal between two of a table: a column of blanks with one at either side, or
 # where words would be parted otherwise a single one.
@@ -33,56 +33,79 @@ REMARKS_ARE_APART = False
 
 
 def results(results: Sequence[Result], style: Style) -> str:
-    """What all results have alike, their other rows in one table, what was assumed, the steps.
+    """Draw the rows that all results share, a table of the others, the remarks and the steps.
 
     The quantities' names are in the language, as far as it has them.
     """
-    precision, language = style.precision, style.language
-    below: list[str] = []
-    if style.remarks:
-        below = remarks(
-            dict.fromkeys(a for r in results for a in r.assumptions),
-            dict.fromkeys(n for r in results for n in r.notes),
-        )
-    below += [line for result in results for line in derivation(result.steps)]
-    alike = _alike(results)
-    above = _told(alike, precision, language)
-    if alike:
-        results = [one._replace(rows=_others(one.rows, alike)) for one in results]
-    wide = _wide(results, precision, language)
-    fitting = _widths(wide, wide[0], style.width) if wide else None
-    if wide and fitting and fitting[1] == WIDE:
-        head, *lines = wide
-        rows = results[0].rows
-        said = [f"{_letter(row)}: {_quantity(row, language)}" for row in rows if row.symbol]
-        legend = ", ".join(dict.fromkeys(said))
-        count = len(head) - len(rows)  # of inputs that no row has
-        pairs = zip(head[count:], rows, strict=True)
-        given = [*head[:count], *(title for title, row in pairs if row.given)]
-        drawn = Drawn(head, lines, above, [legend, *below], right=head, faint=given)
-        return draw(drawn, style)
+    below = _remarks_and_steps(results, style)
+    shared = _alike(results)
+    above = _alike_lines(shared, style.precision, style.language)
+    if shared:
+        results = [result._replace(rows=_others(result.rows, shared)) for result in results]
+    if table := _line_per_result(results, style):
+        return draw(table._replace(above=above, below=[*table.below, *below]), style)
     rows = tuple(row for result in results for row in result.rows)
     if style.brief and len(rows) == 1:
         return _line(rows[0], style) + draw(Drawn([], [], [], below), style)
+    table = _line_per_row(results, rows, style)
+    return draw(table._replace(above=table.above or above, below=below), style)
+
+
+def _remarks_and_steps(results: Sequence[Result], style: Style) -> list[str]:
+    """List the lines below a table: assumptions and notes, each once, then the steps."""
+    lines: list[str] = []
+    if style.remarks:
+        lines = remarks(
+            dict.fromkeys(a for r in results for a in r.assumptions),
+            dict.fromkeys(n for r in results for n in r.notes),
+        )
+    return lines + [line for result in results for line in derivation(result.steps)]
+
+
+def _line_per_result(results: Sequence[Result], style: Style) -> "Drawn | None":
+    """Make a table with a column for each quantity; None if the results or the width do not suit.
+
+    The symbols at the heads of its columns are explained below it.
+    """
+    wide = _wide(results, style.precision, style.language)
+    fitting = _widths(wide, wide[0], style.width) if wide else None
+    if not wide or not fitting or fitting[1] != WIDE:
+        return None
+    head, *lines = wide
+    rows = results[0].rows
+    letters = [f"{_letter(row)}: {_quantity(row, style.language)}" for row in rows if row.symbol]
+    legend = ", ".join(dict.fromkeys(letters))
+    count = len(head) - len(rows)  # of inputs that no row has
+    pairs = zip(head[count:], rows, strict=True)
+    given = [*head[:count], *(title for title, row in pairs if row.given)]
+    return Drawn(head, lines, below=[legend], right=head, faint=given)
+
+
+def _line_per_row(results: Sequence[Result], rows: Sequence[Row], style: Style) -> "Drawn":
+    """Make a table with a line for each of the results' `rows`.
+
+    The quantity goes above the table if it is the same in all of them.
+    """
     names, cases = _cases(results)
     header = [*names, "quantity", "symbol", "value", "unit"]
     lines = [
         [
             *case,
-            _quantity(row, language),
+            _quantity(row, style.language),
             _letter(row),
-            _number(row, precision),
+            _number(row, style.precision),
             row.unit,
         ]
         for result, case in zip(results, cases, strict=True)
         for row in result.rows
     ]
     faint: list[str | int] = [*names, *(number for number, row in enumerate(rows) if row.given)]
+    above: list[str] = []
     if len(rows) > 1 and len({(row.quantity, row.symbol, row.given) for row in rows}) == 1:
-        quantity = _quantity(rows[0], language)
+        quantity = _quantity(rows[0], style.language)
         above = [f"{quantity} ({_letter(rows[0])})" if rows[0].symbol else quantity]
         header, lines = _without(header, lines, ("quantity", "symbol"))
-    return draw(Drawn(header, lines, above, below, ("value",), names, faint), style)
+    return Drawn(header, lines, above, right=("value",), unfolded=names, faint=faint)
 
 
 def records(records: Records, style: Style) -> str:
@@ -139,9 +162,9 @@ def _alike(results: Sequence[Result]) -> list[Row]:
     """The rows that several answers have alike, if they have others too."""
     if len(results) < 2 or not results[0].named:
         return []
-    each = [{row._replace(case="") for row in result.rows} for result in results]
-    shared = set.intersection(*each)
-    if any(len(rows) == len(shared) for rows in each):
+    row_sets = [{row._replace(case="") for row in result.rows} for result in results]
+    shared = set.intersection(*row_sets)
+    if any(len(rows) == len(shared) for rows in row_sets):
         return []
     return [row for row in (row._replace(case="") for row in results[0].rows) if row in shared]
 
@@ -150,7 +173,7 @@ def _others(rows: Sequence[Row], alike: Sequence[Row]) -> tuple[Row, ...]:
     return tuple(row for row in rows if row._replace(case="") not in alike)
 
 
-def _told(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
+def _alike_lines(rows: Sequence[Row], precision: int | None, language: str) -> list[str]:
     """Rows in a line for those that were given, and in a line for the others."""
     mark = f"{KEPT}· " if can_show("·") else ", "
     lines = []
@@ -186,7 +209,7 @@ def _cases(results: Sequence[Result]) -> tuple[list[str], list[list[str]]]:
 
 def _texts(result: Result, names: Sequence[str]) -> list[str]:
     """Some of the inputs of an answer, as they were typed."""
-    typed = {one.name: one.text or f"{one.value:.12g} {one.unit}" for one in result.inputs}
+    typed = {item.name: item.text or f"{item.value:.12g} {item.unit}" for item in result.inputs}
     return [typed.get(name, "") for name in names]
 
 
@@ -207,7 +230,8 @@ def _wide(
         unit = "" if row.unit == "1" else f" [{row.unit}]"
         titles.append(f"{row.symbol or translate(row.quantity, language)}{unit}")
     lines = [
-        [*_texts(one, names), *(_number(row, precision) for row in one.rows)] for one in results
+        [*_texts(result, names), *(_number(row, precision) for row in result.rows)]
+        for result in results
     ]
     return [titles, *lines]
 
@@ -223,7 +247,7 @@ def _number(row: Row, precision: int | None) -> str:
 class Drawn(NamedTuple):
     """A table, and the lines above and below it.
 
-    The columns that are `right` stand there, and are `whole`: not folded.  What is `faint` are
+    The columns that are `right` stand there, and are `unfolded`.  What is `faint` are
     columns by their names, and rows by their numbers.
     """
 
@@ -232,7 +256,7 @@ class Drawn(NamedTuple):
     above: Sequence[str] = ()
     below: Sequence[str] = ()
     right: Sequence[str] = ()
-    whole: Sequence[str] = ()
+    unfolded: Sequence[str] = ()
     faint: Sequence[str | int] = ()
 
     def style(self, row: int, name: str) -> str:
@@ -247,10 +271,10 @@ def draw(drawn: Drawn, style: Style) -> str:
     header, rows, width = drawn.header, drawn.lines, style.width
     out = io.StringIO()
     out.write(_folded(drawn.above, style))
-    whole = [name for name in header if name in (*drawn.right, *drawn.whole, "unit")]
+    unfolded = [name for name in header if name in (*drawn.right, *drawn.unfolded, "unit")]
     if "unit" in header[:1]:  # the name of what the row is about
-        whole.remove("unit")
-    fitting = _widths([header, *rows], whole, width) if header else None
+        unfolded.remove("unit")
+    fitting = _widths([header, *rows], unfolded, width) if header else None
     if fitting:
         widths, gap = fitting
         console = Console(
@@ -286,7 +310,7 @@ def draw(drawn: Drawn, style: Style) -> str:
         console.print(table)
     else:
         out.write(
-            "".join(f"{line}\n" for row in rows for line in _lines(header, row, whole, width))
+            "".join(f"{line}\n" for row in rows for line in _lines(header, row, unfolded, width))
         )
     out.write(_folded(drawn.below, style))
     return "\n".join(line.rstrip() for line in out.getvalue().split("\n"))
@@ -303,18 +327,18 @@ def _folded(lines: Iterable[str], style: Style) -> str:
     """Lines in a width; what they are, if a remark or a verdict, and references in colour."""
     text = ""
     for line in lines:
-        whole = message(line, style.width, style.color)
+        folded = message(line, style.width, style.color)
         is_faint = style.color and line.startswith(ASIDE)
-        text += f"{FAINT}{whole[:-1]}{RESET}\n" if is_faint else whole
+        text += f"{FAINT}{folded[:-1]}{RESET}\n" if is_faint else folded
     return text.replace(KEPT, " ")
 
 
 def _widths(
-    rows: Sequence[Sequence[str]], whole: Sequence[str], room: int
+    rows: Sequence[Sequence[str]], unfolded: Sequence[str], room: int
 ) -> tuple[list[int], int] | None:
     """How wide each column is, and the gap between two; None where they do not fit.
 
-    The first row has the names.  A column that is `whole` is not folded, since a number or a
+    The first row has the names.  A column that is `unfolded` is not folded, since a number or a
     unit over two lines is another one.  The columns stand closer before a word is parted, at its
     slashes first; long ones of more than letters are folded only where nothing else helps.
     """
@@ -328,7 +352,7 @@ def _widths(
     ):
         widths = [
             size
-            if cells[0] in whole
+            if cells[0] in unfolded
             else max(_least(word, long) for text in cells for word in _words(text, is_parted))
             for size, cells in zip(most, columns, strict=True)
         ]
@@ -345,15 +369,15 @@ def _widths(
 
 
 def _lines(
-    header: Sequence[str], cells: Sequence[str], whole: Sequence[str], width: int
+    header: Sequence[str], cells: Sequence[str], unfolded: Sequence[str], width: int
 ) -> list[str]:
-    """A row without a table, folded between words, but not in the columns that are `whole`."""
-    said = [
-        text.replace(" ", KEPT) if name in whole else text.replace("\n", ", ")
+    """A row without a table, folded between words, but not in the columns that are `unfolded`."""
+    texts = [
+        text.replace(" ", KEPT) if name in unfolded else text.replace("\n", ", ")
         for name, text in zip(header, cells, strict=True)
         if text
     ]
-    return [line.replace(KEPT, " ") for line in fold("  ".join(said), width, HANGING)]
+    return [line.replace(KEPT, " ") for line in fold("  ".join(texts), width, HANGING)]
 
 
 def _words(text: str, is_parted: bool = False) -> list[str]:

@@ -37,7 +37,7 @@ def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
 
 
 def _shares(grid: Any, nodes: Any) -> tuple[Any, Any]:
-    """The union of two grids where both are, and the trapezoid's weights of its points."""
+    """Return the union of two grids where both are, and the trapezoid's weights of its points."""
     low, high = max(grid[0], nodes[0]), min(grid[-1], nodes[-1])
     if low >= high:
         return np.zeros(0), np.zeros(0)
@@ -86,8 +86,8 @@ class ArrayTable(Table):
         nodes = np.arange(start, start + count, dtype=float)
         union, share = _shares(self.grid, nodes)
         heights = np.interp(union, self.grid, self.values)
-        found: list[float] = _spread(union, share * heights, nodes).tolist()
-        return found
+        weights: list[float] = _spread(union, share * heights, nodes).tolist()
+        return weights
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""
@@ -109,7 +109,7 @@ class ArrayTable(Table):
 
 
 def _arrays(wavelengths: Any, spectra: Any) -> tuple[Any, Any]:
-    """The wavelengths and the spectra as arrays, if they are fit for each other."""
+    """Return the wavelengths and the spectra as arrays, if they are fit for each other."""
     spectra = spectra if hasattr(spectra, "shape") else np.asarray(spectra, dtype=float)
     grid = np.asarray(wavelengths, dtype=float)
     if (

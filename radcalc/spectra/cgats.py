@@ -6,11 +6,11 @@ Most have the reflectances of a chart; light is what the file calls emission or 
 import re
 from collections.abc import Sequence
 
-from radcalc import columns
 from radcalc.errors import listed, nearest, option, quote
+from radcalc.files import columns
+from radcalc.files.text import refusal
+from radcalc.spectra.column_titles import RELATIVE_WATTS
 from radcalc.spectra.contents import Contents
-from radcalc.spectra.titles import RELATIVE_WATTS
-from radcalc.texts import refusal
 
 FORMAT, DATA = "BEGIN_DATA_FORMAT", "BEGIN_DATA"
 SEARCHED = 1000  # lines in which the format begins
@@ -21,15 +21,15 @@ SHOWN = 5
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Whether a file says the format of its data."""
+    """Check whether a file says the format of its data."""
     return any(line.strip() == FORMAT for line in lines[:SEARCHED])
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
-    """The bands of one sample, which `column` names where there are several."""
+    """Return the bands of one sample, which `column` names where there are several."""
     fields, number = _section(lines, name, FORMAT)
     titles = [field for _, line in fields for field in line.split()]
-    bands = [(k, found[1]) for k, title in enumerate(titles) if (found := BAND.fullmatch(title))]
+    bands = [(k, match[1]) for k, title in enumerate(titles) if (match := BAND.fullmatch(title))]
     if len(bands) < 2:
         raise refusal(name, number, "no columns of wavelengths", "columns such as nm380, nm390")
     data, last = _section(lines, name, DATA)
@@ -50,7 +50,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[int, str]], int]:
-    """The lines of a section with their numbers, and the number of the first."""
+    """Return the lines of a section with their numbers, and the number of the first."""
     stripped = [line.strip() for line in lines]
     end = start.replace("BEGIN", "END")
     for word in (start, end):
@@ -58,10 +58,10 @@ def _section(lines: Sequence[str], name: str, start: str) -> tuple[list[tuple[in
             count = stripped.count(word)
             raise refusal(name, 0, f"{count} times {word}", "the whole file, of one table")
     first, last = stripped.index(start) + 1, stripped.index(end)
-    found = [(k + 1, lines[k]) for k in range(first, last) if stripped[k]]
-    if not found:
+    section = [(k + 1, lines[k]) for k in range(first, last) if stripped[k]]
+    if not section:
         raise refusal(name, first, f"nothing behind {start}", "the whole file")
-    return found, first
+    return section, first
 
 
 def _keyword(line: str) -> tuple[str, str]:
@@ -79,7 +79,7 @@ def _hold(name: str, facts: dict[str, str], key: str, count: int, what: str) -> 
 def _chosen(
     rows: list[tuple[int, list[str]]], titles: list[str], name: str, column: str
 ) -> tuple[int, list[str]]:
-    """The row of a sample."""
+    """Return the row of a sample."""
     named = next((k for k, title in enumerate(titles) if title.upper() == "SAMPLE_NAME"), 0)
     samples = [cells[named] for _, cells in rows]
     if not column:

@@ -73,7 +73,7 @@ class _Planckian(NamedTuple):
 
 
 def _planckian(inverse: float) -> _Planckian:
-    """The Planckian locus at 1/T [1/K], from Planck's law and the observer."""
+    """Return the Planckian locus at 1/T [1/K], from Planck's law and the observer."""
     shares = [ratio * inverse for ratio in _RATIOS]  # c2/(lambda T)
     parts = [x / math.expm1(x) for x in shares]
     light = list(map(mul, _POWERS, parts))
@@ -130,7 +130,7 @@ def temperature_and_distance(light: Light) -> tuple[float, float]:
 
 
 def temperature_of(source: Spectrum) -> float | None:
-    """The correlated colour temperature [K] of a spectrum; None where it has none."""
+    """Return the correlated colour temperature [K] of a spectrum; None where it has none."""
     try:
         return temperature_and_distance(source.moments(*AT))[0]
     except Undefined:
@@ -138,7 +138,7 @@ def temperature_of(source: Spectrum) -> float | None:
 
 
 def _between(colour: Colour, low: float, high: float, below: float, above: float) -> _Planckian:
-    """Where the slope is 0, between two 1/T of a negative and a positive one.
+    """Return where the slope is 0, between two 1/T of a negative and a positive one.
 
     References
     ----------
@@ -169,7 +169,7 @@ def _shrunk(ratio: float) -> float:
 
 
 def reference(temperature: float) -> Light:
-    """What CIE 13.3 compares a light of a correlated colour temperature [K] with.
+    """Return what CIE 13.3 compares a light of a correlated colour temperature [K] with.
 
     A black body, from 5000 K on a CIE daylight.
     """
@@ -182,12 +182,12 @@ def reference(temperature: float) -> Light:
 
 
 def difference(light: Light, other: Light) -> float:
-    """How far apart two lights are in CIE 1960 (u, v)."""
+    """Return how far apart two lights are in CIE 1960 (u, v)."""
     return math.dist(_uv(light), _uv(other))
 
 
 def colour_rendering_index(light: Light, like: Light) -> float:
-    """The general colour rendering index Ra of a light beside its reference.
+    """Return the general colour rendering index Ra of a light beside its reference.
 
     References
     ----------
@@ -217,7 +217,7 @@ def is_adapted(light: Light) -> bool:
 
 
 def _cd(colour: Colour) -> tuple[float, float]:
-    """The c and d of the adaptation of CIE 13.3."""
+    """Return the c and d of the adaptation of CIE 13.3."""
     u, v = colour
     return (4 - u - 10 * v) / v, (1.708 * v + 0.404 - 1.481 * u) / v
 

@@ -46,7 +46,7 @@ def digits(values: Iterable[float]) -> tuple[float, ...]:
 
 
 def observer(group: str, name: str) -> tuple[int, tuple[float, ...]]:
-    """The first wavelength [nm] of an observer's table at 1 nm, and its values."""
+    """Return the first wavelength [nm] of an observer's table at 1 nm, and its values."""
     table: Any = getattr(load_colour().colorimetry, group)[name]
     if table.shape.interval != 1:
         raise ValueError(f"{name} is not at 1 nm")
@@ -61,27 +61,27 @@ def illuminant_a(nanometres: float) -> float:
 
 
 def sources() -> dict[str, Table]:
-    """Every illuminant and light source of colour-science: start, step [nm] and values.
+    """Return every illuminant and light source of colour-science: start, step [nm] and values.
 
     A is taken from its formula and the D series is carried on from its components, 300 to
     830 nm both: colour-science's tables of them stop at 780 nm.
     """
     c = load_colour().colorimetry
-    found: dict[str, Table] = {}
+    tables: dict[str, Table] = {}
     for name, table in [*c.SDS_ILLUMINANTS.items(), *c.SDS_LIGHT_SOURCES.items()]:
         shape = table.shape
-        found[name] = (float(shape.start), float(shape.interval), digits(table.values))
+        tables[name] = (float(shape.start), float(shape.interval), digits(table.values))
     grid = [300.0 + 5 * i for i in range(107)]
-    found["A"] = (300.0, 5.0, digits(illuminant_a(x) for x in grid))
+    tables["A"] = (300.0, 5.0, digits(illuminant_a(x) for x in grid))
     for name in DAYLIGHT:
         beyond = daylight(float(name[1:]) * 100 * 1.4388 / 1.4380)
-        start, step, values = found[name]
-        found[name] = (start, step, digits([*values, *beyond[len(values) :]]))
-    return found
+        start, step, values = tables[name]
+        tables[name] = (start, step, digits([*values, *beyond[len(values) :]]))
+    return tables
 
 
 def samples() -> list[tuple[float, ...]]:
-    """The reflectances of the test colour samples 1 to 8 of CIE 13.3-1995, 360 to 830 nm."""
+    """Return the reflectances of the test colour samples 1 to 8 of CIE 13.3-1995, 360 to 830 nm."""
     c = load_colour()
     tables = c.quality.SDS_TCS["CIE 1995"]
     each_nanometre = c.SpectralShape(360, 830, 1)
@@ -90,7 +90,7 @@ def samples() -> list[tuple[float, ...]]:
 
 
 def components() -> dict[str, tuple[float, ...]]:
-    """The mean and the two characteristic vectors of daylight, 300 to 830 nm at 5 nm."""
+    """Return the mean and the two characteristic vectors of daylight, 300 to 830 nm at 5 nm."""
     basis = load_colour().colorimetry.SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES
     return {name: digits(basis[name].values) for name in ("S0", "S1", "S2")}
 
@@ -121,7 +121,7 @@ def lines(values: Iterable[float], indent: int = 8) -> str:
 
 
 def compile_observers() -> str:
-    """The text of `data/observers.py`."""
+    """Return the text of `data/observers.py`."""
     parts = [HEAD.format("colour-science")]
     for constant, (group, name) in TABLES.items():
         start, values = observer(group, name)
@@ -132,7 +132,7 @@ def compile_observers() -> str:
 
 
 def compile_sources() -> str:
-    """The text of `data/sources.py`."""
+    """Return the text of `data/sources.py`."""
     parts = [
         HEAD.format("colour-science"),
         "\n# name: (start [nm], step [nm], values)\nSOURCES = {\n",
@@ -148,7 +148,7 @@ def compile_sources() -> str:
 
 
 def compile_colours() -> str:
-    """The text of `data/colours.py`."""
+    """Return the text of `data/colours.py`."""
     parts = [HEAD.format("colour-science")]
     functions = load_colour().colorimetry.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
     for name, values in zip("XYZ", functions.values.T, strict=True):
@@ -169,7 +169,7 @@ def compile_colours() -> str:
 
 
 def compile_suns() -> str:
-    """The text of `data/suns.py`."""
+    """Return the text of `data/suns.py`."""
     names = ("WAVELENGTHS", "AM0", "AM1_5G", "AM1_5D")
     parts = [HEAD.format("ASTM G173-03, as pvlib ships it")]
     parts += [f"\n{name} = (\n{lines(v, 4)})\n" for name, v in zip(names, suns(), strict=True)]

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from radcalc.spectra.titles import Meaning
+from radcalc.spectra.column_titles import Meaning
 
 Row = tuple[int, str, str]  # its line, the wavelength [nm] and the value, as they are written
 

@@ -27,55 +27,57 @@ class Counts:
         self.given = {RADIANT: limits, PHOTON: photon_limits}
         everywhere = WHOLE if source.counts_all_photons else PAR
         self.asked = {RADIANT: limits or source.limits, PHOTON: photon_limits or everywhere}
-        self.ranges = {kind: _overlap(one, source.known) for kind, one in self.asked.items()}
+        self.ranges = {
+            kind: _overlap(limits_asked, source.known) for kind, limits_asked in self.asked.items()
+        }
         self._amounts: dict[str, float] = {}
 
     def amount(self, kind: str) -> float:
-        """How much there is [W, lm or photons/s]."""
+        """Return how much there is [W, lm or photons/s]."""
         if kind not in self._amounts:
             self._amounts[kind] = _count(self.source, kind, self.ranges.get(kind, WHOLE), self.eye)
         return self._amounts[kind]
 
     def over(self, kind: str) -> str:
-        """Where watts or photons are counted, for people."""
+        """Return where watts or photons are counted, for people."""
         return range_text(self.ranges[kind])
 
     @property
     def known(self) -> str:
-        """Where the spectrum is known, for people; '' where there is nothing beyond."""
+        """Return where the spectrum is known, for people; '' where there is nothing beyond."""
         return "" if self.source.is_whole else range_text(self.source.known)
 
     def notes(self, kinds: Iterable[str]) -> list[str]:
-        """What of the ranges asked for is not there, and what lumens they leave out."""
+        """Return what of the ranges asked for is not there, and what lumens they leave out."""
         label, known = self.source.label, self.known
-        found = [
+        notes = [
             f"{label} is known over {known}: {NAMES[kind]} are counted over {self.over(kind)}, "
             f"not over {range_text(self.asked[kind])}"
             for kind in kinds
             if kind != LUMINOUS and self.ranges[kind] != self.asked[kind] and known
         ]
         if LUMINOUS in kinds and self.amount(LUMINOUS):
-            found += [
+            notes += [
                 note for kind in kinds if self.given.get(kind) and (note := self._left_out(kind))
             ]
-        return found
+        return notes
 
     def _left_out(self, kind: str) -> str:
-        """What share of the lumens a range has, and their ratio to what else is there."""
+        """Return what share of the lumens a range has, and their ratio to what else is there."""
         part = self.source.part(self.ranges[kind])
         lumens = _count(part, LUMINOUS, WHOLE, self.eye) if part else 0.0
         share = lumens / self.amount(LUMINOUS)
         if share > 1 - REMAINDER or not self.amount(kind):
             return ""
-        own = said(lumens / self.amount(kind), LUMINOUS, kind)
+        own_ratio = ratio_text(lumens / self.amount(kind), LUMINOUS, kind)
         return (
             f"lumens are counted at all wavelengths: {self.over(kind)} has {100 * share:.3g} % of "
-            f"them, which is {own} of its {NAMES[kind]}"
+            f"them, which is {own_ratio} of its {NAMES[kind]}"
         )
 
-    def impossible(self, one: str, other: str) -> TooNarrow | None:
+    def impossible(self, over: str, under: str) -> TooNarrow | None:
         """The error where a ratio is more than any light gives, as a range leaves too much out."""
-        kinds = {one, other}
+        kinds = {over, under}
         top = LUMINOUS if LUMINOUS in kinds else PHOTON
         (bottom,) = kinds - {top}
         ratio = self.amount(top) / self.amount(bottom)
@@ -92,12 +94,13 @@ class Counts:
         refine = option("range" if bottom == RADIANT else "photon-range")
         return TooNarrow(
             f"{self.over(bottom)} leaves out most of the {NAMES[bottom]} {counted}: "
-            f"{said(ratio, top, bottom)} is more than any light gives ({said(most, top, bottom)})",
+            f"{ratio_text(ratio, top, bottom)} is more than any light gives "
+            f"({ratio_text(most, top, bottom)})",
             f"a wider {refine}",
         )
 
 
-def said(ratio: float, over: str, under: str) -> str:
+def ratio_text(ratio: float, over: str, under: str) -> str:
     """A ratio of kinds in the unit it is known by: lumens over watts or photons, or these two."""
     if RADIANT not in (over, under):
         return f"{ratio * AVOGADRO * 1e-6:.6g} lm s/umol"
@@ -110,7 +113,7 @@ def _count(source: Spectrum, kind: str, limits: Range, eye: Observer) -> float:
     return source.power(limits) if kind == RADIANT else source.photons(limits)
 
 
-def _overlap(one: Range, other: Range) -> Range:
-    """What two ranges share; the first where that is nothing."""
-    low, high = max(one[0], other[0]), min(one[1], other[1])
-    return (low, high) if low < high else one
+def _overlap(first: Range, second: Range) -> Range:
+    """Return what two ranges share; the first where that is nothing."""
+    low, high = max(first[0], second[0]), min(first[1], second[1])
+    return (low, high) if low < high else first

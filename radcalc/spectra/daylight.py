@@ -37,7 +37,7 @@ def combine(
 
 
 def illuminant(temperature: float) -> Table:
-    """The CIE daylight of a correlated colour temperature [K]."""
+    """Return the CIE daylight of a correlated colour temperature [K]."""
     from radcalc.spectra.data.sources import S0, S1, S2
 
     values = combine(temperature, S0, S1, S2)

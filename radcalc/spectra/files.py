@@ -11,14 +11,14 @@ from itertools import chain, pairwise
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc import columns
 from radcalc.errors import ConditionError, UsageError, listed, option, quote
-from radcalc.quantities.titles import find
-from radcalc.spectra import cgats, figures, meters, oceanview, spdx, titles
+from radcalc.files import columns
+from radcalc.files.text import Lines, Text, reading, refusal
+from radcalc.quantities.column_titles import find
+from radcalc.spectra import cgats, column_titles, meter_readings, meters, oceanview, spdx
 from radcalc.spectra.contents import NO_FIGURES, Contents, Figure
 from radcalc.spectra.planck import LIGHT, PLANCK
 from radcalc.spectra.spectrum import LONGEST, SHORTEST, STRONGEST, VISIBLE, WEAKEST, Table
-from radcalc.texts import Lines, Text, reading, refusal
 from radcalc.units.table import unit_of
 
 FORMATS = (spdx, cgats, meters)
@@ -72,40 +72,42 @@ class _Reader:
         return refusal(self.name, number, problem, hint)
 
     def table(self) -> Table:
-        """The whole file."""
+        """Return the whole file."""
         blocks = self.text.blocks()
         first = next(blocks, (1, []))
         for form in FORMATS:
             if form.begins(first[1]):
-                return self.table_of(form.read(self.whole(first, blocks), self.name, self.column))
+                return self.table_of(
+                    form.read(self.all_lines(first, blocks), self.name, self.column)
+                )
         return self.plain_table(chain([first], blocks))
 
-    def whole(self, first: tuple[int, Lines], blocks: Iterable[tuple[int, Lines]]) -> Lines:
+    def all_lines(self, first: tuple[int, Lines], blocks: Iterable[tuple[int, Lines]]) -> Lines:
         """All lines of a file that is no plain table."""
-        found = list(first[1])
+        collected = list(first[1])
         for _, lines in blocks:
-            found += lines
-            if sum(map(len, found)) > MOST_OF_FORMAT:
+            collected += lines
+            if sum(map(len, collected)) > MOST_OF_FORMAT:
                 raise self.error(0, f"more than {MOST_OF_FORMAT} characters", "fewer rows")
-        return found
+        return collected
 
-    def table_of(self, found: Contents) -> Table:
+    def table_of(self, contents: Contents) -> Table:
         """A table of rows that a format has."""
-        self.notes += found.notes
-        for number, place, value in found.rows:
-            self.grid.append(self.number(place, found.has_commas, number))
-            self.values.append(self.number(value, found.has_commas, number))
+        self.notes += contents.notes
+        for number, place, value in contents.rows:
+            self.grid.append(self.number(place, contents.has_commas, number))
+            self.values.append(self.number(value, contents.has_commas, number))
             self.lines.append(number)
-        return self.finish(1.0, found.meanings, found.figures)
+        return self.finish(1.0, contents.meanings, contents.figures)
 
     def rows(self, lines: Lines, number: int) -> Iterator[tuple[int, str]]:
-        """The lines with data, with their numbers; comments are kept apart."""
+        """Return the lines with data, with their numbers; comments are kept apart."""
         for number, line in enumerate(lines, number):  # noqa: B020
             if not line or line.isspace():
                 continue
             if columns.is_comment(line):
                 if len(self.comments) < MOST_BEFORE:
-                    self.comments.append(columns.comment_text(line)[: titles.LONGEST])
+                    self.comments.append(columns.comment_text(line)[: column_titles.LONGEST])
             else:
                 yield number, line
 
@@ -152,7 +154,7 @@ class _Reader:
         delimiter, _ = columns.dialect(rows[min(1, len(rows) - 1)][1])
         width = len(_trimmed(columns.cells(rows[0][1], delimiter), 2))
         header = self.header(before, delimiter, width) if before else []
-        self.preamble = [line[: titles.LONGEST] for _, line in before]
+        self.preamble = [line[: column_titles.LONGEST] for _, line in before]
         self.is_marked = any(line.startswith(oceanview.MARK) for line in self.preamble)
         if before:
             self.notes.append(f"the table begins in line {rows[0][0]}")
@@ -167,58 +169,62 @@ class _Reader:
         return _Layout(delimiter, header, width, place, title)
 
     def header(self, before: list[tuple[int, str]], delimiter: str | None, width: int) -> list[str]:
-        """The titles in the last lines before a table, units in a row of their own among them.
+        """Take the titles out of the lines before a table, with units in a row of their own.
 
-        They are taken out.  None are in a line of text, or between blanks, where words are many.
+        A line of text has none, and neither has a line of many words between blanks.
         """
         while before and not any(map(str.isalnum, before[-1][1])):  # a rule below the titles
             before.pop()
         if not before:
             return []
         number, last = before[-1]
-        found = _titles(last, delimiter, width)
-        if not _is_of_units(found) and any(
+        titles = _titles(last, delimiter, width)
+        if not _is_of_units(titles) and any(
             _are_titles(_titles(line, delimiter, width), width) for _, line in before[:-1]
         ):
-            if len(found) == width:
-                self.number(found[0], delimiter != ",", number)
+            if len(titles) == width:
+                self.number(titles[0], delimiter != ",", number)
             problem = f"'{quote(last.strip())}' stands between the titles and the numbers"
             raise self.error(number, problem, "a row with a value in every column")
-        if len(found) != width:
-            if last.startswith(oceanview.MARK):
-                return []
-            is_sentence = delimiter is None and not titles.is_wavelength(columns.plain(last))
-            if not is_sentence and sum(map(bool, found)) > 1:
-                problem = f"{len(found)} titles over {width} columns"
-                raise self.error(number, problem, "a title for each column, or no titles")
-            if titles.NO_LIGHT.search(columns.plain(last)) and ":" not in last:
-                raise self.error(number, f"'{quote(last.strip())}' is not light", titles.KNOWN)
+        if len(titles) != width:
+            if not last.startswith(oceanview.MARK):
+                self.check_text(number, last, delimiter, width)
             return []
         before.pop()
         above = _titles(before[-1][1], delimiter, width) if before else []
-        if _is_bad_row(found, above):
-            self.number(found[0], delimiter != ",", number)
-        if len(above) == width and _is_of_units(found):
+        if _is_bad_row(titles, above):
+            self.number(titles[0], delimiter != ",", number)
+        if len(above) == width and _is_of_units(titles):
             before.pop()
-            found = [
+            titles = [
                 f"{title} {unit if BRACKETED.fullmatch(unit) else f'[{unit}]'}" if unit else title
-                for title, unit in zip(above, found, strict=True)
+                for title, unit in zip(above, titles, strict=True)
             ]
-        return found
+        return titles
+
+    def check_text(self, number: int, line: str, delimiter: str | None, width: int) -> None:
+        """Refuse a line before a table with too few or too many titles, or those of no light."""
+        titles, text = _titles(line, delimiter, width), columns.plain(line)
+        is_sentence = delimiter is None and not column_titles.is_wavelength(text)
+        if not is_sentence and sum(map(bool, titles)) > 1:
+            problem = f"{len(titles)} titles over {width} columns"
+            raise self.error(number, problem, "a title for each column, or no titles")
+        if column_titles.NO_LIGHT.search(text) and ":" not in line:
+            raise self.error(number, f"'{quote(line.strip())}' is not light", column_titles.KNOWN)
 
     def take_plain(self, lines: list[str], number: int, layout: _Layout) -> bool:
         """Take in rows that are numbers and nothing else; say whether they are."""
         marks = self.decimals
         if marks.comma or marks.doubtful:
             return False
-        found = _columns(lines, layout, len(self.grid) > MANY)
-        if found is None:
+        numbers = _columns(lines, layout, len(self.grid) > MANY)
+        if numbers is None:
             return False
         if not marks.point:
             pointed = (n for n, line in enumerate(lines, number) if "." in line)
             marks.point = next(pointed, 0)
-        self.grid.extend(found[0])
-        self.values.extend(found[1])
+        self.grid.extend(numbers[0])
+        self.values.extend(numbers[1])
         self.lines.extend(range(number, number + len(lines)))
         return True
 
@@ -242,10 +248,12 @@ class _Reader:
 
     def check_titles(self, header: list[str]) -> None:
         """Refuse a first column that says it is something else than wavelengths."""
-        if (longest := max(map(len, header), default=0)) > titles.LONGEST:
-            raise self.error(0, f"a title of {longest} characters", f"up to {titles.LONGEST}")
+        if (longest := max(map(len, header), default=0)) > column_titles.LONGEST:
+            raise self.error(
+                0, f"a title of {longest} characters", f"up to {column_titles.LONGEST}"
+            )
         plain = [columns.plain(title) for title in header]
-        if any(map(titles.is_wavelength, plain[1:])):
+        if any(map(column_titles.is_wavelength, plain[1:])):
             raise self.error(0, "the wavelengths are not in the first column", "wavelengths first")
         if plain and any(word in plain[0] for word in ("freq", "energy", "wavenumber")):
             raise self.error(0, f"'{quote(header[0])}' is no wavelength", "wavelengths first")
@@ -255,19 +263,19 @@ class _Reader:
         low, high = min(self.grid), max(self.grid)
         nanometres = self.wavelength_unit(layout.header, low, high)
         try:
-            meant = titles.values(layout.title)
-            if not meant.absolute:
-                said = titles.in_preamble([*self.preamble, *self.comments], meant)
-                meant = said or meant
+            meaning = column_titles.values(layout.title)
+            if not meaning.absolute:
+                declared = column_titles.in_preamble([*self.preamble, *self.comments], meaning)
+                meaning = declared or meaning
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
-        return self.finish(nanometres, (meant,))
+        return self.finish(nanometres, (meaning,))
 
     def finish(
         self,
         nanometres: float,
-        meanings: Sequence[titles.Meaning],
-        found: Mapping[str, Figure] = NO_FIGURES,
+        meanings: Sequence[column_titles.Meaning],
+        figures: Mapping[str, Figure] = NO_FIGURES,
     ) -> Table:
         """Make the table of the numbers, and say what was repaired or is odd.
 
@@ -294,35 +302,35 @@ class _Reader:
             raise self.error(0, problem, f"from {WEAKEST:g} to {STRONGEST:g}")
         if len(grid) <= MANY:
             self.notes += _gaps(grid)
-        tables = [_table(self.name, grid, values, nanometres, meant) for meant in meanings]
-        table, notes = figures.chosen(tables, found)
+        tables = [_table(self.name, grid, values, nanometres, meaning) for meaning in meanings]
+        table, notes = meter_readings.chosen(tables, figures)
         if self.text.note:
             notes = (self.text.note, *notes)
         table.notes = (*self.notes, *table.notes, *notes)
         return table
 
     def noise(self, grid: Sequence[float], values: Sequence[float], nanometres: float) -> str:
-        """What to say of values below 0; refuse those that are too many for noise.
+        """Return what to say of values below 0; refuse those that are too many for noise.
 
         Beyond the visible, where a meter sees little, its noise may be as high as the light.
         """
         low, high = VISIBLE
-        seen = [y for x, y in zip(grid, values, strict=True) if low <= x * nanometres <= high]
+        visible = [y for x, y in zip(grid, values, strict=True) if low <= x * nanometres <= high]
         below, above = (
             sum(abs(p + q) * (b - a) for (a, p), (b, q) in pairs if side * (p + q) > 0)
             for side in (-1, 1)
             for pairs in [pairwise(zip(grid, values, strict=True))]
         )
         hint = "the file without the rows that are noise"
-        if (deepest := min(seen, default=0.0)) < -NOISE * max(values):
+        if (deepest := min(visible, default=0.0)) < -NOISE * max(values):
             raise self.error(0, f"a value of {deepest:g}: too far below 0 for noise", hint)
         share = below / above if above else 1.0
         if share > NOISE:
             problem = f"values below 0 are {100 * share:.3g} % of those above: too many for noise"
             raise self.error(0, problem, hint)
         count = sum(value < 0 for value in values)
-        said = f"{count} negative values (down to {min(values):g}) are kept as noise"
-        return said + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
+        note = f"{count} negative values (down to {min(values):g}) are kept as noise"
+        return note + (f": {100 * share:.2g} % of the watts" if share >= SMALL else "")
 
     def value_column(self, header: list[str], width: int, number: int) -> tuple[int, str]:
         """Which column has the values, and its title."""
@@ -372,9 +380,9 @@ class _Reader:
         """Nanometres per unit of the first column: declared, or plain from the numbers."""
         if low <= 0:
             raise self.error(0, f"a wavelength of {low:g}", "wavelengths above 0")
-        said = [*self.comments, *self.preamble]
+        remarks = [*self.comments, *self.preamble]
         try:
-            factor, note = titles.wavelengths(header[:1], said, low, high)
+            factor, note = column_titles.wavelengths(header[:1], remarks, low, high)
         except ConditionError as error:
             raise self.error(0, error.message, error.hint) from None
         self.notes.append(note)
@@ -415,14 +423,14 @@ def _columns(lines: list[str], layout: _Layout, are_many: bool) -> Any:
         if [len(cells) for cells in split].count(layout.width) != len(split):
             return None
         texts = [cells[0] for cells in split], [cells[layout.place] for cells in split]
-        found = [columns.numbers_at_once(" ".join(column), column) for column in texts]
-        return None if None in found else found
+        numbers = [columns.numbers_at_once(" ".join(column), column) for column in texts]
+        return None if None in numbers else numbers
     except ValueError:
         return None
 
 
 def _before(rows: Sequence[tuple[int, str]]) -> int:
-    """How many rows stand before the first that begins with a number, and is no sentence."""
+    """Return how many rows stand before the first that begins with a number, and is no sentence."""
     for count, (_, line) in enumerate(rows):
         delimiter, _ = columns.dialect(line)
         first, *others = columns.cells(line, delimiter)
@@ -434,7 +442,7 @@ def _before(rows: Sequence[tuple[int, str]]) -> int:
 
 
 def _gaps(grid: Sequence[float]) -> list[str]:
-    """What to say where nearly all steps are the same and some are twice that, or more."""
+    """Return what to say where nearly all steps are the same and some are twice that, or more."""
     steps = sorted(b - a for a, b in pairwise(grid))
     usual = steps[len(steps) // 2]
     others = [step for step in steps if abs(step - usual) > SAME * usual]
@@ -448,21 +456,21 @@ def _gaps(grid: Sequence[float]) -> list[str]:
 
 
 def _trimmed(cells: list[str], width: int) -> list[str]:
-    """The cells without the empty ones behind so many of them."""
+    """Return the cells without the empty ones behind so many of them."""
     while len(cells) > width and not cells[-1]:
         cells.pop()
     return cells
 
 
 def _titles(line: str, delimiter: str | None, width: int) -> list[str]:
-    """The titles of columns in a line; between blanks those of several words, too."""
-    found = _trimmed(columns.cells(line, delimiter), width)
-    if delimiter or len(found) == width:
-        return found
+    """Return the titles of columns in a line; between blanks those of several words, too."""
+    titles = _trimmed(columns.cells(line, delimiter), width)
+    if delimiter or len(titles) == width:
+        return titles
     for parts in (re.split(r"\s{2,}|\t", line.strip()), TITLE.findall(line)):
         if len(parts) == width:
             return [part.strip() for part in parts]
-    return found
+    return titles
 
 
 def _are_titles(cells: Sequence[str], width: int) -> bool:
@@ -472,30 +480,33 @@ def _are_titles(cells: Sequence[str], width: int) -> bool:
     """
     return (
         len(cells) == width
-        and titles.is_wavelength(columns.plain(cells[0]))
+        and column_titles.is_wavelength(columns.plain(cells[0]))
         and not any(
-            cell[:1].isdigit() or columns.plain(cell) in titles.NANOMETRES for cell in cells[1:]
+            cell[:1].isdigit() or columns.plain(cell) in column_titles.NANOMETRES
+            for cell in cells[1:]
         )
     )
 
 
 def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
-    """Whether the line over a table is a row of it that has no wavelength, and no titles.
+    """Check whether the line over a table is a row of it that has no wavelength, and no titles.
 
     Titles may be numbers behind the first; in a row, that has digits or stands below titles.
     """
     if not any(columns.is_number(cell, True) for cell in cells[1:]):
         return False
     first = columns.plain(cells[0])
-    is_below = len(above) == len(cells) and titles.is_wavelength(columns.plain(above[0]))
-    return is_below or (not titles.is_wavelength(first) and re.search(r"\d", first) is not None)
+    is_below = len(above) == len(cells) and column_titles.is_wavelength(columns.plain(above[0]))
+    return is_below or (
+        not column_titles.is_wavelength(first) and re.search(r"\d", first) is not None
+    )
 
 
 def _is_of_units(cells: Sequence[str]) -> bool:
-    """Whether cells have units alone, as a row below the titles has."""
+    """Check whether cells have units alone, as a row below the titles has."""
     inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
-        not text or cell != text or columns.plain(text) in titles.NANOMETRES or unit_of(text)
+        not text or cell != text or columns.plain(text) in column_titles.NANOMETRES or unit_of(text)
         for cell, text in zip(cells, inner, strict=True)
     )
 
@@ -505,9 +516,9 @@ def _table(
     grid: Sequence[float],
     values: Sequence[float],
     nanometres: float,
-    meant: titles.Meaning,
+    meant: column_titles.Meaning,
 ) -> Table:
-    """The spectrum of numbers, as they are meant."""
+    """Return the spectrum of numbers, as they are meant."""
     xs: Any
     ys: Any
     if len(grid) > MANY:
@@ -529,5 +540,5 @@ def _table(
 
 
 def _named(titles: Sequence[str]) -> str:
-    """The columns of values by their titles, or else their numbers."""
+    """Return the columns of values by their titles, or else their numbers."""
     return listed([title or str(number) for number, title in enumerate(titles, 1) if number > 1])

@@ -14,7 +14,7 @@ Grid = Sequence[float]
 
 
 def clip(grid: Grid, values: Grid, low: float, high: float) -> tuple[list[float], list[float]]:
-    """The part of a table between two limits, with interpolated points at the limits."""
+    """Return the part of a table between two limits, with interpolated points at the limits."""
     low, high = max(low, grid[0]), min(high, grid[-1])
     if low >= high:
         return [], []
@@ -35,7 +35,7 @@ def at(grid: Grid, values: Grid, place: float) -> float:
 
 
 def trapezoid(grid: Grid, values: Grid) -> float:
-    """The integral of a table; 0 for an empty one."""
+    """Return the integral of a table; 0 for an empty one."""
     after = iter(grid), iter(values)
     next(after[0], None), next(after[1], None)
     return 0.5 * sum(
@@ -44,26 +44,26 @@ def trapezoid(grid: Grid, values: Grid) -> float:
 
 
 def moment_between(a: Any, b: Any, p: Any, q: Any) -> Any:
-    """The integral of x times a line from (a, p) to (b, q), times 6; of floats or arrays."""
+    """Return the integral of x times a line from (a, p) to (b, q), times 6; of floats or arrays."""
     return (b - a) * (2 * (a * p + b * q) + a * q + b * p)
 
 
 def integral(grid: Grid, values: Grid, low: float = -inf, high: float = inf) -> float:
-    """The integral of a table between two limits."""
+    """Return the integral of a table between two limits."""
     if low <= grid[0] and high >= grid[-1]:
         return trapezoid(grid, values)
     return trapezoid(*clip(grid, values, low, high))
 
 
 def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
-    """The numbers whose sum of products with any weighting is its integral over the table.
+    """Return the numbers whose sum of products with any weighting is its integral over the table.
 
     The weighting is tabulated at `count` whole nanometres from `start`, and linear between.
     """
-    found = [0.0] * count
+    weights = [0.0] * count
     grid, values = clip(grid, values, start, start + count - 1)
     if not grid:
-        return found
+        return weights
     place, height = grid[0] - start, values[0]
     cell = min(int(place), count - 2)
     for x, y in zip(grid, values, strict=True):
@@ -75,14 +75,14 @@ def moments(grid: Grid, values: Grid, start: float, count: int) -> list[float]:
             step = cell + 1 - place
             at_edge = height + rise * step
             half = 0.5 * step
-            found[cell] += half * height * step
-            found[cell + 1] += half * (height * (1 - step) + at_edge)
+            weights[cell] += half * height * step
+            weights[cell + 1] += half * (height * (1 - step) + at_edge)
             cell += 1
             place, height = float(cell), at_edge
         half, share = 0.5 * (end - place), end - cell
-        found[cell] += half * (height * (cell + 1 - place) + y * (1 - share))
-        found[cell + 1] += half * (height * (place - cell) + y * share)
+        weights[cell] += half * (height * (cell + 1 - place) + y * (1 - share))
+        weights[cell + 1] += half * (height * (place - cell) + y * share)
         place, height = end, y
         if end >= cell + 1 and cell < count - 2:
             cell += 1
-    return found
+    return weights

@@ -17,7 +17,7 @@ FORMS = {
 
 
 def forms() -> list[str]:
-    """The kinds with the names of their parameters."""
+    """Return the kinds with the names of their parameters."""
     return [f"{kind}:{parameters}" for kind, (parameters, *_) in FORMS.items()]
 
 

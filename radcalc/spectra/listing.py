@@ -67,19 +67,19 @@ class Named(NamedTuple):
     kind: int | None
 
     def kind_in(self, language: str) -> str:
-        """What kind it is of; '' where the name does not say."""
+        """Return what kind it is of; '' where the name does not say."""
         place = 1 + LANGUAGES.index(language)
         return "" if self.kind is None else LAMPS[self.kind][place]
 
     @property
     def words(self) -> str:
-        """What it is searched by: its name, another one, and its kind in every language."""
+        """Return what it is searched by: its name, another one, and its kind in every language."""
         others = [alias for alias, name in ALIASES.items() if name == self.name]
         return " ".join([self.name, *others, *map(self.kind_in, LANGUAGES)])
 
 
 def search(text: str = "") -> list[Named]:
-    """The named spectra in whose name or kind, in any language, every word begins a word.
+    """Return the named spectra in whose name or kind, in any language, every word begins a word.
 
     Raises
     ------
@@ -88,16 +88,16 @@ def search(text: str = "") -> list[Named]:
 
     Examples
     --------
-    >>> [one.name for one in search("vysokotlaká sodíková")]
+    >>> [spectrum.name for spectrum in search("vysokotlaká sodíková")]
     ['HPS', 'Super HPS', 'C100S54 (HPS)', 'C100S54C (HPS)', 'SDW-T 100W/LV (Super HPS)']
     """
-    every = [Named(name, kind_of(name)) for name in names()]
+    spectra = [Named(name, kind_of(name)) for name in names()]
     if not text.strip():
-        return every
-    found = matching(text, every, lambda one: one.words)
-    if found:
-        return found
-    words = {word for one in every for word in comparable(one.words).split()}
+        return spectra
+    matches = matching(text, spectra, lambda spectrum: spectrum.words)
+    if matches:
+        return matches
+    words = {word for spectrum in spectra for word in comparable(spectrum.words).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
         f"no named spectrum is '{quote(text)}'",
@@ -106,12 +106,12 @@ def search(text: str = "") -> list[Named]:
 
 
 def kind_of(name: str) -> int | None:
-    """The row of `LAMPS` that a name says."""
+    """Return the row of `LAMPS` that a name says."""
     return next((k for k, pattern in enumerate(PATTERNS) if pattern.fullmatch(name)), None)
 
 
 def temperature_and_ratio(name: str) -> tuple[float | None, float]:
-    """The correlated colour temperature [K] of a named spectrum, and its lux per umol/m2/s.
+    """Return the correlated colour temperature [K] of a named spectrum, and its lux per umol/m2/s.
 
     Examples
     --------
@@ -126,11 +126,13 @@ def temperature_and_ratio(name: str) -> tuple[float | None, float]:
     return temperature_of(source), lux_per_ppfd
 
 
-def described(found: Iterable[Named]) -> list[tuple[str, str]]:
+def described(spectra: Iterable[Named]) -> list[tuple[str, str]]:
     """Names with a line on each: its colour temperature and its kind."""
-    told = []
-    for one in found:
-        cct, _ = temperature_and_ratio(one.name)
-        said = [f"{cct:.0f} K"] if cct else []
-        told.append((one.name, ", ".join([*said, *filter(None, [one.kind_in(ENGLISH)])])))
-    return told
+    lines = []
+    for spectrum in spectra:
+        cct, _ = temperature_and_ratio(spectrum.name)
+        facts = [f"{cct:.0f} K"] if cct else []
+        lines.append(
+            (spectrum.name, ", ".join([*facts, *filter(None, [spectrum.kind_in(ENGLISH)])]))
+        )
+    return lines

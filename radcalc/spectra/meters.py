@@ -12,12 +12,12 @@ import re
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from radcalc import columns
 from radcalc.errors import option
+from radcalc.files import columns
+from radcalc.files.text import refusal
+from radcalc.spectra.column_titles import RELATIVE_WATTS, Meaning
 from radcalc.spectra.contents import Contents, Figure, Row
 from radcalc.spectra.planck import AVOGADRO
-from radcalc.spectra.titles import RELATIVE_WATTS, Meaning
-from radcalc.texts import refusal
 
 SEARCHED = 500  # lines in which the spectrum begins
 BAND = re.compile(
@@ -43,20 +43,20 @@ ABSOLUTE = tuple(
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Whether a file has wavelengths in the names of its rows, of more than one."""
+    """Check whether a file has wavelengths in the names of its rows, of more than one."""
     return sum(BAND.match(line) is not None for line in lines[:SEARCHED]) > 1
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
-    """The rows of its finest table, and the figures of the meter."""
+    """Return the rows of its finest table, and the figures of the meter."""
     if column:
         raise refusal(name, 0, "there are no columns to choose from", f"no {option('column')}")
     tables: list[list[Row]] = []
     is_exact = True  # every comma cuts cells
     for number, line in enumerate(lines, 1):
-        if found := BAND.match(line):
-            row = number, found[1], _value(name, number, found[3], found[2])
-            is_exact &= found[2] == "," and '"' not in found[3]
+        if match := BAND.match(line):
+            row = number, match[1], _value(name, number, match[3], match[2])
+            is_exact &= match[2] == "," and '"' not in match[3]
             if not tables or row[1] == tables[-1][0][1]:
                 tables.append([])
             tables[-1].append(row)
@@ -75,7 +75,7 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
 
 
 def _value(name: str, number: int, text: str, delimiter: str) -> str:
-    """The one value behind the name of a row."""
+    """Return the one value behind the name of a row."""
     cells = columns.cells(text.rstrip(f"{delimiter} "), delimiter)
     if len(cells) != 1:
         problem = f"{len(cells)} values at one wavelength"
@@ -94,9 +94,9 @@ def _refuse_gaps(table: list[Row], name: str) -> None:
 
 
 def _figures(lines: Sequence[str]) -> Mapping[str, Figure]:
-    """What the meter found."""
+    """Return what the meter found."""
     names = {spelling: name for name, spellings in FIGURES.items() for spelling in spellings}
-    found = {}
+    figures = {}
     for line in lines:
         cells = columns.cells(line, columns.dialect(line)[0])
         name = names.get(columns.plain(cells[0]), "") if len(cells) > 1 else ""
@@ -104,5 +104,5 @@ def _figures(lines: Sequence[str]) -> Mapping[str, Figure]:
             number = columns.finite(cells[1], True)
             if number is not None and number > 0:
                 places = len(cells[1].replace(",", ".").partition(".")[2])
-                found[name] = Figure(number, 0.5 * 10.0**-places)
-    return found
+                figures[name] = Figure(number, 0.5 * 10.0**-places)
+    return figures

@@ -5,7 +5,7 @@ Tables at 1 nm, linear interpolation between, 0 outside.  The tables are in stan
 
 from typing import NamedTuple
 
-from radcalc.maths import Number, in_one_step
+from radcalc.maths import Number, is_array, larger, rounded, smaller, square
 from radcalc.spectra.data.observers import (
     CIE_1964,
     CIE_2008_2,
@@ -33,14 +33,13 @@ class Observer(NamedTuple):
 
     @property
     def assumption(self) -> str:
-        """What an answer that used this observer says."""
+        """Return what an answer that used this observer says."""
         return (
             f"{self.label}, {self.constant} {self.maximum:g} lm/W, "
             "linear interpolation in the 1 nm table"
         )
 
 
-@in_one_step
 def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
     """Relative luminous efficiency of monochromatic radiation.
 
@@ -65,27 +64,18 @@ def luminous_efficiency(wavelength: Number, observer: Observer) -> Number:
     >>> round(luminous_efficiency(632.8e-9, OBSERVERS["photopic"]), 6)
     0.237245
     """
-    if not isinstance(wavelength, (int, float)):
+    place = rounded(wavelength * 1e9, 9) - observer.start  # 555e-9 m is 555 nm: a point of it
+    last = len(observer.values) - 1
+    if is_array(place):
         import numpy
 
-        grid = numpy.arange(observer.start, observer.end + 1)
-        return numpy.interp(_nanometres(wavelength), grid, observer.values, left=0, right=0)
-    place = _nanometres(wavelength) - observer.start
-    last = len(observer.values) - 1
+        grid = numpy.arange(last + 1)
+        return numpy.interp(place, grid, observer.values, left=0, right=0)
     if not 0 <= place <= last:
         return 0.0
     index = min(int(place), last - 1)
     below, above = observer.values[index], observer.values[index + 1]
     return below + (above - below) * (place - index)
-
-
-def _nanometres(wavelength: Number) -> Number:
-    """Metres to nanometres, so that 555e-9 m is 555 exactly and falls on the table's point."""
-    if isinstance(wavelength, (int, float)):
-        return round(wavelength * 1e9, 9)
-    import numpy
-
-    return numpy.round(wavelength * 1e9, 9)
 
 
 def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
@@ -94,7 +84,7 @@ def luminous_efficacy(wavelength: Number, observer: Observer) -> Number:
 
 
 def most_lumens_per_photon(observer: Observer) -> float:
-    """The most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
+    """Return the most that one wavelength gives [lm s]: no mixture of wavelengths gives more."""
     places = range(observer.start, observer.end + 1)
     shares = (v / nm for v, nm in zip(observer.values, places, strict=True))
     return observer.maximum * max(shares) * 1e9 * PLANCK * LIGHT
@@ -130,14 +120,8 @@ def standard_air_wavelength(vacuum: Number) -> Number:
     >>> round(standard_air_wavelength(555.171e-9) * 1e9, 3)
     555.017
     """
-    if isinstance(vacuum, (int, float)):
-        fitted = min(max(vacuum, 0.23e-6), 1.69e-6)
-    else:
-        import numpy
-
-        fitted = numpy.clip(vacuum, 0.23e-6, 1.69e-6)
-    square = (1e-6 / fitted) ** 2
-    return vacuum / (1 + 5792105e-8 / (238.0185 - square) + 167917e-8 / (57.362 - square))
+    sigma_2 = square(1e-6 / smaller(larger(vacuum, 0.23e-6), 1.69e-6))
+    return vacuum / (1 + 5792105e-8 / (238.0185 - sigma_2) + 167917e-8 / (57.362 - sigma_2))
 
 
 def _by_the_candela(label: str, table: tuple[int, tuple[float, ...]]) -> Observer:

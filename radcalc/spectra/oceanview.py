@@ -13,9 +13,9 @@ photobiologyInOut reads it so.
 import re
 from collections.abc import Sequence
 
-from radcalc.columns import plain
 from radcalc.errors import ConditionError, quote
-from radcalc.spectra.titles import KNOWN, PROPERTY
+from radcalc.files.columns import plain
+from radcalc.spectra.column_titles import KNOWN, PROPERTY
 
 MARK = ">>>>>"  # the table stands between two lines that begin so; not every file has the second
 NODE = re.compile(r"data from (.*) node")
@@ -27,7 +27,7 @@ ABSOLUTE = "jaz absolute irradiance"
 
 
 def declared_rows(lines: Sequence[str]) -> int:
-    """How many rows the lines before a table say that it has; 0 where they do not.
+    """Return how many rows the lines before a table say that it has; 0 where they do not.
 
     Refuse another axis than wavelengths, and what is measured against a reference.
     """
@@ -35,8 +35,8 @@ def declared_rows(lines: Sequence[str]) -> int:
     for line in lines:
         text = plain(line)
         node, axis, pixels = NODE.match(text), AXIS.match(text), PIXELS.match(text)
-        if node and (found := re.search(PROPERTY, re.sub(r"[\W\d_]", " ", node[1]))):
-            raise ConditionError(f"'{quote(line.strip())}' is a {found[0]}, no light", KNOWN)
+        if node and (match := re.search(PROPERTY, re.sub(r"[\W\d_]", " ", node[1]))):
+            raise ConditionError(f"'{quote(line.strip())}' is a {match[0]}, no light", KNOWN)
         if axis and not axis[1].startswith("wavelength"):
             raise ConditionError(f"'{quote(line.strip())}' is no wavelength", "wavelengths in nm")
         count = int(pixels[1]) if pixels else count
@@ -44,14 +44,14 @@ def declared_rows(lines: Sequence[str]) -> int:
 
 
 def notes(lines: Sequence[str]) -> list[str]:
-    """What is doubtful of values that a program has worked on."""
+    """Return what is doubtful of values that a program has worked on."""
     if all(plain(line) != REFERENCE for line in lines):
         return []
     return ["a reference spectrum was stored: these may be values relative to it, and no light"]
 
 
 def processed(titles: Sequence[str], lines: Sequence[str]) -> str:
-    """What the title of column P of a Jaz means; '' where it is no table of one."""
+    """Return what the title of column P of a Jaz means; '' where it is no table of one."""
     if [plain(title) for title in titles] not in JAZ:
         return ""
     if len(titles) == len(JAZ[1]):

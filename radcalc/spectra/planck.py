@@ -18,7 +18,7 @@ STEFAN_BOLTZMANN = 2 * math.pi**5 * BOLTZMANN**4 / (15 * PLANCK**3 * LIGHT**2)
 
 
 def photons(energy_wavelength: float) -> float:
-    """How many photons have an energy, of its product with their wavelength [J nm]."""
+    """Return how many photons have an energy, of its product with their wavelength [J nm]."""
     return energy_wavelength * 1e-9 / (PLANCK * LIGHT)
 
 
@@ -54,7 +54,7 @@ def _power_below(x: float) -> float:
 
 
 def _photons_below(x: float) -> float:
-    """The integral of t^2/(e^t - 1) from 0 to a small x, by its power series."""
+    """Return the integral of t^2/(e^t - 1) from 0 to a small x, by its power series."""
     series = 1 / 2 - x / 6 + x**2 / 48 - x**4 / 4320 + x**6 / 241920 - x**8 / 12096000
     return x**2 * series
 
@@ -73,7 +73,7 @@ def _power_beyond(x: float) -> float:
 
 
 def _photons_beyond(x: float) -> float:
-    """The integral of t^2/(e^t - 1) from x to infinity."""
+    """Return the integral of t^2/(e^t - 1) from x to infinity."""
     if x == math.inf:
         return 0.0
     if x < SMALL:

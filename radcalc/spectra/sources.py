@@ -6,6 +6,7 @@ from functools import cache
 from typing import NamedTuple
 
 from radcalc.errors import ConditionError, RadcalcError, TooMany, command, nearest, option, quote
+from radcalc.files.text import ENDINGS
 from radcalc.spectra.kinds import FORMS, example
 from radcalc.spectra.observers import standard_air_wavelength
 from radcalc.spectra.planck import LIGHT, PLANCK
@@ -20,12 +21,14 @@ from radcalc.spectra.spectrum import (
     Spectrum,
     Table,
 )
-from radcalc.texts import ENDINGS
-from radcalc.units.amounts import UNCERTAIN, Amount, read_amount, split_value
+from radcalc.units.amount import Amount
+from radcalc.units.amounts import UNCERTAIN, split_value
 from radcalc.units.dimensions import ENERGY, FREQUENCY, LENGTH, TEMPERATURE
 from radcalc.units.ranges import MOST, read_series
+from radcalc.units.reading import read_amount
 from radcalc.units.scales import find
-from radcalc.units.table import Dimension, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Dimension
 
 SERIES = ("blackbody", "daylight")  # kinds of which a list or a range gives several
 SUNS = {"AM0": "AM0", "AM1.5G": "AM1_5G", "AM1.5D": "AM1_5D"}
@@ -93,13 +96,13 @@ class Parameter(NamedTuple):
     behind: str
 
     def source(self, number: float) -> Spectrum:
-        """The source with another number for it, in its unit."""
+        """Return the source with another number for it, in its unit."""
         unit = self.amount.unit.text if self.amount.unit else ""
         return spectrum(f"{self.before}{number!r}{unit}{self.behind}")
 
 
 def uncertain_parameter(text: str) -> Parameter | None:
-    """The first parameter with an uncertainty: of `blackbody:2856+-20K` the temperature."""
+    """Return the first parameter with an uncertainty: of `blackbody:2856+-20K` the temperature."""
     kind, colon, parameters = text.strip().partition(":")
     if not colon or kind.lower() not in FORMS:
         return None
@@ -110,9 +113,9 @@ def uncertain_parameter(text: str) -> Parameter | None:
             continue
         amount = read_amount(size)
         if amount.is_uncertain:
-            before = "".join(f"{one}," for one in parts[:k])
-            behind = "".join(f",{one}" for one in parts[k + 1 :])
-            return Parameter(f"{kind}:{before}", amount, f"{equals}{weight}{behind}")
+            before = "".join(f"{parameter}," for parameter in parts[:k])
+            after = "".join(f",{parameter}" for parameter in parts[k + 1 :])
+            return Parameter(f"{kind}:{before}", amount, f"{equals}{weight}{after}")
     return None
 
 
@@ -180,12 +183,12 @@ def _spelled(name: str) -> str:
 
 
 def _bare(name: str) -> str:
-    """The letters and digits of a name, which need not have more."""
+    """Return the letters and digits of a name, which need not have more."""
     return "".join(c for c in name.upper() if c.isalnum() or c == ".")
 
 
 def names() -> list[str]:
-    """The names of all named sources."""
+    """Return the names of all named sources."""
     from radcalc.spectra.data.sources import SOURCES
 
     return [*SOURCES, *SUNS]
@@ -193,11 +196,11 @@ def names() -> list[str]:
 
 @cache
 def _spellings() -> dict[str, str]:
-    """The named sources but the suns, by all that they may be called."""
+    """Return the named sources but the suns, by all that they may be called."""
     from radcalc.spectra.data.sources import SOURCES
 
-    found = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
-    return found | {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
+    names = {form(name): name for name in SOURCES for form in (_spelled, _bare)}
+    return names | {f"F{name[2:]}": name for name in SOURCES if name.startswith("FL")}
 
 
 def find_named(text: str) -> Table | None:

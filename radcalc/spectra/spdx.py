@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from xml.parsers import expat
 
 from radcalc.errors import quote
+from radcalc.files.text import refusal
+from radcalc.spectra.column_titles import Meaning
 from radcalc.spectra.contents import Contents, Row
-from radcalc.spectra.titles import Meaning
-from radcalc.texts import refusal
 
 ROOT = "IESTM2714"
 LIGHT = {"flux": "W/nm", "intensity": "W/sr/nm", "irradiance": "W/m2/nm", "exitance": "W/m2/nm",
@@ -20,13 +20,13 @@ QUANTITIES = f"{', '.join(LIGHT)} or {RELATIVE}"
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Whether a file is XML."""
+    """Check whether a file is XML."""
     first = next((line for line in lines if line.strip()), "")
     return first.lstrip().startswith("<")
 
 
 def read(lines: Sequence[str], name: str, column: str) -> Contents:
-    """The rows of all its lines; it has one spectrum, so that no column can be chosen."""
+    """Return the rows of all its lines; it has one spectrum, so that no column can be chosen."""
     if column:
         raise refusal(name, 0, "a file of TM-27 has no columns", "the same without the column")
     document = _Document(name)
@@ -35,10 +35,10 @@ def read(lines: Sequence[str], name: str, column: str) -> Contents:
     if quantity == RELATIVE:
         return Contents(document.rows, (Meaning("relative watts per wavelength of IES TM-27"),))
     if quantity not in LIGHT:
-        what = f"the quantity is '{quote(quantity)}'" if quantity else "a quantity is missing"
-        raise refusal(name, 0, what, f"SpectralQuantity: {QUANTITIES}")
-    said = f"its {quantity} taken in {LIGHT[quantity]}, the SI units of IES TM-27"
-    return Contents(document.rows, (Meaning(said, absolute=quantity),))
+        problem = f"the quantity is '{quote(quantity)}'" if quantity else "a quantity is missing"
+        raise refusal(name, 0, problem, f"SpectralQuantity: {QUANTITIES}")
+    note = f"its {quantity} taken in {LIGHT[quantity]}, the SI units of IES TM-27"
+    return Contents(document.rows, (Meaning(note, absolute=quantity),))
 
 
 class _Document:

@@ -64,10 +64,10 @@ class Spectrum:
         raise NotImplementedError
 
     def moments(self, start: int, count: int) -> Sequence[float]:
-        """What to weight at each of `count` whole nanometres; see `integrals.moments`."""
+        """Return what to weight at each of `count` whole nanometres; see `integrals.moments`."""
         if (start, count) not in self._moments:
-            found = self.find_moments(start, count)
-            self._moments[start, count] = array("d", found)  # small: there may be many spectra
+            weights = self.find_moments(start, count)
+            self._moments[start, count] = array("d", weights)  # small: there may be many spectra
         return self._moments[start, count]
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
@@ -92,7 +92,7 @@ class Spectrum:
         raise NotImplementedError
 
     def part(self, limits: Range) -> "Spectrum | None":
-        """What of it is between two wavelengths, if that is anything."""
+        """Return what of it is between two wavelengths, if that is anything."""
         raise NotImplementedError
 
     def total(self) -> float:
@@ -105,7 +105,7 @@ class Spectrum:
 
     @property
     def counts_all_photons(self) -> bool:
-        """Whether photons are counted wherever they are, not from 400 nm to 700 nm."""
+        """Check whether photons are counted wherever they are, not from 400 nm to 700 nm."""
         return False
 
 
@@ -198,13 +198,13 @@ class Lines(Spectrum):
 
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`; a line is shared out between the nanometres on both sides of it."""
-        found = [0.0] * count
+        weights = [0.0] * count
         for place, watts in self.lines:
             if start <= place <= start + count - 1:
                 cell = min(int(place - start), count - 2)
-                found[cell] += watts * (1 - (place - start - cell))
-                found[cell + 1] += watts * (place - start - cell)
-        return found
+                weights[cell] += watts * (1 - (place - start - cell))
+                weights[cell + 1] += watts * (place - start - cell)
+        return weights
 
     def peak(self) -> tuple[float, float | None]:
         """See `Spectrum`; a line has no width."""
@@ -248,10 +248,10 @@ class BlackBody(Spectrum):
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`; Planck's law at every nanometre, and linear between."""
         wavelengths = [(start + i) * 1e-9 for i in range(count)]
-        found = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
-        found[0] /= 2
-        found[-1] /= 2
-        return found
+        weights = [1e-9 * y for y in planck.spectral_exitances(wavelengths, self.temperature)]
+        weights[0] /= 2
+        weights[-1] /= 2
+        return weights
 
     def peak(self) -> tuple[float, float | None]:
         """See `Spectrum`; Wien's law, and the roots of half the peak in x = c2/(lambda T)."""

@@ -4,13 +4,11 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from radcalc.given import Given
-    from radcalc.units.table import Unit
+    from radcalc.inputs.given import Input
+    from radcalc.units.unit import Unit
 
 # What a value that cannot be converted does.
 ABORT, FAIL, WARN, IGNORE = INVALID = "abort", "fail", "warn", "ignore"
-
-MARK = "\0"  # what stands in a text for a number that varies from line to line
 
 
 class Source(NamedTuple):
@@ -23,5 +21,5 @@ class Source(NamedTuple):
     name: str
     unit: str
     is_bare: bool
-    read: "Callable[[str], Given]"
+    read: "Callable[[str], Input]"
     check: "Callable[[Unit], object]"

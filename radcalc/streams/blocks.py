@@ -13,9 +13,9 @@ have to give the same, and there are two ways to know that they do:
 
 from math import gcd
 
-from radcalc.conversion.plan import Plan
+from radcalc.conversion.linear import Plan
 from radcalc.errors import RadcalcError
-from radcalc.units.table import divide
+from radcalc.units.unit import divide
 
 SHAPE = bytes.maketrans(b"123456789E", b"000000000e")  # any digit is 0, to look for long numbers
 SIGNS = b".+-"
@@ -29,17 +29,17 @@ MOST_DIGITS, MOST_PRECISION = 15, 14  # of decimals that three roundings do not 
 class Bulk:
     """A plan made ready for blocks of numbers, shown with `precision` digits."""
 
-    def __init__(self, made: Plan, precision: int) -> None:
+    def __init__(self, plan: Plan, precision: int) -> None:
         """Choose the way: see the module."""
-        self.made = made
-        self.factor = made.factor
+        self.plan = plan
+        self.factor = plan.factor
         self.line = b"%%.%dg\n" % precision
         able = self.factor == 0 or SMALL < abs(self.factor) < LARGE
-        self.able = able or not made.is_linear
+        self.able = able or not plan.is_linear
         self.digits = LONGEST  # numbers of so many digits are multiplied as they are
-        if not made.links and made.is_linear:
-            over = made.source.top * made.target.bottom
-            under = made.source.bottom * made.target.top
+        if not plan.links and plan.is_linear:
+            over = plan.source.top * plan.target.bottom
+            under = plan.source.bottom * plan.target.top
             self.digits = plain_digits(over, under, precision)
             if self.able:
                 self._split(over, under)
@@ -64,12 +64,12 @@ class Bulk:
         texts.pop()
         exponents = b"e" in shape
         try:
-            if self.made.links and b"-" in block and min(map(float, texts)) < 0:
+            if self.plan.links and b"-" in block and min(map(float, texts)) < 0:
                 return None
             if exponents and not _in_range(texts):
                 return None
-            if not self.made.is_linear:
-                values = [self.made.apply(value) for value in map(float, texts)]
+            if not self.plan.is_linear:
+                values = [self.plan.apply(value) for value in map(float, texts)]
             elif b"0" * (self.digits + 1) not in shape:
                 factor = self.factor
                 values = [value * factor for value in map(float, texts)]
@@ -82,18 +82,18 @@ class Bulk:
         return self.line * len(values) % tuple(values)
 
     def exact(self, texts: list[bytes]) -> list[float]:
-        """The product with the exact fraction, rounded once."""
+        """Return the product with the exact fraction, rounded once."""
         high, low, factor, splitter, lost = self.high, self.low, self.factor, SPLITTER, LOST
         answers = []
         for value in map(float, texts):
             scaled = splitter * value
             head = scaled - (scaled - value)
             product = head * high
-            rest = head * low + (value - head) * factor
+            correction = head * low + (value - head) * factor
             bound = product * lost
-            answer = product + (rest - bound)
-            if answer != product + (rest + bound):
-                answer = self.made.apply(value)
+            answer = product + (correction - bound)
+            if answer != product + (correction + bound):
+                answer = self.plan.apply(value)
             answers.append(answer)
         return answers
 
@@ -126,7 +126,7 @@ def _in_range(texts: list[bytes]) -> bool:
 
 
 def plain_digits(over: int, under: int, precision: int) -> int:
-    """How long numbers may be so that their plain product with over/under prints right.
+    """Return how long numbers may be so that their plain product with over/under prints right.
 
     0 where the fraction is no decimal of few digits.  With T the digits of the fraction as a
     whole number, a number N of n digits gives N T of at most n + digits(T) digits.  Only where

@@ -10,8 +10,8 @@ from collections.abc import Callable
 from datetime import UTC, date, datetime, timedelta, timezone, tzinfo
 from typing import NamedTuple, TypeVar
 
-from radcalc import columns
 from radcalc.errors import ConditionError, MissingInput, NumberError, mention, option, quote
+from radcalc.files import columns
 from radcalc.streams.timestamps import (
     DAY,
     EPOCH,
@@ -28,7 +28,8 @@ from radcalc.streams.timestamps import (
     read_offset,
 )
 from radcalc.units.dimensions import TIME
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 PERIODS = PER_DAY, PER_HOUR = "day", "hour"
 LATEST = (date(LAST_YEAR, 1, 1).toordinal() - FIRST_DAY) * DAY
@@ -40,7 +41,7 @@ ZONE = option("time-zone", "Europe/Prague")
 
 
 class TimeSettings(NamedTuple):
-    """What is told of the times: the zone, the unit of numbers, the format of dates.
+    """The settings for times: the zone, the unit of numbers, the format of dates.
 
     The title of their column may have told something, and the unit `declared` there.
     """
@@ -76,12 +77,12 @@ class Elapsed:
         self.assumptions: tuple[str, ...] = ()
 
     def many(self, texts: list[str]) -> list[float]:
-        """The ticks of many texts; ValueError where any is unusual."""
+        """Return the ticks of many texts; ValueError where any is unusual."""
         _refuse_odd_digits(texts)
         return columns.finite_numbers(texts)
 
     def one(self, text: str) -> float:
-        """The ticks of a text."""
+        """Return the ticks of a text."""
         value = columns.finite(text, comma=True)
         if value is None:
             raise NumberError(f"'{quote(text)}' is not a number of {self.unit.text}", "a number")
@@ -92,7 +93,7 @@ class Elapsed:
         return f"{tick:.12g} {self.unit.text}"
 
     def period(self, tick: float, by: str) -> Interval:
-        """What has no date is in no day."""
+        """Refuse days: a time without a date is in none."""
         raise ConditionError(
             f"the times have no date, and no {by} to add up by",
             "times with dates: 2024-06-01T12:35, or Unix time",
@@ -128,7 +129,7 @@ class Calendar:
         self.by = ""  # what was added up by
 
     def many(self, texts: list[str]) -> list[int]:
-        """The ticks of texts, of which there is one; any error where one of them is unusual."""
+        """Return the ticks of one text or more; any error where one of them is unusual."""
         days, clocks = self.days, self.clocks
         if self.doubtful or not self.pattern.mark:
             raise ValueError
@@ -137,8 +138,8 @@ class Calendar:
         text = "\n" + "\n".join(texts)
         if text.count(f"\n{day}{mark}") == len(texts):  # all of one day, as most of a log is
             midnight = days[day]
-            rest = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
-            ticks = [midnight + clocks[time] for time in rest]  # type: ignore[operator]
+            clock_texts = text.replace(f"\n{day}{mark}", "\n").split("\n")[1:]
+            ticks = [midnight + clocks[time] for time in clock_texts]  # type: ignore[operator]
         else:
             parts = [text.partition(mark) for text in texts]
             # a day on which the clocks change is None, and adds to nothing
@@ -147,7 +148,7 @@ class Calendar:
         return ticks
 
     def one(self, text: str) -> int:
-        """The ticks of a text."""
+        """Return the ticks of a text."""
         day, clock = self.pattern.parts(text)
         local = self.pattern.day(day) + self.clocks[clock]
         if not self.is_local:
@@ -156,7 +157,7 @@ class Calendar:
         return self.last
 
     def _day(self, text: str) -> int | None:
-        """The tick of a day's midnight; None where the zone changes its clocks on that day."""
+        """Return the tick of a day's midnight; None where the clocks change on that day."""
         day = self.pattern.day(text)
         if not self.is_local:
             return day - (self.of_title or 0)
@@ -175,10 +176,10 @@ class Calendar:
         return ticks - (offset or 0)
 
     def _local(self, local: int, text: str) -> int:
-        """The tick of a local time: which of two it is, its order tells."""
+        """Return the tick of a local time: which of two it is, its order tells."""
         assert self.zone is not None
-        both = {local - _offset(self.zone, local, fold) for fold in (0, 1)}
-        ticks = sorted(t for t in both if t + _offset_at(self.zone, t) == local)
+        candidates = {local - _offset(self.zone, local, fold) for fold in (0, 1)}
+        ticks = sorted(t for t in candidates if t + _offset_at(self.zone, t) == local)
         if not ticks:
             raise NumberError(
                 f"'{quote(text)}' does not exist in {self.zone}: clocks are put forward there",
@@ -198,7 +199,7 @@ class Calendar:
         return ticks[1]
 
     def comes_twice(self, text: str, tick: int) -> NumberError:
-        """What is wrong with a time of which no order tells which of two it is."""
+        """Return what is wrong with a time of which no order tells which of two it is."""
         assert self.zone is not None
         return NumberError(*_comes_twice(text, self.zone, tick + _offset_at(self.zone, tick)))
 
@@ -210,36 +211,42 @@ class Calendar:
         return _fixed(next(iter(self.offsets))) if len(self.offsets) == 1 else UTC
 
     @property
-    def is_told(self) -> bool:
-        """Whether it is known how far the times are from UTC."""
+    def has_offset(self) -> bool:
+        """Check whether it is known how far the times are from UTC."""
         return bool(self.zone or self.offsets)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """How the stamps were read, where they do not say so."""
-        said = (self.pattern.said,) if self.pattern.said else ()
-        if not self.is_told:
+        """Return how the stamps were read, where they do not say so."""
+        assumptions = (self.pattern.assumption,) if self.pattern.assumption else ()
+        if not self.has_offset:
             zone = f"the times are of a zone without changes of daylight saving time ({ZONE})"
-            said = (*said, zone)
+            assumptions = (*assumptions, zone)
         elif self.by and not self.zone:
-            zone = _said(_offset_at(self.shown_in, 0))
-            said = (*said, f"the {self.by}s are those of the offset {zone} ({ZONE})")
+            zone = _format_offset(_offset_at(self.shown_in, 0))
+            assumptions = (*assumptions, f"the {self.by}s are those of the offset {zone} ({ZONE})")
         if self.resolved:
-            said = (*said, f"the hour that comes twice is told by the order ('{self.resolved}')")
+            assumptions = (
+                *assumptions,
+                f"the hour that comes twice is told by the order ('{self.resolved}')",
+            )
         if self.doubtful:
-            said = (*said, f"'{self.doubtful}', which comes twice, is taken as the first")
-        return said
+            assumptions = (
+                *assumptions,
+                f"'{self.doubtful}', which comes twice, is taken as the first",
+            )
+        return assumptions
 
     def say(self, tick: float) -> str:
         """A time for people."""
-        seconds, rest = divmod(int(tick), SECOND)
+        seconds, fraction = divmod(int(tick), SECOND)
         text = _at(self.shown_in, seconds).strftime("%Y-%m-%d %H:%M:%S")
-        if rest:
-            text += f".{rest:09}".rstrip("0")
-        return text + self._told(_offset_at(self.shown_in, int(tick)))
+        if fraction:
+            text += f".{fraction:09}".rstrip("0")
+        return text + self._offset_text(_offset_at(self.shown_in, int(tick)))
 
     def period(self, tick: float, by: str) -> Interval:
-        """The local day or hour of a time, which may be a day of 23 hours or of 25."""
+        """Return the local day or hour of a time, which may be a day of 23 hours or of 25."""
         if self.zone is None and len(self.offsets) > 1:
             raise MissingInput(f"the offset changes: which zone has the {by}s is missing", ZONE)
         self.by = by
@@ -251,10 +258,10 @@ class Calendar:
             return Interval(start, end, f"{today:%Y-%m-%d}")
         offset = _offset_at(zone, int(tick))
         start = (int(tick) + offset) // HOUR * HOUR - offset
-        return Interval(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._told(offset)}")
+        return Interval(start, start + HOUR, f"{local:%Y-%m-%d %H}:00{self._offset_text(offset)}")
 
-    def _told(self, offset: int) -> str:
-        return _said(offset) if self.is_told else ""
+    def _offset_text(self, offset: int) -> str:
+        return _format_offset(offset) if self.has_offset else ""
 
 
 class Unix(Calendar):
@@ -268,7 +275,7 @@ class Unix(Calendar):
         self.is_utc = zone is None
 
     def many(self, texts: list[str]) -> list[int]:
-        """The ticks of many texts, which are in order."""
+        """Return the ticks of many texts, which are in order."""
         _refuse_odd_digits(texts)
         try:
             ticks = [int(text) * self.ticks for text in texts]
@@ -279,7 +286,7 @@ class Unix(Calendar):
         return ticks
 
     def one(self, text: str) -> int:
-        """The ticks of a text."""
+        """Return the ticks of a text."""
         from decimal import Decimal
 
         if not OF_UNIX.fullmatch(text):
@@ -293,8 +300,12 @@ class Unix(Calendar):
     def assumptions(self) -> tuple[str, ...]:
         """In which unit they are."""
         names = {SECOND: "seconds", 10**6: "milliseconds", 10**3: "microseconds"}
-        said = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
-        return (f"{said}; days and hours are those of UTC ({ZONE})" if self.is_utc else said,)
+        assumption = f"the times are Unix time, in {names.get(self.ticks, 'nanoseconds')}"
+        return (
+            f"{assumption}; days and hours are those of UTC ({ZONE})"
+            if self.is_utc
+            else assumption,
+        )
 
 
 Clock = Elapsed | Calendar
@@ -304,7 +315,7 @@ T = TypeVar("T")
 
 
 class _Known(dict[str, T]):
-    """What texts stand for, each read once; a bounded number of them is remembered."""
+    """The values of texts, each read once; a bounded number of them is remembered."""
 
     def __init__(self, read: Callable[[str], T]) -> None:
         super().__init__()
@@ -319,7 +330,7 @@ class _Known(dict[str, T]):
 
 
 def clock_for(first: str, settings: TimeSettings) -> Clock:
-    """What reads the times of a log, of which the first is known."""
+    """Return what reads the times of a log, of which the first is known."""
     zone = zone_of(settings.zone) if settings.zone else None
     if settings.format:
         if settings.unit:
@@ -338,18 +349,20 @@ def clock_for(first: str, settings: TimeSettings) -> Clock:
 
 def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Clock:
     """Unix time, a date in digits alone, or what has passed in a unit."""
-    whole = first.replace(",", ".").partition(".")[0]
+    integer_part = first.replace(",", ".").partition(".")[0]
     unit = settings.declared
     if settings.unit:
-        told = resolve(settings.unit)
-        if told.dimension != TIME:
+        declared = resolve(settings.unit)
+        if declared.dimension != TIME:
             problem = f"{option('time-unit', quote(settings.unit))} is no unit of time"
             raise ConditionError(problem, "s, ms, min, h")
-        if unit and (unit.top, unit.bottom) != (told.top, told.bottom):
+        if unit and (unit.top, unit.bottom) != (declared.top, declared.bottom):
             problem = f"{option('time-unit', quote(settings.unit))} contradicts the title"
             raise ConditionError(f"{problem} '{quote(settings.title)}'", "the same without it")
-        unit = told
-    ticks = UNIX.get(len(whole)) if whole.isdigit() and whole[0] != "0" else None
+        unit = declared
+    ticks = (
+        UNIX.get(len(integer_part)) if integer_part.isdigit() and integer_part[0] != "0" else None
+    )
     if ticks and (unit is None or ticks * unit.bottom == unit.top * SECOND):
         return Unix(zone, ticks)
     if unit:
@@ -392,14 +405,14 @@ def _fixed(offset: int) -> tzinfo:
     return timezone(timedelta(seconds=offset // SECOND))
 
 
-def _said(offset: int) -> str:
+def _format_offset(offset: int) -> str:
     """An offset as a stamp has it."""
     minutes = abs(offset) // (60 * SECOND)
     return f"{'-' if offset < 0 else '+'}{minutes // 60:02}:{minutes % 60:02}"
 
 
 def _offset(zone: tzinfo, local: int, fold: int) -> int:
-    """How far a local time [ticks] is from UTC, in ticks; of two, the first or the second."""
+    """Return the offset of a local time from UTC, in ticks; of two, the first or the second."""
     when = (EPOCH + timedelta(seconds=local // SECOND)).replace(fold=fold)
     offset = zone.utcoffset(when)
     assert offset is not None
@@ -407,7 +420,7 @@ def _offset(zone: tzinfo, local: int, fold: int) -> int:
 
 
 def _at(zone: tzinfo, seconds: int) -> datetime:
-    """The local time, seconds after 1970 in UTC."""
+    """Return the local time, seconds after 1970 in UTC."""
     return (EPOCH + timedelta(seconds=seconds)).replace(tzinfo=UTC).astimezone(zone)
 
 
@@ -418,7 +431,7 @@ def _offset_at(zone: tzinfo, tick: int) -> int:
 
 
 def _tick(zone: tzinfo, local: datetime) -> int:
-    """The tick of a local time."""
+    """Return the tick of a local time."""
     naive = (local.toordinal() - FIRST_DAY) * DAY
     return naive - _offset(zone, naive, 0)
 
@@ -432,9 +445,9 @@ def _comes_twice(text: str, zone: tzinfo, local: int) -> tuple[str, str]:
 
 
 def _without_change(zone: tzinfo, local: int) -> str:
-    """What helps where a clock shows the same time all the year, that of the winter."""
+    """Return what helps where a clock shows the same time all the year, that of the winter."""
     offset = min(_offset(zone, local, fold) for fold in (0, 1))
-    return f"{option('time-zone', _said(offset))}, where the clock was not changed"
+    return f"{option('time-zone', _format_offset(offset))}, where the clock was not changed"
 
 
 def _refuse_odd_digits(texts: list[str]) -> None:

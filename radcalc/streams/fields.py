@@ -26,11 +26,11 @@ class Fields:
 
     @property
     def is_one(self) -> bool:
-        """Whether it is one field, whatever the line."""
+        """Check whether it is one field, whatever the line."""
         return self.ranges == [(self.last, self.last)]
 
     def of(self, count: int) -> Iterator[int]:
-        """The indices of the fields meant, in order, of a line that has `count` of them."""
+        """Return the indices of the fields meant, in order, of a line that has `count` of them."""
         if count < self.last:
             raise NumberError(f"there is no field {self.last}", f"a line of {self.last} fields")
         chosen, done = [], 0
@@ -42,17 +42,17 @@ class Fields:
 
 
 def _range(text: str, part: str) -> tuple[int, int]:
-    """The first and the last field of a part of a list; 0 for the last of a line."""
-    told = option("field", quote(text))
+    """Return the first and the last field of a part of a list; 0 for the last of a line."""
+    option_text = option("field", quote(text))
     first, dash, last = part.strip().partition("-")
     numbers = [first or "1", last or "0"] if dash else [first, first]
     if not all(number.isascii() and number.isdigit() for number in numbers):
-        raise UsageError(f"{told} is not a list of fields", FIELDS)
+        raise UsageError(f"{option_text} is not a list of fields", FIELDS)
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
-        raise UsageError(f"{told} is not possible", f"fields are numbered from 1 to {MOST}")
+        raise UsageError(f"{option_text} is not possible", f"fields are numbered from 1 to {MOST}")
     if high and high < low:
-        raise UsageError(f"{told} has a decreasing range", FIELDS)
+        raise UsageError(f"{option_text} has a decreasing range", FIELDS)
     return low, high
 
 
@@ -81,7 +81,7 @@ TITLE = re.compile(
 
 
 class Cut:
-    """How a line falls into fields: at a delimiter, or at runs of blanks where it is empty.
+    """The cutting of a line into fields: at a delimiter, or at blanks where it is empty.
 
     A field in double quotes, as CSV has it, may contain the delimiter; with blanks there are no
     quotes.
@@ -92,22 +92,22 @@ class Cut:
         self.delimiter = delimiter
         self.blanks = bytes(c for c in BLANKS if c not in delimiter)
         mark = re.escape(delimiter)
-        rest = b"[^" + mark + b"]*" if len(delimiter) == 1 else b"(?:(?!" + mark + b").)*"
+        bare = b"[^" + mark + b"]*" if len(delimiter) == 1 else b"(?:(?!" + mark + b").)*"
         quoted = rb'"[^"]*(?:""[^"]*)*"(?!")'
         self.pattern = re.compile(
-            b"[" + self.blanks + b"]*" + quoted + rest + b"|" + rest, re.DOTALL
+            b"[" + self.blanks + b"]*" + quoted + bare + b"|" + bare, re.DOTALL
         )
 
     def spans(self, line: bytes) -> Iterator[Span]:
-        """Where every field begins and ends, blanks and quotes around it included."""
+        """Yield where every field begins and ends, blanks and quotes around it included."""
         if not self.delimiter:
-            yield from (found.span() for found in re.finditer(rb"[^ \t]+", line))
+            yield from (match.span() for match in re.finditer(rb"[^ \t]+", line))
             return
         start = 0
         quoted = b'"' in line
         while True:
-            if quoted and (found := self.pattern.match(line, start)):
-                end = found.end()
+            if quoted and (match := self.pattern.match(line, start)):
+                end = match.end()
                 self._check(line[start:end])
             else:
                 end = line.find(self.delimiter, start)
@@ -124,7 +124,7 @@ class Cut:
             raise NumberError("a quoted field does not end on its line", "one line for each record")
 
     def inner(self, line: bytes, span: Span) -> Span:
-        """The same without the blanks and the quotes around it."""
+        """Return the same without the blanks and the quotes around it."""
         if not self.delimiter:
             return span
         start, end = _strip(line, span, self.blanks)
@@ -133,17 +133,17 @@ class Cut:
         return start, end
 
     def titles(self, header: bytes) -> list[Span]:
-        """Where the titles stand; between blanks a unit in brackets belongs to the one before.
+        """Return the spans of the titles; at blanks a unit in brackets belongs to its title.
 
         A # at the start of the line is no title.
         """
         start = len(header) - len(header.lstrip(BLANKS + b"#"))
         if self.delimiter or len(header) > LONG:
             return [self.inner(header, (max(a, start), b)) for a, b in self.spans(header)]
-        return [found.span() for found in TITLE.finditer(header, start)]
+        return [match.span() for match in TITLE.finditer(header, start)]
 
     def joint(self, line: bytes) -> bytes:
-        """What stands before a field that is added to a line."""
+        """Return what stands before a field that is added to a line."""
         return self.delimiter or (b"\t" if b"\t" in line else b" ")
 
     def quoted(self, field: bytes) -> bytes:
@@ -161,13 +161,13 @@ class Cut:
         what it becomes is added to the line.  None where a line has not the shape of the others:
         each has to be looked at by itself.
         """
-        shown = None
+        converted = None
         mark = self.delimiter or _only_blank(block)
         if self.delimiter and b'"' in block:
             mark = b""
         if mark and b"#" not in block:
-            shown = self._table(block, mark, fields, convert, width, adds)
-        return shown or self._matched(block, fields, convert, width, adds)
+            converted = self._table(block, mark, fields, convert, width, adds)
+        return converted or self._matched(block, fields, convert, width, adds)
 
     @staticmethod
     def _table(
@@ -216,33 +216,33 @@ class Cut:
         return b"".join(parts)
 
     def _line(self, before: int, width: int) -> re.Pattern[bytes]:
-        """What a line with so many fields before the one that is meant looks like.
+        """Return what a line with so many fields before the one that is meant looks like.
 
         In groups: what stands before the field, and the field, which has no blanks in it.  What
         is quoted has no quotes in it, and the rest of the line is well formed.
         """
-        behind = f"{{{width - before - 1}}}" if width else "*"
+        count = f"{{{width - before - 1}}}" if width else "*"
         if not self.delimiter:
             text = rf"^([ \t]*+(?!#)(?:[^ \t\n]++[ \t]++){{{before}}})([^ \t\n]++)"
-            text += rf"(?=(?:[ \t]++[^ \t\n]++){behind}[ \t]*+$)" if width else ""
+            text += rf"(?=(?:[ \t]++[^ \t\n]++){count}[ \t]*+$)" if width else ""
             return re.compile(text.encode(), re.MULTILINE)
         mark = re.escape(self.delimiter).decode("latin-1")
         blanks = f"[{self.blanks.decode()}]*"
         cell = rf'(?:{blanks}"[^"\n]*"{blanks}|[^"\n{mark}]*)'
-        rest = rf"{blanks}(?:{mark}{cell}){behind}$"
+        line_end = rf"{blanks}(?:{mark}{cell}){count}$"
         field = rf'[^" \t\n{mark}]+'
-        opened = rf'"{blanks}(?={field}{blanks}"{rest})|(?={field}{rest})'
+        opened = rf'"{blanks}(?={field}{blanks}"{line_end})|(?={field}{line_end})'
         text = rf"^(?![ \t]*#)((?:{cell}{mark}){{{before}}}{blanks}(?:{opened}))({field})"
         return re.compile(text.encode("latin-1"), re.MULTILINE)
 
 
 def _only_blank(block: bytes) -> bytes:
-    """The blank or the tab that alone stands between all fields of a block; empty for others."""
+    """Return the one blank or tab that separates all fields of a block; else empty."""
     mark = b"\t" if b"\t" in block else b" "
     if mark == b"\t" and b" " in block:
         return b""
-    others = mark + mark, mark + b"\n", b"\n" + mark
-    return b"" if block.startswith(mark) or any(other in block for other in others) else mark
+    ends = mark + mark, mark + b"\n", b"\n" + mark
+    return b"" if block.startswith(mark) or any(other in block for other in ends) else mark
 
 
 def _strip(line: bytes, span: Span, blanks: bytes) -> Span:

@@ -5,10 +5,9 @@ It is held against the unit of the numbers, and says in the output what the numb
 
 from collections.abc import Callable
 
-from radcalc.columns import DELIMITERS
 from radcalc.errors import NumberError, UnitError, UsageError, command, option, quote
-from radcalc.quantities.light import describe
-from radcalc.quantities.titles import (
+from radcalc.files.columns import DELIMITERS
+from radcalc.quantities.column_titles import (
     Title,
     find,
     is_same,
@@ -17,9 +16,11 @@ from radcalc.quantities.titles import (
     refuse_altered,
     refuse_misnamed,
 )
+from radcalc.quantities.light import describe
 from radcalc.streams.fields import BLANKS, Cut, Fields, Span, typed_delimiter
 from radcalc.streams.readers import UTF_8, Texts
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 WHERE = "the header of stdin"
 NEW_NAME = f"{option('add', 'NAME')} for a column of its own, or {option('rename', 'NAME')}"
@@ -67,10 +68,10 @@ class Header:
         self.call = call or (lambda unit: command("convert", "-", unit, quote(self.target.text)))
         self.texts: Texts | None = None
         self.fields: Fields | None = None
-        self.shown: dict[int | None, str] = {}
+        self.new_titles: dict[int | None, str] = {}
 
     def read(self, line: bytes, fields: Fields, above: bytes = b"") -> tuple[bytes, int]:
-        """What the line is in the output, and how many fields every line has (0: any number).
+        """Return the line as it is written, and how many fields lines have (0: any number).
 
         The line `above` may have the names of columns whose units stand in this one.
         """
@@ -88,29 +89,29 @@ class Header:
                 over = [read_title(names[place]) for place in places if names]
                 for title in [*read, *over]:
                     refuse_altered(title)
-                for title, own in zip(over, read, strict=False):
-                    if own.unit:
-                        refuse_misnamed(title, own.unit)
+                for title, parsed in zip(over, read, strict=False):
+                    if parsed.unit:
+                        refuse_misnamed(title, parsed.unit)
         except (NumberError, UnitError) as error:
             raise UsageError(f"{WHERE}: {error.message}", error.hint) from None
         self._check_units(read)
         out, done = bytearray(), 0
         for place, title in zip(places, read, strict=True):
-            told = self.title_of(title)
-            self.shown[place + 1 if self.cut else None] = told
-            if told != title.text and not self.adds:
+            new_title = self.title_of(title)
+            self.new_titles[place + 1 if self.cut else None] = new_title
+            if new_title != title.text and not self.adds:
                 start, end = spans[place]
-                out += line[done:start] + self._cell(told, self._is_quoted(line, start))
+                out += line[done:start] + self._cell(new_title, self._is_quoted(line, start))
                 done = end
         out += line[done:]
         if self.adds:
-            if (told := self.title_of(read[0])) in titles:
-                raise UsageError(f"{WHERE} has the column '{quote(told)}'", "another name")
-            out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(told)
+            if (new_title := self.title_of(read[0])) in titles:
+                raise UsageError(f"{WHERE} has the column '{quote(new_title)}'", "another name")
+            out += (self.cut.joint(line) if self.cut else b"\t") + self._cell(new_title)
         return bytes(out), len(titles) if self.cut else 0
 
     def title_of(self, title: Title | None = None) -> str:
-        """What stands over the results of the column with that title, or without one."""
+        """Return what stands over the results of the column with that title, or without one."""
         unit = self.target.text
         if self.cut and not self.cut.delimiter:
             unit = unit.replace(" ", ".")  # one word where lines are cut at blanks
@@ -135,7 +136,7 @@ class Header:
         return [(start, max(start, len(line.rstrip(BLANKS))))]
 
     def _find(self, titles: list[str], above: bytes) -> int:
-        """The place of the column that is meant."""
+        """Return the place of the column that is meant."""
         try:
             return find(titles, self.column, WHERE, self.source)
         except UsageError as error:
@@ -143,12 +144,13 @@ class Header:
                 return find(names, self.column, WHERE, self.source)
             if len(titles) == 1:
                 mark = next((mark for mark in DELIMITERS if mark in titles[0]), "")
-                shown = typed_delimiter(mark) if mark else "X"
-                error.hint = f"{option('delimiter', shown)}, with what cuts the fields"
+                delimiter = typed_delimiter(mark) if mark else "X"
+                hint = f"{option('delimiter', delimiter)}, with what cuts the fields"
+                raise error.reworded(hint=hint) from None
             raise
 
     def _names_above(self, above: bytes, count: int) -> list[str]:
-        """The names of the columns in the line above, where it has so many."""
+        """Return the names of the columns in the line above, where it has so many."""
         names = [self._text(above, span) for span in self._spans(above)]
         return names if len(names) == count > 1 else []
 
@@ -173,18 +175,18 @@ class Header:
                         "a call for each unit",
                     )
             elif title.unit and not is_same(title.unit, self.source):
-                said, typed = quote(title.unit.text), quote(self.source.text)
+                unit_text, typed = quote(title.unit.text), quote(self.source.text)
                 is_there = is_same(title.unit, self.target)
                 raise UsageError(
-                    f"the column '{quote(title.text)}' is in {said}, not in {typed}",
-                    f"a column in {typed}" if is_there else self.call(said),
+                    f"the column '{quote(title.text)}' is in {unit_text}, not in {typed}",
+                    f"a column in {typed}" if is_there else self.call(unit_text),
                 )
         if self.source is None:
             self.texts, self.target = self.titled(first.unit)
             self.own = self._own()
 
     def _own(self) -> Title | None:
-        """The name that is typed for the column of the results, which may have its unit."""
+        """Return the name that is typed for the column of the results, which may have its unit."""
         name = self.name
         if name is None:
             return None
@@ -194,12 +196,14 @@ class Header:
         if self.cut and not self.cut.delimiter and len(name.split()) > 1:
             hint = "_".join(name.split())
             raise UsageError(f"{typed} has blanks, at which the lines are cut", quote(hint))
-        own = read_title(name, self.target)
-        if own.unit and not is_same(own.unit, self.target):
-            said, target = quote(own.unit.text), quote(self.target.text)
-            raise UsageError(f"{typed} is in {said}, not in {target}", quote(own.with_unit(target)))
-        _refuse_other(own.name, self.target)
-        return own
+        title = read_title(name, self.target)
+        if title.unit and not is_same(title.unit, self.target):
+            unit_text, target = quote(title.unit.text), quote(self.target.text)
+            raise UsageError(
+                f"{typed} is in {unit_text}, not in {target}", quote(title.with_unit(target))
+            )
+        _refuse_other(title.name, self.target)
+        return title
 
     def _text(self, line: bytes, span: Span) -> str:
         start, end = span

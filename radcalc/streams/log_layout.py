@@ -8,7 +8,6 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from radcalc import columns
 from radcalc.errors import (
     LineError,
     MissingInput,
@@ -20,11 +19,9 @@ from radcalc.errors import (
     option,
     quote,
 )
-from radcalc.quantities.light import PHOTON, describe
-from radcalc.quantities.light import read as read_light
-from radcalc.quantities.names import PPFD
-from radcalc.quantities.symbols import light_unit
-from radcalc.quantities.titles import (
+from radcalc.files import columns
+from radcalc.files.text import where
+from radcalc.quantities.column_titles import (
     find,
     is_same,
     read_title,
@@ -32,13 +29,17 @@ from radcalc.quantities.titles import (
     refuse_misnamed,
     unit_in,
 )
+from radcalc.quantities.light import PHOTON, describe
+from radcalc.quantities.light import read as read_light
+from radcalc.quantities.names import PPFD
+from radcalc.quantities.symbols import light_unit
 from radcalc.streams import ABORT
 from radcalc.streams.clocks import Clock, TimeSettings, clock_for
 from radcalc.streams.timestamps import looks_like_clock, looks_like_stamp
-from radcalc.texts import where
 from radcalc.units.dimensions import TIME
 from radcalc.units.scales import resolve_any
-from radcalc.units.table import Unit, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit
 
 HEAD = 100  # lines in which the data begin, without comments and blank lines
 MOST_REMARKS = 10_000  # lines that are looked through for them
@@ -52,7 +53,7 @@ NumberedLine = tuple[int, str]
 
 
 class LogSettings(NamedTuple):
-    """What is told of a log: its columns, its unit, what parts its cells, how its times are."""
+    """The settings for a log: its columns, its unit, its delimiter, its times."""
 
     times: tuple[str, ...] = ()
     column: str = ""
@@ -63,7 +64,7 @@ class LogSettings(NamedTuple):
 
 
 class LogLayout(NamedTuple):
-    """Where the times and the values of a log stand, and how they are read."""
+    """The columns of the times and the values of a log, and how they are read."""
 
     delimiter: str | None
     width: int
@@ -74,12 +75,12 @@ class LogLayout(NamedTuple):
 
 
 def error(name: str, number: int, problem: str, hint: str) -> LineError:
-    """What is wrong with a log, and in which line (0: in none)."""
+    """Return what is wrong with a log, and in which line (0: in none)."""
     return LineError(f"{where(name, number)}: {problem}", hint)
 
 
 def first_lines(blocks: Iterable[tuple[int, list[str]]]) -> list[NumberedLine]:
-    """The lines that show how a log is laid out, and what comes in one block with them."""
+    """Return the lines that show how a log is laid out, and what comes in one block with them."""
     head: list[NumberedLine] = []
     count = 0
     for number, lines in blocks:
@@ -132,9 +133,9 @@ class Head:
         return self.settings.delimiter or columns.dialect(line)[0]
 
     def _named_row(self, rows: Sequence[NumberedLine]) -> int | None:
-        """The row with the names of columns that were asked for."""
-        every = (*self.settings.times, self.settings.column)
-        names = [name for name in every if name and not name.isdecimal()]
+        """Return the row with the names of columns that were asked for."""
+        wanted = (*self.settings.times, self.settings.column)
+        names = [name for name in wanted if name and not name.isdecimal()]
         if not names:
             return None
         refusal: UsageError | None = None
@@ -153,7 +154,7 @@ class Head:
         raise refusal or self.error(0, f"there is no column '{quote(names[0])}'", "its number")
 
     def _is_data(self, line: str, named: int | None) -> bool:
-        """Whether a line has a time and a value: a stamp and a number, or numbers alone."""
+        """Check whether a line has a time and a value: a stamp and a number, or numbers alone."""
         cells = columns.cells(line, self._delimiter(line))
         numbers = [cell for cell in cells if _is_number(cell) or cell.lower() in MISSING]
         if named is not None:
@@ -163,13 +164,13 @@ class Head:
         return len(numbers) == len(cells) > 1 and any(map(_is_number, cells))
 
     def _is_bad(self, line: str, good: str) -> bool:
-        """Whether a line above a good one is of data, too: titles have no time and no number."""
+        """Check whether a line above a good one has data, too: a time or a number."""
         delimiter = self._delimiter(good)
-        cells, own = columns.cells(line, delimiter), columns.cells(good, delimiter)
-        both = zip(cells, own, strict=False)
-        if any(self._is_stamp(one) and self._is_stamp(other) for one, other in both):
+        cells, good_cells = columns.cells(line, delimiter), columns.cells(good, delimiter)
+        pairs = zip(cells, good_cells, strict=False)
+        if any(self._is_stamp(cell) and self._is_stamp(other) for cell, other in pairs):
             return True
-        return len(cells) == len(own) and any(map(_is_number, cells))
+        return len(cells) == len(good_cells) and any(map(_is_number, cells))
 
     def _is_stamp(self, cell: str) -> bool:
         return looks_like_stamp(cell, self.settings.clock.format)
@@ -177,21 +178,21 @@ class Head:
     def _titles(
         self, rows: Sequence[NumberedLine], named: int | None, delimiter: str | None, width: int
     ) -> list[list[str]]:
-        """The rows of titles above the data: names, and units if they stand below."""
-        found: list[list[str]] = []
+        """Return the rows of titles above the data: names, and units if they stand below."""
+        titles: list[list[str]] = []
         for _, line in reversed(rows[named or 0 :]):
             cells = columns.cells(line, delimiter)
             if len(cells) != width or any(_is_number(cell) for cell in cells if cell):
                 break
-            found.insert(0, cells)
-        if named is not None and len(found) < len(rows) - named:
+            titles.insert(0, cells)
+        if named is not None and len(titles) < len(rows) - named:
             raise self._unlike(rows[named], delimiter, width)
-        if rows and not found and self._has_titles(rows[-1][1], delimiter):
+        if rows and not titles and self._has_titles(rows[-1][1], delimiter):
             raise self._unlike(rows[-1], delimiter, width)
-        return found
+        return titles
 
     def _has_titles(self, line: str, delimiter: str | None) -> bool:
-        """Whether the line above the data has titles of times and of light, of any number."""
+        """Check whether the line above the data has titles of times and of light, of any number."""
         cells = columns.cells(line, delimiter) if delimiter else []
         if len(cells) < 2 or any(_is_number(cell) or self._is_stamp(cell) for cell in cells):
             return False
@@ -200,7 +201,7 @@ class Head:
         )
 
     def _unlike(self, row: NumberedLine, delimiter: str | None, width: int) -> LineError:
-        """What is wrong where the data have more columns than titles, or fewer."""
+        """Return what is wrong where the data have more columns than titles, or fewer."""
         number, line = row
         count = len(columns.cells(line, delimiter))
         return self.error(
@@ -213,21 +214,21 @@ class Head:
     def _columns(
         self, number: int, cells: list[str], titles: list[list[str]], delimiter: str | None
     ) -> LogLayout:
-        """Which columns have the times and the values, by their titles and the first line."""
+        """Find the columns of times and values by their titles and the first line."""
         names = titles[0] if titles else []
         times = self._time_columns(number, cells, names)
         place, unit = self._value_column(number, cells, titles, times)
         title = " ".join([names[k] for k in times]) if names else ""
         text = " ".join([cells[k] for k in times])
         try:
-            told = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
-            clock = clock_for(text, told)
+            settings = self.settings.clock._replace(title=title, declared=_unit_of_time(title))
+            clock = clock_for(text, settings)
         except (NumberError, UnitError) as error:
             raise self.error(number, error.message, error.hint) from None
         return LogLayout(delimiter, len(cells), times, place, clock, unit)
 
     def _time_columns(self, number: int, cells: list[str], names: list[str]) -> tuple[int, ...]:
-        """The column of the times, or those of dates and of clocks."""
+        """Return the column of the times, or those of dates and of clocks."""
         if self.settings.times:
             return tuple([self._place(name, names, len(cells)) for name in self.settings.times])
         stamps = [k for k, cell in enumerate(cells) if self._is_stamp(cell)]
@@ -237,42 +238,42 @@ class Head:
                 stamps = [0]
         if len(stamps) == 1:
             return (*stamps, *self._clock_column(stamps[0], cells, names))
-        shown = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
+        choices = [names[k] if names else str(k + 1) for k in stamps or range(len(cells))]
         problem = f"there are {len(stamps)} columns of times" if stamps else "no column has times"
-        raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(shown)}")
+        raise self.error(number, problem, f"{option('time-column', 'NAME')} of {listed(choices)}")
 
     def _clock_column(self, date: int, cells: list[str], names: list[str]) -> list[int]:
-        """The column of the clock to that of the dates: the next to it, or one of that title."""
+        """Find the column of the clock: the one next to the dates, or one of that title."""
         clocks = [k for k, cell in enumerate(cells) if looks_like_clock(cell)]
-        own = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
+        titled = [k for k in clocks if names and _is_of_time(names[k]) and k != date]
         near = [k for k in clocks if abs(k - date) == 1]
-        found = [k for k in near if k in own] or near or own
-        if len(found) > 1:
-            shown = listed([names[k] if names else str(k + 1) for k in found])
-            hint = f"{option('time-column', 'NAME')} twice, for the date and one of {shown}"
-            raise self.error(0, f"there are {len(found)} columns of clocks", hint)
-        if found and names:
-            pair = f"'{quote(names[date])}' and '{quote(names[found[0]])}'"
+        candidates = [k for k in near if k in titled] or near or titled
+        if len(candidates) > 1:
+            choices = listed([names[k] if names else str(k + 1) for k in candidates])
+            hint = f"{option('time-column', 'NAME')} twice, for the date and one of {choices}"
+            raise self.error(0, f"there are {len(candidates)} columns of clocks", hint)
+        if candidates and names:
+            pair = f"'{quote(names[date])}' and '{quote(names[candidates[0]])}'"
             self.assumptions.append(f"the date and the clock are those of {pair}")
-        return found
+        return candidates
 
     def _value_column(
         self, number: int, cells: list[str], titles: list[list[str]], times: tuple[int, ...]
     ) -> tuple[int, Unit]:
-        """The column of the values, and their unit."""
-        others = [k for k in range(len(cells)) if k not in times]
+        """Return the column of the values, and their unit."""
+        candidates = [k for k in range(len(cells)) if k not in times]
         if self.settings.column:
             place = self._place(self.settings.column, titles[0] if titles else [], len(cells))
         else:
-            numbers = [k for k in others if _is_number(cells[k])]
-            of_light = [k for k in others if any(_may_be_light(row[k]) for row in titles)]
-            of_light = of_light or (numbers if titles and len(others) > 1 else others)
+            numbers = [k for k in candidates if _is_number(cells[k])]
+            of_light = [k for k in candidates if any(_may_be_light(row[k]) for row in titles)]
+            of_light = of_light or (numbers if titles and len(candidates) > 1 else candidates)
             if len(of_light) != 1:
-                shown = [titles[0][k] if titles else str(k + 1) for k in of_light or others]
+                choices = [titles[0][k] if titles else str(k + 1) for k in of_light or candidates]
                 raise self.error(
                     number,
                     f"there are {len(of_light)} columns of values",
-                    f"{option('column', 'NAME')} of {listed(shown)}",
+                    f"{option('column', 'NAME')} of {listed(choices)}",
                 )
             place = of_light[0]
         if place in times:
@@ -280,7 +281,7 @@ class Head:
         return place, self._unit(self._unit_in(titles, place), titles[0][place] if titles else "")
 
     def _unit(self, declared: Unit | None, title: str) -> Unit:
-        """The unit of the values: as told, or as the title has it."""
+        """Return the unit of the values: as told, or as the title has it."""
         if not self.settings.unit:
             if declared is None:
                 raise MissingInput(
@@ -288,36 +289,36 @@ class Head:
                     mention("{unit=lx}, or a title such as E [lx]"),
                 )
             return declared
-        told = resolve_any(self.settings.unit)
+        unit = resolve_any(self.settings.unit)
         if title and declared is None:
-            refuse_misnamed(read_title(title), told)
-        if declared and not is_same(declared, told):
+            refuse_misnamed(read_title(title), unit)
+        if declared and not is_same(declared, unit):
             raise UsageError(
-                f"{option('unit', quote(told.text))} contradicts the title '{quote(title)}', "
+                f"{option('unit', quote(unit.text))} contradicts the title '{quote(title)}', "
                 f"which has {describe(declared)}",
                 "the same without it, or another column",
             )
-        return told
+        return unit
 
     def _unit_in(self, titles: list[list[str]], place: int) -> Unit | None:
-        """The unit of light in the titles of a column, which has its numbers as they are."""
-        own = [row[place] for row in titles]
+        """Return the unit of light in the titles of a column, which has its numbers as they are."""
+        texts = [row[place] for row in titles]
         try:
-            read = [read_title(title) for title in own]
-            units = [one.unit for one in read if one.unit and read_light(one.unit)]
-            for one in read:
-                refuse_altered(one)
+            read = [read_title(title) for title in texts]
+            units = [parsed.unit for parsed in read if parsed.unit and read_light(parsed.unit)]
+            for parsed in read:
+                refuse_altered(parsed)
                 if units:
-                    refuse_misnamed(one, units[0])
+                    refuse_misnamed(parsed, units[0])
         except UnitError as error:
             raise self.error(0, error.message, error.hint) from None
         for unit in units[1:]:
             if not is_same(unit, units[0]):
-                problem = f"the titles '{quote(' '.join(own))}' have two units"
+                problem = f"the titles '{quote(' '.join(texts))}' have two units"
                 raise self.error(0, problem, "one of them")
         if units:
             return units[0]
-        for title in own:
+        for title in texts:
             if _is_ppfd(title):
                 also = PAR_ALSO if "par" in _words(title) else ""
                 self.assumptions.append(f"'{quote(title)}' is in {PPFD_UNIT}{also}")
@@ -325,12 +326,12 @@ class Head:
         return None
 
     def _place(self, name: str, names: list[str], width: int) -> int:
-        """The column of a name, or of a number."""
+        """Return the column of a name, or of a number."""
         return find(names or [""] * width, name, self.name)
 
 
 def is_remark(line: str) -> bool:
-    """Whether a line is blank or a comment."""
+    """Check whether a line is blank or a comment."""
     return not line or line.isspace() or columns.is_comment(line)
 
 
@@ -339,7 +340,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _is_of_time(title: str) -> bool:
-    """Whether a title is that of times."""
+    """Check whether a title is that of times."""
     if OF_TIME.search(columns.plain(title).replace("_", " ")):
         return True
     unit = unit_in(title, SECONDS)
@@ -347,16 +348,16 @@ def _is_of_time(title: str) -> bool:
 
 
 def _unit_of_time(title: str) -> Unit | None:
-    """The unit of time in a title: t [s], time_s, hours."""
+    """Return the unit of time in a title: t [s], time_s, hours."""
     unit = read_title(title, SECONDS).unit
     if not unit or unit.dimension != TIME:
         return None
-    whole = unit_in(title)  # PAR_umol_m2_s
-    return None if whole and read_light(whole) else unit
+    title_unit = unit_in(title)  # PAR_umol_m2_s
+    return None if title_unit and read_light(title_unit) else unit
 
 
 def _may_be_light(title: str) -> bool:
-    """Whether a title has a unit of light, or what looks like one, or is that of PPFD."""
+    """Check whether a title has a unit of light, or what looks like one, or is that of PPFD."""
     if unit := unit_in(title):
         return read_light(unit) is not None
     try:

@@ -7,13 +7,13 @@ import re
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from radcalc.conversion.plan import Plan
+from radcalc.conversion.linear import Plan
 from radcalc.errors import NumberError, RadcalcError, UsageError, command, option, quote
 from radcalc.render.plain import DIGITS, number
 from radcalc.streams.blocks import Bulk
-from radcalc.units.amounts import read_amount
 from radcalc.units.numbers import parse_number
-from radcalc.units.table import Unit
+from radcalc.units.reading import read_amount
+from radcalc.units.unit import Unit
 
 MOST_UNITS, LONGEST_UNIT = 1000, 100  # that are remembered
 NUMBER = b"0123456789.+-"
@@ -24,15 +24,15 @@ POINTED = re.compile(r"\.\d|\d\.(?!\w)")  # a number with a point; W.m-2 has ano
 
 
 class Texts(Protocol):
-    """What a stream does with the texts that it cuts out of lines; `line` is where it is."""
+    """The work of a stream on the texts that it cuts out of lines; `line` is where it is."""
 
     line: int
 
     def read(self, text: bytes) -> tuple[Any, Any]:
-        """What one text says; raise RadcalcError where that is nothing."""
+        """Return what one text says; raise RadcalcError where that is nothing."""
 
-    def show(self, made: Any, value: Any) -> bytes:
-        """What stands in the output for one that was read."""
+    def show(self, source: Any, value: Any) -> bytes:
+        """Return what stands in the output for one that was read."""
 
     def lines(self, block: bytes) -> bytes | None:
         """Convert a block of lines, each of them one text; None where any is unusual."""
@@ -47,18 +47,18 @@ class Numbers:
     example = f"{option('field', 'N')} for one of several fields, or "
     example += f"{command('convert', '-', 'TARGET')} for 100 lx"
 
-    def __init__(self, made: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
+    def __init__(self, plan: Plan, precision: int | None = None, mark: bytes = POINT) -> None:
         """Take the plan for all of them, and the decimal mark that they have."""
         self.line = 0
-        self.made = made
+        self.plan = plan
         self.precision = precision
         self.mark = mark
-        self.bulk = Bulk(made, precision or DIGITS)
+        self.bulk = Bulk(plan, precision or DIGITS)
 
     def read(self, text: bytes) -> tuple[Plan, float]:
-        """The plan and the number of one text."""
+        """Return the plan and the number of one text."""
         try:
-            return self.made, parse_number(pointed(decoded(text), self.mark))
+            return self.plan, parse_number(pointed(decoded(text), self.mark))
         except NumberError as error:
             hint = error.hint
             if len(text.split(None, 1)) > 1 and hint != UTF_8:
@@ -67,9 +67,9 @@ class Numbers:
                 hint += f", or {option('decimal', ',')} for commas in all numbers"
             raise NumberError(error.message, hint) from None
 
-    def show(self, made: Plan, value: float) -> bytes:
-        """What stands in the output for a number that was read."""
-        return number(made.apply(value), self.precision).encode().replace(POINT, self.mark)
+    def show(self, plan: Plan, value: float) -> bytes:
+        """Return what stands in the output for a number that was read."""
+        return number(plan.apply(value), self.precision).encode().replace(POINT, self.mark)
 
     def lines(self, block: bytes) -> bytes | None:
         """Convert a block of lines, each of them one text; None where any is unusual."""
@@ -77,8 +77,8 @@ class Numbers:
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts; None where any is unusual."""
-        shown = self.lines(b"\n".join(texts) + b"\n")
-        return None if shown is None else shown[:-1].split(b"\n")
+        lines = self.lines(b"\n".join(texts) + b"\n")
+        return None if lines is None else lines[:-1].split(b"\n")
 
 
 class Quantities:
@@ -101,7 +101,7 @@ class Quantities:
         self.bulks: dict[bytes, Bulk | None] = {}
 
     def read(self, text: bytes) -> tuple[Plan, float]:
-        """The plan and the number of one text."""
+        """Return the plan and the number of one text."""
         amount = read_amount(pointed(decoded(text), self.mark))
         if amount.unit is None:
             raise UsageError(
@@ -117,34 +117,34 @@ class Quantities:
         return self._plan(source or amount.unit), value
 
     def _plan(self, unit: Unit) -> Plan:
-        made = self.known.get(unit.text)
-        if made is None:
+        plan = self.known.get(unit.text)
+        if plan is None:
             if len(self.known) >= MOST_UNITS:
                 self.known.clear()
             try:
-                made = self.plans(unit)
+                plan = self.plans(unit)
             except RadcalcError as error:
-                made = error
-            self.known[unit.text] = made
-        if isinstance(made, RadcalcError):
-            raise made.with_traceback(None)  # which would grow with every line
-        return made
+                plan = error
+            self.known[unit.text] = plan
+        if isinstance(plan, RadcalcError):
+            raise plan.with_traceback(None)  # which would grow with every line
+        return plan
 
-    def show(self, made: Plan, value: float) -> bytes:
-        """What stands in the output for a quantity that was read."""
-        shown = number(made.apply(value), self.precision).encode()
-        return shown.replace(POINT, self.mark) + self.unit
+    def show(self, plan: Plan, value: float) -> bytes:
+        """Return what stands in the output for a quantity that was read."""
+        text = number(plan.apply(value), self.precision).encode()
+        return text.replace(POINT, self.mark) + self.unit
 
     def lines(self, block: bytes) -> bytes | None:
         """Convert a block of lines, each of them one text; None where any is unusual."""
         texts = block.split(b"\n")
         texts.pop()
-        shown = self.column(texts)
-        return None if shown is None else b"\n".join(shown) + b"\n"
+        converted = self.column(texts)
+        return None if converted is None else b"\n".join(converted) + b"\n"
 
     def column(self, texts: list[bytes]) -> list[bytes] | None:
         """Convert many texts, those of one unit at a time; None where any is unusual."""
-        shown = texts[:]
+        converted = texts[:]
         for unit, having in by_unit(texts, self.mark).items():
             bulk = self._bulk(unit, texts[having[0]])
             if bulk is None:
@@ -155,11 +155,11 @@ class Quantities:
             if numbers is None:
                 return None
             for place, value in zip(having, numbers.split(b"\n"), strict=False):
-                shown[place] = value + self.unit
-        return shown
+                converted[place] = value + self.unit
+        return converted
 
     def _bulk(self, unit: bytes, text: bytes) -> Bulk | None:
-        """What converts numbers with this text of a unit behind them.
+        """Return what converts numbers with this text of a unit behind them.
 
         The grammar must agree that this is where the unit begins, and blanks behind it are none
         of it.
@@ -172,9 +172,9 @@ class Quantities:
             bulk = None
             if unit and unit == unit.rstrip():
                 try:
-                    made, _ = self.read(text)
-                    agreed = made.source.text == unit.decode().strip()
-                    bulk = Bulk(made, self.precision or DIGITS) if agreed else None
+                    plan, _ = self.read(text)
+                    agreed = plan.source.text == unit.decode().strip()
+                    bulk = Bulk(plan, self.precision or DIGITS) if agreed else None
                 except RadcalcError:
                     pass
             self.bulks[unit] = bulk
@@ -187,12 +187,12 @@ def _with_mark(mark: bytes, block: bytes, bulk: Bulk) -> bytes | None:
         return bulk.lines(block)
     if POINT in block:
         return None
-    shown = bulk.lines(block.replace(mark, POINT))
-    return shown and shown.replace(POINT, mark)
+    lines = bulk.lines(block.replace(mark, POINT))
+    return lines and lines.replace(POINT, mark)
 
 
 def by_unit(texts: list[bytes], mark: bytes = POINT) -> dict[bytes, list[int]]:
-    """The places of texts by what stands behind their numbers, which have that decimal mark."""
+    """Group the places of texts by the unit after their numbers, which have that decimal mark."""
     start = NUMBER.replace(POINT, mark)
     places: dict[bytes, list[int]] = {}
     for place, text in enumerate(texts):
@@ -219,12 +219,12 @@ def pointed(text: str, mark: bytes) -> str:
 
 
 def decoded(text: bytes) -> str:
-    """The text of a number or a unit, which is UTF-8 and has no blank but those around it."""
+    """Decode the text of a number or a unit from UTF-8; refuse unusual blanks around it."""
     try:
         decoded = text.decode()
         if decoded != decoded.strip():  # a form feed, a no-break space: not ours to drop
             raise NumberError(f"'{quote(decoded)}' is not a number", "blanks or tabs around it")
         return decoded
     except UnicodeDecodeError:
-        shown = quote(text.decode(errors="backslashreplace"))
-        raise NumberError(f"'{shown}' is not text in UTF-8", UTF_8) from None
+        escaped = quote(text.decode(errors="backslashreplace"))
+        raise NumberError(f"'{escaped}' is not text in UTF-8", UTF_8) from None

@@ -9,12 +9,12 @@ from math import inf
 from operator import lt
 from typing import Any, NamedTuple
 
-from radcalc import columns
 from radcalc.errors import LineError, NumberError, RadcalcError, mention, quote
+from radcalc.files import columns
+from radcalc.files.text import Text
 from radcalc.streams import ABORT, FAIL, IGNORE, log_layout
 from radcalc.streams.clocks import ZONE, Calendar, Clock, Undecided
 from radcalc.streams.log_layout import MISSING, Head, LogSettings, is_remark
-from radcalc.texts import Text
 from radcalc.units.numbers import parse_number
 
 FEW = 32  # lines that are not cut further
@@ -65,11 +65,11 @@ class Log:
 
     @property
     def clock(self) -> Clock:
-        """What reads the times."""
+        """Return what reads the times."""
         return self.layout.clock
 
     def error(self, number: int, problem: str, hint: str) -> LineError:
-        """What is wrong, with the line."""
+        """Return what is wrong, with the line."""
         return log_layout.error(self.name, number, problem, hint)
 
     def samples(self) -> Iterator[Samples | None]:
@@ -84,15 +84,15 @@ class Log:
         if self.text.note:
             self.notes.append(self.text.note)
         if self.left_out:
-            many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
-            self.notes.append(f"{many} left out; the first: {self.first_left_out}")
+            how_many = "a line is" if self.left_out == 1 else f"{self.left_out} lines are"
+            self.notes.append(f"{how_many} left out; the first: {self.first_left_out}")
         self.assumptions += self.clock.assumptions
 
     def _of(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        """The samples of lines, all at once or in parts, down to a few that are read alone."""
-        found = self._at_once(lines, number)
-        if found:
-            yield found
+        """Yield the samples of lines, all at once or in parts, down to a few read alone."""
+        samples = self._at_once(lines, number)
+        if samples:
+            yield samples
         elif len(lines) <= FEW:
             yield from self._one_by_one(lines, number)
         else:
@@ -101,7 +101,7 @@ class Log:
             yield from self._of(lines[middle:], number + middle)
 
     def _at_once(self, lines: list[str], number: int) -> Samples | None:
-        """The samples of lines that have nothing unusual; else None."""
+        """Return the samples of lines that have nothing unusual; else None."""
         layout = self.layout
         try:
             cells = _columns_of(lines, layout.delimiter, layout.width)
@@ -141,12 +141,12 @@ class Log:
         return texts
 
     def _one_by_one(self, lines: list[str], number: int) -> Iterator[Samples | None]:
-        """The samples of lines, each by itself; what is wrong with one is said."""
+        """Yield the samples of lines, each by itself; what is wrong with one is said."""
         rows = [row for row in enumerate(lines, number) if not is_remark(row[1])]
         yield from _runs(sample for row in rows for sample in self._of_line(*row))
 
     def _of_line(self, number: int, line: str) -> Iterator[Sample | None]:
-        """The sample of a line, with those before it that waited for its time."""
+        """Yield the sample of a line, with those before it that waited for its time."""
         try:
             try:
                 sample = self._sample(line, number)
@@ -168,7 +168,7 @@ class Log:
         yield from self._in_order([sample])
 
     def _in_order(self, samples: list[Sample | None]) -> list[Sample | None]:
-        """The samples whose times are known, of which some may have waited for a later one."""
+        """Return the samples whose times are known; some may have waited for a later one."""
         self.waiting += samples
         if self.clock.doubtful:
             return []
@@ -199,7 +199,7 @@ class Log:
             self.say(error)
 
     def _sample(self, line: str, number: int) -> Sample:
-        """The time and the value of a line."""
+        """Return the time and the value of a line."""
         layout = self.layout
         cells = columns.cells(line, layout.delimiter)
         if len(cells) != layout.width:
@@ -224,8 +224,8 @@ class Log:
             except NumberError as error:
                 raise self.error(number, error.message, error.hint) from None
             raise self.error(number, f"'{quote(text)}' is not a number", "a number")
-        for one in (stamp, text) if layout.clock.has_numbers else (text,):
-            if comma and (problem := self.decimals.conflict(one, number)):
+        for cell in (stamp, text) if layout.clock.has_numbers else (text,):
+            if comma and (problem := self.decimals.conflict(cell, number)):
                 raise self.error(number, problem, columns.MARKS)
         return Sample(time, value, number, stamp)
 
@@ -239,7 +239,7 @@ class Log:
             raise self.error(number, problem, "each time once")
         problem = f"{say(time)} is before {say(self.last)} in line {self.last_line}"
         hint = "lines in the order of their times"
-        if isinstance(self.clock, Calendar) and not self.clock.is_told:
+        if isinstance(self.clock, Calendar) and not self.clock.has_offset:
             hint += f"; where clocks were put back, {ZONE}"
         raise self.error(number, problem, hint)
 
@@ -262,7 +262,7 @@ def _runs(samples: Iterable[Sample | None]) -> Iterator[Samples | None]:
 
 
 def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[list[str]]:
-    """The columns of lines that have as many cells each; ValueError where any has not."""
+    """Return the columns of lines that have as many cells each; ValueError where any has not."""
     if not delimiter:
         rows = [line.split() for line in lines]
     else:
@@ -283,7 +283,7 @@ def _columns_of(lines: list[str], delimiter: str | None, width: int) -> list[lis
 
 
 def _unquoted(lines: list[str], delimiter: str) -> list[list[str]]:
-    """The cells of lines; ValueError where a quoted one goes on in the next."""
+    """Return the cells of lines; ValueError where a quoted one goes on in the next."""
     import csv
 
     try:

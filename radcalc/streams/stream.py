@@ -29,7 +29,7 @@ Record = Callable[[int, int | None, Any, Any], str]  # line, field, and what the
 
 
 class Stream:
-    """What is done with every line: which texts of it are converted, and how they are shown."""
+    """The work on every line: which texts of it are converted, and how they are shown."""
 
     def __init__(
         self,
@@ -62,10 +62,10 @@ class Stream:
         if self.header is None:
             return line
         body = _body(line)
-        shown, self.width = self.header.read(body, self.fields, _body(above))
+        title_line, self.width = self.header.read(body, self.fields, _body(above))
         self.texts = self.header.texts or self.texts
         self.fields = self.header.fields or self.fields
-        return shown + line[len(body) :]
+        return title_line + line[len(body) :]
 
     def block(self, block: bytes, count: int = 1) -> bytes | None:
         """Convert a block of whole lines from line `count` on; None where any is unusual."""
@@ -82,13 +82,13 @@ class Stream:
             return None  # the first lines go one by one
         if self.cut:
             column = self.texts.column
-            shown = self.cut.convert(block, self.fields, column, self.width, self.adds)
+            converted = self.cut.convert(block, self.fields, column, self.width, self.adds)
         else:
-            shown = self.texts.lines(block)
-            if shown and self.adds:
-                lines = zip(block.split(b"\n"), shown.split(b"\n"), strict=True)
-                shown = b"\n".join([line and line + b"\t" + new for line, new in lines])
-        return shown.replace(b"\n", b"\r\n") if shown and crlf else shown
+            converted = self.texts.lines(block)
+            if converted and self.adds:
+                lines = zip(block.split(b"\n"), converted.split(b"\n"), strict=True)
+                converted = b"\n".join([line and line + b"\t" + new for line, new in lines])
+        return converted.replace(b"\n", b"\r\n") if converted and crlf else converted
 
     def line(self, line: bytes, count: int) -> bytes:
         """Convert one line, its end included; raise LineError where it cannot be."""
@@ -101,19 +101,19 @@ class Stream:
         field: int | None = None
         try:
             places = self._places(body)
-            while some := list(islice(places, MANY)):
-                texts = [body[start:end] for _, (start, end) in some]
-                at_once = len(some) == MANY and not self.record
-                shown = self.texts.column(texts) if at_once else None
-                for k, (field, (start, end)) in enumerate(some):
-                    if shown:
-                        new = shown[k]
+            while chunk := list(islice(places, MANY)):
+                texts = [body[start:end] for _, (start, end) in chunk]
+                at_once = len(chunk) == MANY and not self.record
+                converted = self.texts.column(texts) if at_once else None
+                for k, (field, (start, end)) in enumerate(chunk):
+                    if converted:
+                        new = converted[k]
                     else:
-                        made, value = self.texts.read(texts[k])
+                        source, value = self.texts.read(texts[k])
                         if self.record:
-                            out += self.record(count, field, made, value).encode()
+                            out += self.record(count, field, source, value).encode()
                             continue
-                        new = self.texts.show(made, value)
+                        new = self.texts.show(source, value)
                     if self.adds:
                         added = self._joint(body) + new
                     else:
@@ -152,7 +152,7 @@ class Stream:
             raise NumberError(f"{fields}{place} {self.width}", hint)
 
     def _places(self, body: bytes) -> Iterator[tuple[int | None, Span]]:
-        """The texts to be converted: the number of the field, and where it is.
+        """Yield the texts to be converted: the number of the field, and where it is.
 
         A line may have millions of fields: they are counted first and not kept.
         """
@@ -200,29 +200,38 @@ def run(
         if not block:
             continue
         lines: list[bytes] = []
-        for part, shown in _parts(stream, block, count + 1):
-            if shown is not None:
-                count += part.count(b"\n")
-                lines.append(shown)
-                continue
-            for line in BytesIO(part):  # unlike splitlines, at newlines alone
-                count += 1
-                try:
-                    lines.append(stream.line(line, count))
-                except LineError as error:
-                    if invalid != IGNORE:
-                        write(b"".join(lines))
-                        lines.clear()
-                    if invalid == ABORT:
-                        raise
-                    if invalid != IGNORE:
-                        complain(error)
-                    good = good and invalid != FAIL
-                    lines.append(stream.passed(line))
+        for converted, error in _converted(stream, block, count + 1):
+            if error and invalid != IGNORE:
+                write(b"".join(lines))
+                lines.clear()
+                if invalid == ABORT:
+                    raise error
+                complain(error)
+                good = good and invalid != FAIL
+            lines.append(converted)
         write(b"".join(lines))
+        count += block.count(b"\n")
     if count < stream.lines and stream.header and stream.header.column:
         raise UsageError("stdin has no header", "a line with the names of the columns")
     return good
+
+
+def _converted(
+    stream: Stream, block: bytes, count: int
+) -> Iterator[tuple[bytes, LineError | None]]:
+    """Convert a block, from line `count` on: many lines at once, or one with its error if any."""
+    for part, converted_part in _parts(stream, block, count):
+        if converted_part is not None:
+            yield converted_part, None
+            count += part.count(b"\n")
+            continue
+        for line in BytesIO(part):  # unlike splitlines, at newlines alone
+            try:
+                converted, problem = stream.line(line, count), None
+            except LineError as error:
+                converted, problem = stream.passed(line), error
+            yield converted, problem
+            count += 1
 
 
 def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, bytes | None]]:
@@ -230,10 +239,10 @@ def _parts(stream: Stream, block: bytes, count: int) -> Iterator[tuple[bytes, by
 
     A few lines, or what leads to records, are left to be converted one by one, with None.
     """
-    shown = None if stream.record else stream.block(block, count)
+    converted = None if stream.record else stream.block(block, count)
     middle = block.find(b"\n", len(block) // 2) + 1
-    if shown is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
-        yield block, shown
+    if converted is not None or stream.record or len(block) < FEW or middle in (0, len(block)):
+        yield block, converted
     else:
         yield from _parts(stream, block[:middle], count)
         yield from _parts(stream, block[middle:], count + block.count(b"\n", 0, middle))
@@ -260,7 +269,7 @@ def _blocks(read: Read) -> Iterator[bytes | None]:
 
 
 def _first(block: bytes) -> tuple[bytes, bytes]:
-    """The first line and the rest."""
+    """Return the first line and the rest."""
     line, end, rest = block.partition(b"\n")
     return line + end, rest
 

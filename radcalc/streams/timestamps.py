@@ -55,7 +55,7 @@ KNOWN = "2024-06-01T12:35:00, with Z, an offset or {time-zone}; or {time-format=
 
 
 class Pattern(NamedTuple):
-    """How dates and clocks are written: a pattern of each, and what stands between them.
+    """The notation of dates and clocks: a pattern of each, and the mark between them.
 
     Without a mark one pattern has both.
     """
@@ -63,38 +63,40 @@ class Pattern(NamedTuple):
     dates: re.Pattern[str] | None
     clocks: re.Pattern[str] | None
     mark: str
-    said: str
+    assumption: str
 
     def parts(self, text: str) -> tuple[str, str]:
-        """The date and the clock in a stamp."""
+        """Return the date and the clock in a stamp."""
         if not self.mark:
             return text, text
         day, _, clock = text.partition(self.mark)
         return day, clock
 
     def begins(self, text: str) -> bool:
-        """Whether a text has a date that is so written, be it in the calendar or not."""
+        """Check whether a text has a date that is so written, be it in the calendar or not."""
         assert self.dates is not None
         return bool(self.dates.fullmatch(self.parts(text)[0].strip()))
 
     def day(self, text: str) -> int:
-        """The tick of a day's midnight, as if it were one of UTC."""
+        """Return the tick of a day's midnight, as if it were one of UTC."""
         assert self.dates is not None
-        found = self.dates.fullmatch(text.strip())
-        if not found:
+        match = self.dates.fullmatch(text.strip())
+        if not match:
             raise _no_stamp(text)
-        has = {key[0]: part for key, part in found.groupdict().items() if part}
-        year = int(has["Y"]) if "Y" in has else _year_of_two_digits(int(has["y"]))
+        parts = {key[0]: part for key, part in match.groupdict().items() if part}
+        year = int(parts["Y"]) if "Y" in parts else _year_of_two_digits(int(parts["y"]))
         if not FIRST_YEAR <= year < LAST_YEAR:
             raise NumberError(f"'{quote(text)}' is in the year {year}", "a date of a log")
         try:
-            if "j" in has:
-                ordinal = date(year, 1, 1).toordinal() + int(has["j"]) - 1
+            if "j" in parts:
+                ordinal = date(year, 1, 1).toordinal() + int(parts["j"]) - 1
                 if date.fromordinal(ordinal).year != year:
                     raise ValueError
             else:
-                month = int(has["m"]) if "m" in has else MONTHS.index(has["b"][:3].lower()) + 1
-                ordinal = date(year, month, int(has["d"])).toordinal()
+                month = (
+                    int(parts["m"]) if "m" in parts else MONTHS.index(parts["b"][:3].lower()) + 1
+                )
+                ordinal = date(year, month, int(parts["d"])).toordinal()
         except (ValueError, OverflowError):
             raise NumberError(f"'{quote(text)}' is no day of the calendar", "a date") from None
         return (ordinal - FIRST_DAY) * DAY
@@ -104,35 +106,35 @@ class Pattern(NamedTuple):
         text = text.strip()
         if not text:
             return 0, None
-        found = (self.clocks or CLOCK).fullmatch(text)
-        if not found:
+        match = (self.clocks or CLOCK).fullmatch(text)
+        if not match:
             raise _no_stamp(text)
-        has = {key[0]: part for key, part in found.groupdict().items() if part}
-        hour, minute, second = (int(has.get(key, 0)) for key in "HMS")
-        if "p" in has:
+        parts = {key[0]: part for key, part in match.groupdict().items() if part}
+        hour, minute, second = (int(parts.get(key, 0)) for key in "HMS")
+        if "p" in parts:
             if not 1 <= hour <= 12:
                 raise NumberError(f"'{quote(text)}' is no time of the day", "12:35 PM")
-            hour = hour % 12 + (12 if has["p"] in "pP" else 0)
-        fraction = int(has.get("f", "").ljust(9, "0"))
+            hour = hour % 12 + (12 if parts["p"] in "pP" else 0)
+        fraction = int(parts.get("f", "").ljust(9, "0"))
         is_end = (hour, minute, second, fraction) == (24, 0, 0, 0)
         if (hour > 23 or minute > 59 or second > 59) and not is_end:
             raise NumberError(f"'{quote(text)}' is no time of the day", "from 00:00 to 24:00")
         ticks = hour * HOUR + (minute * 60 + second) * SECOND + fraction
-        return ticks, read_offset(has["z"]) if "z" in has else None
+        return ticks, read_offset(parts["z"]) if "z" in parts else None
 
 
 def looks_like_stamp(text: str, format_: str = "") -> bool:
-    """Whether a cell begins with a date, or has that format."""
+    """Check whether a cell begins with a date, or has that format."""
     return pattern_of_format(format_).begins(text) if format_ else bool(STAMP.match(text))
 
 
 def looks_like_clock(text: str) -> bool:
-    """Whether a cell is the time of a day alone."""
+    """Check whether a cell is the time of a day alone."""
     return bool(TIME_ALONE.fullmatch(text))
 
 
 def pattern_of(text: str, title: str) -> Pattern:
-    """How a stamp is written, from one of them."""
+    """Return how a stamp is written, from one of them."""
     mark = "T" if "T" in text and ":" not in text.partition("T")[0] else " "
     day = text.partition(mark)[0]
     if re.fullmatch(YEAR_FIRST, day):
@@ -149,18 +151,20 @@ def pattern_of(text: str, title: str) -> Pattern:
     order = ORDER_IN_TITLE.search(title.replace("_", " "))
     if order:
         by_day = order[1][:1] in "dD"
-        said = f"the dates are {order[0]}, as the title has it"
+        assumption = f"the dates are {order[0]}, as the title has it"
     elif joint == ".":
-        by_day, said = True, "dates with points have the day first"
+        by_day, assumption = True, "dates with points have the day first"
     elif int(first) > 12 or int(second) > 12:
         by_day = int(first) > 12
-        said = f"'{quote(day)}' shows that the {'day' if by_day else 'month'} is first"
+        assumption = f"'{quote(day)}' shows that the {'day' if by_day else 'month'} is first"
     else:
-        readings = " or ".join(_reading(year, *two) for two in ((second, first), (first, second)))
+        readings = " or ".join(
+            _reading(year, *month_and_day) for month_and_day in ((second, first), (first, second))
+        )
         raise ConditionError(f"'{quote(day)}' may be {readings}", FORMATS)
     if by_day:
-        return Pattern(re.compile(DAY_FIRST, re.ASCII), None, mark, said)
-    return Pattern(re.compile(MONTH_FIRST, re.ASCII), None, mark, said)
+        return Pattern(re.compile(DAY_FIRST, re.ASCII), None, mark, assumption)
+    return Pattern(re.compile(MONTH_FIRST, re.ASCII), None, mark, assumption)
 
 
 def _reading(year: str, month: str, day: str) -> str:
@@ -176,27 +180,29 @@ def pattern_of_format(text: str) -> Pattern:
         are_apart = {*directives[0]} <= {*OF_DATES} and {*directives[1]} <= {*OF_CLOCKS}
         if clock and are_apart:
             return Pattern(_compiled(day, text), _compiled(clock, text), mark, "")
-    whole = _compiled(text, text)
+    pattern = _compiled(text, text)
     has_clock = {*re.findall("%(.)", text)} & {*OF_CLOCKS}
-    return Pattern(whole, whole, "", "") if has_clock else Pattern(whole, None, "\n", "")
+    return Pattern(pattern, pattern, "", "") if has_clock else Pattern(pattern, None, "\n", "")
 
 
 def _check_format(text: str) -> None:
     """Refuse a format that is not read here, has no whole date, or leaves the half of the day."""
-    told = option("time-format", quote(text))
-    has = {*(directives := re.findall("%(.)", text))}
-    if unknown := [one for one in directives if one not in DIRECTIVES]:
-        problem = f"{told} has %{quote(unknown[0])}, which is not read here"
-        raise ConditionError(problem, " ".join(f"%{one}" for one in DIRECTIVES if one != "%"))
-    if not (has & {*"Yy"} and ("j" in has or ("d" in has and has & {*"mbB"}))):
-        raise ConditionError(f"{told} has no whole date", FORMATS)
-    if ("I" in has) != ("p" in has):
-        problem = f"{told} has %{'I' if 'I' in has else 'p'} alone"
+    option_text = option("time-format", quote(text))
+    letters = {*(directives := re.findall("%(.)", text))}
+    if unknown := [letter for letter in directives if letter not in DIRECTIVES]:
+        problem = f"{option_text} has %{quote(unknown[0])}, which is not read here"
+        raise ConditionError(
+            problem, " ".join(f"%{letter}" for letter in DIRECTIVES if letter != "%")
+        )
+    if not (letters & {*"Yy"} and ("j" in letters or ("d" in letters and letters & {*"mbB"}))):
+        raise ConditionError(f"{option_text} has no whole date", FORMATS)
+    if ("I" in letters) != ("p" in letters):
+        problem = f"{option_text} has %{'I' if 'I' in letters else 'p'} alone"
         raise ConditionError(problem, "%H up to 23, or %I up to 12 with %p for AM and PM")
 
 
 def _year_of_two_digits(year: int) -> int:
-    """The year as POSIX has it: 69 is 1969, and 68 is 2068."""
+    """Return the year as POSIX has it: 69 is 1969, and 68 is 2068."""
     return year + (1900 if year >= 69 else 2000)
 
 
@@ -204,7 +210,9 @@ def _compiled(part: str, text: str) -> re.Pattern[str]:
     pieces = re.split("%(.)", part)
     try:
         return re.compile(
-            "".join(DIRECTIVES[one] if k % 2 else re.escape(one) for k, one in enumerate(pieces)),
+            "".join(
+                DIRECTIVES[piece] if k % 2 else re.escape(piece) for k, piece in enumerate(pieces)
+            ),
             re.ASCII,
         )
     except re.error:
@@ -213,11 +221,11 @@ def _compiled(part: str, text: str) -> re.Pattern[str]:
 
 
 def offset_in(title: str) -> int | None:
-    """The offset that a title tells: Date Time, GMT-05:00."""
-    found = IN_TITLE.search(title.replace("_", " "))
-    if not found:
+    """Return the offset that a title tells: Date Time, GMT-05:00."""
+    match = IN_TITLE.search(title.replace("_", " "))
+    if not match:
         return None
-    return read_offset(found["z"]) if found["z"] else 0
+    return read_offset(match["z"]) if match["z"] else 0
 
 
 def read_offset(text: str) -> int:

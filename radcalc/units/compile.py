@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from pint.util import UnitsContainer
 
 from radcalc.units.registry import DEFINITIONS, exact_registry
-from radcalc.units.table import BASES, MASS_AT
+from radcalc.units.unit import BASES, MASS_AT
 
 HERE = Path(__file__).parent
 BASE_UNITS = {f"[{name}]": place for place, name in enumerate(BASES)}
@@ -42,30 +42,34 @@ class Definitions(NamedTuple):
 
 
 def is_name(word: str) -> bool:
-    """Whether an alias is a full name (any case, a plural) rather than a symbol."""
+    """Check whether an alias is a full name (any case, a plural) rather than a symbol."""
     return re.fullmatch(r"[a-z][a-z_0-9]{3,}", word) is not None
 
 
 def read(text: str) -> Definitions:
     """Read the definitions and the marks that belong to them."""
-    found = Definitions([], {}, {}, {})
+    definitions = Definitions([], {}, {}, {})
     marks: dict[str, list[str]] = {}
     for line in text.splitlines():
         if line[:2] in ("#:", "#!", "#~"):
             marks.setdefault(line[1], []).append(line[2:].strip())
         elif line[:2] == "#?":
             names, _, reason = line[2:].partition(" : ")
-            found.refused.update(dict.fromkeys(re.split(r"[,\s]+", names.strip()), reason.strip()))
+            definitions.refused.update(
+                dict.fromkeys(re.split(r"[,\s]+", names.strip()), reason.strip())
+            )
         elif "=" in line and not line.startswith("#"):
             name, value, *aliases = (part.strip() for part in line.split("="))
             if name.endswith("-"):
                 name = name[:-1]
-                found.prefix_names[name] = _power_of_ten(Fraction(value))
-                found.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
+                definitions.prefix_names[name] = _power_of_ten(Fraction(value))
+                definitions.prefix_symbols.update({a.rstrip("-"): name for a in aliases})
             elif name != "pi":
-                found.units.append(_definition(name, value, aliases, marks, found.prefix_symbols))
+                definitions.units.append(
+                    _definition(name, value, aliases, marks, definitions.prefix_symbols)
+                )
             marks = {}
-    return found
+    return definitions
 
 
 def _power_of_ten(value: Fraction) -> int:
@@ -100,16 +104,16 @@ def _definition(
     )
 
 
-def every_spelling(found: Definitions) -> dict[str, list[tuple[str, str]]]:
+def every_spelling(definitions: Definitions) -> dict[str, list[tuple[str, str]]]:
     """List every spelling that is accepted, prefixed ones too, with all its readings.
 
     A full name stands here in small letters, which is how it is matched.
     """
     readings: dict[str, list[tuple[str, str]]] = {}
-    for unit in found.units:
+    for unit in definitions.units:
         for symbol in unit.symbols:
             readings.setdefault(symbol, []).append(("", unit.name))
-            for prefix, name in found.prefix_symbols.items():
+            for prefix, name in definitions.prefix_symbols.items():
                 if name in unit.prefixes and prefix.isascii() == symbol.isascii():
                     readings.setdefault(prefix + symbol, []).append((name, unit.name))
         for full in unit.names:
@@ -118,12 +122,12 @@ def every_spelling(found: Definitions) -> dict[str, list[tuple[str, str]]]:
     return readings
 
 
-def refuse_collisions(found: Definitions) -> None:
+def refuse_collisions(definitions: Definitions) -> None:
     """Raise ValueError for a spelling with two readings, or one that is also refused."""
-    for spelling, readings in every_spelling(found).items():
+    for spelling, readings in every_spelling(definitions).items():
         if len(readings) > 1:
             raise ValueError(f"{spelling!r} has more than one reading: {readings}")
-        if spelling in found.refused:
+        if spelling in definitions.refused:
             raise ValueError(f"{spelling!r} is both a unit and refused")
 
 
@@ -147,8 +151,8 @@ class _Fatal(logging.Handler):
 
 def compile_units(text: str) -> tuple[str, str]:
     """Return the texts of `compiled.py` and `catalogue.py`."""
-    found = read(text)
-    refuse_collisions(found)
+    definitions = read(text)
+    refuse_collisions(definitions)
     logger, handler = logging.getLogger("pint"), _Fatal(level=logging.WARNING)
     logger.addHandler(handler)
     try:
@@ -156,26 +160,26 @@ def compile_units(text: str) -> tuple[str, str]:
     finally:
         logger.removeHandler(handler)
     head = '"""Printed by `python -m radcalc.units.compile` from light.txt; do not edit."""\n\n'
-    every = tuple(found.prefix_names)
+    prefixes = tuple(definitions.prefix_names)
     units = "".join(
         f"    {u.name!r}: ({top}, {bottom}, {powers}, {allowed}),\n"
-        for u in found.units
+        for u in definitions.units
         for top, bottom, powers in [worth(registry, u.name)]
-        for allowed in ["ALL" if u.prefixes == every else u.prefixes]
+        for allowed in ["ALL" if u.prefixes == prefixes else u.prefixes]
     )
     table = (
-        f"{head}ALL = {every}\n"
+        f"{head}ALL = {prefixes}\n"
         f"UNITS = {{\n{units}}}\n"
-        f"SYMBOLS = {_lines({s: u.name for u in found.units for s in u.symbols})}\n"
-        f"NAMES = {_lines({n: u.name for u in found.units for n in u.names})}\n"
-        f"NOTES = {_lines({u.name: u.note for u in found.units if u.note})}\n"
-        f"REFUSED = {_lines(found.refused)}\n"
-        f"PREFIX_NAMES = {_lines(found.prefix_names)}\n"
-        f"PREFIX_SYMBOLS = {_lines(found.prefix_symbols)}\n"
+        f"SYMBOLS = {_lines({s: u.name for u in definitions.units for s in u.symbols})}\n"
+        f"NAMES = {_lines({n: u.name for u in definitions.units for n in u.names})}\n"
+        f"NOTES = {_lines({u.name: u.note for u in definitions.units if u.note})}\n"
+        f"REFUSED = {_lines(definitions.refused)}\n"
+        f"PREFIX_NAMES = {_lines(definitions.prefix_names)}\n"
+        f"PREFIX_SYMBOLS = {_lines(definitions.prefix_symbols)}\n"
     )
     entries = "".join(
         f"    {u.name!r}: ({u.symbols}, {u.names}, {u.value!r}, {u.source!r}),\n"
-        for u in found.units
+        for u in definitions.units
     )
     catalogue = (
         f"{head}# name: (symbols, full names, definition, source)\nCATALOGUE = {{\n{entries}}}\n"

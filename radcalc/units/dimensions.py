@@ -1,6 +1,6 @@
 """Dimensions: the exponents of the base quantities, and a name for each that is used."""
 
-from radcalc.units.table import BASES, NUMBER, Dimension
+from radcalc.units.unit import BASES, NUMBER, Dimension
 
 
 def powers(**exponents: int) -> Dimension:
@@ -12,7 +12,7 @@ def powers(**exponents: int) -> Dimension:
 
 
 def times(a: Dimension, b: Dimension, power: int = 1) -> Dimension:
-    """The dimension of a * b**power."""
+    """Return the dimension of a * b**power."""
     return tuple([x + power * y for x, y in zip(a, b, strict=True)])
 
 

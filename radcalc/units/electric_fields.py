@@ -9,8 +9,9 @@ from typing import Any
 
 from radcalc import maths
 from radcalc.errors import ConversionError, NumberError, quote
-from radcalc.units.scales import Scale, ScaleUnit
-from radcalc.units.table import Unit
+from radcalc.units.scale_table import Scale
+from radcalc.units.scales import ScaleUnit
+from radcalc.units.unit import Unit
 
 IMPEDANCE = 376.730313412  # ohm, CODATA 2022
 PEAK, RMS = "peak", "rms"
@@ -22,20 +23,20 @@ class ElectricField(Scale):
     __slots__ = ()
 
     def of(self, quantity: str) -> str:
-        """The field that goes with an irradiance."""
+        """Return the field that goes with an irradiance."""
         return f"sqrt({'2 ' if self.steps == PER_PEAK else ''}Z0 {quantity})"
 
     def inverse(self, reading: str = "n") -> str:
-        """The irradiance that goes with a field."""
+        """Return the irradiance that goes with a field."""
         field = "E" if reading == "n" else f"({reading} {quote(self.name)})"
         return f"{self.letter} = {field}^2 / {'(2 Z0)' if self.steps == PER_PEAK else 'Z0'}"
 
     def quantity(self, reading: Any) -> Any:
-        """The irradiance [W/m2] of a reading."""
+        """Return the irradiance [W/m2] of a reading."""
         return self.size * reading * reading
 
     def reading(self, quantity: Any) -> Any:
-        """The reading that goes with an irradiance [W/m2]."""
+        """Return the reading that goes with an irradiance [W/m2]."""
         return maths.sqrt(quantity / self.size)
 
     def slope(self, reading: Any) -> Any:
@@ -56,27 +57,29 @@ class FieldUnit(ScaleUnit):
         super().__init__(plain.text, scale)
         self.plain = plain
 
-    def told(self, settable: bool = False) -> str:
-        """What is assumed in reading a field."""
+    def describe(self, settable: bool = False) -> str:
+        """Return what is assumed in reading a field."""
         scale = self.scale
         return f"{scale.inverse()}, {scale.meaning}, Z0 = {IMPEDANCE:.6g} ohm"
 
     def quantity(self, reading: Any) -> Any:
-        """The irradiance of a field, in `unit`."""
-        found = self.scale.quantity(reading)
-        if maths.any_true((found - found != 0) | ((found == 0) & (reading != 0))):
-            told = f"{reading:.12g} {quote(self.text)}" if isinstance(reading, float) else "a field"
-            raise NumberError(f"{told} is beyond what a number holds", "less extreme values")
-        return found
+        """Return the irradiance of a field, in `unit`."""
+        irradiance = self.scale.quantity(reading)
+        if maths.any_true((irradiance - irradiance != 0) | ((irradiance == 0) & (reading != 0))):
+            field = (
+                f"{reading:.12g} {quote(self.text)}" if isinstance(reading, float) else "a field"
+            )
+            raise NumberError(f"{field} is beyond what a number holds", "less extreme values")
+        return irradiance
 
     def reading(self, quantity: Any) -> Any:
-        """The field of an irradiance in `unit`, which is 0 or more."""
+        """Return the field of an irradiance in `unit`, which is 0 or more."""
         if maths.any_true(quantity < 0):
             raise ConversionError("a negative irradiance has no field strength", "0 or more")
         return self.scale.reading(quantity) + 0.0
 
     def with_constants(self, values: dict[str, float]) -> "FieldUnit":
-        """The same: a field has nothing to do with light meters."""
+        """Return the same: a field has nothing to do with light meters."""
         return self
 
 

@@ -39,7 +39,8 @@ from radcalc.units.numbers import (
     relative_rounding,
     typed_digits,
 )
-from radcalc.units.table import BASES, NUMBER, PARTS, PI, Dimension, Unit, divide, lookup, resolve
+from radcalc.units.table import PARTS, resolve
+from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, divide, lookup
 
 MAX_POWER = 1000  # of a number
 MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
@@ -104,7 +105,7 @@ class Value:
         )
 
     def plus(self, other: "Value", sign: int) -> "Value":
-        """The sum, or the difference, in this value's unit."""
+        """Return the sum, or the difference, in this value's unit."""
         a, b = self.top * other.bottom, sign * other.top * self.bottom
         rounding = blur = 0.0
         if a + b:
@@ -121,14 +122,14 @@ class Value:
         return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)
 
     def is_bare(self) -> bool:
-        """Whether it has no unit."""
+        """Check whether it has no unit."""
         return not self.units
 
     def unit(self) -> Unit | None:
-        """The unit that it is shown in; None for a bare number."""
+        """Return the unit that it is shown in; None for a bare number."""
         if self.dimension == NUMBER:
-            (name, power), *others = self.units.items() or [("", 0)]
-            if power == 1 and not others and _is_part(name):
+            (name, power), *more_units = self.units.items() or [("", 0)]
+            if power == 1 and not more_units and _is_part(name):
                 return resolve(name)
             return resolve("1") if self.had_units else None
         units = {name: power for name, power in self.units.items() if not _is_part(name)}
@@ -142,8 +143,8 @@ class Value:
 
 
 def _is_part(name: str) -> bool:
-    found = lookup(name)
-    return found is not None and found[1] in PARTS
+    entry = lookup(name)
+    return entry is not None and entry[1] in PARTS
 
 
 def _unit_text(units: dict[str, int]) -> str:
@@ -201,14 +202,14 @@ class Calculator(Scanner):
         return ExpressionError(f"'{quote(self.text)}' {problem}", hint)
 
     def two_ways(self, first: str, second: str) -> ExpressionError:
-        ways = " or ".join(quote(" ".join(way.split())) for way in (first, second))
+        ways = " or ".join(quote(" ".join(reading.split())) for reading in (first, second))
         return self.wrong("can be read in two ways", ways)
 
     def slice(self, start: int, end: int) -> str:
         return self.text[start:end].strip()
 
     def answer(self) -> Value:
-        """The value of the whole text."""
+        """Return the value of the whole text."""
         value = self.sum()
         if self.peek() == ")":
             raise self.wrong("has a closing bracket too many", "as many ( as )")
@@ -244,21 +245,23 @@ class Calculator(Scanner):
             self.is_arithmetic = True
             self.skip_blanks()
             if self.peek() and self.peek() in SIGNS:
-                shown = quote(self.text[self.at - 1 :])
+                signs = quote(self.text[self.at - 1 :])
                 hint = "brackets, or for an uncertainty a value of its own: 100±3 lx"
-                raise self.wrong(f"has two signs in a row at '{shown}'", hint)
+                raise self.wrong(f"has two signs in a row at '{signs}'", hint)
             before = start
             start = self.at
-            other, is_numbered = self.product()
+            term, is_numbered = self.product()
             if not has_number or not is_numbered:
                 bare = self.slice(start, self.at) if has_number else self.slice(before, start - 1)
                 raise self.wrong(f"has no number at '{quote(bare)}'", f"1 {quote(bare)}")
-            left = self.slice(before, start).rstrip(f"{SIGNS} ")
-            self.refuse_unlike(value, other, sign, left, self.slice(start, self.at))
-            value = value.plus(other, sign)
+            terms_before = self.slice(before, start).rstrip(f"{SIGNS} ")
+            self.refuse_unlike(value, term, sign, terms_before, self.slice(start, self.at))
+            value = value.plus(term, sign)
         return value
 
-    def refuse_unlike(self, value: Value, other: Value, sign: int, left: str, part: str) -> None:
+    def refuse_unlike(
+        self, value: Value, other: Value, sign: int, terms_before: str, term: str
+    ) -> None:
         """Refuse the sum of two quantities that are not the same."""
         units = value.unit(), other.unit()
         (a, b) = [
@@ -266,19 +269,19 @@ class Calculator(Scanner):
             for unit in units
         ]
         if value.dimension == other.dimension == NUMBER:
-            self.refuse_share(value, other, sign, left, part)
+            self.refuse_share(value, other, sign, terms_before, term)
             return
         if a == b:
             return
         hint = "terms of one quantity"
         plus = "+" if sign > 0 else "-"
         if other.dimension == NUMBER and other.units:  # 100 lx + 10%
-            hint = f"{quote(left)} * (1 {plus} {quote(part)})"
+            hint = f"{quote(terms_before)} * (1 {plus} {quote(term)})"
         elif units[0] and not units[1]:  # 100 lx + 3
-            hint = quote(f"{left} {plus} {part} {units[0].text}")
-        elif units[1] and not units[0] and part.endswith(units[1].text):  # 500 + 200 lx
-            number = part.removesuffix(units[1].text).strip()
-            hint = quote(f"({left} {plus} {number}) {units[1].text}")
+            hint = quote(f"{terms_before} {plus} {term} {units[0].text}")
+        elif units[1] and not units[0] and term.endswith(units[1].text):  # 500 + 200 lx
+            number = term.removesuffix(units[1].text).strip()
+            hint = quote(f"({terms_before} {plus} {number}) {units[1].text}")
         named = [measured(unit.text) if unit else "a bare number" for unit in units]
         link = " and " if sign > 0 else " from "
         if sign < 0:
@@ -288,12 +291,16 @@ class Calculator(Scanner):
             hint,
         )
 
-    def refuse_share(self, value: Value, other: Value, sign: int, left: str, part: str) -> None:
+    def refuse_share(
+        self, value: Value, other: Value, sign: int, terms_before: str, term: str
+    ) -> None:
         """Refuse 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
         if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
             plus = "+" if sign > 0 else "-"
             number = f"{divide(other.top, other.bottom):.12g}"
-            raise self.two_ways(f"{left} * (1 {plus} {part})", f"{left} {plus} {number}")
+            raise self.two_ways(
+                f"{terms_before} * (1 {plus} {term})", f"{terms_before} {plus} {number}"
+            )
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
         """Read terms that are multiplied and divided; whether a number is among them."""
@@ -320,11 +327,11 @@ class Calculator(Scanner):
             if operator == "/":
                 self.refuse_two_ways(first.start, value, sign_at, term)
             if solidus and not term.has_number and (operator == "*" or solidus.has_number):
-                left = self.slice(first.start, solidus.start).rstrip("/ ").removesuffix("per")
+                over = self.slice(first.start, solidus.start).rstrip("/ ").removesuffix("per")
                 under = self.slice(solidus.start, term.end)
-                whole = self.slice(first.start, solidus.end)
-                rest = self.slice(sign_at, term.end)
-                raise self.two_ways(f"{left} / ({under})", f"({whole}) {rest}")
+                quotient = self.slice(first.start, solidus.end)
+                factors_after = self.slice(sign_at, term.end)
+                raise self.two_ways(f"{over} / ({under})", f"({quotient}) {factors_after}")
             if operator == "/" and (term.units or not term.has_number):
                 solidus = term
             elif term.has_number:
@@ -338,23 +345,25 @@ class Calculator(Scanner):
             return ""
         start, self.at = self.at, self.at + 1
         self.skip_blanks()
-        behind = self.text[self.at + 2 : self.at + 3]
-        if self.text.startswith("10", self.at) and (behind in ("^", "*") or behind in SUPERSCRIPTS):
+        next_char = self.text[self.at + 2 : self.at + 3]
+        if self.text.startswith("10", self.at) and (
+            next_char in ("^", "*") or next_char in SUPERSCRIPTS
+        ):
             return "*"
         self.at = start
         return ""
 
-    def refuse_two_ways(self, start: int, left: Value, solidus: int, term: Term) -> None:
+    def refuse_two_ways(self, start: int, dividend: Value, solidus: int, term: Term) -> None:
         """Refuse a divisor that people end at its number or at its unit: 1/2 m, 3/4pi, 1/m s."""
         over = self.slice(start, solidus)
         under = self.slice(term.start, term.end)
         number, units = self.slice(term.start, term.middle), self.slice(term.middle, term.end)
         digits = number.removesuffix("pi").removesuffix("π").strip()
         has_pi = digits != number and digits[-1:] in (".", *DIGITS)
-        if term.has_number and left.is_bare() and has_pi:
+        if term.has_number and dividend.is_bare() and has_pi:
             ways = f"({over}*pi/{digits}) {units}", f"({over}/({number})) {units}"
             raise self.two_ways(*ways)
-        if term.has_number and term.units and left.is_bare():
+        if term.has_number and term.units and dividend.is_bare():
             raise self.two_ways(f"({over}/{number}) {units}", f"{over}/({under})")
         if not term.has_number and term.units > 1:
             raise self.two_ways(f"{over} / ({under})", f"{over} / {under.replace(' ', ' * ', 1)}")
@@ -388,16 +397,16 @@ class Calculator(Scanner):
             raise self.unreadable()
         return Term(value, start, middle, self.at, has_number, count)
 
-    def begins_unit(self, behind_number: bool) -> bool:
+    def begins_unit(self, follows_number: bool) -> bool:
         c = self.peek()
         if not (c.isalpha() or c in NAMED or c == "_") or c in SUPERSCRIPTS or not c:
             return False
         if self.text[self.at : self.at + 4].lower() == "per " or self.is_function():
             return False
-        return not (behind_number and self.is_times_ten())
+        return not (follows_number and self.is_times_ten())
 
     def begins_number(self) -> bool:
-        """Whether a number, a bracket around one or a function stands here."""
+        """Check whether a number, a bracket around one or a function stands here."""
         if self.at in self.leaves:
             return True
         if self.peek() == "(":
@@ -406,20 +415,20 @@ class Calculator(Scanner):
             if self.peek() in tuple(SIGNS):
                 self.at += 1
                 self.skip_blanks()
-            found = self.begins_number()
+            is_number = self.begins_number()
             self.at = start
-            return found
+            return is_number
         c = self.peek()
         return c in (".", *DIGITS) or bool(self.is_function()) or self.pi_ends() > self.at
 
     def is_times_ten(self) -> bool:
         start = self.at
-        found = bool(self.times_ten())
+        is_factor = bool(self.times_ten())
         self.at = start
-        return found
+        return is_factor
 
     def is_function(self) -> str:
-        """The name of the function that stands here, or ''."""
+        """Return the name of the function that stands here, or ''."""
         return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
 
     def refuse_other_functions(self) -> None:
@@ -436,14 +445,14 @@ class Calculator(Scanner):
             end = self.at + 1
             while self.text[end : end + 1] in tuple(DIGITS):
                 end += 1
-            behind = self.text[end : end + 1]
-            is_point = behind == "." and not self.text[end + 1 : end + 2].isalpha()  # not m-2.sr
-            if self.peek() == "+" or behind.isalpha() or is_point or behind in NAMED:
+            next_char = self.text[end : end + 1]
+            is_point = next_char == "." and not self.text[end + 1 : end + 2].isalpha()  # not m-2.sr
+            if self.peek() == "+" or next_char.isalpha() or is_point or next_char in NAMED:
                 return 1
         return super().exponent()
 
     def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
-        """What units beside each other are worth, in a term that begins at `start`."""
+        """Return what units beside each other are worth, in a term that begins at `start`."""
         text = " ".join(text.split())
         joined = text.lower().replace(" ", "_")
         is_name = " " in text and joined in NAMES  # foot lambert
@@ -453,14 +462,14 @@ class Calculator(Scanner):
             from radcalc.units.scales import find
 
             scale = find(text)
-            rest = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
-            if scale is None or not (self.is_arithmetic or rest):
+            other_terms = (self.text[:start] + self.text[self.at :]).strip(f"{SIGNS} ")
+            if scale is None or not (self.is_arithmetic or other_terms):
                 raise
             self.is_arithmetic = True
-            shown = f"{divide(number.top, number.bottom):.12g}" if number else "1"
-            hint = f"{'-' * self.text[:start].count('-')}{shown} {quote(text)}"
-            if rest:
-                hint = command("convert", shown, quote(text), scale.unit.text)
+            number_text = f"{divide(number.top, number.bottom):.12g}" if number else "1"
+            hint = f"{'-' * self.text[:start].count('-')}{number_text} {quote(text)}"
+            if other_terms:
+                hint = command("convert", number_text, quote(text), scale.unit.text)
                 hint += ", for what it stands for, and arithmetic with that"
             problem = f"calculates with {quote(text)}, which is read through a function"
             raise self.wrong(problem, hint) from None
@@ -499,23 +508,23 @@ class Calculator(Scanner):
             base, raised = self.slice(start, base_end), self.slice(start, self.at)
             raise self.two_ways(f"(-{base}){self.slice(base_end, self.at)}", f"-({raised})")
         base = self.slice(start, base_end)
-        whole, _, part = base.partition(".")
+        digits, _, decimals = base.partition(".")
         if c in (*DIGITS, ".") and base[-1:] in ("i", "π"):  # 2pi^2
             pi = "pi" if base.endswith("pi") else "π"
             raised = self.slice(base_end, self.at)
             raise self.two_ways(f"({base}){raised}", f"{base.removesuffix(pi)}*{pi}{raised}")
-        if part == "10" and whole:
-            shown = self.slice(base_end, self.at)
-            raise self.two_ways(f"{whole}*10{shown}", f"({whole}.10){shown}")
+        if decimals == "10" and digits:
+            exponent = self.slice(base_end, self.at)
+            raise self.two_ways(f"{digits}*10{exponent}", f"({digits}.10){exponent}")
         self.is_arithmetic = True
         return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
     def leaf(self) -> Value | None:
-        """The part that others have read, if one begins here."""
-        found = self.leaves.get(self.at)
-        if found is None:
+        """Return the part that others have read, if one begins here."""
+        leaf = self.leaves.get(self.at)
+        if leaf is None:
             return None
-        self.at, value = found
+        self.at, value = leaf
         self.is_arithmetic = True
         return value
 
@@ -541,12 +550,12 @@ class Calculator(Scanner):
         end = self.at + (2 if self.text.startswith("pi", self.at) else 1)
         if not self.text.startswith(("pi", "π"), self.at):
             return self.at
-        behind = end
-        while self.text[behind : behind + 1].isalpha():
-            behind += 1
-        if behind == end:
+        word_end = end
+        while self.text[word_end : word_end + 1].isalpha():
+            word_end += 1
+        if word_end == end:
             return end
-        is_unit = lookup(self.text[self.at : behind]) or not lookup(self.text[end:behind])
+        is_unit = lookup(self.text[self.at : word_end]) or not lookup(self.text[end:word_end])
         self.is_arithmetic |= not is_unit
         return self.at if is_unit else end
 
@@ -568,15 +577,15 @@ class Calculator(Scanner):
             if "." in decimal or "e" in decimal.lower():
                 rounding = relative_rounding(decimal)
             value = Value(top * 10 ** max(power, 0), 10 ** max(-power, 0), rounding=rounding)
-        here = self.at
-        if here > start:
+        number_end = self.at
+        if number_end > start:
             self.skip_blanks()
         end = self.pi_ends()
         if end > self.at:
-            self.is_arithmetic |= self.at > here > start
+            self.is_arithmetic |= self.at > number_end > start
             self.at = end
             return value.times(Value(*PI))
-        self.at = here
+        self.at = number_end
         return value
 
     def power(self) -> int | None:
@@ -600,39 +609,39 @@ class Calculator(Scanner):
             digits = digits if self.peek() == ")" else ""
             self.at += 1
         size = digits.lstrip("+-")
-        shown = quote(self.text[start:])
+        exponent = quote(self.text[start:])
         if not size.isdigit() or digits.count("-") > 1 or self.peek() in (".", "e", "E"):
             raise self.wrong(
-                f"has an exponent at '{shown}' that is not a whole number", "a whole number"
+                f"has an exponent at '{exponent}' that is not a whole number", "a whole number"
             )
         if len(size) > 4 or int(size) > MAX_POWER:
-            raise self.wrong(f"has an exponent too large at '{shown}'", f"at most {MAX_POWER}")
-        here = self.at
+            raise self.wrong(f"has an exponent too large at '{exponent}'", f"at most {MAX_POWER}")
+        end = self.at
         self.skip_blanks()
         if self.peek() == "^" or self.text.startswith("**", self.at):
             raise self.wrong("has an exponent on an exponent", "brackets around one of them")
-        self.at = here
+        self.at = end
         return int(digits.replace("+", ""))
 
     def function(self, name: str, value: Value, start: int) -> Value:
-        """The value of a function of radians, of a bare number, or a root."""
+        """Return the value of a function of radians, of a bare number, or a root."""
         self.is_arithmetic = True
-        shown = quote(self.slice(start, self.at))
+        call = quote(self.slice(start, self.at))
         if name == "sqrt":
-            return self.root(value, shown)
-        wanted = ANGLE if name in ("sin", "cos", "tan") else NUMBER
-        if value.dimension != wanted and wanted == ANGLE:
+            return self.root(value, call)
+        dimension = ANGLE if name in ("sin", "cos", "tan") else NUMBER
+        if value.dimension != dimension and dimension == ANGLE:
             hint = f"{name}(30deg)" if value.dimension == NUMBER else "an angle"
-            raise self.wrong(f"has no angle in {shown}", hint)
-        if value.dimension != wanted:
+            raise self.wrong(f"has no angle in {call}", hint)
+        if value.dimension != dimension:
             unit = value.unit()
             raise self.wrong(
-                f"has {measured(unit.text) if unit else 'a unit'} in {shown}", "a bare number"
+                f"has {measured(unit.text) if unit else 'a unit'} in {call}", "a bare number"
             )
         from radcalc.units import functions
 
         of, top, bottom = functions.of_number, value.top, value.bottom
-        if wanted == ANGLE:
+        if dimension == ANGLE:
             top, bottom = top * PI[1] * 180, bottom * PI[0]
             common = math.gcd(top, bottom)
             of, top, bottom = functions.of_angle, top // common, bottom // common
@@ -640,16 +649,16 @@ class Calculator(Scanner):
             top, bottom, blur = of(name, top, bottom, value.blur)
         except (ArithmeticError, ValueError):
             if name == "exp" and value.top < 0:
-                raise self.wrong(f"is too small at {shown}", "more than 2.3e-308") from None
-            raise self.wrong(f"has no value for {shown}", "another number") from None
+                raise self.wrong(f"is too small at {call}", "more than 2.3e-308") from None
+            raise self.wrong(f"has no value for {call}", "another number") from None
         if blur > KEPT:
-            raise self.wrong(f"has too few digits for {shown}", "another number")
+            raise self.wrong(f"has too few digits for {call}", "another number")
         return Value(top, bottom, blur=blur)
 
-    def root(self, value: Value, shown: str) -> Value:
-        """The square root, exact where it is a ratio of whole numbers."""
+    def root(self, value: Value, call: str) -> Value:
+        """Return the square root, exact where it is a ratio of whole numbers."""
         if value.top < 0 or any(power % 2 for power in value.dimension):
-            raise self.wrong(f"has no value for {shown}", "a square, such as 4 m2")
+            raise self.wrong(f"has no value for {call}", "a square, such as 4 m2")
         from radcalc.units import functions
 
         top, bottom, blur = functions.root(value.top, value.bottom, value.blur)
@@ -662,7 +671,7 @@ class Calculator(Scanner):
 
 
 def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
-    """The value of an expression; None where the text is a number and a unit, or neither.
+    """Return the value of an expression; None where the text is a number and a unit, or neither.
 
     Raises RadcalcError for arithmetic that has no value, or has two readings.
     """
@@ -685,7 +694,7 @@ def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
 def read_expression(
     text: str, leaves: Leaves | None = None
 ) -> tuple[float, Unit | None, float] | None:
-    """The number and the unit of an expression, and how far it may be off as typed.
+    """Return the number and the unit of an expression, and how far it may be off as typed.
 
     None where the text is none.  `leaves` are parts of a `plain` text that others have read.
     """

@@ -7,7 +7,7 @@ it is exact.
 import math
 from decimal import Context, Decimal, Overflow, Underflow, getcontext, localcontext
 
-from radcalc.units.table import PI
+from radcalc.units.unit import PI
 
 DIGITS = 50  # of a result, beyond those that tell its argument from its neighbours
 MAX_DIGITS = 2000
@@ -22,7 +22,7 @@ Ratio = tuple[int, int, float]  # top, bottom, blur
 
 
 def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
-    """The exponential or a logarithm of a number.
+    """Return the exponential or a logarithm of a number.
 
     Raises ArithmeticError or ValueError where it has none that a float holds.
     """
@@ -34,8 +34,8 @@ def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
             return _ratio(x.exp(), abs(x) * Decimal(blur))
         if x <= 0:
             raise ValueError
-        found, natural = x.ln() if name == "ln" else x.log10(), x.ln()
-        return _ratio(found, Decimal(blur) / abs(natural) if natural else Decimal(blur))
+        result, natural = x.ln() if name == "ln" else x.log10(), x.ln()
+        return _ratio(result, Decimal(blur) / abs(natural) if natural else Decimal(blur))
 
 
 def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
@@ -44,13 +44,13 @@ def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
     Raises ValueError where it has none.
     """
     quarters = (2 * top + 90 * bottom) // (180 * bottom)
-    rest = top - 90 * bottom * quarters
-    with localcontext(_context(rest, bottom, blur, 2)):  # 1 less a cosine is as the square
-        x = Decimal(rest * PI[0]) / Decimal(180 * bottom * PI[1])
+    remainder = top - 90 * bottom * quarters
+    with localcontext(_context(remainder, bottom, blur, 2)):  # 1 less a cosine is as the square
+        x = Decimal(remainder * PI[0]) / Decimal(180 * bottom * PI[1])
         sine, cosine = _series(x, x, 1), _series(Decimal(1), x, 0)
-        if abs(rest) == 30 * bottom:
+        if abs(remainder) == 30 * bottom:
             sine = Decimal("0.5").copy_sign(sine)
-        if abs(rest) == 45 * bottom and name == "tan":
+        if abs(remainder) == 45 * bottom and name == "tan":
             cosine = abs(sine)
         off = abs(Decimal(top) / Decimal(bottom)) * Decimal(blur) + abs(x) * PI_BLUR
         if quarters and bottom.bit_length() > BITS:  # radians, of which turns of pi are taken
@@ -60,25 +60,25 @@ def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
         if quarters % 2:
             sine, cosine = cosine, -sine
         if name != "tan":
-            found, slope = (-sine if quarters % 4 > 1 else sine), abs(cosine)
+            result, slope = (-sine if quarters % 4 > 1 else sine), abs(cosine)
         elif cosine:
-            found = sine / cosine
-            slope = 1 + found * found
+            result = sine / cosine
+            slope = 1 + result * result
         else:
             raise ValueError
-        if not found or (abs(found) in EXACT and not blur):
-            return (*found.as_integer_ratio(), 0.0)
-        return _ratio(found, off * (slope + off) / abs(found))
+        if not result or (abs(result) in EXACT and not blur):
+            return (*result.as_integer_ratio(), 0.0)
+        return _ratio(result, off * (slope + off) / abs(result))
 
 
 def root(top: int, bottom: int, blur: float) -> Ratio:
-    """The square root of a number that is not below 0, exact where it can be."""
+    """Return the square root of a number that is not below 0, exact where it can be."""
     over, under = math.isqrt(top), math.isqrt(bottom)
     if over * over == top and under * under == bottom:
         return over, under, blur / 2
     shift = BITS + _bits(top, bottom, blur)
-    found = math.isqrt((top << (2 * shift)) // bottom)
-    return found, 1 << shift, blur / 2 + 2.0 ** max(2 - found.bit_length(), -1000)
+    result = math.isqrt((top << (2 * shift)) // bottom)
+    return result, 1 << shift, blur / 2 + 2.0 ** max(2 - result.bit_length(), -1000)
 
 
 def _bits(top: int, bottom: int, blur: float) -> int:
@@ -95,7 +95,7 @@ def _context(top: int, bottom: int, blur: float, power: int = 1) -> Context:
 
 
 def _series(term: Decimal, x: Decimal, place: int) -> Decimal:
-    """The alternating series of a sine or a cosine, from its first term on."""
+    """Return the alternating series of a sine or a cosine, from its first term on."""
     total = Decimal(0)
     while total + term != total:
         total += term
@@ -104,6 +104,6 @@ def _series(term: Decimal, x: Decimal, place: int) -> Decimal:
     return total
 
 
-def _ratio(found: Decimal, blur: Decimal) -> Ratio:
+def _ratio(result: Decimal, blur: Decimal) -> Ratio:
     """A result, with the blur of the last digits that are worked out."""
-    return (*found.as_integer_ratio(), float(blur + LAST.scaleb(-getcontext().prec)) + FINEST)
+    return (*result.as_integer_ratio(), float(blur + LAST.scaleb(-getcontext().prec)) + FINEST)

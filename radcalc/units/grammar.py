@@ -35,7 +35,7 @@ Atom = tuple[str, int, bool]
 
 
 def plain(text: str) -> str:
-    """The text with one character for each that looks like it, and no blanks around it."""
+    """Return the text with one character for each that looks like it, and no blanks around it."""
     return text.translate(SAME).strip()
 
 
@@ -210,19 +210,9 @@ class Scanner:
 
     def exponent(self) -> int:
         """Read an exponent, 1 where there is none."""
-        before = self.at
-        caret = False
-        self.skip_blanks()
-        if self.peek() == "^":
-            caret, self.at = True, self.at + 1
-        elif self.text.startswith("**", self.at):
-            caret, self.at = True, self.at + 2
-        else:
-            self.at = before
-        if caret:
-            self.skip_blanks()
-            if self.peek() == "{":
-                raise self.error("has braces in it", "an exponent such as m^-2")
+        if self.at == len(self.text):
+            return 1
+        caret = self.caret()
         bracket = caret and self.peek() == "("
         if bracket:
             self.at += 1
@@ -231,15 +221,43 @@ class Scanner:
             return 1
         sign = -1 if digits[:1] == "-" else 1
         number = digits[1:] if digits[:1] in ("+", "-") else digits
-        fraction = self.peek() in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
-        if self.divides and self.peek() == "/" and number != "1":  # m^2/2, and not m^1/2
-            fraction = False
-        if not number or (caret and fraction) or not number.isdigit():
+        is_whole = number.isdigit() and not (caret and self.has_fraction(number))
+        if not is_whole or (bracket and self.peek() != ")"):
             raise self.error("has an exponent that is not a whole number", "a whole number")
         if bracket:
-            if self.peek() != ")":
-                raise self.error("has an exponent that is not a whole number", "a whole number")
             self.at += 1
+        self.refuse_after_exponent(number, caret)
+        return self.bounded(sign * int(number))
+
+    def caret(self) -> bool:
+        """Read the mark of an exponent, ^ or **, and blanks around it."""
+        before = self.at
+        self.skip_blanks()
+        mark = (
+            "**"
+            if self.text.startswith("**", self.at)
+            else "^"
+            if self.text.startswith("^", self.at)
+            else ""
+        )
+        if not mark:
+            self.at = before
+            return False
+        self.at += len(mark)
+        self.skip_blanks()
+        if self.peek() == "{":
+            raise self.error("has braces in it", "an exponent such as m^-2")
+        return True
+
+    def has_fraction(self, number: str) -> bool:
+        """Check for the rest of a broken exponent, as in m^1/2; m^2/2 divides a number by 2."""
+        mark = self.peek()
+        if self.divides and mark == "/" and number != "1":
+            return False
+        return mark in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
+
+    def refuse_after_exponent(self, number: str, caret: bool) -> None:
+        """Refuse an exponent that is too long, and what may not follow one."""
         if not caret and (self.peek().isalpha() or self.peek() == "("):
             raise self.error(
                 "runs two units together", "a space or a dot between them, and one number"
@@ -248,7 +266,6 @@ class Scanner:
             raise self.error("has an exponent too large", f"at most {MAX_EXPONENT}")
         if self.peek() in ("^", "⁻") or self.text.startswith("**", self.at):
             raise self.error("has an exponent on an exponent", "one exponent")
-        return self.bounded(sign * int(number))
 
     def signed_digits(self) -> str:
         """Read the digits of an exponent, with their sign; '' where none stand here."""

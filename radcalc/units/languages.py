@@ -107,19 +107,21 @@ def comparable(word: str) -> str:
 
 
 def forms(names: str, endings: dict[str, str]) -> list[str]:
-    """Every form of the names of a unit."""
-    found = []
+    """Return every form of the names of a unit."""
+    words = []
     for name in names.split(", "):
-        stem, *rest = comparable(name).split()
-        if len(rest) == 1 and rest[0] in endings:
-            found += [stem + ending.strip("_") for ending in comparable(endings[rest[0]]).split()]
+        stem, *unit_words = comparable(name).split()
+        if len(unit_words) == 1 and unit_words[0] in endings:
+            words += [
+                stem + ending.strip("_") for ending in comparable(endings[unit_words[0]]).split()
+            ]
         else:
-            found += [stem, *rest]
-    return found
+            words += [stem, *unit_words]
+    return words
 
 
 def _words(place: int, endings: dict[str, str]) -> tuple[dict[str, str], dict[str, str]]:
-    """The prefixes of a language, and the forms of its units, with the English ones."""
+    """Return the prefixes of a language, and the forms of its units, with the English ones."""
     prefixes = zip(map(comparable, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
     units = {form: row[0] for row in NAMES for form in forms(row[place], endings)}
     return dict(prefixes), units
@@ -129,12 +131,12 @@ LANGUAGES = (_words(1, CZECH_ENDINGS), _words(2, RUSSIAN_ENDINGS))
 
 
 def near(word: str) -> list[str]:
-    """The names, without diacritics, that are most like a word that is none."""
+    """Return the names, without diacritics, that are most like a word that is none."""
     return nearest(comparable(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
 
 
 def in_english(text: str) -> str:
-    """The text of a unit with its Czech and Russian words in English; '' where none is."""
+    """Return the text of a unit with its Czech and Russian words in English; '' where none is."""
     text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ")
     pieces = _pieces(" ".join(text.split()))
     words: list[str] = []
@@ -157,7 +159,7 @@ def in_english(text: str) -> str:
 
 
 def _pieces(text: str) -> list[str]:
-    """The words of a text, and what is between them, one character each."""
+    """Return the words of a text, and what is between them, one character each."""
     pieces: list[str] = []
     inside = False
     for c in text:
@@ -171,7 +173,7 @@ def _pieces(text: str) -> list[str]:
 
 
 def _unit(word: str) -> str:
-    """The English name of a unit; '' where the word is none."""
+    """Return the English name of a unit; '' where the word is none."""
     word = comparable(word)
     for prefixes, units in LANGUAGES:
         if word in units:
@@ -188,7 +190,7 @@ def _power(word: str) -> str:
 
 
 def _has_unit(pieces: list[str], place: int, side: int) -> bool:
-    """Whether a unit stands beside a word, parted from it by nothing but a blank."""
+    """Check whether a unit stands beside a word, parted from it by nothing but a blank."""
     at = place + 2 * side
     if not 0 <= at < len(pieces) or pieces[place + side] != " ":
         return False

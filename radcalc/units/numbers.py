@@ -16,6 +16,9 @@ TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typ
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+SEPARATORS = ("to", "into", "->", "=>", "→", "=")  # words between source and target
+SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
+
 MAX_LENGTH = 1000
 INFINITE = float("inf")
 SMALLEST = float_info.min  # below it a float loses digits
@@ -57,10 +60,10 @@ def read_number(text: str) -> tuple[float, int]:
             _refuse_pi_below(text, bare)
             if right == 0:
                 raise NumberError(f"'{quote(text)}' divides by zero", "a number other than 0")
-        found = value * right if operator == "*" else value / right
-        if value and right and abs(found) < SMALLEST:
+        result = value * right if operator == "*" else value / right
+        if value and right and abs(result) < SMALLEST:
             raise _too_small(text[:at])
-        value = found
+        value = result
         if value == INFINITE:
             raise _too_large(text[:at])
     if operator == "/" and text[at : at + 1] in ("%", "‰"):
@@ -72,7 +75,7 @@ def read_number(text: str) -> tuple[float, int]:
 
 
 def is_sentence(words: list[str]) -> bool:
-    """Whether a call begins with a value in place of a command: `100 lx fc`, `-pi/2 rad deg`.
+    """Check whether a call begins with a value in place of a command: `100 lx fc`, `-pi/2 rad deg`.
 
     It then is a conversion; so is one that begins with the `-` or `- UNIT` of a stream.
     """
@@ -88,7 +91,7 @@ def is_sentence(words: list[str]) -> bool:
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:
-    """The digits of the one decimal number that `text` is, and the power of ten of the last.
+    """Return the digits of the one decimal number that `text` is, and the power of ten of the last.
 
     None for a fraction, a product or a multiple of pi, which are exact.
     """
@@ -122,7 +125,7 @@ def _term_starts(text: str, at: int) -> bool:
 
 
 def _pi_ends(text: str, at: int) -> int:
-    """Where a pi that starts at `at` ends, or `at` where none does."""
+    """Return where a pi that starts at `at` ends, or `at` where none does."""
     end = at + 2 if text.startswith("pi", at) else at + 1 if text.startswith("π", at) else at
     if text[end:] in ("sr", "rad"):  # 4pisr, as people write it
         return end
@@ -131,38 +134,50 @@ def _pi_ends(text: str, at: int) -> int:
 
 def read_term(text: str, at: int) -> tuple[float, int, int]:
     """Read a term: its value, where its decimal ends, and where it ends itself."""
-    start = at
-    while at < len(text) and text[at] in DIGITS:
-        at += 1
-    whole = at - start
-    if at < len(text) and text[at] == ".":
-        point = at
-        at += 1
-        while at < len(text) and text[at] in DIGITS:
-            at += 1
-        if whole + at - point - 1 == 0:
-            at = point
-    if at == start:
+    mantissa = _decimal_ends(text, at)
+    if mantissa == at:
         end = _pi_ends(text, at)
         if end > at:
             return math.pi, at, end
         raise _not_a_number(text)
-    mantissa = at
+    bare = _exponent_ends(text, mantissa)
+    value = float(text[at:bare].replace(MINUS, "-"))
+    if value == INFINITE:
+        raise _too_large(text[at:bare])
+    if value < SMALLEST and text[at:mantissa].strip("0.") != "":
+        raise _too_small(text[at:bare])
+    end = _pi_ends(text, bare)
+    if end == bare:
+        return value, bare, bare
+    if value * math.pi == INFINITE:
+        raise _too_large(text[at:end])
+    return value * math.pi, bare, end
+
+
+def _digits_end(text: str, at: int) -> int:
+    """Return where the digits that start at `at` end."""
+    while at < len(text) and text[at] in DIGITS:
+        at += 1
+    return at
+
+
+def _decimal_ends(text: str, at: int) -> int:
+    """Return where a decimal without its exponent ends, or `at` where none starts."""
+    point = _digits_end(text, at)
+    if not text.startswith(".", point):
+        return point
+    end = _digits_end(text, point + 1)
+    return end if end - at > 1 else point
+
+
+def _exponent_ends(text: str, at: int) -> int:
+    """Return where the exponent of a decimal ends, as in e-5, or `at` where none starts."""
     if at + 1 < len(text) and text[at] in "eE":
         digits = at + 2 if text[at + 1] in SIGNS else at + 1
-        if digits < len(text) and text[digits] in DIGITS:
-            at = digits
-            while at < len(text) and text[at] in DIGITS:
-                at += 1
-    value = float(text[start:at].replace(MINUS, "-"))
-    if value == INFINITE:
-        raise _too_large(text[start:at])
-    if value < SMALLEST and text[start:mantissa].strip("0.") != "":
-        raise _too_small(text[start:at])
-    end = _pi_ends(text, at)
-    if end > at and value * math.pi == INFINITE:
-        raise _too_large(text[start:end])
-    return (value * math.pi, at, end) if end > at else (value, at, at)
+        end = _digits_end(text, digits)
+        if end > digits:
+            return end
+    return at
 
 
 def _refuse_pi_below(text: str, bare: int) -> None:
@@ -224,23 +239,23 @@ def _rewritten(
         end += 1
     is_power = text[:start].rstrip(SIGNS)[-1:] in ("e", "E")  # 1e3,5
     runs = [] if is_power else readings(text[start:end])
-    found = [f"{text[:start]}{one}{text[end:]}".strip() for one in runs]
-    hint = " or ".join(map(quote, found)) or "a number such as 1500 or 1.5, without commas"
+    rewritten = [f"{text[:start]}{run}{text[end:]}".strip() for run in runs]
+    hint = " or ".join(map(quote, rewritten)) or "a number such as 1500 or 1.5, without commas"
     return NumberError(f"'{quote(text)}' {problem}", hint)
 
 
 def without_commas(run: str) -> list[str]:
-    """What people mean by digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
-    whole, *others = run.split(",")
-    if "." in whole:  # points part thousands, and the comma begins the decimals
-        grouped = _are_thousands(whole.split(".")) and len(others) == 1 and "." not in others[0]
-        return [f"{whole.replace('.', '')}.{others[0]}"] if grouped else []
-    last, *decimals = others[-1].split(".")
-    thousands = _are_thousands([whole, *others[:-1], last]) and len(decimals) < 2
-    found = [run.replace(",", "")] if thousands else []
-    if len(others) == 1 and not decimals:
-        found.append(f"{whole}.{last}")
-    return found
+    """Return what people mean by digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
+    first, *groups = run.split(",")
+    if "." in first:  # points part thousands, and the comma begins the decimals
+        grouped = _are_thousands(first.split(".")) and len(groups) == 1 and "." not in groups[0]
+        return [f"{first.replace('.', '')}.{groups[0]}"] if grouped else []
+    last, *decimals = groups[-1].split(".")
+    thousands = _are_thousands([first, *groups[:-1], last]) and len(decimals) < 2
+    readings = [run.replace(",", "")] if thousands else []
+    if len(groups) == 1 and not decimals:
+        readings.append(f"{first}.{last}")
+    return readings
 
 
 def _are_thousands(groups: list[str]) -> bool:
@@ -249,7 +264,7 @@ def _are_thousands(groups: list[str]) -> bool:
 
 
 def rounding(text: str) -> float:
-    """How far a number may be off as typed: half a unit of its last digit, relative to it.
+    """Return how far a number may be off as typed: half a unit of its last digit, relative to it.
 
     A short number counts as three digits: 2m is meant as 2.00 m.  Products, fractions,
     multiples of pi and 0 are exact, but for the rounding of the arithmetic.

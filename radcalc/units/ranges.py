@@ -6,10 +6,10 @@ from itertools import pairwise, product
 from typing import Any, TypeVar
 
 from radcalc.errors import ConditionError, NumberError, OutOfRange, RadcalcError, TooMany, quote
-from radcalc.units.amounts import SIGNS_OF_UNCERTAINTY, read_amount, sides, split_value
-from radcalc.units.numbers import DIGITS, SIGNS, read_number, without_commas
-from radcalc.units.scales import resolve_given, scale_of
-from radcalc.units.table import Unit, divide
+from radcalc.units.amounts import split_value
+from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
+from radcalc.units.reading import read_amount, sides
+from radcalc.units.unit import Unit, divide
 
 T = TypeVar("T")
 MOST = 10_000
@@ -35,7 +35,7 @@ def read_series(text: str) -> list[str]:
 
 
 def _is_list_of_numbers(parts: list[str]) -> bool:
-    """Whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
+    """Check whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
     if all(any(sign in part for sign in SIGNS_OF_UNCERTAINTY) for part in parts):
         return True
     wholes = [part.partition(".")[0] for part in parts]
@@ -55,7 +55,7 @@ def _is_one_number(whole: str, decimals: str) -> bool:
 
 
 def with_list(hint: str, text: str, unit: str = "") -> str:
-    """The hint for what has a comma in its number, with the list that might be meant.
+    """Return the hint for what has a comma in its number, with the list that might be meant.
 
     The unit behind its last value, or in another word, is that of each; bare numbers are a list
     where each has decimals.
@@ -80,12 +80,12 @@ def _is_number(text: str) -> bool:
 
 
 def _are_groups(parts: Sequence[str]) -> bool:
-    """Whether all have three digits: 100,200 is a list, which might be 100200 as well."""
+    """Check whether all have three digits: 100,200 is a list, which might be 100200 as well."""
     return len(parts) > 1 and all(part.isdigit() and len(part) == GROUP for part in parts)
 
 
 def note_of(text: str) -> tuple[str, ...]:
-    """What is to be said of a list that might be one number with commas."""
+    """Return what is to be said of a list that might be one number with commas."""
     word = text.split()[0]
     word = word.removesuffix(_unit_in(word.rpartition(",")[2]))
     parts = word.split(",")
@@ -100,44 +100,44 @@ def read_values(text: str) -> list[str]:
     `100,200 lx` are 100 lx and 200 lx, as `100lx,200lx` are.
     """
     values, unit = _cut_unit(text)
-    found = read_series(values)
-    if len(found) == 1:
+    series = read_series(values)
+    if len(series) == 1:
         return [text]
     if unit:
-        return [value.strip() + unit for value in found]
-    if len({bool(_unit_in(value)) for value in found}) > 1:
+        return [value.strip() + unit for value in series]
+    if len({bool(_unit_in(value)) for value in series}) > 1:
         raise ConditionError(
             f"'{quote(text)}' has values with a unit and without", "a unit behind each, or one last"
         )
-    return found
+    return series
 
 
 def _cut_unit(text: str) -> tuple[str, str]:
     """Several values without the unit that stands behind all, and that, with a blank before it."""
     mark = ":" if ":" in text else ","
-    *others, last = text.strip().split(mark)
-    if not others:
+    *values, last = text.strip().split(mark)
+    if not values:
         return text, ""
-    if _is_part(last) and not all(map(_is_part, others)):
-        whole = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*others, last)]
-        told = f"'{quote(text)}' can be read in two ways"
-        raise ConditionError(told, quote(mark.join(whole)))
-    unit = "" if any(map(_unit_in, others)) else _unit_in(last)
+    if _is_part(last) and not all(map(_is_part, values)):
+        bracketed = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*values, last)]
+        problem = f"'{quote(text)}' can be read in two ways"
+        raise ConditionError(problem, quote(mark.join(bracketed)))
+    unit = "" if any(map(_unit_in, values)) else _unit_in(last)
     if not unit or not last.endswith(unit):
-        return mark.join([*others, last]), ""
+        return mark.join([*values, last]), ""
     last = last.removesuffix(unit)
     bare = last.rstrip()
-    return mark.join([*others, bare]), f" {unit}" if bare != last else unit
+    return mark.join([*values, bare]), f" {unit}" if bare != last else unit
 
 
 def _is_part(text: str) -> bool:
-    """Whether the uncertainty of a bare number is a part of it: 100±3%."""
+    """Check whether the uncertainty of a bare number is a part of it: 100±3%."""
     is_uncertain = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
     return is_uncertain and text.rstrip().endswith(PERCENT) and not _unit_in(text)
 
 
 def _unit_in(text: str) -> str:
-    """What stands behind the number that a text begins with; '' where none does."""
+    """Return what stands behind the number that a text begins with; '' where none does."""
     try:
         if any(sign in text for sign in (*SIGNS_OF_UNCERTAINTY, "(")):
             unit = read_amount(text).typed[1]
@@ -161,10 +161,10 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
         values, between, targets = read_values(source), [separator], _targets(target)
         _refuse_commas(source, values)
     else:
-        for word, behind in pairwise(words):
+        for word, next_word in pairwise(words):
             if word.endswith(","):
-                told = f"'{quote(word)} {quote(behind)}' has a blank in its list"
-                raise ConditionError(told, quote(_without_blank(word, behind)))
+                problem = f"'{quote(word)} {quote(next_word)}' has a blank in its list"
+                raise ConditionError(problem, quote(_without_blank(word, next_word)))
         values, between = read_values(words[0]), words[1:-1]
         _refuse_commas(words[0], values, *words[1:2])
         targets = _targets(words[-1]) if len(words) > 1 else []
@@ -206,7 +206,7 @@ def _targets(text: str) -> list[str]:
 
 
 def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
-    """Every case of lists of values, of which the last runs fastest.
+    """Return every case of lists of values, of which the last runs fastest.
 
     One of the values may stand for `long` of them, as an array.
     """
@@ -234,8 +234,10 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
     if text.count(":") != 2:
         return None
     cut, unit = _cut_unit(text) if has_unit else (text, "")
-    start, step, values, own = _steps(cut, MOST_IN_ARRAY)
-    unit = unit or own
+    start, step, values, unit_in_steps = _steps(cut, MOST_IN_ARRAY)
+    unit = unit or unit_in_steps
+    from radcalc.units.scales import resolve_given
+
     if values <= LONG or resolve_given(unit or "1").is_scale:
         return None
     import numpy
@@ -271,6 +273,8 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
         problem = f"'{quote(text)}' is a range, and has no uncertainties"
         raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
+    from radcalc.units.scales import resolve_given, scale_of
+
     numbers = [split_value(part) for part in parts]
     units = [resolve_given(unit or "1") for _, unit in numbers]
     if len({(unit.dimension, scale_of(unit)) for unit in units}) > 1:

@@ -15,8 +15,9 @@ from pint.util import UnitsContainer
 
 from radcalc.errors import UnitError, quote
 from radcalc.units import table
-from radcalc.units.amounts import read_amount
+from radcalc.units.reading import read_amount
 from radcalc.units.uncertain import variable
+from radcalc.units.unit import Unit
 
 DEFINITIONS = Path(__file__).with_name("light.txt")
 
@@ -32,7 +33,7 @@ class LightRegistry(Registry):
 
     closed = False  # until its own definitions are read
 
-    def container(self, unit: table.Unit) -> UnitsContainer:
+    def container(self, unit: Unit) -> UnitsContainer:
         """Turn a unit into Pint's dictionary of canonical names and powers."""
         powers: dict[str, int] = {}
         for name, exponent in unit.atoms:
@@ -54,7 +55,7 @@ class LightRegistry(Registry):
             return super().parse_expression(input_string, *args, **kwargs)
         amount = read_amount(input_string)
         if amount.scale and amount.scale.others:
-            read = " or ".join(one.unit.text for one in (amount.scale, *amount.scale.others))
+            read = " or ".join(scale.unit.text for scale in (amount.scale, *amount.scale.others))
             raise UnitError(f"'{quote(amount.text)}' may be a number of {read}", "one of them")
         value: Any = amount.number
         if amount.uncertainty:
@@ -62,7 +63,7 @@ class LightRegistry(Registry):
         return self.Quantity(value, self.container(amount.unit or table.resolve("1")))
 
 
-def from_container(units: Any) -> table.Unit:
+def from_container(units: Any) -> Unit:
     """Turn Pint's units into a unit of the table."""
     if any(power != int(power) for _, power in units.items()):
         raise UnitError(f"'{units}' has an exponent that is not a whole number", "whole powers")
@@ -87,9 +88,13 @@ def light_registry() -> LightRegistry:
     return registry
 
 
-def _reduced(one: Any) -> tuple[Any, ...]:
-    """What pickle keeps of a quantity or a unit."""
-    return _restored, (type(one).__name__, getattr(one, "magnitude", None), dict(one._units))
+def _reduced(measure: Any) -> tuple[Any, ...]:
+    """Return what pickle keeps of a quantity or a unit."""
+    return _restored, (
+        type(measure).__name__,
+        getattr(measure, "magnitude", None),
+        dict(measure._units),
+    )
 
 
 def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:

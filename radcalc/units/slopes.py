@@ -31,7 +31,7 @@ def slopes(
     size: float,
     off: float,
 ) -> dict[Key, float | None]:
-    """The slope of each number over one of a `size` that is uncertain by `off`.
+    """Return the slope of each number over one of a `size` that is uncertain by `off`.
 
     `at` gives the numbers where that is moved by so much, and none where it cannot be.  Next to a
     limit slopes are one-sided; None where there is none, or it grows as the step becomes narrower.
@@ -45,27 +45,27 @@ def slopes(
     nearer = _points(at, narrow)
     if (wider := narrow / NARROWER) > step:
         step, points = wider, _points(at, wider)
-    found = {}
+    found_slopes = {}
     for key, value in nominal.items():
         wide, slope = _slope(value, points, key, step), _slope(value, nearer, key, narrow)
         is_whole = all(key in numbers for numbers in nearer.values())
         if slope and not is_whole and (wide is None or abs(wide - slope) > SAME * abs(slope)):
             slope = None
-        found[key] = slope
-    return found
+        found_slopes[key] = slope
+    return found_slopes
 
 
 def _points(
     at: Callable[[float], Mapping[Key, float]], step: float
 ) -> dict[int, Mapping[Key, float]]:
-    """The numbers at whole steps beside the nominal ones."""
+    """Return the numbers at whole steps beside the nominal ones."""
     return {k: at(k * step) for k in (-2, -1, 1, 2)}
 
 
 def _slope(
     value: float, points: Mapping[int, Mapping[Key, float]], key: Key, step: float
 ) -> float | None:
-    """The slope of one number; None where there are too few points beside it."""
+    """Return the slope of one number; None where there are too few points beside it."""
     at = {0: value, **{k: numbers[key] for k, numbers in points.items() if key in numbers}}
     if len(at) == 5:
         rise = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / 12
@@ -90,13 +90,13 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
     samples = [(k / SAMPLES, at(k / SAMPLES)) for k in range(-SAMPLES, SAMPLES + 1)]
     numbers = [value for _, value in samples if value is not None]
     least = FAINT * (max(numbers) - min(numbers))
-    edges, found = [], []
-    for (left, one), (right, other) in pairwise(samples):
-        if (one is None) != (other is None):
-            inside, outside = (right, left) if one is None else (left, right)
+    edges, candidates = [], []
+    for (left, left_value), (right, right_value) in pairwise(samples):
+        if (left_value is None) != (right_value is None):
+            inside, outside = (right, left) if left_value is None else (left, right)
             edge = limit(lambda t: at(t) is not None, outside, inside)
             edges.append((edge, at(edge)))
-            found.append(_trend(at, edge, inside, least))
+            candidates.append(_trend(at, edge, inside, least))
     points = sorted((t, value) for t, value in samples + edges if value is not None)
     for sign in (1, -1):
         k = max(range(len(points)), key=lambda k: sign * points[k][1])
@@ -105,8 +105,12 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
         value = at(peak)
         if value and peak not in around and abs(value) <= ZERO * abs(points[0][1] - value):
             value = 0.0
-        found += [points[k][1], value, *(_trend(at, peak, side, least) for side in around[::2])]
-    reached = [number for number in found if number is not None]
+        candidates += [
+            points[k][1],
+            value,
+            *(_trend(at, peak, side, least) for side in around[::2]),
+        ]
+    reached = [number for number in candidates if number is not None]
     return min(reached), max(reached)
 
 
@@ -135,7 +139,7 @@ def _peak(
 def _trend(
     at: Callable[[float], float | None], end: float, start: float, least: float
 ) -> float | None:
-    """The infinity that a number tends to on the way to an end; None where it has a bound.
+    """Return the infinity that a number tends to on the way to an end; None where it has a bound.
 
     Changes up to the `least` are the noise of an integration.
     """

@@ -16,157 +16,28 @@ from radcalc.units.compiled import (
     UNITS,
 )
 from radcalc.units.grammar import parse_unit
-
-TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
-if TYPE_CHECKING:
-    from typing import TypeVar
-
-    Kind = TypeVar("Kind", bound="Unit")
-
-# The order of the exponents in a dimension.
-BASES = (
-    "length",
-    "mass",
-    "time",
-    "temperature",
-    "angle",
-    "cycle",
-    "count",
-    "luminosity",
-    "retinal_illuminance",
-    "current",
+from radcalc.units.unit import (
+    COUNT_AT,
+    CYCLE_AT,
+    INVERSE_LENGTH,
+    LENGTH_ALONE,
+    LUMINOSITY_AT,
+    LUMINOUS_AND_COUNTED,
+    MASS_AT,
+    NUMBER,
+    TIME_AT,
+    Dimension,
+    Unit,
+    lookup,
+    takes,
 )
-MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # where some stand in it
-Dimension = tuple[int, ...]
-NUMBER: Dimension = (0,) * len(BASES)
-LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
-INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
-TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, *NUMBER[4:])
+
 # A degree of a scale that has its 0 elsewhere, where a difference is meant.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
-INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
-FIELD_STRENGTH: Dimension = (1, 1, -3, *NUMBER[3:9], -1)  # V/m
-# The units that make a length below a light quantity a wavelength.
-WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
-EXITANCE_UNITS = ("radlux", "radphot")
 COMMON_PREFIXES = "GMkcmun"
 # How scales are called, which are above and not looked for in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
 PARTS = ("percent", "permille", "ppm", "ppb")
-PI = UNITS["degree"][0] * 180, UNITS["degree"][1]  # as a ratio of whole numbers
-LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
-
-
-class Unit:
-    """A unit as a user wrote it, with what it is worth in coherent SI units.
-
-    `top / bottom` is the exact factor; `dimension` has the exponents of `BASES`; `atoms` are
-    (canonical name, exponent); `notes` say what was assumed in reading it.
-    """
-
-    __slots__ = ("atoms", "bottom", "dimension", "notes", "text", "top")
-    is_scale = False  # which counts as a unit for everything but its numbers
-
-    def __init__(
-        self,
-        text: str,
-        top: int,
-        bottom: int,
-        dimension: Dimension,
-        atoms: tuple[tuple[str, int], ...],
-        notes: tuple[str, ...] = (),
-    ) -> None:
-        """Hold the reading of `text`."""
-        self.text = text
-        self.top = top
-        self.bottom = bottom
-        self.dimension = dimension
-        self.atoms = atoms
-        self.notes = notes
-
-    def __repr__(self) -> str:
-        """Show the text."""
-        return f"Unit({self.text!r})"
-
-    def of_class(self, kind: "type[Kind]", *notes: str) -> "Kind":
-        """The same unit as one of another class, with more notes."""
-        told = (*self.notes, *notes)
-        return kind(self.text, self.top, self.bottom, self.dimension, self.atoms, told)
-
-    @property
-    def has_wavelength(self) -> bool:
-        """Whether a length that is usual for wavelengths stands below."""
-        return any(name in WAVELENGTH_UNITS and power == -1 for name, power in self.atoms)
-
-    @property
-    def is_light(self) -> bool:
-        """Whether it counts watts, lumens or photons, or what has a mass."""
-        return any(self.dimension[i] for i in LUMINOUS_AND_COUNTED)
-
-    @property
-    def is_exitance(self) -> bool:
-        """Whether it counts what leaves a surface: the radlux and the radphot."""
-        return any(name in EXITANCE_UNITS for name, _ in self.atoms)
-
-    @property
-    def factor(self) -> float:
-        """The unit in coherent SI units, rounded once."""
-        return divide(self.top, self.bottom)
-
-
-class Exitance(Unit):
-    """A unit of what leaves a surface, by the name of the quantity: lm/m2 is not lx then."""
-
-    __slots__ = ()
-    is_exitance = True
-
-
-class Photosynthetic(Unit):
-    """A unit of the photons from 400 nm to 700 nm alone, by the name of PPFD or PPF.
-
-    `name` is what was typed.
-    """
-
-    __slots__ = ("name",)
-    name: str
-
-
-def divide(over: int, under: int) -> float:
-    """The quotient of two whole numbers, rounded once; infinite where a float cannot hold it."""
-    try:
-        return over / under
-    except OverflowError:
-        return float("inf")
-
-
-def lookup(spelling: str) -> tuple[str, str] | None:
-    """Find (prefix name, unit name) for one spelling; None where there is none.
-
-    Symbols are matched as written; full names in any case, with hyphens as underscores.
-    """
-    if spelling in SYMBOLS:
-        return "", SYMBOLS[spelling]
-    name = spelling.lower().replace("-", "_")
-    if name in NAMES:
-        return "", NAMES[name]
-    if "-" in spelling and spelling.replace("-", "") in SYMBOLS:  # ft-L
-        return "", SYMBOLS[spelling.replace("-", "")]
-    for size in (2, 1):
-        head, symbol = spelling[:size], spelling[size:]
-        if head in PREFIX_SYMBOLS and symbol in SYMBOLS and _takes(head, symbol):
-            return PREFIX_SYMBOLS[head], SYMBOLS[symbol]
-    for prefix in PREFIX_NAMES:
-        if name.startswith(prefix):
-            unit = NAMES.get(name[len(prefix) :].lstrip("_"))
-            if unit and prefix in UNITS[unit][3]:
-                return prefix, unit
-    return None
-
-
-def _takes(prefix: str, symbol: str) -> bool:
-    """Whether the prefix goes before this symbol: Cyrillic goes with Cyrillic."""
-    allowed = UNITS[SYMBOLS[symbol]][3]
-    return prefix.isascii() == symbol.isascii() and PREFIX_SYMBOLS[prefix] in allowed
 
 
 def resolve(text: str) -> Unit:
@@ -190,70 +61,101 @@ def unit_of(text: str) -> Unit | None:
 
 
 def _read(text: str) -> Unit | str:
-    """The unit of a text, or the spelling in it that is none; raise what else is wrong."""
+    """Return the unit of a text, or the spelling in it that is none; raise what else is wrong."""
     text = " ".join(text.split())  # it is shown as typed, but for blanks that part lines
-    whole = text.lower().replace(" ", "_")
-    if " " in text and whole in NAMES:  # a name of two words: foot lambert
-        named = resolve(whole)
-        named.text = text
+    if named := _named_in_words(text):
         return named
-    top = bottom = 1
-    loose = ""
-    light = False
-    dimension = NUMBER
-    inverted = 0
-    atoms: list[tuple[str, int]] = []
-    notes: tuple[str, ...] = ()
     try:
         parsed = parse_unit(text)
     except UnitError:
         if unit := _in_another_language(text):
             return unit
         raise
+    unit = Unit(text, 1, 1, NUMBER, ())
+    loose, inverted, is_light = "", 0, False
     for spelling, exponent, below in parsed:
         if spelling == "1":
             continue
-        found = lookup(spelling)
-        is_product = len(parsed) > 1 or exponent != 1
-        if found is None and is_product and spelling.lower().replace("-", "_") in CELSIUS:
-            found = "", "kelvin"
-            notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
-        if found is None:
+        entry = lookup(spelling)
+        if entry is None and (len(parsed) > 1 or exponent != 1):
+            entry = _degree(spelling, unit)
+        if entry is None:
             return (spelling not in SCALE_NAMES and _in_another_language(text)) or spelling
-        prefix, name = found
-        if exponent not in (1, -1) and name in PARTS:
-            hint = "brackets around the number with it, as in (50%)^2"
-            raise UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
-        is_same = len(atoms) == 1 == exponent and text.startswith(f"{spelling}-")
-        if is_same and len(parsed) == 2 and " " in text:  # 5m-1 m
-            hint = f"blanks around a minus, or {quote(spelling)}^{atoms[0][1]} for a power"
-            raise UnitError(f"'{quote(text)}' can be read in two ways", hint)
-        unit_top, unit_bottom, powers, _ = UNITS[name]
-        if prefix:
-            shift = PREFIX_NAMES[prefix]
-            unit_top *= 10 ** max(shift, 0)
-            unit_bottom *= 10 ** max(-shift, 0)
-        if exponent < 0:
-            unit_top, unit_bottom = unit_bottom, unit_top
-        top *= unit_top ** abs(exponent)
-        bottom *= unit_bottom ** abs(exponent)
-        dimension = tuple([a + exponent * b for a, b in zip(dimension, powers, strict=True)])
-        atoms.append((prefix + name, exponent))
+        if exponent not in (1, -1) and entry[1] in PARTS:
+            raise _power_of_part(text, spelling)
+        if len(parsed) == 2 and exponent == 1:
+            _refuse_minus(text, spelling, unit)
+        powers = _multiply(unit, *entry, exponent)
         if powers == LENGTH_ALONE and exponent == 1:
             inverted += below
             loose = "" if below else spelling
-        light |= bool(
-            powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT])
-        )
-        if name in NOTES and NOTES[name] not in notes:
-            notes += (NOTES[name],)
-    if loose and light and "(" not in text:
-        raise UnitError(
-            f"the unit '{quote(text)}' has a length that multiplies light",
-            f"{_with(text, loose, f'({loose}-1)-1')} for a density per wavenumber, "
-            f"{_with(text, loose, f'{loose}-1')} for one per length",
-        )
-    return _as_wavenumber(Unit(text, top, bottom, dimension, tuple(atoms), notes), inverted)
+        is_light = is_light or _counts_light(powers)
+    if loose and is_light and "(" not in text:
+        raise _multiplied_by_length(text, loose)
+    return _as_wavenumber(unit, inverted)
+
+
+def _named_in_words(text: str) -> Unit | None:
+    """Read a name of several words, as foot lambert; None for other texts."""
+    joined = text.lower().replace(" ", "_")
+    if " " not in text or joined not in NAMES:
+        return None
+    unit = resolve(joined)
+    unit.text = text
+    return unit
+
+
+def _degree(spelling: str, unit: Unit) -> tuple[str, str] | None:
+    """Read a degree Celsius in a product as a kelvin; None for other spellings."""
+    if spelling.lower().replace("-", "_") not in CELSIUS:
+        return None
+    unit.notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
+    return "", "kelvin"
+
+
+def _power_of_part(text: str, spelling: str) -> UnitError:
+    """Return the refusal of %2 and the like: the exponent may belong to the number as well."""
+    hint = "brackets around the number with it, as in (50%)^2"
+    return UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
+
+
+def _refuse_minus(text: str, spelling: str, unit: Unit) -> None:
+    """Refuse m-1 m: the minus may be a subtraction or the sign of an exponent."""
+    if len(unit.atoms) == 1 and text.startswith(f"{spelling}-") and " " in text:
+        hint = f"blanks around a minus, or {quote(spelling)}^{unit.atoms[0][1]} for a power"
+        raise UnitError(f"'{quote(text)}' can be read in two ways", hint)
+
+
+def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
+    """Multiply a unit by the power of a named one; return the exponents of the latter."""
+    top, bottom, powers, _ = UNITS[name]
+    if prefix:
+        shift = PREFIX_NAMES[prefix]
+        top *= 10 ** max(shift, 0)
+        bottom *= 10 ** max(-shift, 0)
+    if exponent < 0:
+        top, bottom = bottom, top
+    unit.top *= top ** abs(exponent)
+    unit.bottom *= bottom ** abs(exponent)
+    unit.dimension = tuple([a + exponent * b for a, b in zip(unit.dimension, powers, strict=True)])
+    unit.atoms += ((prefix + name, exponent),)
+    if name in NOTES and NOTES[name] not in unit.notes:
+        unit.notes += (NOTES[name],)
+    return powers
+
+
+def _counts_light(powers: Dimension) -> bool:
+    """Check whether a unit counts watts, lumens or photons."""
+    return bool(powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT]))
+
+
+def _multiplied_by_length(text: str, length: str) -> UnitError:
+    """Return the refusal of W m and the like, where a blank may hide a divisor."""
+    return UnitError(
+        f"the unit '{quote(text)}' has a length that multiplies light",
+        f"{_with(text, length, f'({length}-1)-1')} for a density per wavenumber, "
+        f"{_with(text, length, f'{length}-1')} for one per length",
+    )
 
 
 def _in_another_language(text: str) -> Unit | str:
@@ -271,7 +173,7 @@ def _in_another_language(text: str) -> Unit | str:
 
 
 def _with(text: str, old: str, new: str) -> str:
-    """The text of a unit with its last `old` made new."""
+    """Return the text of a unit with its last `old` made new."""
     before, _, after = text.rpartition(old)
     return quote(f"{before}{new}{after}")
 
@@ -299,25 +201,26 @@ def spellings() -> list[str]:
 
 def _unknown(spelling: str) -> UnitError:
     """Say that a spelling is unknown or refused, with the nearest names."""
-    shown = quote(spelling)
+    typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
-        return UnitError(f"'{shown}' is not accepted as a unit", REFUSED[name])
-    from radcalc.units import scales
+        return UnitError(f"'{typed}' is not accepted as a unit", REFUSED[name])
 
-    if error := scales.refuse(spelling):
+    from radcalc.units import scale_table
+
+    if error := scale_table.refuse(spelling):
         return error
     folded = spelling.lower()
-    same = [s for s in (*_prefixed(), *scales.spellings()) if s.lower() == folded]
+    same = [s for s in (*_prefixed(), *scale_table.spellings()) if s.lower() == folded]
     if same:
-        return UnitError(f"unknown unit '{shown}'", ", ".join(same[:3]))
+        return UnitError(f"unknown unit '{typed}'", ", ".join(same[:3]))
     for prefixes, text in ((PREFIX_SYMBOLS, spelling), (PREFIX_NAMES, name)):
         for prefix in prefixes:
-            rest = text[len(prefix) :]
-            if text.startswith(prefix) and (rest in SYMBOLS or rest.lower() in NAMES):
+            stem = text[len(prefix) :]
+            if text.startswith(prefix) and (stem in SYMBOLS or stem.lower() in NAMES):
                 return UnitError(
-                    f"unknown unit '{shown}': the prefix {prefix} does not go before {quote(rest)}",
-                    _respelt(PREFIX_SYMBOLS.get(prefix, prefix), rest),
+                    f"unknown unit '{typed}': the prefix {prefix} does not go before {quote(stem)}",
+                    _respelt(PREFIX_SYMBOLS.get(prefix, prefix), stem),
                 )
     near = suggest(spelling)
     if not near and not spelling.isascii():
@@ -325,13 +228,13 @@ def _unknown(spelling: str) -> UnitError:
 
         near = languages.near(spelling)
     return UnitError(
-        f"unknown unit '{shown}'",
+        f"unknown unit '{typed}'",
         ", ".join(near) if near else f"{command('units')}, which lists them all",
     )
 
 
 def _respelt(prefix: str, rest: str) -> str:
-    """The unit with its prefix in full, where it takes it, else without."""
+    """Return the unit with its prefix in full, where it takes it, else without."""
     name = NAMES.get(rest.lower(), "")
     if name and prefix in UNITS[name][3]:
         return prefix + rest.lower()
@@ -339,7 +242,7 @@ def _respelt(prefix: str, rest: str) -> str:
 
 
 def suggest(spelling: str, count: int = 3) -> list[str]:
-    """The known spellings nearest to one that is not."""
+    """Return the known spellings nearest to one that is not."""
     spelling = spelling[:60]
     folded = spelling.lower()
     near = nearest(folded, NAMES, count, 0.7)
@@ -348,14 +251,9 @@ def suggest(spelling: str, count: int = 3) -> list[str]:
     return list(dict.fromkeys(near))[:count]
 
 
-def unit_behind(unit: str) -> str:
-    """A unit as it stands behind a number, with a blank: none is behind a plain number."""
-    return "" if unit == "1" else f" {unit}"
-
-
 def _prefixed() -> list[str]:
-    """The symbols, and those with a common prefix."""
-    found = list(SYMBOLS)
+    """Return the symbols, and those with a common prefix."""
+    symbols = list(SYMBOLS)
     for symbol in SYMBOLS:
-        found += [prefix + symbol for prefix in COMMON_PREFIXES if _takes(prefix, symbol)]
-    return found
+        symbols += [prefix + symbol for prefix in COMMON_PREFIXES if takes(prefix, symbol)]
+    return symbols

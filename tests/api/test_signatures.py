@@ -1,26 +1,24 @@
 """The signatures and docstrings of the functions: complete, and as the commands have them."""
 
 import inspect
+import pickle
 import pydoc
 import re
+from typing import get_type_hints
 
 import pytest
+from helpers import for_each
 from test_docstrings import entries, sections
 
 import radcalc
-from radcalc.cli.signatures import API, keywords, rewritten
+from radcalc.api import stub
+from radcalc.api.spelling import AT_A_SHELL, keyword
+from radcalc.cli.help import COMMANDS
 
 FUNCTIONS = [name for name in radcalc.__all__ if inspect.isfunction(getattr(radcalc, name))]
 
 
-@pytest.mark.parametrize("path", sorted(API.glob("*.py")), ids=lambda path: path.stem)
-def test_the_keywords_are_those_of_the_commands(path):
-    """Else: python -m radcalc.cli.signatures."""
-    source = path.read_text(encoding="utf-8")
-    assert rewritten(source) == source
-
-
-@pytest.mark.parametrize("name", FUNCTIONS)
+@for_each(FUNCTIONS)
 def test_every_parameter_has_a_name_a_type_and_an_entry(name):
     function = getattr(radcalc, name)
     parameters = inspect.signature(function).parameters
@@ -36,8 +34,38 @@ def test_every_parameter_has_a_name_a_type_and_an_entry(name):
 
 def test_the_tests_see_the_functions():
     assert len(FUNCTIONS) > 20
-    assert keywords("point_source")["distance"].unit == "m"
-    assert keywords("ev")["f_number"].type == "Number"
+
+
+def test_every_command_is_a_function_or_remains_at_a_shell():
+    functions = {keyword(name) for name in COMMANDS if name not in AT_A_SHELL}
+    others = {"check", "explain", "factor", "irradiance_map", "reproject"}
+    assert functions | others == {*FUNCTIONS}
+    assert {*AT_A_SHELL} < {*COMMANDS}
+
+
+def test_the_stub_has_the_signatures_of_the_functions():
+    """Else: python -m radcalc.api.stub."""
+    assert stub.PATH.read_text(encoding="utf-8") == stub.text()
+
+
+@for_each(FUNCTIONS)
+def test_a_function_is_kept_by_pickle_and_has_types_at_run_time(name):
+    function = getattr(radcalc, name)
+    assert pickle.loads(pickle.dumps(function)) is function
+    assert get_type_hints(function).keys() == {*inspect.signature(function).parameters, "return"}
+
+
+def test_units_are_those_of_the_kinds_that_a_calculator_takes():
+    assert "[W/m2/sr, cd/m2, umol/m2/s/sr]" in radcalc.screen.__doc__
+    assert "The flux on the body. [W]" in radcalc.calorimeter.__doc__
+    assert "The photopic luminance. [cd/m2]" in radcalc.mesopic.__doc__
+
+
+def test_arguments_that_a_function_does_not_take_are_a_type_error():
+    with pytest.raises(TypeError, match=r"laser\(\) got an unexpected keyword argument 'powre'"):
+        radcalc.laser(powre="1 W")
+    with pytest.raises(TypeError, match=r"laser\(\) too many positional arguments"):
+        radcalc.laser("1 W")
 
 
 def test_help_reads_as_a_manual():
@@ -45,4 +73,8 @@ def test_help_reads_as_a_manual():
     assert "distance: 'Amount' = None" in text
     assert "Straight line from the source to the receiver. [m]" in text
     assert "`height`" in text  # as keywords are mentioned
-    assert not re.search(r"(?<!-)--[a-z]", text)
+
+
+@for_each(FUNCTIONS)
+def test_no_docstring_spells_an_option(name):
+    assert not re.search(r"(?<!-)--[a-z]", getattr(radcalc, name).__doc__)

@@ -1,4 +1,4 @@
-"""How many of radcalc's own functions an answer calls, and in how many files; see README.md.
+"""Trace an answer: its calls of radcalc's own functions, its files, its moves between them.
 
 Counted, not timed: the second run in one process, so that imports do not count.
 """
@@ -8,6 +8,7 @@ import os
 import sys
 from collections import Counter
 from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
 from types import FrameType
 from typing import Any
 from unittest.mock import patch
@@ -15,30 +16,66 @@ from unittest.mock import patch
 import radcalc
 from radcalc.__main__ import run
 
+ROOT = Path(__file__).parents[2]
 PACKAGE = os.path.dirname(radcalc.__file__) + os.sep
 INLINED = ("<listcomp>", "<dictcomp>", "<setcomp>")  # functions before Python 3.12, none after
+DISC = "lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm"
+LAMP = str(ROOT / "examples" / "downlight.ies")
 CASES = [
     ("convert 800 lm cd", 500),
     ("convert 800 lm lx --isotropic --distance 2m", 500),
-    ("lambertian disc --luminance 1e4cd/m2 --radius 25cm --height 75cm", 800),
+    (DISC, 800),
+]
+TRACES = [
+    "convert 800 lm cd --isotropic",
+    f"{DISC} -g illuminance",
+    "lambertian disc --luminance 1e4cd/m2 --radius -0.5m --height 75cm",
+    f"point-source --distribution {LAMP} -g flux",
+    f"{DISC} --check illuminance=3000lx",
 ]
 
 
-def calls(words: str) -> Counter[str]:
-    """The calls of radcalc's functions in a run into a pipe, by the file they are in."""
-    found: Counter[str] = Counter()
+class Trace:
+    """The calls of an answer by file, its functions, and how often a call leaves its file."""
 
-    def count(frame: FrameType, event: str, _: Any) -> None:
+    def __init__(self) -> None:
+        self.calls: Counter[str] = Counter()
+        self.functions: set[tuple[str, int]] = set()
+        self.moves = 0
+
+    def add(self, frame: FrameType, event: str, _: Any) -> None:
+        """Count a call; a profile function of `sys.setprofile`."""
         code = frame.f_code
         own = code.co_filename.startswith(PACKAGE)
-        if event == "call" and own and code.co_name not in INLINED:
-            found[code.co_filename.removeprefix(PACKAGE)] += 1
+        if event != "call" or not own or code.co_name in INLINED:
+            return
+        self.calls[code.co_filename.removeprefix(PACKAGE)] += 1
+        self.functions.add((code.co_filename, code.co_firstlineno))
+        caller = frame.f_back
+        while caller and not caller.f_code.co_filename.startswith(PACKAGE):
+            caller = caller.f_back
+        self.moves += bool(caller and caller.f_code.co_filename != code.co_filename)
+
+    def __str__(self) -> str:
+        """Show the counts as the table of README.md names them."""
+        counts = len(self.calls), len(self.functions), sum(self.calls.values()), self.moves
+        return "{} files, {} functions, {} calls, {} moves".format(*counts)
+
+
+def calls(words: str) -> Counter[str]:
+    """Count the calls of radcalc's functions in a run into a pipe, by the file they are in."""
+    return trace(words).calls
+
+
+def trace(words: str) -> Trace:
+    """Trace the second run of a command into a pipe."""
+    found = Trace()
 
     before = sys.getprofile()
     silent = redirect_stdout(_nowhere()), redirect_stderr(_nowhere())
-    with silent[0], silent[1], patch("radcalc.stdio.is_terminal", lambda: False):
+    with silent[0], silent[1], patch("radcalc.terminal.is_terminal", lambda: False):
         run(words.split())
-        sys.setprofile(count)
+        sys.setprofile(found.add)
         try:
             run(words.split())
         finally:
@@ -64,6 +101,8 @@ def main() -> int:
             for name, number in found.most_common():
                 print(f"    {name}: {number}")
         met &= count <= aim
+    for words in TRACES:
+        print(f"{words}: {trace(words)}")
     return 0 if met else 1
 
 

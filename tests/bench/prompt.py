@@ -31,7 +31,7 @@ def main() -> int:
             open(os.devnull, "w") as nowhere,
             redirect_stdout(nowhere),
             redirect_stderr(io.TextIOWrapper(io.BytesIO())),
-            patch("radcalc.stdio.is_terminal", lambda: True),
+            patch("radcalc.terminal.is_terminal", lambda: True),
         ):
             for _ in range(RUNS):
                 session.answer("100 lx fc")

@@ -4,41 +4,39 @@ import math
 
 import pytest
 from conftest import run
+from helpers import for_each
 
 H = math.sqrt(0.5)
 NAMES = "-g x -g y -g z"
 BALL = "-g mirror-ball-u -g mirror-ball-v -g mirror-ball-w"
 
 
-@pytest.mark.parametrize(
-    ("words", "values"),
-    [
-        # the normal (0.6, 0, 0.8) of the ball reflects the camera's direction, +z
-        (f"--mirror-ball 0.6,0 {NAMES}", [0.96, 0, 0.28]),
-        (f"--mirror-ball -0.6,0 {NAMES} {BALL}", [-0.96, 0, 0.28, -0.6, 0, 0.8]),
-        (f"--mirror-ball 0,0 {NAMES}", [0, 0, 1]),
-        (f"--mirror-ball 0,-0.8 {NAMES}", [0, -0.96, -0.28]),
-        (f"--mirror-ball 0,-1 {NAMES} {BALL}", [0, 0, -1, 0, -1, 0]),
-        # and back, whatever the direction is given by
-        (f"0.96 0 0.28 {BALL}", [0.6, 0, 0.8]),
-        (f"0 -9.6m -2.8m {BALL}", [0, -0.8, 0.6]),
-        (f"--polar 90deg --azimuth 90deg {BALL}", [0, H, H]),
-        (f"--elevation -90deg --azimuth 90deg {BALL}", [1, 0, 0]),
-        (f"0 0 -2 {BALL}", [1, 0, 0]),
-        (f"1e-9 0 -1 {BALL}", [1, 0, 5e-10]),
-        # a flat mirror
-        (f"0 0 1 --reflect-at 1,0,1 {NAMES} -g incidence", [1, 0, 0, 45]),
-        (f"0,0,3 --reflect-at 2,2,2 {NAMES} -g length", [2 / 3, 2 / 3, -1 / 3, 3]),
-        ("3m 4m 0m --reflect-at 1,0,0 -g azimuth -g length:cm -g incidence",
-         [360 - math.degrees(math.atan(4 / 3)), 500, math.degrees(math.atan(4 / 3))]),
-        (f"--polar 30deg --azimuth 0deg --reflect-at 0,0,1 {NAMES}", [-0.5, 0, math.sqrt(0.75)]),
-        (f"--polar 90deg --azimuth 0deg --reflect-at 0,0,1 {NAMES}", [-1, 0, 0]),  # grazing
-        (f"0 0 1 --reflect-to 1,0,0 {NAMES} -g incidence", [H, 0, H, 45]),
-        (f"0 0 5m --reflect-to 0.96,0,0.28 {NAMES} -g length", [0.6, 0, 0.8, 1]),
-        (f"--elevation 90deg --azimuth 0deg --reflect-to 0,0,7 {NAMES} -g incidence", [0, 0, 1, 0]),
-        (f"0 0 1 --reflect-at 1,0,1 {BALL}", [H, 0, H]),  # of the reflection
-    ],
-)  # fmt: skip
+@for_each([
+    # the normal (0.6, 0, 0.8) of the ball reflects the camera's direction, +z
+    (f"--mirror-ball 0.6,0 {NAMES}", [0.96, 0, 0.28]),
+    (f"--mirror-ball -0.6,0 {NAMES} {BALL}", [-0.96, 0, 0.28, -0.6, 0, 0.8]),
+    (f"--mirror-ball 0,0 {NAMES}", [0, 0, 1]),
+    (f"--mirror-ball 0,-0.8 {NAMES}", [0, -0.96, -0.28]),
+    (f"--mirror-ball 0,-1 {NAMES} {BALL}", [0, 0, -1, 0, -1, 0]),
+    # and back, whatever the direction is given by
+    (f"0.96 0 0.28 {BALL}", [0.6, 0, 0.8]),
+    (f"0 -9.6m -2.8m {BALL}", [0, -0.8, 0.6]),
+    (f"--polar 90deg --azimuth 90deg {BALL}", [0, H, H]),
+    (f"--elevation -90deg --azimuth 90deg {BALL}", [1, 0, 0]),
+    (f"0 0 -2 {BALL}", [1, 0, 0]),
+    (f"1e-9 0 -1 {BALL}", [1, 0, 5e-10]),
+    # a flat mirror
+    (f"0 0 1 --reflect-at 1,0,1 {NAMES} -g incidence", [1, 0, 0, 45]),
+    (f"0,0,3 --reflect-at 2,2,2 {NAMES} -g length", [2 / 3, 2 / 3, -1 / 3, 3]),
+    ("3m 4m 0m --reflect-at 1,0,0 -g azimuth -g length:cm -g incidence",
+     [360 - math.degrees(math.atan(4 / 3)), 500, math.degrees(math.atan(4 / 3))]),
+    (f"--polar 30deg --azimuth 0deg --reflect-at 0,0,1 {NAMES}", [-0.5, 0, math.sqrt(0.75)]),
+    (f"--polar 90deg --azimuth 0deg --reflect-at 0,0,1 {NAMES}", [-1, 0, 0]),  # grazing
+    (f"0 0 1 --reflect-to 1,0,0 {NAMES} -g incidence", [H, 0, H, 45]),
+    (f"0 0 5m --reflect-to 0.96,0,0.28 {NAMES} -g length", [0.6, 0, 0.8, 1]),
+    (f"--elevation 90deg --azimuth 0deg --reflect-to 0,0,7 {NAMES} -g incidence", [0, 0, 1, 0]),
+    (f"0 0 1 --reflect-at 1,0,1 {BALL}", [H, 0, H]),  # of the reflection
+])  # fmt: skip
 def test_mirrors_by_hand(words, values):
     done = run("direction", *words.split())
     assert done.returncode == 0, done.stderr

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from radcalc.calculators import dose as module
 from radcalc.calculators.dose import Dose, SummedLog, check_unit
 from radcalc.errors import RadcalcError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
 DAY = 100  # ticks of the days of these tests

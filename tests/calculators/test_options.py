@@ -2,8 +2,7 @@
 
 from typing import Any
 
-import pytest
-from helpers import flagged
+from helpers import flagged, for_each
 
 from radcalc import calorimeter, ev, lambertian, point_source
 from radcalc.calculators import calorimeter as calorimeter_module
@@ -94,11 +93,7 @@ def example_of(name: str) -> Any:
     return EXAMPLE.get(name) or SYMBOLS[name].example
 
 
-@pytest.mark.parametrize(
-    ("call", "words", "options", "base"),
-    BASES,
-    ids=[" ".join((b[0].__name__, *b[1], *b[3])) for b in BASES],
-)
+@for_each(BASES)
 def test_an_option_is_refused_or_changes_something_else(call, words, options, base):
     before = answer_of(call, words, base) or {}  # alone it may say what it lacks
     given_names = {name.replace("-", "_") for name in base}

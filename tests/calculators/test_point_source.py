@@ -10,7 +10,7 @@ from mpmath import mpf
 from radcalc import convert, point_source
 from radcalc.calculators.point_source import point_source as work_out
 from radcalc.errors import ConditionError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 
 PI = math.pi
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from conftest import run
-from helpers import number
+from helpers import for_each, number
 
 import radcalc
 
@@ -17,59 +17,56 @@ LENS = "--radiance 10W/m2/sr --f-number 4"
 LIT = math.pi * 10 / (4 * 16)  # W/m2
 
 
-@pytest.mark.parametrize(
-    ("words", "asked", "expected", "rel"),
-    [
-        # Senior, Optical Fiber Communications, chapter 8: 1.2e11 electrons of 3e11 photons at
-        # 0.85 um; Raina, Optical Fiber Communication System, examples 9.1 to 9.4 (both as worked
-        # by FOSSEE's textbook companions, with rounded constants)
-        (DIODE.format("1.2/3", "0.85um"), "responsivity", 0.274, 2e-3),
-        (DIODE.format("550/800", "1.3um"), "responsivity", 0.72, 2e-3),
-        ("--responsivity 0.274A/W --wavelength 0.85um", "quantum-efficiency:%", 40, 2e-3),
-        (DIODE.format("1/3", "0.8um") + " --flux 0.1uW", "current:nA", 21.49, 2e-3),
-        (DIODE.format("50%", "0.85um") + " --current 1uA", "flux:uW", 2.92, 2e-3),
-        # coseti.org/9008-039.htm: 0.26 A/W at 656 nm for 0.5
-        (DIODE.format("0.5", "656nm"), "responsivity", 0.26, 2e-2),
-        # FOSSEE, Optical Communication, examples 6.1 and 6.2: 0.85 A/W make 0.85 mA of 1 mW;
-        # 4.2e6 pairs of 6e6 photons are 70 %
-        ("--responsivity 0.85A/W --flux 1mW", "current:mA", 0.85, 1e-12),
-        ("--electrons 4.2e6 --photons 6e6photon", "quantum-efficiency:%", 70, 1e-12),
-        # strollswithmydog.com, Connecting Photographic Raw Data: pi p^2 t / (4 N^2) of the radiance
-        ("--radiance 1W/m2/sr --f-number 4 --pixel-pitch 3um --time 10ms", "energy:J",
-         math.pi * 9e-12 * 0.01 / 64, 1e-12),
-        # by hand, from here on
-        (LENS, "irradiance", LIT, 1e-12),
-        (f"{LENS} --magnification 1", "irradiance", LIT / 4, 1e-12),
-        (f"{LENS} --magnification 1", "working-f-number", 8, 1e-12),
-        ("--f-number 4 --working-f-number 8", "magnification", 1, 1e-12),  # 8 = 4 (1 + m)
-        (f"{LENS} --off-axis-angle 30deg", "irradiance", LIT * 9 / 16, 1e-12),
-        (f"{LENS} --off-axis-angle 0deg", "irradiance", LIT, 1e-12),
-        (f"{LENS} --transmittance 80%", "irradiance", LIT * 0.8, 1e-12),
-        # the widest cone there is fills a hemisphere: E = pi L
-        ("--radiance 10W/m2/sr --f-number 0.5", "irradiance", 10 * math.pi, 1e-12),
-        ("--working-f-number 8 --pixel-area 1mm2", "etendue:mm2.sr", math.pi / 256, 1e-12),
-        (f"{PIXEL} --time 10ms", "photons", PHOTONS * 0.01, 1e-12),
-        (f"{PIXEL} --time 10ms", "electrons", PHOTONS * 0.005, 1e-12),
-        (f"{PIXEL} --time 10ms", "current:A", PHOTONS * 0.5 * E, 1e-12),
-        (f"{PIXEL} --time 10ms", "snr", math.sqrt(PHOTONS * 0.005), 1e-12),
-        (f"{PIXEL} --snr 100", "time:s", 1e4 / (0.5 * PHOTONS), 1e-12),
-        ("--photon-irradiance 1umol/m2/s --pixel-area 1mm2 --quantum-efficiency 0.5", "current:A",
-         0.5 * 1e-12 * 6.02214076e23 * E, 1e-12),
-        # back from each: the marked f-number, the aperture, the time, the scene
-        ("--radiance 10W/m2/sr --irradiance 0.1W/m2", "f-number", math.sqrt(25 * math.pi), 1e-12),
-        (f"{LENS} --irradiance 0.25W/m2", "transmittance", 0.25 / LIT, 1e-12),
-        (f"{LENS} --irradiance 0.25W/m2 --transmittance 1", "magnification",
-         math.sqrt(LIT / 0.25) - 1, 1e-12),
-        (f"{PIXEL} --electrons 1000", "time:ms", 2e6 / PHOTONS, 1e-12),
-        ("--f-number 4 --irradiance 2W/m2", "radiance", 2 * 64 / math.pi, 1e-12),
-        ("--luminance 100cd/m2 --f-number 4 --exposure 0.1lx.s", "time:s",
-         0.1 * 64 / (100 * math.pi), 1e-12),
-        ("--responsivity 0.4A/W --current 2uA --pixel-area 1mm2", "irradiance:W/m2", 5, 1e-12),
-        # lumens by 54 lm s/umol: 540 lx are 10 umol/m2/s
-        ("--illuminance 540lx --efficacy 54lm.s/umol --pixel-area 1um2 --time 1s "
-         "--quantum-efficiency 1", "electrons", 1e-12 * 1e-5 * 6.02214076e23, 1e-9),
-    ],
-)  # fmt: skip
+@for_each([
+    # Senior, Optical Fiber Communications, chapter 8: 1.2e11 electrons of 3e11 photons at
+    # 0.85 um; Raina, Optical Fiber Communication System, examples 9.1 to 9.4 (both as worked
+    # by FOSSEE's textbook companions, with rounded constants)
+    (DIODE.format("1.2/3", "0.85um"), "responsivity", 0.274, 2e-3),
+    (DIODE.format("550/800", "1.3um"), "responsivity", 0.72, 2e-3),
+    ("--responsivity 0.274A/W --wavelength 0.85um", "quantum-efficiency:%", 40, 2e-3),
+    (DIODE.format("1/3", "0.8um") + " --flux 0.1uW", "current:nA", 21.49, 2e-3),
+    (DIODE.format("50%", "0.85um") + " --current 1uA", "flux:uW", 2.92, 2e-3),
+    # coseti.org/9008-039.htm: 0.26 A/W at 656 nm for 0.5
+    (DIODE.format("0.5", "656nm"), "responsivity", 0.26, 2e-2),
+    # FOSSEE, Optical Communication, examples 6.1 and 6.2: 0.85 A/W make 0.85 mA of 1 mW;
+    # 4.2e6 pairs of 6e6 photons are 70 %
+    ("--responsivity 0.85A/W --flux 1mW", "current:mA", 0.85, 1e-12),
+    ("--electrons 4.2e6 --photons 6e6photon", "quantum-efficiency:%", 70, 1e-12),
+    # strollswithmydog.com, Connecting Photographic Raw Data: pi p^2 t / (4 N^2) of the radiance
+    ("--radiance 1W/m2/sr --f-number 4 --pixel-pitch 3um --time 10ms", "energy:J",
+     math.pi * 9e-12 * 0.01 / 64, 1e-12),
+    # by hand, from here on
+    (LENS, "irradiance", LIT, 1e-12),
+    (f"{LENS} --magnification 1", "irradiance", LIT / 4, 1e-12),
+    (f"{LENS} --magnification 1", "working-f-number", 8, 1e-12),
+    ("--f-number 4 --working-f-number 8", "magnification", 1, 1e-12),  # 8 = 4 (1 + m)
+    (f"{LENS} --off-axis-angle 30deg", "irradiance", LIT * 9 / 16, 1e-12),
+    (f"{LENS} --off-axis-angle 0deg", "irradiance", LIT, 1e-12),
+    (f"{LENS} --transmittance 80%", "irradiance", LIT * 0.8, 1e-12),
+    # the widest cone there is fills a hemisphere: E = pi L
+    ("--radiance 10W/m2/sr --f-number 0.5", "irradiance", 10 * math.pi, 1e-12),
+    ("--working-f-number 8 --pixel-area 1mm2", "etendue:mm2.sr", math.pi / 256, 1e-12),
+    (f"{PIXEL} --time 10ms", "photons", PHOTONS * 0.01, 1e-12),
+    (f"{PIXEL} --time 10ms", "electrons", PHOTONS * 0.005, 1e-12),
+    (f"{PIXEL} --time 10ms", "current:A", PHOTONS * 0.5 * E, 1e-12),
+    (f"{PIXEL} --time 10ms", "snr", math.sqrt(PHOTONS * 0.005), 1e-12),
+    (f"{PIXEL} --snr 100", "time:s", 1e4 / (0.5 * PHOTONS), 1e-12),
+    ("--photon-irradiance 1umol/m2/s --pixel-area 1mm2 --quantum-efficiency 0.5", "current:A",
+     0.5 * 1e-12 * 6.02214076e23 * E, 1e-12),
+    # back from each: the marked f-number, the aperture, the time, the scene
+    ("--radiance 10W/m2/sr --irradiance 0.1W/m2", "f-number", math.sqrt(25 * math.pi), 1e-12),
+    (f"{LENS} --irradiance 0.25W/m2", "transmittance", 0.25 / LIT, 1e-12),
+    (f"{LENS} --irradiance 0.25W/m2 --transmittance 1", "magnification",
+     math.sqrt(LIT / 0.25) - 1, 1e-12),
+    (f"{PIXEL} --electrons 1000", "time:ms", 2e6 / PHOTONS, 1e-12),
+    ("--f-number 4 --irradiance 2W/m2", "radiance", 2 * 64 / math.pi, 1e-12),
+    ("--luminance 100cd/m2 --f-number 4 --exposure 0.1lx.s", "time:s",
+     0.1 * 64 / (100 * math.pi), 1e-12),
+    ("--responsivity 0.4A/W --current 2uA --pixel-area 1mm2", "irradiance:W/m2", 5, 1e-12),
+    # lumens by 54 lm s/umol: 540 lx are 10 umol/m2/s
+    ("--illuminance 540lx --efficacy 54lm.s/umol --pixel-area 1um2 --time 1s "
+     "--quantum-efficiency 1", "electrons", 1e-12 * 1e-5 * 6.02214076e23, 1e-9),
+])  # fmt: skip
 def test_a_sensor_follows_from_any_sufficient_set(words, asked, expected, rel):
     done = run("sensor", *words.split(), "-q", "-g", asked)
     assert float(done.stdout) == pytest.approx(expected, rel=rel)
@@ -115,8 +112,7 @@ def test_what_is_not_given_is_assumed_and_said():
     assert "lens" not in done.stderr
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
+@for_each(
     [
         ("", "the light is missing"),
         ("--luminance 10cd/m2 --f-number 0.4", "0.5 or more, in air"),

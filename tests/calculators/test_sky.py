@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from conftest import run
-from helpers import Q
+from helpers import Q, for_each
 
 import radcalc
 from radcalc.errors import RadcalcError
@@ -164,8 +164,7 @@ def test_what_it_assumes_is_said():
     assert "cuts the sun's disc" in said
 
 
-@pytest.mark.parametrize(
-    ("words", "message", "hint"),
+@for_each(
     [
         ("", "a light quantity is missing", "--horizontal-irradiance"),
         ("cleer --zenith-luminance 1cd/m2", "'cleer' is no sky", "clear"),

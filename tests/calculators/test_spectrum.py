@@ -10,7 +10,7 @@ from following import call
 from radcalc.calculators.results import absent, pick
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import RadcalcError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.spectra.data import suns
 from radcalc.spectra.observers import OBSERVERS
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from conftest import run
-from helpers import Q, number
+from helpers import Q, for_each, number
 
 import radcalc
 from radcalc.errors import RadcalcError
@@ -96,32 +96,29 @@ def test_every_kind_of_light():
     assert found == pytest.approx([1], rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("words", "noted"),
-    [
-        ("0,0,4", None),
-        ("0,0,4 --maximum 3", None),
-        ("0,0,1 --maximum 3", None),
-        ("0,0,0.5", None),
-        ("0,0,4 --beam-exponent 0", None),
-        ("0,0,1.5 --falloff 1", "1.5 times the light of one here, so light is created"),
-        ("0,0,2 --falloff 0:1:0.001 -g attenuation", "light is created or lost"),
-        ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: it gives 4 times the light of one "
-         "here, so light is created"),
-        ("0,0,4 --falloff 3", "0.25 times the light of one here, so light is lost"),
-        ("0,0,0.5 --maximum 3", "--maximum 3 is no inverse square"),
-        ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are no inverse square"),
-        ("0,0,4 --near 1m:2m", "--near is no physics"),
-        ("0,0,4 --far 1m:2m", "--far is no physics"),
-        ("0,0,4 --far 1m:2m", "no light: the point is outside --far"),
-        ("0,0,4 --beam-exponent 2", "--beam-exponent only shapes the directions"),
-        ("0,0,4 --superellipse 1,1,1,1", "--superellipse only shapes the directions"),
-        ("4,0,4 --superellipse 0.1,0.1,0.2,0.2", "no light: the point is outside --superellipse"),
-        ("0,0,-4", "a spot has no light where z is 0 or less"),
-        ("1.5,1.5,1 --superellipse 1,1,2,2 --roundness 0", "just above 0"),
-        ("0,0,1 --intensity 1cd --normal 0,0,1", "does not reach the receiver"),
-    ],
-)  # fmt: skip
+@for_each([
+    ("0,0,4", None),
+    ("0,0,4 --maximum 3", None),
+    ("0,0,1 --maximum 3", None),
+    ("0,0,0.5", None),
+    ("0,0,4 --beam-exponent 0", None),
+    ("0,0,1.5 --falloff 1", "1.5 times the light of one here, so light is created"),
+    ("0,0,2 --falloff 0:1:0.001 -g attenuation", "light is created or lost"),
+    ("0,0,4 --falloff 1", "--falloff 1 is no inverse square: it gives 4 times the light of one "
+     "here, so light is created"),
+    ("0,0,4 --falloff 3", "0.25 times the light of one here, so light is lost"),
+    ("0,0,0.5 --maximum 3", "--maximum 3 is no inverse square"),
+    ("0,0,0.5 --falloff 1 --maximum 3", "--falloff 1 and --maximum 3 are no inverse square"),
+    ("0,0,4 --near 1m:2m", "--near is no physics"),
+    ("0,0,4 --far 1m:2m", "--far is no physics"),
+    ("0,0,4 --far 1m:2m", "no light: the point is outside --far"),
+    ("0,0,4 --beam-exponent 2", "--beam-exponent only shapes the directions"),
+    ("0,0,4 --superellipse 1,1,1,1", "--superellipse only shapes the directions"),
+    ("4,0,4 --superellipse 0.1,0.1,0.2,0.2", "no light: the point is outside --superellipse"),
+    ("0,0,-4", "a spot has no light where z is 0 or less"),
+    ("1.5,1.5,1 --superellipse 1,1,2,2 --roundness 0", "just above 0"),
+    ("0,0,1 --intensity 1cd --normal 0,0,1", "does not reach the receiver"),
+])  # fmt: skip
 def test_what_is_no_physics_and_what_is_dark_is_said(words, noted):
     notes = [line for line in run("uberlight", *words.split()).stderr.splitlines()
              if line.startswith("note")]  # fmt: skip
@@ -164,8 +161,7 @@ def test_the_steps_of_a_corner_and_of_the_centre():
     assert "a_z = 1 where z > 0, else 0" in told
 
 
-@pytest.mark.parametrize(
-    ("words", "message", "hint"),
+@for_each(
     [
         ("", "a point is missing", "radcalc uberlight 0,0,4"),
         ("0,0,0", "the point is at the light", "aside"),

@@ -10,8 +10,7 @@ from decimal import Decimal
 from typing import Any
 
 import numpy as np
-import pytest
-from helpers import number
+from helpers import for_each, number
 
 import radcalc
 from radcalc import calorimeter, ev, lambertian, point_source
@@ -225,18 +224,11 @@ EXAMPLES: list[tuple[str, list[tuple[Callable[[], Any], str, str, str]]]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("call", "name", "unit", "printed"),
-    [
-        pytest.param(*case, id=f"{source.partition(',')[0]}: {case[1]} {case[3]}")
-        for source, cases in EXAMPLES
-        for case in cases
-    ],
-)
-def test_a_printed_example_comes_out_to_its_digits(call, name, unit, printed):
+@for_each([(source, *case) for source, cases in EXAMPLES for case in cases])
+def test_a_printed_example_comes_out_to_its_digits(source, call, name, unit, printed):
     half = Decimal((0, (5,), Decimal(printed).as_tuple().exponent - 1))
     value = Decimal(number(call(), name, unit))
-    assert abs(value - Decimal(printed)) <= half, (value, printed)
+    assert abs(value - Decimal(printed)) <= half, (source, value, printed)
 
 
 def test_there_are_more_than_twenty_sources():

@@ -3,9 +3,8 @@
 import re
 import shlex
 
-import pytest
 from following import call
-from helpers import answers
+from helpers import answers, for_each
 from render.test_schema import ANSWERS
 
 NUMBER = re.compile(r"(\d+(?:\.\d+)?)([^\d].*)?")
@@ -123,7 +122,7 @@ def given_of(words):
                     yield name, told, result
 
 
-@pytest.mark.parametrize("text", CALLS)
+@for_each(CALLS)
 def test_what_is_given_is_shown_as_typed(text):
     first, *rest = shlex.split(text)
     for factor in FACTORS:
@@ -139,7 +138,7 @@ def test_most_of_what_can_be_given_is_a_result_too():
     assert len({name for name, *_ in told}) > 60
 
 
-@pytest.mark.parametrize("nanometres", [f"{number / 10}" for number in range(3601, 8300, 97)])
+@for_each([f"{number / 10}" for number in range(3601, 8300, 97)])
 def test_the_wavelength_of_a_line_is_its_peak(nanometres):
     done = call(["spectrum", f"line:{nanometres}nm", "--json"])
     (answer,) = answers(done.output)

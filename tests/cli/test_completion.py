@@ -1,10 +1,14 @@
 """What a Tab offers: units in reach, options and their values, results, files, in three shells."""
 
+from itertools import product
+
 import pytest
 from conftest import run
+from helpers import for_each
 
-from radcalc.cli import compile as printed
-from radcalc.completion import Completion, completions, shells
+from radcalc.cli.compile import Compiler
+from radcalc.completion import completions, shells, sources
+from radcalc.completion.line import Completion
 from radcalc.completion.table import COMMANDS, UNITS
 from radcalc.completion.values import READERS
 from radcalc.conversion.plan import plan, target_of
@@ -29,9 +33,21 @@ def said(line: str, text: str) -> str:
     return next(one.description for one in complete(line) if one.text == text)
 
 
-def test_the_table_is_what_the_commands_have():
-    """After a change of an option: python -m radcalc.cli.compile."""
-    assert printed.Compiler().text() == printed.TABLE.read_text(encoding="utf-8")
+def test_sources_make_the_table_again_when_they_change(tmp_path, monkeypatch):
+    monkeypatch.setattr(sources, "KEPT", tmp_path / "__pycache__" / "table.txt")
+    made = sources.made()
+    assert made["COMMANDS"] == COMMANDS
+    monkeypatch.setattr(Compiler, "text", lambda self: "COMMANDS = {}\n")
+    assert sources.made() == made
+    (tmp_path / "new.py").touch()
+    monkeypatch.setattr(sources, "PACKAGE", tmp_path)
+    assert sources.made() == {"COMMANDS": {}}
+
+
+def test_a_table_that_cannot_be_kept_is_made(tmp_path, monkeypatch):
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(sources, "KEPT", tmp_path / "file" / "table.txt")
+    assert sources.made()["UNITS"] == UNITS
 
 
 # ---------------------------------------------------------------------------------------------
@@ -66,8 +82,7 @@ def test_what_a_target_takes_is_said(line, target, condition):
 SOURCES = ["lx", "W", "cd/m2", "umol/m2/s", "lm.s", "W/m2/nm", "nm", "dBm", "EV", "K"]
 
 
-@pytest.mark.parametrize("typed", ["", "l", "m", "W/m", "p"])
-@pytest.mark.parametrize("source", SOURCES)
+@for_each(product(SOURCES, ["", "l", "m", "W/m", "p"]))
 def test_what_is_offered_converts_or_lacks_just_that(source, typed):
     unit = resolve_any(source)
     for one in complete(f"1 {source} {typed}"):
@@ -195,8 +210,7 @@ def test_an_option_is_offered_once_unless_it_repeats():
     assert texts("point-source -- --") == []
 
 
-@pytest.mark.parametrize(
-    ("line", "first"),
+@for_each(
     [
         ("point-source --distance 2", ["2m", "2cm"]),
         ("point-source --distance=2", ["--distance=2m", "--distance=2cm"]),
@@ -285,7 +299,7 @@ def test_every_form_has_a_reader():
     assert forms - READERS.keys() == {"flag", "word", "conversion"}
 
 
-@pytest.mark.parametrize("quantity", UNITS)
+@for_each(UNITS)
 def test_the_units_of_a_quantity_measure_it(quantity):
     units = [unit for text, _ in UNITS[quantity] if (unit := unit_of(text))]  # no scales
     assert len({unit.dimension for unit in units}) <= 1

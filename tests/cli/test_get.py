@@ -3,10 +3,10 @@
 import re
 import shlex
 
-import pytest
+from conftest import run
+from helpers import for_each
 from test_cases import FILES, transcripts
 
-from radcalc.__main__ import run
 from radcalc.units.numbers import is_sentence
 
 OTHERS = {"convert", "units", "quantities", "typical"}
@@ -58,18 +58,17 @@ def test_the_transcripts_have_every_calculator():
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("text", LISTINGS)
-def test_a_bare_name_is_in_the_unit_of_the_listing(text, capfd):
+@for_each(LISTINGS)
+def test_a_bare_name_is_in_the_unit_of_the_listing(text):
     words = shlex.split(text)
-    assert run(words) == 0
     first: dict[str, list[tuple[str, str]]] = {}
-    for line in capfd.readouterr().out.splitlines():
+    for line in run(*words, check=True).stdout.splitlines():
         name, number, unit = line.split("\t")
         first.setdefault(name, []).append((number, unit))
     assert first
     asked = [part for name in first for part in ("-g", name)]
-    assert run([*words, *asked]) == 0
-    lines = [line.split("\t") for line in capfd.readouterr().out.splitlines()]
+    done = run(*words, *asked, check=True)
+    lines = [line.split("\t") for line in done.stdout.splitlines()]
     for (name, told), column in zip(first.items(), zip(*lines, strict=True), strict=True):
         each = len(told) // len(lines)  # a result may have a line for each of several units
         for (number, unit), found in zip(told[::each], column, strict=True):
@@ -77,11 +76,11 @@ def test_a_bare_name_is_in_the_unit_of_the_listing(text, capfd):
                 assert found == number or is_near(found, number), name
 
 
-def test_a_result_is_in_its_own_unit_where_the_first_is_of_another_kind(capfd):
+def test_a_result_is_in_its_own_unit_where_the_first_is_of_another_kind():
     """E = Phi / (4 pi d^2): 800 / (16 pi) = 15.9155 lx, and 900 / (16 pi) = 17.9049 W/m2."""
     lamps = ["point-source", "--flux", "800lm,900W", "--distance", "2m", "-g", "irradiance", "-q"]
-    assert run([*lamps, "--format", "csv", "--precision", "6"]) == 0
-    assert capfd.readouterr().out.splitlines() == [
+    done = run(*lamps, "--format", "csv", "--precision", "6", check=True)
+    assert done.stdout.splitlines() == [
         "flux,irradiance:lx,irradiance:W/m2", "800lm,15.9155,", "900W,,17.9049"
     ]  # fmt: skip
 

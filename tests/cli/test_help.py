@@ -3,13 +3,15 @@
 import re
 import shlex
 from functools import cache
+from itertools import product
 
 import click
 import pytest
-from helpers import screen_of
+from helpers import for_each, terminal_of
 
-from radcalc.cli import COMMANDS, commands
-from radcalc.stdio import fold
+from radcalc.cli.group import commands
+from radcalc.cli.help import COMMANDS
+from radcalc.terminal import fold
 
 WIDTHS = (60, 80, 120)
 
@@ -25,15 +27,13 @@ def help_of(name, width):
         return own.get_help(context)
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", ["", *COMMANDS])
+@for_each(product(["", *COMMANDS], WIDTHS))
 def test_no_line_is_wider_than_the_terminal(name, width):
     lines = help_of(name, width).split("\n")
     assert [line for line in lines if len(line) > width] == []
 
 
-@pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", ["", *COMMANDS])
+@for_each(product(["", *COMMANDS], WIDTHS))
 def test_the_words_are_the_same_in_every_width(name, width):
     def words(text):
         text = re.sub(r" \\\n", " ", text)  # an example goes on
@@ -43,7 +43,7 @@ def test_the_words_are_the_same_in_every_width(name, width):
     assert words(help_of(name, width)) == words(help_of(name, 1000))
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@for_each(COMMANDS)
 def test_every_option_that_is_shown_stands_in_one_piece(name):
     text = help_of(name, 60).split()
     for option in command_of(name).params:
@@ -51,7 +51,7 @@ def test_every_option_that_is_shown_stands_in_one_piece(name):
             assert any(word.rstrip(",") == option.opts[-1] for word in text), option.opts
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@for_each(COMMANDS)
 def test_an_example_over_several_lines_is_the_same_command(name):
     def examples(width):
         text = help_of(name, width).replace("\\\n", " ")
@@ -82,7 +82,7 @@ MESSAGES = [
 @pytest.mark.parametrize("typed", MESSAGES)
 def test_a_message_on_a_terminal_is_folded_between_its_words(typed, width):
     words = shlex.split(typed)
-    wide, narrow = (screen_of(*words, columns=columns, NO_COLOR="1") for columns in (500, width))
+    wide, narrow = (terminal_of(*words, columns=columns, NO_COLOR="1") for columns in (500, width))
     assert narrow.split() == wide.split()
     lines = [line for line in narrow.split("\n") if len(line) > width]
     assert all(len(line.split()) == 1 for line in lines)  # a word is not cut

@@ -54,7 +54,7 @@ LEFT = [
 
 @pytest.fixture
 def piped(monkeypatch, capsys):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: False)
     return capsys.readouterr
 
 
@@ -90,5 +90,5 @@ def test_the_quick_lane_knows_convert_only(words, piped):
 
 
 def test_the_quick_lane_leaves_a_terminal_to_click(piped, monkeypatch):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: True)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     assert __main__.quick_lane(["convert", "100", "lx", "fc"]) is None

@@ -1,8 +1,6 @@
 """The manual's pages and the command line say the same, and what the pages show is what happens."""
 
-import os
 import re
-import shutil
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -10,9 +8,12 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
+from helpers import for_each, require
 from test_cases import answered
 
-from radcalc.cli import COMMANDS, commands, manual
+from radcalc.cli import manual
+from radcalc.cli.group import commands
+from radcalc.cli.help import COMMANDS
 from radcalc.cli.manual import mdoc
 from radcalc.quantities.names import QUANTITIES
 from radcalc.units.compiled import PREFIX_NAMES, UNITS
@@ -62,8 +63,7 @@ PRODUCED = {
 
 
 def mandoc(path: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    if not shutil.which("mandoc"):
-        (pytest.fail if os.environ.get("CI") else pytest.skip)("mandoc is not installed")
+    require("mandoc")
     return subprocess.run(
         ["mandoc", *words, str(path)], capture_output=True, text=True, encoding="utf-8", timeout=60
     )
@@ -101,7 +101,7 @@ def spellings(context: click.Context) -> set[str]:
     return {s for option in options(context) for s in (*option.opts, *option.secondary_opts)}
 
 
-@pytest.mark.parametrize("page", CONTEXTS)
+@for_each(CONTEXTS)
 def test_every_command_and_every_option_has_help(page):
     context = CONTEXTS[page]
     assert context.command.help
@@ -117,7 +117,7 @@ def test_the_help_lists_the_commands_as_click_would_if_it_imported_them(width):
     assert "convert" in ours.getvalue()
 
 
-@pytest.mark.parametrize("page", CONTEXTS)
+@for_each(CONTEXTS)
 def test_a_help_names_its_page(page):
     context = CONTEXTS[page]
     assert context.command.get_help(context).endswith(f"\n\nManual: man {page[:-3]}")
@@ -128,7 +128,7 @@ def test_every_command_has_a_page():
     assert first == {MAIN, *(f"radcalc-{name}(1)" for name in COMMANDS)}
 
 
-@pytest.mark.parametrize("name", PAGES)
+@for_each(PAGES)
 def test_a_page_has_the_sections_of_its_kind(name):
     sections = re.findall(r"^\.Sh (.+)$", SOURCES[name], re.M)
     first = ["NAME", "SYNOPSIS", "DESCRIPTION"] if name.endswith("(1)") else ["NAME", "DESCRIPTION"]
@@ -145,13 +145,13 @@ def test_what_is_generated_is_up_to_date(name):
     assert manual.rewritten(SOURCES[name]) == SOURCES[name]  # python -m radcalc.cli.manual man
 
 
-@pytest.mark.parametrize("name", PAGES)
+@for_each(PAGES)
 def test_a_page_is_clean_mdoc(name):
     done = mandoc(PAGES[name], "-T", "lint", "-W", "warning")
     assert (done.returncode, done.stdout) == (0, "")
 
 
-@pytest.mark.parametrize("name", PAGES)
+@for_each(PAGES)
 def test_the_pages_that_a_page_names_exist(name):
     named = re.findall(r"^\.(?:It )?Xr (\S+) (\d)", SOURCES[name], re.M)
     assert named
@@ -173,7 +173,7 @@ def described(name: str) -> set[str]:
     return {spelling for item in items for spelling in item.split(", ") if spelling}
 
 
-@pytest.mark.parametrize("name", CONTEXTS)
+@for_each(CONTEXTS)
 def test_a_page_describes_every_option_of_its_command_and_no_other(name):
     of_all = {"-n", "--number", "--auto", "--precision"}  # which lists of units and names refuse
     if name == MAIN:
@@ -189,7 +189,7 @@ def test_a_page_describes_every_option_of_its_command_and_no_other(name):
     assert found <= spellings(CONTEXTS[name])
 
 
-@pytest.mark.parametrize("name", PAGES)
+@for_each(PAGES)
 def test_every_option_that_a_page_names_exists(name):
     named = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", rendered(name)))
     assert named - set().union(*map(spellings, CONTEXTS.values())) == set()
@@ -279,13 +279,13 @@ def test_an_example_prints_what_the_page_shows(command, output):
     assert [*printed.split(), *([f"[{status}]"] if status else [])] == output.split()
 
 
-@pytest.mark.parametrize("name", PAGES)
+@for_each(PAGES)
 def test_no_line_of_a_display_is_wider_than_80_columns(name):
     wide = [line for line in rendered(name, 80).splitlines() if len(line) > 80]
     assert wide == []
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@for_each(COMMANDS)
 def test_every_command_has_examples_that_run(name):
     ran = [command for command, _ in manual.transcripts(SOURCES[f"radcalc-{name}(1)"])]
     assert any(f"radcalc {name}" in command for command in ran)
@@ -300,7 +300,7 @@ def test_the_page_of_examples_has_ten_tasks_each_with_a_call_and_how_to_read_it(
 
 
 DIAGNOSTICS = [
-    pytest.param(mdoc.shown(message), id=message)
+    mdoc.displayed(message)
     for source in SOURCES.values()
     for message in re.findall(
         r"^\.It Li (.+)$", source.partition(".Sh DIAGNOSTICS")[2].partition(".Sh ")[0], re.M
@@ -308,7 +308,7 @@ DIAGNOSTICS = [
 ]
 
 
-@pytest.mark.parametrize("message", DIAGNOSTICS)
+@for_each(DIAGNOSTICS)
 def test_a_refusal_in_the_manual_is_what_is_said(message):
     (words,) = [words for start, words in PRODUCED.items() if message.startswith(start)]
     printed, status = answered(words if words.startswith("printf") else f"radcalc {words}")

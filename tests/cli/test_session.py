@@ -1,12 +1,13 @@
 """The lines of a prompt: how they are read, the last answer, and the names of amounts."""
 
 import re
+from pathlib import Path
 
 import pytest
 from conftest import ROOT, standard_streams
 from test_cases import FILES, transcripts
 
-from radcalc import cli
+from radcalc.cli import group
 from radcalc.cli.session import Session
 
 # 1 fc = 1 lm/ft2 and 1 ft = 0.3048 m exactly: 100 lx = 9.290304 fc
@@ -17,7 +18,7 @@ NEEDS_QUOTES = "quotes around a value that is calculated"
 
 @pytest.fixture
 def session(monkeypatch):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: False)
     return Session()
 
 
@@ -112,10 +113,10 @@ def test_a_right_answer_is_kept_under_a_name(typed):
     assert typed("x = 200 lx fc --check 18.6", "x lx") == "200\tlx\n"
 
 
-def test_points_by_the_line_are_no_value(typed, tmp_path):
-    file = tmp_path / "lamp.csv"
-    file.write_text("x,y,z,intensity\n0,0,2,100cd\n")
-    typed("100 lx fc", f"scene {file} --grid 0:1:2,0,0 -g irradiance")
+def test_points_by_the_line_are_no_value(typed, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("lamp.csv").write_text("x,y,z,intensity\n0,0,2,100cd\n")
+    typed("100 lx fc", "scene lamp.csv --grid 0:1:2,0,0 -g irradiance")
     assert "no number" in typed("ans fc")
 
 
@@ -319,7 +320,7 @@ def test_a_bug_is_reported_and_the_next_line_is_answered(session, monkeypatch, c
         raise ZeroDivisionError("oh")
 
     with monkeypatch.context() as patched:
-        patched.setattr(cli.commands, "invoke", broken)
+        patched.setattr(group.commands, "invoke", broken)
         assert session.answer("100 lx fc") == 3
     assert "bug in radcalc" in capsys.readouterr().err
     assert session.answer("100 lx fc") == 0
@@ -330,7 +331,7 @@ def test_an_interrupt_ends_the_line_alone(session, monkeypatch, capsys):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(cli.commands, "invoke", interrupted)
+        patched.setattr(group.commands, "invoke", interrupted)
         assert session.answer("100 lx fc") == 130
     assert session.answer("100 lx fc") == 0
     assert capsys.readouterr().out == "9.290304\tfc\n"
@@ -343,13 +344,13 @@ def test_leaving_is_the_end_of_the_lines(session, line):
 
 
 def test_options_of_output_are_for_every_line(capsys, monkeypatch):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: False)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: False)
     Session({"number": True, "precision": 3}).answer("100 lx fc")
     assert capsys.readouterr().out == "9.29\n"
 
 
 def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: True)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     monkeypatch.setenv("NO_COLOR", "1")
     session = Session()
     session.answer("800 lm cd --isotropic")
@@ -361,7 +362,7 @@ def test_a_single_value_is_a_line_on_a_terminal(monkeypatch, capsys):
 
 
 def test_the_session_in_the_readme_is_what_is_printed(monkeypatch, capsys):
-    monkeypatch.setattr("radcalc.stdio.is_terminal", lambda: True)
+    monkeypatch.setattr("radcalc.terminal.is_terminal", lambda: True)
     monkeypatch.setenv("NO_COLOR", "1")
     found = re.search(r"```text\n(> .*?)```", (ROOT / "README.md").read_text("utf-8"), re.S)
     assert found

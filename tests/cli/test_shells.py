@@ -1,7 +1,6 @@
 """Completion in bash, zsh and fish themselves, each on a screen of tmux."""
 
 import os
-import shutil
 import subprocess
 import time
 from collections.abc import Callable, Iterator
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from conftest import entry_point
+from helpers import require
 
 START = {
     "bash": (
@@ -95,10 +95,7 @@ class Screen:
 @pytest.fixture(scope="module", params=START)
 def screen(request, tmp_path_factory) -> Iterator[Screen]:
     shell = request.param
-    for program in ("tmux", shell):
-        if not shutil.which(program):
-            absent = pytest.fail if os.environ.get("CI") else pytest.skip
-            absent(f"{program} is not installed")
+    require("tmux", shell)
     home = tmp_path_factory.mktemp(shell)
     (home / "lamp one.ies").touch()
     (home / "folder").mkdir()

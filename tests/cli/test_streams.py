@@ -9,7 +9,7 @@ import time
 
 import pytest
 from conftest import entry_point, run
-from helpers import on_terminal, started
+from helpers import for_each, on_terminal, started
 
 
 def convert(data: bytes, *words: str) -> subprocess.CompletedProcess[bytes]:
@@ -124,7 +124,7 @@ EXACT = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("data", "words", "wanted"), EXACT.values(), ids=EXACT)
+@for_each(EXACT.values())
 def test_the_number_is_replaced_and_nothing_else(data, words, wanted):
     done = convert(data, "lx", "fc", *words)
     assert (done.stdout, done.stderr, done.returncode) == (wanted, b"", 0)
@@ -426,11 +426,13 @@ def test_a_long_stream_of_a_calculator_is_that_of_its_parts():
         )
 
 
-def test_what_holds_for_some_lines_is_said_once_with_the_line():
+def test_what_holds_for_some_lines_is_said_once_with_these_lines():
     words = ("photon", "-", "nm", "-g", "luminous-efficacy")
     done = answered(b"500\n900\n950\n510\n", *words)
     said = done.stderr.decode().splitlines()
     notes = [line for line in said if line.startswith("note")]
-    assert notes == ["note: line 2: nothing is seen at 900nm: it lies outside the tables"]
-    assert "assumed: line 1: 500nm is taken as the wavelength" in said[0]
+    assert notes == [
+        "note: lines 2 to 3: nothing is seen at 900 to 950nm: it lies outside the tables"
+    ]
+    assert "assumed: 500 to 950nm is taken as the wavelength" in said[0]
     assert sum("CIE 1924" in line for line in said) == 1

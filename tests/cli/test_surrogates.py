@@ -1,9 +1,9 @@
 """Bytes that are no text, which Python has as lone surrogates, are refused like any other."""
 
-import pytest
 from following import call
+from helpers import for_each
 
-from radcalc import stdio
+from radcalc import terminal
 
 BAD = "\udcff"
 CALLS = (
@@ -24,9 +24,9 @@ CALLS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("line", CALLS, ids=ascii)
+@for_each(CALLS)
 def test_bytes_that_are_no_text_are_refused(line):
     outcome = call(line.split(" "))
-    assert outcome.status == stdio.FAILED
+    assert outcome.status == terminal.FAILED
     assert outcome.output == ""
     assert outcome.error is not None

@@ -4,6 +4,7 @@ import math
 from fractions import Fraction
 
 import pytest
+from helpers import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -135,7 +136,7 @@ def test_every_unit_has_a_value_from_its_definition():
     assert set(compiled.UNITS) <= named
 
 
-@pytest.mark.parametrize(("source", "target", "value"), EXACT)
+@for_each(EXACT)
 def test_a_unit_is_worth_its_definition(source, target, value):
     assert plan(resolve(source), resolve(target)).factor == pytest.approx(float(value), rel=1e-15)
 
@@ -149,7 +150,7 @@ def _by_quantity() -> list[list[str]]:
     return list(groups.values())
 
 
-@pytest.mark.parametrize("names", _by_quantity(), ids=lambda names: names[0])
+@for_each(_by_quantity())
 def test_every_pair_of_units_of_a_quantity_agrees_with_pint(names):
     from radcalc.units.registry import light_registry
 

@@ -1,7 +1,7 @@
 """One unit for each quantity of the grid: none becomes another without a condition."""
 
 import pytest
-from helpers import shell
+from helpers import for_each, shell
 
 from radcalc.conversion.plan import plan
 from radcalc.errors import ConversionError
@@ -29,7 +29,7 @@ def _only_c_between(one: str, other: str) -> bool:
     return False
 
 
-@pytest.mark.parametrize("source", [*GRID, *OTHERS])
+@for_each([*GRID, *OTHERS])
 def test_no_two_different_quantities_convert_without_a_condition(source):
     for target in [*GRID, *OTHERS]:
         if source == target or _only_c_between(source, target):

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import radcalc
 from radcalc.conversion.plan import answer, plan
 from radcalc.errors import ConditionError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
 # Units of each geometry and kind, a spectral density, and the conditions that lead on from them.

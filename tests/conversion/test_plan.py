@@ -3,9 +3,10 @@
 import math
 
 import pytest
+from helpers import for_each
 
 from radcalc.conversion.plan import answer, plan
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.units.table import resolve
 
 # value, source, target, conditions, result, relative tolerance, where the result comes from
@@ -75,9 +76,7 @@ WORKED = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("value", "source", "target", "conditions", "expected", "tolerance", "origin"), WORKED
-)
+@for_each(WORKED)
 def test_worked_values(value, source, target, conditions, expected, tolerance, origin):
     given_ = [read(name, text) for name, text in conditions.items()]
     got = plan(resolve(source), resolve(target), given_).apply(float(value))

@@ -7,6 +7,10 @@ from math import cos, pi, radians
 import pytest
 from conftest import run
 
+from radcalc.units.compiled import UNITS
+from radcalc.units.scales import find
+from radcalc.units.table import resolve
+
 
 def answers(words):
     """The objects of a call, a list of them where it has one answer."""
@@ -96,3 +100,12 @@ def test_what_no_answer_uses_is_refused(words, message):
     assert told.returncode == 2
     assert message in told.stderr
     assert not told.stdout
+
+
+@pytest.mark.parametrize("unit", ["cd/m2", "lm", "W", "m", "K"])
+def test_without_a_target_every_unit_of_the_quantity_has_its_value(unit):
+    lines = run("convert", "1", unit, "-q").stdout.splitlines()
+    texts = [line.split("\t")[1] for line in lines]
+    listed = {resolve(text).atoms for text in texts if not find(text)}
+    measured = resolve(unit).dimension
+    assert listed >= {((name, 1),) for name in UNITS if resolve(name).dimension == measured}

@@ -8,9 +8,9 @@ from itertools import permutations, product
 
 import pytest
 
-from radcalc.conversion import bridges
-from radcalc.conversion.bridges import DISC, FLUX, INTENSITY, IRRADIANCE, RADIANCE, WAYS, ways
+from radcalc.conversion import ways
 from radcalc.conversion.conditions import AREA, CONE, DISTANCE, REFLECTANCE
+from radcalc.conversion.ways import DISC, FLUX, INTENSITY, IRRADIANCE, RADIANCE, WAYS, ways_between
 
 Geometry = tuple[int, int]
 GEOMETRIES = (FLUX, INTENSITY, IRRADIANCE, RADIANCE)
@@ -51,7 +51,7 @@ def is_physical(slots: set[str], ends: set[Geometry]) -> bool:
 
 @pytest.mark.parametrize(("start", "end"), list(permutations(GEOMETRIES, 2)))
 def test_the_table_has_exactly_the_ways_that_a_search_finds(start, end):
-    rows, sign = ways(start, end)
+    rows, sign = ways_between(start, end)
     signed = [{slot: sign * power for slot, power in row.powers.items()} for row in rows]
     assert signed == searched(start, end)
 
@@ -74,13 +74,13 @@ def test_a_cone_is_projected_beside_a_radiance_unless_a_reflector_makes_it(pair)
     for row in WAYS[pair]:
         slots = set(row.powers)
         projected = RADIANCE in pair and REFLECTANCE not in slots
-        cone = bridges._projected_cone if projected else bridges._cone
+        cone = ways._projected_cone if projected else ways._cone
         assert CONE not in slots or row.supply[CONE] is cone
         if {AREA, DISTANCE} <= slots:
-            area = bridges._far_area if RADIANCE in pair else bridges._aperture
+            area = ways._far_area if RADIANCE in pair else ways._aperture
         else:
             seen = pair == (INTENSITY, RADIANCE) and slots == {AREA}
-            area = bridges._front_area if seen else bridges._area
+            area = ways._front_area if seen else ways._area
         assert AREA not in slots or row.supply[AREA] is area
 
 

@@ -1,10 +1,12 @@
 """EULUMDAT files: of every symmetry, with exact fluxes, and in every way damaged."""
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
 from distributions.ldt import ALL_AROUND, GAMMAS, plain_figures, written
+from helpers import for_each
 
 from radcalc.distributions.eulumdat import read
 from radcalc.errors import RadcalcError
@@ -68,9 +70,7 @@ def test_symmetry_3_begins_with_c270():
     assert found.intensity(1.0, -math.pi / 2) == pytest.approx(50)
 
 
-@pytest.mark.parametrize("symmetry", range(5))
-@pytest.mark.parametrize("step", [1, 5, 10])
-@pytest.mark.parametrize("power", [1, 4, 20])
+@for_each(product(range(5), [1, 5, 10], [1, 4, 20]))
 def test_the_flux_of_a_lobe_is_within_its_error(symmetry, step, power):
     gammas = [float(step * k) for k in range(round(90 / step) + 1)]
     found = flux(written(lambda c, g: 1000 * max(math.cos(g), 0) ** power, symmetry, gammas=gammas))
@@ -208,7 +208,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("lines", "message"), REFUSED.values(), ids=REFUSED.keys())
+@for_each(REFUSED.values())
 def test_a_bad_file_is_refused_with_the_line(lines, message):
     with pytest.raises(RadcalcError) as caught:
         read(lines, "lamp.ldt")

@@ -3,6 +3,7 @@
 import math
 import os
 import subprocess
+import sys
 
 import pytest
 from conftest import python
@@ -199,7 +200,11 @@ def test_a_large_file_is_refused_unread(tmp_path):
 def test_standard_input_is_a_file_like_others(form):
     code = "from radcalc.distributions.files import read_file; print(read_file('-').format)"
     done = subprocess.run(
-        ["python", "-c", code], input=FORMATS[form], capture_output=True, text=True, check=True
+        [sys.executable, "-c", code],
+        input=FORMATS[form],
+        capture_output=True,
+        text=True,
+        check=True,
     )
     assert done.stdout.strip() == form
 
@@ -207,7 +212,9 @@ def test_standard_input_is_a_file_like_others(form):
 def test_standard_input_without_end_is_refused():
     code = "from radcalc.distributions.files import read_file; read_file('-')"
     with open("/dev/zero", "rb") as zeros:
-        done = subprocess.run(["python", "-c", code], stdin=zeros, capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, "-c", code], stdin=zeros, capture_output=True, text=True
+        )
     assert "stdin has more than 64 MiB" in done.stderr
 
 

@@ -1,10 +1,12 @@
 """Tables of intensities, against closed forms, plain sums and definitions."""
 
 import math
+from itertools import product
 
 import mpmath
 import numpy
 import pytest
+from helpers import for_each
 
 from radcalc.distributions.grid import Grid
 from radcalc.errors import ConditionError
@@ -23,8 +25,7 @@ def sphere(system="C", planes=13, value=7.0):
     return Grid(polar, azimuth, numpy.full((planes, 10), value), system=system)
 
 
-@pytest.mark.parametrize("exponent", [0, 1, 2, 3, 5, 10, 20, 50, 100, 300, 1000])
-@pytest.mark.parametrize("step", [0.5, 1, 2.5, 5, 10])
+@for_each(product([0, 1, 2, 3, 5, 10, 20, 50, 100, 300, 1000], [0.5, 1, 2.5, 5, 10]))
 def test_the_error_covers_that_of_a_table_of_a_lobe(exponent, step):
     """A lobe's flux is 2 pi / (n + 1); what is not seen between two angles cannot be told."""
     found = axial(lambda t: max(math.cos(t), 0.0) ** exponent, step).flux()

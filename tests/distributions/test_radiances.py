@@ -72,17 +72,24 @@ def test_peak_and_refusals():
         radiances("1").irradiance((0, 0, 0))
 
 
-@pytest.mark.parametrize(("around", "normals"), [(0, [(1, 0, 0)]), (100, [(0, 0, 1), (1, -1, 1)])])
-def test_a_disc_of_the_size_of_the_sun(around, normals):
+RADIUS, SUN = math.radians(0.2666), (0.766044443119, 0, 0.642787609687)
+
+
+def sun_in_a_sky_of(around):
+    return radiances(f"{around} + 1.6e9*({SUN[0]}*x + {SUN[2]}*z > {math.cos(RADIUS)!r})")
+
+
+@pytest.mark.parametrize(("around", "normal"), [(0, (1, 0, 0)), (100, (1, -1, 1))])
+def test_a_disc_of_the_size_of_the_sun(around, normal):
     """L pi sin(radius)^2 times the cosine, and pi times what is around it."""
-    radius, sun = math.radians(0.2666), (0.766044443119, 0, 0.642787609687)
-    sky = radiances(f"{around} + 1.6e9*({sun[0]}*x + {sun[2]}*z > {math.cos(radius)!r})")
-    for normal in normals:
-        cosine = sum(a * b for a, b in zip(normal, sun, strict=True)) / math.dist(normal, (0, 0, 0))
-        true = 1.6e9 * math.pi * math.sin(radius) ** 2 * cosine + math.pi * around
-        found = sky.irradiance(normal)
-        assert found.value == pytest.approx(true, rel=2e-3)
-        assert abs(found.value - true) < found.error + 1e-4 * true
-    assert sky.mean() * 4 * math.pi == pytest.approx(
-        1.6e9 * 2 * math.pi * (1 - math.cos(radius)) + 4 * math.pi * around, rel=2e-3
+    cosine = sum(a * b for a, b in zip(normal, SUN, strict=True)) / math.dist(normal, (0, 0, 0))
+    true = 1.6e9 * math.pi * math.sin(RADIUS) ** 2 * cosine + math.pi * around
+    found = sun_in_a_sky_of(around).irradiance(normal)
+    assert found.value == pytest.approx(true, rel=2e-3)
+    assert abs(found.value - true) < found.error + 1e-4 * true
+
+
+def test_the_mean_of_a_sky_with_a_disc_of_the_size_of_the_sun():
+    assert sun_in_a_sky_of(100).mean() * 4 * math.pi == pytest.approx(
+        1.6e9 * 2 * math.pi * (1 - math.cos(RADIUS)) + 4 * math.pi * 100, rel=2e-3
     )

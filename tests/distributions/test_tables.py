@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from helpers import for_each
 
-from radcalc.distributions import headings
+from radcalc.distributions import column_titles
 from radcalc.distributions.tables import read
 from radcalc.errors import RadcalcError
 
@@ -64,7 +65,7 @@ WRITTEN = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("lines", WRITTEN.values(), ids=WRITTEN.keys())
+@for_each(WRITTEN.values())
 def test_a_laboratory_table_is_read_however_it_is_written(lines):
     found = table(*lines)
     assert found.distribution.flux().value == pytest.approx(LUMENS, abs=5e-5)
@@ -235,7 +236,7 @@ REFUSED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("lines", "message"), REFUSED.values(), ids=REFUSED.keys())
+@for_each(REFUSED.values())
 def test_a_bad_table_is_refused(lines, message):
     with pytest.raises(RadcalcError) as caught:
         table(*lines)
@@ -305,7 +306,7 @@ def test_damage_is_refused_or_does_not_matter():
 
 @pytest.mark.parametrize("title", ["I (cd)", "C0", "", "I [mW/sr]", "counts", "I0", "relative"])
 def test_titles_of_intensities(title):
-    headings.column(title)
+    column_titles.column(title)
 
 
 @pytest.mark.parametrize(
@@ -317,4 +318,4 @@ def test_titles_of_intensities(title):
     ],
 )  # fmt: skip
 def test_planes_in_titles(title, plane, opposite):
-    assert headings.column(title)[:2] == (plane, opposite)
+    assert column_titles.column(title)[:2] == (plane, opposite)

@@ -13,10 +13,10 @@ from fuzz.grammar import told_of
 from pint.util import UnitsContainer
 
 from radcalc.errors import RadcalcError
-from radcalc.units.amounts import read_amount
+from radcalc.units.reading import read_amount
 from radcalc.units.registry import exact_registry
 
-SHORT, LONG = 10_000, 300_000
+SHORT, LONG = 2_500, 300_000
 
 # The digits of light.txt (OEIS A000796).
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582")

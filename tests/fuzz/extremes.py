@@ -11,7 +11,7 @@ import random
 import sys
 from unittest import mock
 
-from radcalc import cli, stdio
+from radcalc import cli, terminal
 
 SHORT, LONG = 250, 20_000
 
@@ -62,7 +62,7 @@ def call(words: list[str]) -> tuple[int, str]:
     """Run a command in this process: its status, and what it writes."""
     out = io.StringIO()
     with (
-        mock.patch.object(stdio, "write", out.write),
+        mock.patch.object(terminal, "write", out.write),
         contextlib.redirect_stderr(io.StringIO()),
     ):
         return cli.run(words), out.getvalue()
@@ -78,8 +78,8 @@ def sweep(count: int, seed: int) -> str:
         sizes = [f"{10 ** draw.uniform(-size, size):.3g}" for _ in range(line.count("{}"))]
         words = line.format(*sizes).split()
         status, written = call([*words, "--precision", "17"])
-        assert status in (stdio.ANSWERED, stdio.FAILED), (words, status)
-        answered += status == stdio.ANSWERED
+        assert status in (terminal.ANSWERED, terminal.FAILED), (words, status)
+        answered += status == terminal.ANSWERED
         for row in written.splitlines():
             *name, value, _ = row.split("\t")
             if name and any(part in name[0] for part in MAY_BE_0):

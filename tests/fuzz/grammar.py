@@ -12,13 +12,13 @@ from fractions import Fraction
 from radcalc.conversion.plan import plan
 from radcalc.errors import NumberError, RadcalcError
 from radcalc.homework.answer import read_claim
-from radcalc.units.amounts import read_operands
 from radcalc.units.dimensions import powers, times
 from radcalc.units.numbers import parse_number
-from radcalc.units.table import NUMBER as NUMBER_ITSELF
+from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER as NUMBER_ITSELF
 
-SHORT, LONG = 30_000, 1_000_000
+SHORT, LONG = 9_000, 1_000_000
 
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494")
 LARGEST, SMALLEST = Fraction(1.7976931348623157e308), Fraction(2.2250738585072014e-308)

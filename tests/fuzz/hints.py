@@ -16,10 +16,10 @@ from following import call, liars  # the folder of the tests is on the path wher
 from fuzz.steps import CONDITIONS, UNITS
 
 from radcalc.calculators.solid_angle import SHAPES
-from radcalc.cli import commands
 from radcalc.cli.command import SymbolOption
+from radcalc.cli.group import commands
 
-SHORT, LONG = 50, 5_000
+SHORT, LONG = 25, 5_000
 
 CALCULATORS = ("point-source", "lambertian", "etendue", "ev", "calorimeter", "solid-angle")
 FLAT = ("patch", "disc", "sphere", "rectangle", "plane", "hemisphere")

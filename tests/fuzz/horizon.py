@@ -14,7 +14,7 @@ from radcalc.calculators.etendue import etendue
 from radcalc.calculators.lambertian import lambertian
 from radcalc.calculators.solid_angle import solid_angle
 from radcalc.errors import ConditionError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 
 SHORT, LONG = 150, 20_000
 PI = math.pi

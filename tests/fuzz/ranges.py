@@ -12,7 +12,8 @@ from fuzz.command import main
 
 from radcalc.calculators.spectrum import spectrum as describe
 from radcalc.errors import ConditionError
-from radcalc.given import Given, read
+from radcalc.inputs.given import Input
+from radcalc.inputs.reading import read
 from radcalc.quantities.symbols import SYMBOLS
 from radcalc.spectra.arrays import ArrayTable
 from radcalc.spectra.spectrum import Table
@@ -41,7 +42,7 @@ def sweep(count: int, seed: int) -> str:
         kind = draw.choice((Table, ArrayTable))
         source = kind("table", grid, values) if kind is ArrayTable else None
         source = source or Table("table", grid.tolist(), values.tolist())
-        given = {"spectrum": Given(SYMBOLS["spectrum"], "table", source)}
+        given = {"spectrum": Input(SYMBOLS["spectrum"], "table", source)}
         asked = {"range": (start, end), "photon-range": (400.0, 700.0)}
         for name in asked:
             if draw.random() < 0.7:

@@ -12,9 +12,10 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import combinations, permutations, product
 
-from radcalc.conversion.plan import Plan, plan
+from radcalc.conversion.linear import Plan
+from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.quantities.light import read as facts
 from radcalc.units.table import resolve
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from helpers import by_law
+from helpers import by_law, for_each
 
 from radcalc.errors import ConditionError
 from radcalc.geometry import cones, directions, etendue, lobes, projected, solid, spheres
@@ -36,7 +36,7 @@ REFUSED = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("function", "arguments"), REFUSED)
+@for_each(REFUSED)
 def test_what_no_observer_sees_is_refused(function, arguments):
     with pytest.raises(ConditionError) as caught:
         function(*arguments)

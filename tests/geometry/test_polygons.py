@@ -8,6 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 from geometry.references import DIGITS, close, cross, dot, excess, lambert, over_rectangle
+from helpers import for_each
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -72,7 +73,7 @@ def polygons():
         yield convex(draw, 3 + k % 5, size, 1.0, draw.uniform(0, 0.3) if size < 1 else 0.0)
 
 
-@pytest.mark.parametrize("vertices", list(polygons()))
+@for_each(list(polygons()))
 def test_convex_polygons_small_and_large(vertices):
     # Vertices off one plane by the rounding make a fan's triangles, which Girard takes exactly.
     with mpmath.workdps(DIGITS):

@@ -5,6 +5,7 @@ import random
 
 import pytest
 from geometry.references import close, tilted_cone_mp, tilted_disc_mp
+from helpers import for_each
 
 from radcalc.geometry import projected
 
@@ -19,7 +20,7 @@ def sunken_cones():
     yield from ((math.pi / 2 + x, 1.0) for x in (-1e-3, -1e-6, -1e-9, 0.0, 1e-9, 1e-6))
 
 
-@pytest.mark.parametrize(("angle", "tilt"), list(sunken_cones()))
+@for_each(list(sunken_cones()))
 def test_a_cone_that_the_horizon_cuts(angle, tilt):
     reference = tilted_cone_mp(angle, tilt)
     close(projected.cone(angle, tilt), reference, 1e-9)

@@ -1,6 +1,7 @@
 """Solid angles, whole and projected, against textbook formulas and defining integrals."""
 
 import math
+from itertools import product
 
 import mpmath
 import pytest
@@ -17,6 +18,7 @@ from geometry.references import (
     strips,
     zone_mp,
 )
+from helpers import for_each
 from mpmath import mpf
 
 from radcalc.geometry import cones, projected, solid, spheres
@@ -149,8 +151,7 @@ def test_a_rectangle_on_its_axis():
 HALVES = [1e-9, 1e-5, 0.1, 1.0, math.pi / 2, 3.0, math.pi - 1e-5, math.pi - 1e-9]
 
 
-@pytest.mark.parametrize("horizontal", HALVES)
-@pytest.mark.parametrize("vertical", HALVES)
+@for_each(product(HALVES, HALVES))
 def test_a_pyramid_is_a_rectangle_at_height_one(horizontal, vertical):
     with mpmath.workdps(DIGITS):
         a, b = (2 * mpmath.tan(mpf(x) / 2) for x in (horizontal, vertical))

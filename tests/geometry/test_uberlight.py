@@ -1,10 +1,12 @@
 """The attenuations of the cinematographer's light: values, limits, and where pieces meet."""
 
 import math
+from itertools import product
 
 import mpmath
 import numpy as np
 import pytest
+from helpers import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mpf
@@ -39,9 +41,7 @@ def test_depth_is_clipped_smoothly_at_both_ends(z, expected):
     assert uberlight.depth_clip(float(z), near=(1.0, 2.0), far=(4.0, 6.0)) == expected
 
 
-@pytest.mark.parametrize("maximum", [1.01, 2, 10, 1e4])
-@pytest.mark.parametrize("exponent", [0.5, 1, 2, 5])
-@pytest.mark.parametrize("d", [1e-6, 0.01, 0.5, 0.99, 1, 1.01, 3])
+@for_each(product([1e-6, 0.01, 0.5, 0.99, 1, 1.01, 3], [0.5, 1, 2, 5], [1.01, 2, 10, 1e4]))
 def test_the_fall_off_is_the_formula(d, exponent, maximum):
     with mpmath.workdps(30):
         d, n, top, far = map(mpf, (d, exponent, maximum, 2))

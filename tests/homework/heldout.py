@@ -4,6 +4,7 @@ Written before the generators of mistakes, from textbooks' classical errors, and
 `corpus.py`: the numbers come from the formulas as learners misuse them, never from radcalc.
 """
 
+import shlex
 from math import acos, asin, atan, cos, degrees, hypot, log, log2, pi, radians, sqrt
 from pathlib import Path
 
@@ -45,7 +46,7 @@ PICTURE = 2.3**2 * 3 / 4  # m2
 ETENDUE = "etendue --area 2.7mm2 --half-angle 29deg"
 HEAT = "calorimeter --mass 45g --specific-heat 450J/kg/K --temperature-rise 3.7K --time 4min"
 
-LOG = f"dose {Path(__file__).with_name('lux.csv')}"
+LOG = shlex.join(["dose", str(Path(__file__).with_name("lux.csv"))])
 # of 130, 470, 290 and 70 lx at 0, 1, 2.5 and 5 h: 300 + 570 + 450 = 1320 lx h
 SAMPLES = 130 + 470 + 290 + 70
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import shlex
 from functools import cache
 from typing import Any
 
@@ -29,7 +30,7 @@ def asked(words: str, name: str = "") -> Question:
 
     with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stderr(io.StringIO()):
         patch.setattr(radcalc.homework, "check", catch)
-        assert cli.run([*words.split(), "--check", f"{name}=1" if name else "1"]) == 2
+        assert cli.run([*shlex.split(words), "--check", f"{name}=1" if name else "1"]) == 2
     assert found, words
     return found[0]
 

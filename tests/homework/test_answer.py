@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from helpers import for_each
 from homework.questions import CONE, LUX, POINT, typed, verdict
 
 from radcalc.homework.answer import read_claim, read_tolerance
@@ -49,20 +50,17 @@ def test_formulas_are_typed_exactly():
     assert read_claim("1/3").half_unit < 1e-9
 
 
-@pytest.mark.parametrize(
-    ("words", "claim"),
-    [
-        (LUX, "111"), (LUX, "111nit"), (LUX, "value=111"), (LUX, "value = 111 cd/m2"),
-        (LUX, "350/pi"), (LUX, "1.11e2"), (LUX, "32.5fL"), (LUX, "0.0111cd/cm2"), (POINT, "24.6lx"),
-        (POINT, "illuminance=24.6"), (POINT, "irradiance=24.6lx"), (POINT, "2.28fc"),
-        (POINT, "flux=1630"), (POINT, "1.63klm"), (CONE, "1933deg2"),
-        ("direction 1 1 -1.4", "z=\u22120.7035"), ("direction 1 1 -1.4", "z=-0.7035"),
-        ("ev --f-number 5.6 --time 1/60s", "ev=10.88"),
-        ("photon 610nm", "2.033eV"), ("photon 610nm", "491THz"),
-        ("integrate 1 --half-angle 25deg", "integral=0.589"), (CONE, "sphere-fraction=0.0468"),
-        ("ev --f-number 5.6 --time 1/60s", "illuminance=4704lx"),
-    ],
-)  # fmt: skip
+@for_each([
+    (LUX, "111"), (LUX, "111nit"), (LUX, "value=111"), (LUX, "value = 111 cd/m2"),
+    (LUX, "350/pi"), (LUX, "1.11e2"), (LUX, "32.5fL"), (LUX, "0.0111cd/cm2"), (POINT, "24.6lx"),
+    (POINT, "illuminance=24.6"), (POINT, "irradiance=24.6lx"), (POINT, "2.28fc"),
+    (POINT, "flux=1630"), (POINT, "1.63klm"), (CONE, "1933deg2"),
+    ("direction 1 1 -1.4", "z=\u22120.7035"), ("direction 1 1 -1.4", "z=-0.7035"),
+    ("ev --f-number 5.6 --time 1/60s", "ev=10.88"),
+    ("photon 610nm", "2.033eV"), ("photon 610nm", "491THz"),
+    ("integrate 1 --half-angle 25deg", "integral=0.589"), (CONE, "sphere-fraction=0.0468"),
+    ("ev --f-number 5.6 --time 1/60s", "illuminance=4704lx"),
+])  # fmt: skip
 def test_a_claim_needs_no_more_than_tells_it_apart(words, claim):
     assert verdict(words, claim).right
 
@@ -78,24 +76,21 @@ def test_tolerances_read():
     assert read_tolerance("3sf", lux).holds(-1.004, -1.0)
 
 
-@pytest.mark.parametrize(
-    ("claim", "tolerance", "is_right"),
-    [
-        # 130 cd at 2 m: 32.5 lx exactly
-        ("32.825lx", "1%", True), ("32.826lx", "1%", False), ("32.175lx", "1%", True),
-        ("32.174lx", "1%", False), ("33lx", "0.02", True), ("33.2lx", "0.02", False),
-        ("32.5lx", "0", True), ("32.500001lx", "0%", False), ("65lx", "100%", True),
-        ("0lx", "100%", True), ("-1lx", "100%", False),
-        ("33lx", "0.5lx", True), ("32lx", "0.5lx", True), ("33.01lx", "0.5lx", False),
-        ("31.99lx", "0.5lx", False), ("33lx", "500mlx", True), ("33.1lx", "500mlx", False),
-        ("33lx", "0.0005klx", True), ("32.6lx", "0.01fc", True), ("32.7lx", "0.01fc", False),
-        ("3.02fc", "0.5lx", True), ("3.07fc", "0.5lx", False),
-        ("33lx", "2sf", True), ("32lx", "2sf", True), ("33.1lx", "2sf", False),
-        ("32.55lx", "3sf", True), ("32.56lx", "3sf", False), ("32.45lx", "3SF", True),
-        ("32.44lx", "3sf", False), ("37lx", "1sf", True), ("37.6lx", "1sf", False),
-        ("32.5lx", "15sf", True), ("32.5000001lx", "15sf", False), ("0.0325klx", "3sf", True),
-    ],
-)  # fmt: skip
+@for_each([
+    # 130 cd at 2 m: 32.5 lx exactly
+    ("32.825lx", "1%", True), ("32.826lx", "1%", False), ("32.175lx", "1%", True),
+    ("32.174lx", "1%", False), ("33lx", "0.02", True), ("33.2lx", "0.02", False),
+    ("32.5lx", "0", True), ("32.500001lx", "0%", False), ("65lx", "100%", True),
+    ("0lx", "100%", True), ("-1lx", "100%", False),
+    ("33lx", "0.5lx", True), ("32lx", "0.5lx", True), ("33.01lx", "0.5lx", False),
+    ("31.99lx", "0.5lx", False), ("33lx", "500mlx", True), ("33.1lx", "500mlx", False),
+    ("33lx", "0.0005klx", True), ("32.6lx", "0.01fc", True), ("32.7lx", "0.01fc", False),
+    ("3.02fc", "0.5lx", True), ("3.07fc", "0.5lx", False),
+    ("33lx", "2sf", True), ("32lx", "2sf", True), ("33.1lx", "2sf", False),
+    ("32.55lx", "3sf", True), ("32.56lx", "3sf", False), ("32.45lx", "3SF", True),
+    ("32.44lx", "3sf", False), ("37lx", "1sf", True), ("37.6lx", "1sf", False),
+    ("32.5lx", "15sf", True), ("32.5000001lx", "15sf", False), ("0.0325klx", "3sf", True),
+])  # fmt: skip
 def test_the_bounds_of_the_three_kinds_of_tolerance(claim, tolerance, is_right):
     words = "convert 130 cd lx --distance 2m"
     assert verdict(words, claim, tolerance).right is is_right

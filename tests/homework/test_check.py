@@ -4,17 +4,19 @@ import math
 
 import pytest
 from conftest import python, run
+from helpers import PLAIN, example_of, for_each, results
 from homework.questions import RIGHT, TILTED, asked, claim_of, typed, verdict
 
-from radcalc import cli
 from radcalc.calculators.ev import ev
 from radcalc.calculators.solid_angle import solid_angle
+from radcalc.calculators.task import Task
+from radcalc.cli import help
 from radcalc.cli.spelling import Shell
 from radcalc.errors import ConditionError, NumberError, RadcalcError
-from radcalc.given import read
 from radcalc.homework import Question, Verdict, check
-from radcalc.homework.question import of_calculator, of_conversion
-from radcalc.units.amounts import read_amount
+from radcalc.homework.question import of_conversion, of_task
+from radcalc.inputs.reading import read
+from radcalc.units.reading import read_amount
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
@@ -26,14 +28,25 @@ def right_value(words: str, name: str, unit: str) -> float:
     return float(run(*words.split(), "-q", "-g", f"{name}:{unit or '1'}").stdout)
 
 
+def first_result(name: str) -> tuple[str, str, str]:
+    """The first example of a calculator's page, with the first result that follows from it."""
+    words = Shell.command(name, *example_of(name)).removeprefix("radcalc ")
+    follows = results(run(*words.split(), "--json").stdout)
+    result = next(key for key, row in follows.items() if not row["given"])
+    return words, result.replace("_", "-"), follows[result]["unit"].removeprefix("1")
+
+
+QUESTIONS = [*RIGHT, *map(first_result, PLAIN)]
+
+
 def test_every_command_has_a_right_answer_here():
     # (a scene and a log need files: test_scene.py and test_dose.py in tests/calculators)
-    judging = set(cli.COMMANDS) - {"units", "quantities", "typical", "scene", "dose", "prompt"}
-    assert {words.split()[0] for words, _, _ in RIGHT} == judging
+    judging = set(help.COMMANDS) - {"units", "quantities", "typical", "scene", "dose", "prompt"}
+    assert {words.split()[0] for words, _, _ in QUESTIONS} == judging
     assert len(RIGHT) >= 30
 
 
-@pytest.mark.parametrize(("words", "name", "unit"), RIGHT, ids=lambda x: str(x)[:40])
+@for_each(QUESTIONS)
 def test_right_answers_are_accepted_at_their_digits(words, name, unit):
     value = right_value(words, name, unit)
     for digits in (2, 3, 4):
@@ -112,7 +125,9 @@ def test_a_name_of_an_input_is_checked_as_well():
 
 def cone_question(half_angle: str) -> Question:
     given = {"half-angle": read("half-angle", half_angle)}
-    return of_calculator("solid-angle", "cone", given, lambda changed: solid_angle("cone", changed))
+    return of_task(
+        Task("solid-angle", lambda changed: solid_angle("cone", changed), shape="cone"), given
+    )
 
 
 def test_the_library_checks_a_question():
@@ -147,10 +162,10 @@ def test_the_library_checks_a_conversion():
 
 CHECK_ALONE = """
 import sys
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.homework import check
 from radcalc.homework.question import of_conversion
-from radcalc.units.amounts import read_amount
+from radcalc.units.reading import read_amount
 from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
@@ -219,7 +234,7 @@ def test_an_answer_on_a_scale_of_a_meter_is_judged_by_its_constant():
     assert check(question, "9.48").right
     assert check(question, "9.48").value == pytest.approx(9.4804, abs=1e-4)
     assert not check(question, "9.64").right
-    metered = of_calculator("ev", "", {"luminance": read("luminance", "100cd/m2"), "k": k}, ev)
+    metered = of_task(Task("ev", ev), {"luminance": read("luminance", "100cd/m2"), "k": k})
     assert check(metered, "luminance=9.48EV").right
     assert not check(metered, "luminance=9.64EV").right
 

@@ -2,6 +2,7 @@
 
 import pytest
 from following import call
+from helpers import for_each
 
 FOOT = 0.3048
 # 100 lx are 100 * 0.3048^2 = 9.2903 fc, 3 lx 0.2787 fc; 800 lm at 2 m are 200/pi/4 = 15.915 lx;
@@ -14,8 +15,7 @@ NEARLY = (*EXACT[:-1], "2.0(10)m")
 FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
 
 
-@pytest.mark.parametrize(
-    ("words", "claim", "is_right", "said"),
+@for_each(
     [
         (CONVERSION, "9.3fc", True, "within 0.28 fc, the standard uncertainty"),
         (CONVERSION, "9.55fc", True, "9.29 ± 0.28 fc"),

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 import pytest
-from helpers import KINDS, LIGHT, OTHER, Q, unit_of
+from helpers import KINDS, LIGHT, OTHER, Q, for_each, unit_of
 from laws.every_law import LAWS, RELATIONS
 
 from radcalc.derivation import coherent_unit_of
@@ -19,7 +19,7 @@ def constant(unit: str) -> Any:
     return math.prod(Q(1, factor) for factor in top.split()) / Q(1, bottom or "1")
 
 
-@pytest.mark.parametrize("law", LAWS, ids=lambda law: f"{law.name}: {law.template}")
+@for_each(LAWS)
 def test_every_law_has_the_same_dimension_on_both_sides(law):
     kinds = KINDS
     if any("heat" in name for name in law.names):
@@ -51,14 +51,14 @@ OF_CHARGES = ("A s", "A s/photon", "1/photon")
 NAMES = sorted({name for law in (*LAWS, *RELATIONS) for name in law.names})
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_the_vocabulary_measures_a_symbol_in_the_unit_that_laws_are_checked_with(name):
     kinds = KINDS if SYMBOLS[name].geometry else ["e"]  # its own dimension is the first
     for kind, dimension in zip(kinds, SYMBOLS[name].dimensions, strict=False):
         assert from_container(unit_of(name, kind)._units).dimension == dimension
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_the_units_of_derivations_are_coherent(name):
     """The letters in --steps go with the units that the laws are checked with above."""
     if name in LIGHT:
@@ -80,7 +80,7 @@ def test_the_units_of_derivations_are_coherent(name):
     assert (unit / unit_of(name, "e")).to("1").magnitude == pytest.approx(1, rel=1e-15)
 
 
-@pytest.mark.parametrize("name", [name for name, symbol in SYMBOLS.items() if symbol.unit])
+@for_each([name for name, symbol in SYMBOLS.items() if symbol.unit])
 def test_a_symbol_is_shown_in_a_unit_of_its_own_dimension(name):
     symbol = SYMBOLS[name]
     assert resolve(symbol.unit.replace(" ", ".")).dimension in symbol.dimensions

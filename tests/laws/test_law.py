@@ -5,6 +5,7 @@ import math
 import re
 
 import pytest
+from helpers import for_each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from laws.every_law import FOUND, LAWS, MODULES, OF_PAGES, RELATIONS, key
@@ -13,8 +14,8 @@ from radcalc import lambertian, point_source
 from radcalc.calculators import etendue as etendue_module
 from radcalc.calculators import mesopic as mesopic_module
 from radcalc.calculators import solid_angle as solid_angle_module
-from radcalc.calculators import worksheet
-from radcalc.given import read
+from radcalc.inputs.reading import read
+from radcalc.laws import solver
 from radcalc.laws.law import law
 
 # What the letters of a formula stand for, by the SI Brochure.
@@ -60,7 +61,7 @@ def test_powers_and_constant_are_read_from_a_formula(template, constant, powers,
     assert one.unit == unit
 
 
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
+@for_each(MODULES)
 def test_no_law_of_the_source_text_is_left_out(module):
     with open(module.__file__, encoding="utf-8") as file:
         tree = ast.parse(file.read())
@@ -76,13 +77,13 @@ def test_no_law_of_the_source_text_is_left_out(module):
 
 def test_what_the_calculators_solve_is_among_the_laws_that_are_tested(monkeypatch):
     caught = []
-    solve = worksheet.solve_all
+    solve = solver.solve_all
 
     def catch(laws, *words):
         caught.extend(laws)
         return solve(laws, *words)
 
-    monkeypatch.setattr(worksheet, "solve_all", catch)
+    monkeypatch.setattr(solver, "solve_all", catch)
     for extra in ({"half_angle": "1rad"}, {"exponent": 2}, {}):
         point_source(intensity="1cd", height="1m", offset="1m", **extra)
     lambertian(luminance="1cd/m2", diameter="1cm", distance="1m")

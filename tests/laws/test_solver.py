@@ -5,7 +5,7 @@ import random
 from functools import partial
 
 import pytest
-from helpers import number
+from helpers import for_each, number
 
 from radcalc import lambertian, point_source, room, screen
 from radcalc.errors import Contradiction
@@ -66,17 +66,14 @@ def test_a_surplus_value_is_checked_in_any_order_of_the_laws(seed):
             solve(laws, bad)
 
 
-@pytest.mark.parametrize(
-    ("text", "off"),
-    [  # half a unit of the last digit, over the number; fewer than three digits count as three
-        ("2m", 0.005 / 2), ("2.00m", 0.005 / 2), ("2.000m", 0.0005 / 2), ("10cm", 0.05 / 10),
-        ("15", 0.05 / 15), ("-15", 0.05 / 15), ("+1.5", 0.005 / 1.5), ("0.5", 0.0005 / 0.5),
-        ("0.0012m", 0.000005 / 0.0012), ("12.5deg", 0.05 / 12.5), ("4.5klm", 0.005 / 4.5),
-        ("1e3lx", 0.005), ("1.2345e-7W", 0.00005 / 1.2345), ("999", 0.5 / 999),
-        ("1000lx", 0.5 / 1000), ("0", 1e-9), ("0.0", 1e-9), ("1/100s", 1e-9), ("1/3", 1e-9),
-        ("pi", 1e-9), ("2pi", 1e-9), ("4π", 1e-9),
-    ],
-)  # fmt: skip
+@for_each([  # half a unit of the last digit, over the number; fewer than three count as three
+    ("2m", 0.005 / 2), ("2.00m", 0.005 / 2), ("2.000m", 0.0005 / 2), ("10cm", 0.05 / 10),
+    ("15", 0.05 / 15), ("-15", 0.05 / 15), ("+1.5", 0.005 / 1.5), ("0.5", 0.0005 / 0.5),
+    ("0.0012m", 0.000005 / 0.0012), ("12.5deg", 0.05 / 12.5), ("4.5klm", 0.005 / 4.5),
+    ("1e3lx", 0.005), ("1.2345e-7W", 0.00005 / 1.2345), ("999", 0.5 / 999),
+    ("1000lx", 0.5 / 1000), ("0", 1e-9), ("0.0", 1e-9), ("1/100s", 1e-9), ("1/3", 1e-9),
+    ("pi", 1e-9), ("2pi", 1e-9), ("4π", 1e-9),
+])  # fmt: skip
 def test_the_rounding_of_a_number_as_typed(text, off):
     assert rounding(text) == pytest.approx(off, rel=1e-12)
 

@@ -9,7 +9,7 @@ from radcalc.calculators.lambertian import lambertian
 from radcalc.calculators.point_source import point_source
 from radcalc.distributions.scene import Axis, grid
 from radcalc.errors import UsageError
-from radcalc.given import read, values_of
+from radcalc.inputs.reading import read, split_values
 from radcalc.plots.answers import picture
 from radcalc.plots.curves import Solved
 from radcalc.plots.data import LINE, POINTS
@@ -31,7 +31,7 @@ def test_the_fall_off_of_a_point_is_the_inverse_square():
 
 
 def test_a_long_range_is_a_curve_of_its_own():
-    (places,) = values_of("distance", "100cm:300cm:1mm", arrays=True)
+    (places,) = split_values("distance", "100cm:300cm:1mm", arrays=True)
     one = solved(point_source, intensity="100cd", distance=places)
     (curve,) = picture("point-source", [one], ["irradiance:klx"]).series
     assert (len(curve.x), curve.style) == (2001, LINE)

@@ -7,7 +7,7 @@ from conftest import ROOT
 
 from radcalc.calculators import integrate, point_source, sky
 from radcalc.calculators.environment import Source, environment
-from radcalc.given import read
+from radcalc.inputs.reading import read
 from radcalc.plots import answers
 from radcalc.plots.curves import Solved
 from radcalc.plots.data import REFERENCE

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from radcalc.plots.characters import Style, draw, style_of
 from radcalc.plots.data import (
     LINES,
     REFERENCE,
@@ -19,7 +20,6 @@ from radcalc.plots.data import (
     Polar,
     Series,
 )
-from radcalc.plots.terminal import Style, draw, style_of
 
 CHART = Chart(
     "a line",

@@ -1,13 +1,15 @@
 """What `radcalc units` finds: by names of quantities in three languages, of units, by units."""
 
 import pytest
+from helpers import for_each
 
 from radcalc.errors import UnitError
 from radcalc.quantities.entries import product, search
 from radcalc.quantities.search import index
 from radcalc.quantities.search import search as search_quantities
 from radcalc.units.compiled import UNITS
-from radcalc.units.scales import SCALES, resolve_any
+from radcalc.units.scale_table import SCALES
+from radcalc.units.scales import resolve_any
 from radcalc.units.table import resolve
 
 
@@ -49,7 +51,7 @@ FINDS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "there", "not_there"), FINDS)
+@for_each(FINDS)
 def test_a_search_finds_the_units_of_a_quantity_or_of_that_name(text, there, not_there):
     names = found(text)
     assert there in names
@@ -76,7 +78,7 @@ def test_without_a_search_every_named_unit_is_there():
     assert found("") == [*UNITS, *(scale.name for scale in SCALES)]
 
 
-@pytest.mark.parametrize("name", sorted(index().names))
+@for_each(sorted(index().names))
 def test_every_name_of_a_quantity_has_units_of_its_dimension(name):
     dimensions = {resolve(q.unit).dimension for q in index().names[name]}
     if name in UNITS or not (names := found(name)):

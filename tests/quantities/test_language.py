@@ -1,6 +1,7 @@
 """The language of the names, and what has a name in it."""
 
 import pytest
+from helpers import for_each
 
 from radcalc.quantities.language import LANGUAGES, language, translate
 from radcalc.quantities.names import LABELS, PARTS, QUANTITIES
@@ -79,7 +80,7 @@ SHOWN = sorted(
 )
 
 
-@pytest.mark.parametrize("label", SHOWN)
+@for_each(SHOWN)
 def test_what_is_shown_has_a_name_in_every_language(label):
     assert (translate(label, "ru") == label) == (label in IN_ENGLISH)
 

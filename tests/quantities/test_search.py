@@ -3,6 +3,7 @@
 import unicodedata
 
 import pytest
+from helpers import for_each
 
 from radcalc.quantities.language import LANGUAGES
 from radcalc.quantities.light import name_of, symbol_of
@@ -62,7 +63,7 @@ def bare(text: str) -> str:
     return "".join(c for c in parts if unicodedata.category(c) != "Mn")
 
 
-@pytest.mark.parametrize(("symbol", "en", "cs", "ru"), GRID)
+@for_each(GRID)
 def test_the_data_have_the_names_of_the_vocabularies(symbol, en, cs, ru):
     quantity = next(q for q in QUANTITIES if q.symbol == symbol)
     assert en in quantity.names("en")
@@ -70,7 +71,7 @@ def test_the_data_have_the_names_of_the_vocabularies(symbol, en, cs, ru):
     assert ru in quantity.names("ru")
 
 
-@pytest.mark.parametrize(("symbol", "language", "name"), NAMES)
+@for_each(NAMES)
 def test_every_quantity_is_found_by_each_of_its_names(symbol, language, name):
     decomposed = unicodedata.normalize("NFD", name)
     for typed in (name, bare(name), decomposed):
@@ -85,7 +86,7 @@ def test_no_name_stands_for_two_quantities():
     assert len({q.symbol for q in QUANTITIES}) == len(QUANTITIES)
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES, ids=lambda q: q.symbol)
+@for_each(QUANTITIES)
 def test_a_quantity_is_found_by_its_symbol_and_its_unit(quantity):
     spellings = {quantity.symbol, quantity.symbol.replace("_", ""), f"${quantity.symbol}$"}
     spellings |= {s.replace("Φ", "Phi").replace("Ω", "Omega").replace("λ", "lambda")
@@ -96,7 +97,7 @@ def test_a_quantity_is_found_by_its_symbol_and_its_unit(quantity):
         assert quantity.symbol in symbols(quantity.unit)
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES, ids=lambda q: q.symbol)
+@for_each(QUANTITIES)
 def test_names_and_symbols_are_those_of_the_units(quantity):
     unit = resolve(quantity.unit)
     if quantity.symbol[0] in "MηV" or quantity.symbol == "Ω_p":
@@ -112,8 +113,7 @@ def test_definitions_are_one_line_each():
         assert len(quantity.definition) < 80
 
 
-@pytest.mark.parametrize(
-    ("text", "expected"),
+@for_each(
     [
         ("E_v", ["E_v"]),
         ("Ev", ["E_v"]),
@@ -149,8 +149,7 @@ def test_a_search_finds_these(text, expected):
     assert symbols(text) == expected
 
 
-@pytest.mark.parametrize(
-    ("text", "right", "said"),
+@for_each(
     [
         ("svítivost", "L_v", "luminance"),
         ("SVITIVOST", "L_v", "luminance"),

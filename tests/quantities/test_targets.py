@@ -3,6 +3,7 @@
 import unicodedata
 
 import pytest
+from helpers import for_each
 
 import radcalc
 from radcalc.conversion.plan import target_of
@@ -54,7 +55,7 @@ USUAL = [
 ]
 
 
-@pytest.mark.parametrize(("name", "unit"), USUAL)
+@for_each(USUAL)
 def test_a_name_stands_for_the_usual_unit(name, unit):
     assert unit_of(name) is None
     target = target_of(name)
@@ -170,7 +171,7 @@ def test_python_takes_names_too():
     assert str(radcalc.convert("100 fc", "osvětlenost").units) == "lux"
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES, ids=lambda q: q.symbol)
+@for_each(QUANTITIES)
 def test_the_name_of_every_quantity_with_a_unit_of_its_own_is_a_target(quantity):
     if quantity.symbol not in ("Ω_p", "η_v", "V(λ)"):
         assert target_of(quantity.name("en")).dimension == resolve(quantity.unit).dimension

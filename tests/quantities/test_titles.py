@@ -1,15 +1,15 @@
 """Titles as people write them, and what is their name and their unit."""
 
 import re
-import subprocess
 
 import pytest
-from conftest import entry_point
+from conftest import run
+from helpers import for_each
 from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.errors import UnitError, UsageError
-from radcalc.quantities.titles import find, is_same, read_title, refuse_altered, unit_in
+from radcalc.quantities.column_titles import find, is_same, read_title, refuse_altered, unit_in
 from radcalc.units.scales import resolve_any
 
 # The title, the unit of the numbers or none, the name in it, its unit, and with fc in its place.
@@ -60,7 +60,7 @@ TITLES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "like", "name", "unit", "changed"), TITLES.values(), ids=TITLES)
+@for_each(TITLES.values())
 def test_a_title_is_a_name_and_a_unit(text, like, name, unit, changed):
     title = read_title(text, resolve_any(like) if like else None)
     assert (title.name, title.unit and title.unit.text) == (name, unit)
@@ -157,10 +157,10 @@ def test_every_command_refuses_such_a_title(title, command):
         "spectrum": ["-", "-g", "peak-wavelength"],
     }
     title = title if command == "spectrum" else title.replace("/nm", "")
-    data = f"{first};{title}\n400;1\n500;2\n600;1\n".encode()
-    done = subprocess.run([entry_point(), command, *told[command]], input=data, capture_output=True)
-    assert (done.returncode, done.stdout) == (2, b"")
-    assert re.search(rb"scales its|a function of|two units|not known|not light", done.stderr)
+    data = f"{first};{title}\n400;1\n500;2\n600;1\n"
+    done = run(command, *told[command], input=data)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert re.search(r"scales its|a function of|two units|not known|not light", done.stderr)
 
 
 # Quantities, and what ISO 80000-7 measures them in; PAR is given in W/m2, too (FAO 56), and PPF was
@@ -204,14 +204,15 @@ MISNAMED = {
 }
 
 
-@pytest.mark.parametrize("style", ["{} [{}]", "{} ({})"])
-@pytest.mark.parametrize(("name", "unit"), [(n, u) for n, units in NAMED.items() for u in units])
+STYLES = ["{} [{}]", "{} ({})"]
+
+
+@for_each([(n, u, s) for n, units in NAMED.items() for u in units for s in STYLES])
 def test_a_name_of_what_the_unit_measures_is_none_of_another(name, unit, style):
     assert read_title(style.format(name, unit)).unit.text == unit
 
 
-@pytest.mark.parametrize("style", ["{} [{}]", "{} ({})"])
-@pytest.mark.parametrize(("name", "unit"), [(n, u) for n, units in MISNAMED.items() for u in units])
+@for_each([(n, u, s) for n, units in MISNAMED.items() for u in units for s in STYLES])
 def test_a_name_of_another_quantity_than_the_units_is_refused(name, unit, style):
     with pytest.raises(UnitError, match=r" names [^,]+, not ") as caught:
         read_title(style.format(name, unit))
@@ -233,10 +234,10 @@ def test_a_name_of_another_quantity_than_the_units_is_refused(name, unit, style)
     ],
 )
 def test_every_command_refuses_numbers_under_the_name_of_another_quantity(words, titles):
-    data = f"{titles}\n400,1\n500,2\n600,1\n".encode()
-    done = subprocess.run([entry_point(), *words.split()], input=data, capture_output=True)
-    assert (done.returncode, done.stdout) == (2, b"")
-    assert re.search(rb" names \w+.*, not \w+| would have ", done.stderr), done.stderr
+    data = f"{titles}\n400,1\n500,2\n600,1\n"
+    done = run(*words.split(), input=data)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert re.search(r" names \w+.*, not \w+| would have ", done.stderr), done.stderr
 
 
 def test_a_unit_is_seen_whatever_else_the_title_says():

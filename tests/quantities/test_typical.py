@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import pytest
 from conftest import run
+from helpers import for_each
 
 from radcalc import cli
 from radcalc.errors import NumberError, UsageError
@@ -26,15 +27,15 @@ def value(what: str, unit: str) -> Typical:
     return found
 
 
-@pytest.mark.parametrize("entry", VALUES, ids=lambda v: f"{v.what}: {v.quantity}")
-def test_radcalc_reads_and_converts_every_value(entry, capsys):
+@for_each(VALUES)
+def test_radcalc_reads_and_converts_every_value(entry):
     for text, number in zip(entry.value.split(" to "), (entry.low, entry.high), strict=False):
         assert split_quantity(text + entry.unit) == (number, entry.unit)
-        assert cli.run(["convert", text, entry.unit, BASES[entry.quantity], "-n", "-q"]) == 0
+        done = run("convert", text, entry.unit, BASES[entry.quantity], "-n", "-q", check=True)
         expected = number * SIZES.get(entry.unit, 1.0)
         if entry.unit == "EV":  # L = K 2^EV/S with K = 12.5 cd s/m2 of ISO 2720, at ISO 100
             expected = 0.125 * 2**number
-        assert float(capsys.readouterr().out) == pytest.approx(expected, rel=1e-11)
+        assert float(done.stdout) == pytest.approx(expected, rel=1e-11)
     assert entry.low <= entry.high
     assert entry.low > 0 or entry.unit == "EV"
     assert entry.source
@@ -59,7 +60,7 @@ FACTS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("number", "unit"), FACTS)
+@for_each(FACTS)
 def test_the_values_are_those_of_the_facts(number, unit):
     assert [v for v in VALUES if (v.value, v.unit) == (number, unit)]
 
@@ -189,8 +190,7 @@ def test_radcalc_itself_gives_what_can_be_calculated(capsys):
 LUMENS = {"luminous flux", "luminous efficacy", "luminance", "illuminance", "radiant flux"}
 
 
-@pytest.mark.parametrize(
-    ("text", "whats", "quantities"),
+@for_each(
     [
         ("SUN'S DISC", "disc", {"solid angle", "radiance", "luminance"}),
         ("solar constant", "", {"irradiance"}),
@@ -229,7 +229,7 @@ def test_a_search_finds_these(text, whats, quantities):
     assert all(whats in v.what for v in found)
 
 
-@pytest.mark.parametrize("word", words())
+@for_each(words())
 def test_what_completes_finds_something(word):
     assert search(word)
 
@@ -298,6 +298,11 @@ def test_how_far_the_nearest_is_is_told_where_none_is_near():
         assert not run("typical", text, "-q").stderr
     for near in ("500lx", "60W", "1e6lx", "candle", "lx"):
         assert not run("typical", near).stderr
+
+
+@pytest.mark.parametrize("quantity", sorted({value.quantity for value in VALUES}))
+def test_a_quantity_lists_all_its_values(quantity):
+    assert search(quantity) == [value for value in VALUES if value.quantity == quantity]
 
 
 def test_without_a_search_all_are_listed():

@@ -7,7 +7,7 @@ import pytest
 from following import call
 from helpers import answers
 
-from radcalc.answer import Input, Result, Row
+from radcalc.answer import Result, Row, ShownInput
 from radcalc.render.csv import results
 from radcalc.render.formats import Style
 
@@ -22,7 +22,7 @@ def row(name, value, unit, given=False):
 
 def test_a_single_answer_has_its_results_alone():
     found = Result(
-        (row("flux", 0.1, "lm"), row("flux", 0.1234567, "W")), inputs=(Input("a", 1, "m"),)
+        (row("flux", 0.1, "lm"), row("flux", 0.1234567, "W")), inputs=(ShownInput("a", 1, "m"),)
     )
     assert lines(found) == [["flux:lm", "flux:W"], ["0.1", "0.1234567"]]
     assert lines(found, precision=3)[1] == ["0.1", "0.123"]
@@ -36,7 +36,7 @@ def test_an_answer_that_lacks_a_result_has_an_empty_cell():
 def test_an_input_that_varies_is_in_the_unit_of_the_first():
     sizes = [(1.0, "m"), (50.0, "cm"), (1.0, "ft")]  # a foot is 0.3048 m
     found = [
-        Result((row("d", *size, given=True), row("e", 5.0, "lx")), inputs=(Input("d", *size),))
+        Result((row("d", *size, given=True), row("e", 5.0, "lx")), inputs=(ShownInput("d", *size),))
         for size in sizes
     ]
     assert lines(*found) == [["d:m", "e:lx"], ["1.0", "5.0"], ["0.5", "5.0"], ["0.3048", "5.0"]]
@@ -44,7 +44,9 @@ def test_an_input_that_varies_is_in_the_unit_of_the_first():
 
 def test_an_input_that_a_result_shows_has_no_second_column():
     found = [
-        Result((row("e", 5.0, "lx"), row("d", d, "m", given=True)), inputs=(Input("d", d, "m"),))
+        Result(
+            (row("e", 5.0, "lx"), row("d", d, "m", given=True)), inputs=(ShownInput("d", d, "m"),)
+        )
         for d in (1.0, 2.0)
     ]
     assert lines(*found)[0] == ["e:lx", "d:m"]
@@ -53,7 +55,9 @@ def test_an_input_that_a_result_shows_has_no_second_column():
 def test_a_text_has_a_column_where_no_number_tells_the_answers_apart():
     def found(given):
         return [
-            Result((row("x", x, "m", given), row("e", 5.0, "lx")), inputs=(Input("at", text=at),))
+            Result(
+                (row("x", x, "m", given), row("e", 5.0, "lx")), inputs=(ShownInput("at", text=at),)
+            )
             for x, at in ((1.0, "1,0"), (2.0, "2,0"))
         ]
 
@@ -67,7 +71,7 @@ def test_a_text_has_a_column_where_no_number_tells_the_answers_apart():
 
 def test_an_input_of_several_quantities_is_a_text():
     sizes = [(555.0, "nm", "555nm"), (540.0, "THz", "540THz")]
-    found = [Result((row("e", 5.0, "lx"),), inputs=(Input("light", *size),)) for size in sizes]
+    found = [Result((row("e", 5.0, "lx"),), inputs=(ShownInput("light", *size),)) for size in sizes]
     assert lines(*found) == [["light", "e:lx"], ["555nm", "5.0"], ["540THz", "5.0"]]
 
 

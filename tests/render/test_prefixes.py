@@ -6,6 +6,7 @@ import math
 
 import pytest
 from conftest import run
+from helpers import for_each
 
 from radcalc.answer import Result, Row
 from radcalc.conversion.plan import plan
@@ -57,7 +58,7 @@ LEFT = [
 ]
 
 
-@pytest.mark.parametrize(("text", "size"), SUITED)
+@for_each(SUITED)
 def test_a_unit_takes_the_prefix_that_suits(text, size):
     found = prefixed(text, size)
     assert found == SUITED[text, size]

@@ -10,7 +10,7 @@ from radcalc.render.progress import progress
 def terminal(monkeypatch):
     """A terminal whose clock is turned by hand: the list has the seconds."""
     now = [100.0]
-    monkeypatch.setattr("radcalc.stdio.error_is_terminal", lambda: True)
+    monkeypatch.setattr("radcalc.terminal.error_is_terminal", lambda: True)
     monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
     monkeypatch.setenv("FORCE_COLOR", "1")  # by which Rich takes what is captured for a terminal
     return now
@@ -39,7 +39,7 @@ def test_longer_work_has_one_that_is_wiped_away(terminal, capsys):
 
 @pytest.mark.parametrize(("choice", "has_color"), [("always", True), ("never", False)])
 def test_a_bar_has_the_colours_that_are_chosen(terminal, monkeypatch, capsys, choice, has_color):
-    monkeypatch.setattr("radcalc.stdio._chosen", choice)
+    monkeypatch.setattr("radcalc.terminal._chosen", choice)
     monkeypatch.setenv("TERM", "xterm")
     with progress("a map") as tick:
         terminal[0] += 2.0
@@ -63,7 +63,7 @@ def test_a_bar_stops_where_the_work_is_interrupted(terminal, capsys):
 def test_there_is_none_in_a_pipe_or_where_it_is_not_wanted(
     terminal, monkeypatch, capsys, on_terminal, is_wanted
 ):
-    monkeypatch.setattr("radcalc.stdio.error_is_terminal", lambda: on_terminal)
+    monkeypatch.setattr("radcalc.terminal.error_is_terminal", lambda: on_terminal)
     with progress("a map", is_wanted) as tick:
         terminal[0] += 9.0
         tick(1, 4)

@@ -12,10 +12,11 @@ import jsonschema
 import pytest
 from conftest import run
 from following import call
-from helpers import answers
+from helpers import PLAIN, answers, example_of, for_each
 from test_cases import FILES, transcripts
 
-from radcalc.cli import COMMANDS
+from radcalc.cli.help import COMMANDS
+from radcalc.cli.spelling import Shell
 
 SCHEMA = json.loads(Path(__file__).with_name("schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -53,7 +54,8 @@ def piped(called):
                 yield text, shlex.join(words_of(words))
 
 
-CALLS, STREAMS = sorted({*calls(), *MORE}), sorted({*piped("convert -")})
+EXAMPLES = {Shell.command(name, *example_of(name)).removeprefix("radcalc ") for name in PLAIN}
+CALLS, STREAMS = sorted({*calls(), *MORE, *EXAMPLES}), sorted({*piped("convert -")})
 LOGS = sorted({*piped("dose -")})
 ANSWERS = [text for text in CALLS if not text.startswith(LISTS)]
 
@@ -81,13 +83,13 @@ def test_the_schema_and_the_transcripts_are_there():
     assert {"scene", "prompt", "dose", *map(command_of, CALLS)} >= COMMANDS.keys()
 
 
-@pytest.mark.parametrize("text", CALLS)
+@for_each(CALLS)
 def test_every_answer_is_valid(text):
     for answer in as_json(text):
         assert answer["command"] == command_of(text)
 
 
-@pytest.mark.parametrize(("text", "words"), STREAMS)
+@for_each(STREAMS)
 def test_every_line_of_a_stream_is_valid(text, words):
     lines = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True).stdout
     done = run(*shlex.split(words), "--json", input=lines)
@@ -97,7 +99,7 @@ def test_every_line_of_a_stream_is_valid(text, words):
         assert json.loads(line)["line"]
 
 
-@pytest.mark.parametrize(("text", "words"), LOGS)
+@for_each(LOGS)
 def test_every_answer_of_a_log_is_valid(text, words):
     log = subprocess.run(["sh", "-c", text], stdout=subprocess.PIPE, text=True).stdout
     done = run(*shlex.split(words), "--json", input=log)
@@ -110,7 +112,7 @@ def test_every_answer_of_a_log_is_valid(text, words):
 NUMBERS = [text for text in ANSWERS if "--check" not in text and "--auto" not in text]
 
 
-@pytest.mark.parametrize("text", NUMBERS)
+@for_each(NUMBERS)
 def test_csv_has_the_same_numbers_on_a_line_an_answer(text):
     found = as_json(text)
     done = call([*shlex.split(text), "--format", "csv"])
@@ -133,7 +135,7 @@ def listed(text):
     return command_of(text) != "convert" and not {"-g", "--get", "--check"} & {*shlex.split(text)}
 
 
-@pytest.mark.parametrize("text", [text for text in ANSWERS if listed(text)])
+@for_each([text for text in ANSWERS if listed(text)])
 def test_every_name_of_a_result_is_one_that_get_takes(text):
     found = as_json(text)
     names = [*found[0]["results"]]
@@ -158,20 +160,20 @@ SCENES = {
 
 
 @pytest.mark.parametrize("words", SCENES)
-def test_every_answer_of_a_scene_is_valid(words, tmp_path):
-    path = tmp_path / "room.csv"
-    path.write_text(ROOM)
-    found = as_json(f"scene {path} {words}")
+def test_every_answer_of_a_scene_is_valid(words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("room.csv").write_text(ROOM)
+    found = as_json(f"scene room.csv {words}")
     assert len(found) == SCENES[words]
-    assert found[0]["inputs"]["file"]["text"] == str(path)
+    assert found[0]["inputs"]["file"]["text"] == "room.csv"
 
 
-def test_every_answer_that_writes_a_map_is_valid(tmp_path):
-    sky, lux, ball = (tmp_path / name for name in ("sky.pfm", "lux.pfm", "ball.pfm"))
-    (made,) = as_json(f"sky --zenith-luminance 9000cd/m2 --save {sky} --size 64x32")
-    assert made["inputs"]["save"] == {"text": str(sky)}
-    around = f"environment {sky} --unit cd/m2"
-    (made,) = as_json(f"{around} --irradiance-map {lux} --size 8x4 -g maximum-irradiance:klx")
+def test_every_answer_that_writes_a_map_is_valid(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (made,) = as_json("sky --zenith-luminance 9000cd/m2 --save sky.pfm --size 64x32")
+    assert made["inputs"]["save"] == {"text": "sky.pfm"}
+    around = "environment sky.pfm --unit cd/m2"
+    (made,) = as_json(f"{around} --irradiance-map lux.pfm --size 8x4 -g maximum-irradiance:klx")
     assert [*made["results"]] == ["maximum-irradiance"]
-    (made,) = as_json(f"{around} --reproject {ball} --to mirror-ball")
+    (made,) = as_json(f"{around} --reproject ball.pfm --to mirror-ball")
     assert made["inputs"]["to"] == {"text": "mirror-ball"}

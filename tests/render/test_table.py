@@ -2,10 +2,11 @@
 
 import os
 import re
+from itertools import product
 
 import pytest
 from conftest import process, run
-from helpers import answers, screen_of, terminal_of
+from helpers import answers, for_each, screen_of, terminal_of
 
 from radcalc.answer import FRACTION, Result, Row
 from radcalc.quantities.language import translate
@@ -25,7 +26,7 @@ def test_a_terminal_gets_a_table_with_what_was_assumed_below():
 @pytest.mark.parametrize("columns", [20, 40, 60])
 def test_nothing_is_cut_off_on_a_narrow_terminal(columns):
     words = ("convert", "800", "lm", "cd", "--isotropic", "--steps")
-    screen = screen_of(*words, columns=columns, NO_COLOR="1")
+    screen = terminal_of(*words, columns=columns, NO_COLOR="1")
     assert "…" not in screen
     letters = "".join(screen.split())
     assert "63.662" in letters
@@ -62,25 +63,24 @@ def test_a_table_can_be_had_in_a_pipe_and_plain_text_on_a_terminal():
 
 @pytest.mark.parametrize("columns", [15, 28, 40, 80])
 def test_a_list_is_a_table_where_its_words_fit_and_lines_elsewhere(columns):
-    screen = screen_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
+    screen = terminal_of("typical", "moon", columns=columns, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert ("───" in screen) == (columns == 80)
     assert all(part in screen for part in ("0.1 to 0.3", "0.0002 to 0.002", "6.418e-5", "cd/m2"))
     longest = len("    0.0002 to 0.002")  # which is not folded
     assert max(len(line) for line in screen.splitlines()) <= max(columns, longest)
-    drawn = screen_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
+    drawn = terminal_of("units", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in drawn
     assert "1.602176634e-19" in drawn
 
 
 def test_no_word_is_folded_where_all_fit():
-    screen = screen_of("units", "scales", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
+    screen = terminal_of("units", "scales", columns=80, LC_ALL="C.UTF-8", NO_COLOR="1")
     assert "───" in screen
     words = ("Astrophysical", "transmittance", "illuminance")
     assert all(word in screen for word in words)
 
 
-@pytest.mark.parametrize("columns", range(36, 64))
-@pytest.mark.parametrize("language", ["en", "cs", "ru"])
+@for_each(product(range(36, 64), ["en", "cs", "ru"]))
 def test_words_of_names_are_parted_at_slashes_only(columns, language):
     """What stands between blanks is a word of a name, or a part of one up to its slash."""
     names = ("scotopic/photopic ratio", "correlated colour temperature", "lux per PPFD")

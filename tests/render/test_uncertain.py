@@ -4,14 +4,14 @@ import random
 import re
 
 import pytest
+from helpers import for_each
 from uncertainties import ufloat, ufloat_fromstr
 
 from radcalc.render.plain import uncertain
-from radcalc.units.amounts import read_amount
+from radcalc.units.reading import read_amount
 
 
-@pytest.mark.parametrize(
-    ("value", "off", "text"),
+@for_each(
     [
         (9.290304, 0.27870912, "9.29 ± 0.28"),
         (100, 3, "100.0 ± 3.0"),

@@ -7,14 +7,17 @@ import io
 import json
 import math
 import random
+import subprocess
+import sys
 
 import pytest
 
-from radcalc import cli, stdio
+from radcalc import cli, terminal
+from radcalc.maths import is_array
 from radcalc.quantities.light import KINDS
 from radcalc.quantities.symbols import light_unit
-from radcalc.streams import MARK
-from radcalc.streams.calculated import Calculated, remarks_of
+from radcalc.streams import calculated
+from radcalc.streams.calculated import Calculated
 
 # The call with {} for the input, the unit of its lines, from where to where they are, a result.
 CALLS = [
@@ -96,11 +99,11 @@ class Process:
 
     def __init__(self, monkeypatch, data=b""):
         self.out, self.said = io.BytesIO(), []
-        monkeypatch.setattr(stdio, "read", io.BytesIO(data).read)
-        monkeypatch.setattr(stdio, "pour", self.out.write)
-        monkeypatch.setattr(stdio, "write", lambda text: self.out.write(text.encode()))
-        monkeypatch.setattr(stdio, "say", self.said.extend)
-        monkeypatch.setattr(stdio, "is_terminal", lambda: False)
+        monkeypatch.setattr(terminal, "read", io.BytesIO(data).read)
+        monkeypatch.setattr(terminal, "pour", self.out.write)
+        monkeypatch.setattr(terminal, "write", lambda text: self.out.write(text.encode()))
+        monkeypatch.setattr(terminal, "say", self.said.extend)
+        monkeypatch.setattr(terminal, "is_terminal", lambda: False)
 
     def run(self, *words):
         self.status = cli.run(list(words))
@@ -144,37 +147,69 @@ def test_a_line_is_answered_as_a_call_of_its_own(monkeypatch, call, unit, low, h
 
 
 @pytest.mark.parametrize(("call", "unit", "low", "high", "result"), CALLS)
-def test_what_a_record_says_holds_for_all_its_numbers(monkeypatch, call, unit, low, high, result):
+def test_an_array_is_answered_as_its_lines(monkeypatch, call, unit, low, high, result):
+    """To the last bit, with bad lines among them, and in the same words."""
     chance = random.Random(call + unit)
-    values = [chance.uniform(low, high) for _ in range(40)]
+    values = [f"{low + (high - low) * chance.uniform(0.4, 0.6)!r}" for _ in range(90)]
+    values += [f"{chance.uniform(low, high):.3g}" for _ in range(30)]
+    for bad in ("-1e5", "0", "x", "1e99"):
+        values.insert(chance.randrange(60, 120), bad)
+    data = "".join([f"{value}\n" for value in values]).encode()
     words = words_of(call, f"- {unit}".strip(), result)
     if call.startswith("photon"):
         words = ["photon", "-", unit, "-g", result]
-    made = []
-    begin = Calculated.__init__
+    taken = []
+    work_out = Calculated.find
 
-    def kept(self, *rest):
-        made.append(self)
-        begin(self, *rest)
+    def find(self, given):
+        found = work_out(self, given)
+        taken.append(given.value.size if is_array(given.value) else 0)
+        return found
 
-    monkeypatch.setattr(Calculated, "__init__", kept)
-    Process(monkeypatch, "".join([f"{value!r}\n" for value in values]).encode()).run(
-        *words, "--invalid", "ignore"
+    monkeypatch.setattr(Calculated, "find", find)
+    answers = []
+    for first in (len(values) + 1, calculated.FEWEST):
+        monkeypatch.setattr(calculated, "FIRST", first)
+        process = Process(monkeypatch, data)
+        out = process.run(*words, "--invalid", "warn", "--precision", "17")
+        answers.append((process.status, out, [one for one in process.said if "stdin" in one]))
+    assert answers[0] == answers[1]
+    assert sum(taken) > len(values) / 4
+
+
+def test_a_bad_line_costs_a_few_smaller_blocks(monkeypatch):
+    values = [f"{1 + k / 1000:.3f}" for k in range(4096)]
+    values[1234] = "-1"
+    sizes = []
+    work_out = Calculated.find
+
+    def find(self, given):
+        sizes.append(given.value.size if is_array(given.value) else 1)
+        return work_out(self, given)
+
+    monkeypatch.setattr(Calculated, "find", find)
+    process = Process(monkeypatch, "".join([f"{value}\n" for value in values]).encode())
+    words = ["point-source", "--flux", "800lm", "--distance"]
+    out = process.run(*words, "- m", "-g", "illuminance", "--invalid", "warn")
+    assert len(out.splitlines()) == 4096
+    assert len([line for line in process.said if "line 1235" in line]) == 1
+    assert len(sizes) < 60
+
+
+def test_a_short_stream_loads_no_numpy():
+    lines = "1\n" * (calculated.FIRST - 1)
+    code = "import sys; from radcalc import cli; cli.run(sys.argv[1:]); print(*sys.modules)"
+    words = ["point-source", "--flux", "800lm", "--distance", "- m", "-g", "illuminance"]
+    done = subprocess.run(
+        [sys.executable, "-c", code, *words],
+        input=lines,
+        text=True,
+        check=True,
+        capture_output=True,
     )
-    of_unit = [(one, unit) for one in made for unit in one.units.values()]
-    held = 0
-    for calculated, of in of_unit:
-        for record, remarks in of.records:
-            places, _ = record.run(values)
-            for place in list(range(len(values)) if places is None else places)[:5]:
-                _, found = calculated.read(repr(values[place]).encode())
-                own = remarks_of(found.answer)
-                assert len(own) == len(remarks)
-                assert all(
-                    MARK in text or text == said for text, said in zip(remarks, own, strict=True)
-                )
-                held += 1
-    assert held
+    *answers, modules = done.stdout.splitlines()
+    assert len(answers) == calculated.FIRST - 1
+    assert "numpy" not in modules.split()
 
 
 # For every light quantity that calculators take, the call with {} for it.

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from radcalc import texts
 from radcalc.errors import RadcalcError
+from radcalc.files import text
 from radcalc.streams.clocks import TimeSettings
 from radcalc.streams.log_layout import LogSettings
 from radcalc.streams.samples import Log
@@ -234,7 +234,7 @@ def test_a_long_preamble_of_comments_is_looked_over():
 
 def test_a_line_too_long_fills_no_memory():
     with pytest.raises(RadcalcError, match="a line of more than"):
-        read("t_s,E_lx\n0,1\n" + "1" * (texts.LONGEST + 2))
+        read("t_s,E_lx\n0,1\n" + "1" * (text.LONGEST + 2))
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from radcalc.streams.fields import Cut, Fields
 from radcalc.streams.header import Header
 from radcalc.streams.readers import Numbers, Quantities
 from radcalc.streams.stream import LONGEST, Stream, run
-from radcalc.units.amounts import read_operands
+from radcalc.units.reading import read_operands
 from radcalc.units.table import resolve
 
 LX_FC = plan(resolve("lx"), resolve("fc"))

@@ -15,7 +15,8 @@ from radcalc.units.compile import (
     refuse_collisions,
 )
 from radcalc.units.registry import DEFINITIONS, exact_registry
-from radcalc.units.table import BASES, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import BASES
 
 TEXT = DEFINITIONS.read_text(encoding="utf-8")
 FOUND = read(TEXT)

@@ -5,16 +5,17 @@ import random
 
 import mpmath
 import pytest
-from helpers import shell
+from helpers import for_each, shell
 
 import radcalc
 from radcalc.__main__ import run
 from radcalc.conversion.plan import plan
 from radcalc.errors import ExpressionError, RadcalcError
-from radcalc.given import read
 from radcalc.homework.answer import read_claim
-from radcalc.units.amounts import read_amount, read_operands, split_value
+from radcalc.inputs.reading import read
+from radcalc.units.amounts import split_value
 from radcalc.units.ranges import read_series
+from radcalc.units.reading import read_amount, read_operands
 from radcalc.units.table import resolve
 
 # text, number, unit: exact by the definitions of the units (foot 0.3048 m, inch 0.0254 m)
@@ -86,7 +87,7 @@ READ = {
 }
 
 
-@pytest.mark.parametrize("text", READ)
+@for_each(READ)
 def test_an_expression_is_worked_out_and_rounded_once(text):
     amount = read_amount(text)
     assert (amount.number, amount.unit.text if amount.unit else None) == READ[text]
@@ -224,7 +225,7 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize("text", REFUSED)
+@for_each(REFUSED)
 def test_what_has_no_value_or_two_is_refused(text):
     with pytest.raises(RadcalcError) as caught:
         read_amount(text)
@@ -329,7 +330,7 @@ def a_function(chance):
     return f"{name}({base} + {digits})", getattr(mpmath, name)(base + x)
 
 
-@pytest.mark.parametrize("seed", range(200))
+@for_each(range(200))
 def test_functions_are_right_though_most_of_them_is_taken_away(seed):
     """By mpmath with 300 digits."""
     chance = random.Random(seed)
@@ -348,7 +349,7 @@ def test_functions_are_right_though_most_of_them_is_taken_away(seed):
         assert abs(found - true) <= 2**-52 * abs(true), text
 
 
-@pytest.mark.parametrize("power", range(-300, 301, 25))
+@for_each(range(-300, 301, 25))
 def test_a_root_of_a_tiny_or_huge_number_has_all_its_digits(power):
     """By mpmath with 50 digits."""
     with mpmath.workdps(50):
@@ -361,7 +362,7 @@ def test_a_root_of_a_tiny_or_huge_number_has_all_its_digits(power):
 UNITS = ("km", "lx", "W", "sr", "lm", "s")
 
 
-@pytest.mark.parametrize("seed", range(60))
+@for_each(range(60))
 def test_the_spelling_of_an_exponent_and_of_a_product_changes_nothing(seed):
     """m-2, m^-2, m**-2 and m⁻², joined by a dot, a star or a blank, beside more arithmetic."""
     chance = random.Random(seed)

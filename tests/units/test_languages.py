@@ -4,10 +4,12 @@ import unicodedata
 from itertools import product
 
 import pytest
+from helpers import for_each
 
 from radcalc.errors import UnitError
 from radcalc.units.languages import LANGUAGES, in_english
-from radcalc.units.table import lookup, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import lookup
 
 # Typed by hand: as the languages write it, and the unit in symbols.
 WRITTEN = [
@@ -85,7 +87,7 @@ WRITTEN = [
 ]
 
 
-@pytest.mark.parametrize(("name", "symbols"), WRITTEN)
+@for_each(WRITTEN)
 def test_a_name_is_the_unit_that_its_symbol_is(name, symbols):
     expected = resolve(symbols)
     for text in (name, unicodedata.normalize("NFD", name), f" {name} "):

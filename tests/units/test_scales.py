@@ -1,20 +1,20 @@
 """Scales: both ways, beside GNU units, and beside what others printed."""
 
 import math
-import os
 import re
-import shutil
 import subprocess
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, python
+from helpers import for_each, require
 from hypothesis import given
 from hypothesis import strategies as st
 
 from radcalc.conversion.plan import plan
 from radcalc.errors import RadcalcError, UnitError
-from radcalc.units.amounts import read_amount
-from radcalc.units.scales import SCALES, ScaleUnit, find, resolve_any, spellings
+from radcalc.units.reading import read_amount
+from radcalc.units.scale_table import SCALES, spellings
+from radcalc.units.scales import ScaleUnit, find, resolve_any
 from radcalc.units.table import SCALE_NAMES, resolve
 
 ROWS = {f"{scale.name} ({scale.unit})": scale for scale in SCALES}
@@ -45,12 +45,9 @@ def test_the_slope_is_that_of_the_function(row, number):
 
 
 def gnu_units(have: str, want: str) -> float:
-    """What GNU units answers; it must be there where CI runs."""
-    program = shutil.which("units")
-    if program is None and not os.environ.get("CI"):
-        pytest.skip("GNU units is not installed")
-    assert program, "apt-get install units"
-    words = [program, "-1", "-o", "%.17g", "-t", have, want]
+    """Return what GNU units answers."""
+    require("units")
+    words = ["units", "-1", "-o", "%.17g", "-t", have, want]
     asked = subprocess.run(words, capture_output=True, text=True, check=True, timeout=60)
     return float(asked.stdout)
 
@@ -116,7 +113,7 @@ def test_printed_values_are_found(number, source, target, printed, off):
     assert convert(number, source, target) == pytest.approx(printed, rel=off)
 
 
-@pytest.mark.parametrize("spelling", spellings())
+@for_each(spellings())
 def test_no_spelling_of_a_scale_is_a_unit(spelling):
     assert isinstance(find(spelling), ScaleUnit)
     with pytest.raises(UnitError):
@@ -180,3 +177,8 @@ def test_the_manual_describes_every_scale(name):
 def test_the_table_of_units_has_the_names_of_scales():
     """They stand there once more, as the table is below the scales: each to where it may be cut."""
     assert set(SCALE_NAMES) == {re.split(r"[/(]", scale.name)[0] for scale in SCALES}
+
+
+def test_a_scale_in_a_product_is_refused_as_a_scale_before_any_scale_is_read():
+    code = "from radcalc.units.table import resolve\nresolve('Wh/dBm')"
+    assert "'dBm' is a scale" in python(code).stderr

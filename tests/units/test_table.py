@@ -4,10 +4,12 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
+from helpers import for_each
 
 from radcalc.errors import UnitError
 from radcalc.units import compiled
-from radcalc.units.table import lookup, resolve
+from radcalc.units.table import resolve
+from radcalc.units.unit import lookup
 
 
 @pytest.mark.parametrize(
@@ -40,7 +42,7 @@ def test_a_misspelt_unit_is_answered_with_the_nearest(spelling, suggestion):
     assert suggestion in caught.value.hint
 
 
-@pytest.mark.parametrize("name", sorted(compiled.REFUSED))
+@for_each(sorted(compiled.REFUSED))
 def test_a_disputed_name_is_refused_and_its_choices_exist(name):
     with pytest.raises(UnitError, match="not accepted") as caught:
         resolve(name)

@@ -6,7 +6,7 @@ import pytest
 from uncertainties import ufloat_fromstr
 
 from radcalc.errors import RadcalcError
-from radcalc.units.amounts import read_amount, read_operands
+from radcalc.units.reading import read_amount, read_operands
 
 
 @pytest.mark.parametrize(

@@ -35,9 +35,9 @@ WRITERS: Mapping[str, Callable[[str], Iterable[str]]] = {
 def rewritten(page: str) -> str:
     """The page with everything between its marks as the commands and tables have it."""
 
-    def write(found: re.Match[str]) -> str:
-        lines = WRITERS[found[2]](found[3] or "")
-        return found[1] + "".join(f"{line}\n" for line in lines) + found[4]
+    def write(match: re.Match[str]) -> str:
+        lines = WRITERS[match[2]](match[3] or "")
+        return match[1] + "".join(f"{line}\n" for line in lines) + match[4]
 
     return MARKED.sub(write, page)
 
@@ -49,10 +49,10 @@ def pages(folder: Path) -> list[Path]:
 
 def transcripts(page: str) -> list[tuple[str, str]]:
     """Every command of a page's displays, with the output below it."""
-    found = []
+    displays = []
     for block in re.findall(r"^\.Bd -literal[^\n]*\n(.*?)^\.Ed$", page, re.M | re.S):
-        for entry in re.split(r"^\$ ", mdoc.shown(block), flags=re.M)[1:]:
+        for entry in re.split(r"^\$ ", mdoc.displayed(block), flags=re.M)[1:]:
             lines = entry.split("\n")
             length = next(i for i, line in enumerate(lines, 1) if not line.endswith(("\\", "|")))
-            found.append(("\n".join(lines[:length]), "\n".join(lines[length:])))
-    return found
+            displays.append(("\n".join(lines[:length]), "\n".join(lines[length:])))
+    return displays

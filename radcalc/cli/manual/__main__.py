@@ -5,8 +5,8 @@ from pathlib import Path
 
 from radcalc.cli.manual import pages, rewritten
 
-found = pages(Path(sys.argv[1]))
-if not found:
+page_paths = pages(Path(sys.argv[1]))
+if not page_paths:
     sys.exit(f"there are no pages in {sys.argv[1]}/man1")
-for page in found:
+for page in page_paths:
     page.write_text(rewritten(page.read_text(encoding="utf-8")), encoding="utf-8")

@@ -9,11 +9,13 @@ from typing import Any
 import click
 
 from radcalc.answer import Result, Row, Step
-from radcalc.cli import COMMANDS, HELP, commands, streams
+from radcalc.cli import line_options
 from radcalc.cli import options as output
 from radcalc.cli.command import ALSO, LINES, SectionedCommand
-from radcalc.cli.compile import command_of, examples_of, own_options, results_of
-from radcalc.cli.help import joined, narrowed
+from radcalc.cli.compile import command_of, examples_of, main_options, results_of
+from radcalc.cli.group import commands
+from radcalc.cli.help import COMMANDS, HELP
+from radcalc.cli.help_format import joined, narrowed
 from radcalc.cli.manual.mdoc import ROOM, argument, filled, literal, plain, sentences, text
 from radcalc.errors import RadcalcError
 from radcalc.quantities.light import KINDS, RADIANT
@@ -22,7 +24,6 @@ from radcalc.quantities.symbols import (
     SPECIFIC,
     SYMBOLS,
     Symbol,
-    as_result,
     light_unit,
     names_of_kinds,
     specific_name,
@@ -34,7 +35,7 @@ Sections = Mapping[str, Sequence[click.Option]]
 
 
 def name(of: str) -> Iterator[str]:
-    """What a page is called, and the command's line in the list of commands."""
+    """Yield the name of a page, and the command's line in the list of commands."""
     yield f".Nm radcalc-{of}"
     yield f".Nd {_lowered(COMMANDS[of])}"
 
@@ -42,8 +43,8 @@ def name(of: str) -> Iterator[str]:
 def listed(of: str) -> Iterator[str]:
     """The commands with their lines and pages."""
     yield ".Bl -tag -width Ds -compact"
-    for one, line in COMMANDS.items():
-        yield f".It Xr radcalc-{one} 1"
+    for name, line in COMMANDS.items():
+        yield f".It Xr radcalc-{name} 1"
         yield text(line)
     yield ".El"
 
@@ -59,12 +60,14 @@ def help_text(of: str) -> Iterator[str]:
     """
     before = ""
     for paragraph in (command_of(of).help or "").split("\n\n"):
-        first, *rest = paragraph.strip("\n").split("\n")
+        first, *remaining = paragraph.strip("\n").split("\n")
         if first.strip() == VERBATIM:
-            is_led_to = before.endswith(":") and rest[0].strip() != EXAMPLES
-            if is_led_to or any(DRAWN in line for line in rest):
-                lines = dedent("\n".join(rest)).strip().split("\n")
-                yield from literal(part for one in joined(lines) for part in narrowed(one, ROOM))
+            is_led_to = before.endswith(":") and remaining[0].strip() != EXAMPLES
+            if is_led_to or any(DRAWN in line for line in remaining):
+                lines = dedent("\n".join(remaining)).strip().split("\n")
+                yield from literal(
+                    part for joined_line in joined(lines) for part in narrowed(joined_line, ROOM)
+                )
             continue
         if before and paragraph.strip():
             yield ".Pp"
@@ -87,26 +90,26 @@ def sections_of(of: str) -> Sections:
     if of == "every command":
         return {"": [*output.OPTIONS, HELP]}
     if of == "every stream":
-        return {"": streams.OPTIONS}
+        return {"": line_options.OPTIONS}
     if of == "radcalc":
-        return {"": own_options()}
+        return {"": main_options()}
     sections = {title: group for title, group in command_of(of).sections.items() if title != LINES}
     return sections | {"Output": [*sections["Output"], HELP]}
 
 
 def results(of: str) -> Iterator[str]:
     """The results of a command by the names that --get takes, each with its letter and unit."""
-    found = command_of(of)
-    named = [one for one in results_of(found) if of == "photon" or one not in LINKS]
-    kinds, rows = _kinds(found), _heard(of).rows
+    command = command_of(of)
+    names = [name for name in results_of(command) if of == "photon" or name not in LINKS]
+    kinds, rows = _kinds(command), _heard(of).rows
     yield f'.Bl -tag -width "{"x" * RESULT_WIDTH}" -compact'
-    for one in named:
-        symbol = as_result(one, of)
-        if symbol.kind and symbol.generic in named:
+    for name in names:
+        symbol = command.page.symbol(name)
+        if symbol.kind and symbol.generic in names:
             continue
-        yield f".It Cm {one}"
-        if one in rows and not symbol.generic:
-            symbol = symbol._replace(label=rows[one].quantity, letter=rows[one].symbol)
+        yield f".It Cm {name}"
+        if name in rows and not symbol.generic:
+            symbol = symbol._replace(label=rows[name].quantity, letter=rows[name].symbol)
         yield from sentences(_described(symbol, kinds))
     yield ".El"
 
@@ -148,33 +151,37 @@ class Listener:
 @cache
 def _heard(of: str) -> Listener:
     """What the examples of a help answer, where these can be run and write no file."""
-    found, listener = command_of(of), Listener()
+    command, listener = command_of(of), Listener()
     writes = {
         spelling
-        for one in found.params
-        if isinstance(one, click.Option) and "FILE" in (one.metavar or "")
-        for spelling in one.opts
+        for parameter in command.params
+        if isinstance(parameter, click.Option) and "FILE" in (parameter.metavar or "")
+        for spelling in parameter.opts
     }
-    for words in examples_of(found):
+    for words in examples_of(command):
         if writes.intersection(words) or "--list" in words:
             continue
         try:
-            with commands.make_context("radcalc", [*words, "--steps"], obj=listener) as made:
-                commands.invoke(made)
+            with commands.make_context(
+                "radcalc", [*words, "--steps"], obj=listener
+            ) as call_context:
+                commands.invoke(call_context)
         except (RadcalcError, click.ClickException):
             continue
     return listener
 
 
-def _kinds(found: SectionedCommand) -> list[str]:
+def _kinds(command: SectionedCommand) -> list[str]:
     """The kinds of light that a command takes, by the names of its options.
 
     A name such as irradiance is that of every kind, and of the radiant one.
     """
-    options = {spelling.removeprefix("--") for one in found.params for spelling in one.opts}
-    kinds = {SPECIFIC[one][1] for one in options if one in SPECIFIC}
-    generic = [one for one in options if one in SYMBOLS and SYMBOLS[one].generic == one]
-    if any(specific_name(one, RADIANT) == one for one in generic):
+    options = {
+        spelling.removeprefix("--") for parameter in command.params for spelling in parameter.opts
+    }
+    kinds = {SPECIFIC[name][1] for name in options if name in SPECIFIC}
+    generic = [name for name in options if name in SYMBOLS and SYMBOLS[name].generic == name]
+    if any(specific_name(name, RADIANT) == name for name in generic):
         kinds.add(RADIANT)
     return [kind for kind in KINDS if kind in kinds] or [*KINDS]
 
@@ -189,9 +196,9 @@ def _described(symbol: Symbol, kinds: Sequence[str]) -> str:
         unit = f", in {symbol.unit}" if symbol.unit not in ("", "1") else ""
         return f"{label}{letter}{unit}."
     units = _either([light_unit(symbol.generic, kind) for kind in kinds])
-    names = [one for one in names_of_kinds(symbol.name) if SPECIFIC[one][1] in kinds]
-    own = f"; of one kind: {', '.join(names)}" if names else ""
-    return f"{label}{letter}, in {units}{own}."
+    names = [name for name in names_of_kinds(symbol.name) if SPECIFIC[name][1] in kinds]
+    of_kinds = f"; of one kind: {', '.join(names)}" if names else ""
+    return f"{label}{letter}, in {units}{of_kinds}."
 
 
 def _either(words: Sequence[str]) -> str:
@@ -201,14 +208,14 @@ def _either(words: Sequence[str]) -> str:
 
 def _items(listed: Sequence[click.Option]) -> Iterator[str]:
     """An item an option; hidden ones are other names of the one before them."""
-    shown = [option for option in listed if not option.hidden]
-    starts = [listed.index(option) for option in shown]
-    for option, start, end in zip(shown, starts, [*starts[1:], len(listed)], strict=True):
-        spellings = [spelling for one in listed[start:end] for spelling in _spellings(one)]
+    visible = [option for option in listed if not option.hidden]
+    starts = [listed.index(option) for option in visible]
+    for option, start, end in zip(visible, starts, [*starts[1:], len(listed)], strict=True):
+        spellings = [spelling for alias in listed[start:end] for spelling in _spellings(alias)]
         flags = " , ".join(f"Fl {plain(spelling[1:])}" for spelling in spellings)
         yield f".It {flags}{_argument(option)}"
-        said, also, _ = (option.help or "").partition(ALSO)
-        yield from sentences(f"{said}." if also else said)
+        description, also, _ = (option.help or "").partition(ALSO)
+        yield from sentences(f"{description}." if also else description)
 
 
 def _spellings(option: click.Option) -> list[str]:

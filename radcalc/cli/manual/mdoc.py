@@ -37,13 +37,13 @@ def sentences(words: str) -> Iterator[str]:
     for sentence in BETWEEN_SENTENCES.split(" ".join(words.split())):
         waiting: list[str] = []
         for word in sentence.split():
-            named = FLAG.fullmatch(word)
-            if not named:
+            flag = FLAG.fullmatch(word)
+            if not flag:
                 waiting.append(word)
                 continue
             yield from filled(waiting)
             waiting = []
-            yield " ".join([".Fl", *named[1], plain(named[2][1:]), *named[3]])
+            yield " ".join([".Fl", *flag[1], plain(flag[2][1:]), *flag[3]])
         yield from filled(waiting)
 
 
@@ -67,6 +67,6 @@ ESCAPES = {
 ESCAPED = re.compile(r"\\\[u([0-9A-F]{4,5})\]|\\\(..|\\.")
 
 
-def shown(source: str) -> str:
-    """What lines of a display show."""
+def displayed(source: str) -> str:
+    """Return the text that the lines of a display show."""
     return ESCAPED.sub(lambda m: chr(int(m[1], 16)) if m[1] else ESCAPES[m[0]], source)

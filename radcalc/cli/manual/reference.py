@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from radcalc.cli.manual.mdoc import argument, plain, sentences, text
 from radcalc.cli.spelling import spelled
-from radcalc.conversion.bridges import WANTED
+from radcalc.conversion.bridge import WANTED
 from radcalc.conversion.plan import plan, target_of
 from radcalc.errors import MissingCondition, RadcalcError
 from radcalc.quantities.entries import Entry, entry
@@ -13,8 +13,8 @@ from radcalc.quantities.language import ENGLISH
 from radcalc.quantities.light import GEOMETRIES, KINDS, read
 from radcalc.quantities.names import MISNOMERS, QUANTITIES, Quantity
 from radcalc.units.compiled import PREFIX_NAMES, PREFIX_SYMBOLS, UNITS
-from radcalc.units.scales import SCALES
-from radcalc.units.table import Unit
+from radcalc.units.scale_table import SCALES
+from radcalc.units.unit import Unit
 
 EXITANCE = "M"  # of its symbol
 LANGUAGE_NAMES = {"cs": "Czech", "ru": "Russian"}
@@ -29,24 +29,24 @@ def quantities(_: str) -> Iterator[str]:
         yield f".It Em {quantity.name(ENGLISH)} No ({symbol}, {unit})"
         yield from sentences(quantity.definition)
         yield from sentences(_names(quantity))
-        if said := [*_misnomers(quantity), *_leads(quantity)]:
+        if remarks := [*_misnomers(quantity), *_leads(quantity)]:
             yield ".Bl -dash -compact"
-            for one in said:
+            for remark in remarks:
                 yield ".It"
-                yield from sentences(one)
+                yield from sentences(remark)
             yield ".El"
     yield ".El"
 
 
 def _names(quantity: Quantity) -> str:
     """The other names in each language."""
-    said = [f"also {name}" for name in quantity.names(ENGLISH)[1:]]
-    said += [
-        f"{LANGUAGE_NAMES[one]} {', '.join(quantity.names(one))}"
-        for one in LANGUAGE_NAMES
-        if quantity.names(one)
+    names = [f"also {name}" for name in quantity.names(ENGLISH)[1:]]
+    names += [
+        f"{LANGUAGE_NAMES[code]} {', '.join(quantity.names(code))}"
+        for code in LANGUAGE_NAMES
+        if quantity.names(code)
     ]
-    return _sentence("; ".join(said))
+    return _sentence("; ".join(names))
 
 
 def _sentence(words: str) -> str:
@@ -62,21 +62,21 @@ def _misnomers(quantity: Quantity) -> Iterator[str]:
 
 def _leads(quantity: Quantity) -> Iterator[str]:
     """The quantities that one condition leads to, by the condition."""
-    found: dict[str, list[str]] = {}
+    by_condition: dict[str, list[str]] = {}
     for other in QUANTITIES:
         try:
             plan(_unit(quantity), _unit(other), [])
         except MissingCondition as error:
             if len(error.lacking) == 1 and _is_one_step(quantity, other):
-                found.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
+                by_condition.setdefault(error.lacking[0], []).append(other.name(ENGLISH))
         except RadcalcError:
             continue  # nothing leads there, or a quantity has no unit of its own
-    for what, names in found.items():
+    for what, names in by_condition.items():
         yield f"with {what}: {', '.join(names)}"
 
 
 def _is_one_step(quantity: Quantity, other: Quantity) -> bool:
-    """Whether one difference is between them, though W/m2 may reach a surface or leave it."""
+    """Return whether they differ by one step, though W/m2 may reach a surface or leave it."""
     source, target = _unit(quantity), _unit(other)
     start, end = read(source), read(target)
     if start is None or end is None:
@@ -96,7 +96,7 @@ def _unit(quantity: Quantity) -> Unit:
 
 
 def conditions(_: str) -> Iterator[str]:
-    """What is missing, in the words of a refusal, and the options that supply it."""
+    """Yield the missing conditions in the words of a refusal, and the options that supply it."""
     yield ".Bl -tag -width Ds -compact"
     for phrase, options in WANTED.values():
         yield f".It {phrase}"
@@ -108,8 +108,8 @@ def units(_: str) -> Iterator[str]:
     """Every unit that has a name, by the quantity that it measures; those of light first."""
     measured: dict[str, list[Entry]] = {}
     for name in UNITS:
-        found = entry(name)
-        measured.setdefault(found.quantity or "other", []).append(found)
+        listed = entry(name)
+        measured.setdefault(listed.quantity or "other", []).append(listed)
     light = [name for name in LIGHT if name in measured]
     for quantity in dict.fromkeys([*light, *measured]):
         yield f".Ss {text(quantity[0].upper() + quantity[1:])}"
@@ -121,16 +121,16 @@ def scales(_: str) -> Iterator[str]:
     yield from _entries(scale_entries(SCALES))
 
 
-def _entries(found: Sequence[Entry]) -> Iterator[str]:
+def _entries(entries: Sequence[Entry]) -> Iterator[str]:
     yield ".Bl -tag -width Ds -compact"
-    for one in found:
-        comma = "" if one.symbols.startswith("(") else ","
-        symbols = f" No {comma} {argument(one.symbols)}" if one.symbols else ""
-        yield f".It Li {argument(one.name)}{symbols}".replace(" No ,", " ,")
-        source = f" [{one.source}]" if one.source else ""
-        yield from sentences(f"{one.definition}{source}")
-        if one.note:
-            yield from sentences(f"(note: {one.note})")
+    for unit in entries:
+        comma = "" if unit.symbols.startswith("(") else ","
+        symbols = f" No {comma} {argument(unit.symbols)}" if unit.symbols else ""
+        yield f".It Li {argument(unit.name)}{symbols}".replace(" No ,", " ,")
+        source = f" [{unit.source}]" if unit.source else ""
+        yield from sentences(f"{unit.definition}{source}")
+        if unit.note:
+            yield from sentences(f"(note: {unit.note})")
     yield ".El"
 
 

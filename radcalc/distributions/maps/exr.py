@@ -1,8 +1,7 @@
 """OpenEXR pictures, through the package OpenEXR.
 
-Damaged files are found here, in the headers and the tables of where the chunks of pixels stand
-[1]_, before the library makes room for what they promise.  What it cannot decode it leaves out, and
-says so on the standard streams; that is caught.
+The library reads the headers first, without the pixels.  Sizes are checked before it makes room
+for pixels; damage it finds by itself.  It prints what it cannot decode; that is caught.
 
 References
 ----------
@@ -19,7 +18,7 @@ import struct
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout, suppress
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,21 +28,17 @@ from radcalc.errors import ConditionError, listed, option, quote
 from radcalc.quantities.symbols import LATLONG
 
 FORMAT = "OpenEXR"
-VERSION = 2  # of the format; the flags of a file stand above it
-DEEP, SEVERAL_PARTS, TILED = 0x800, 0x1000, 0x200
-# Lines of a chunk, by the number of the compression; the last four as OpenEXR 3.5 writes them.
-LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256, 256, 32, 256, 1)
-DWAA = 8  # the first compression that is by transforms, and without a limit for an even picture
-# Samples that a byte holds at most in those before it: deflate, the closest, makes 1 of 1032 bytes,
-# and a sample has two of them or more.
-DENSEST = 516
 TILE = 1 << 20  # pixels that a tile may have in a smaller picture: the library makes room for all
+TEXTS = 100  # attributes of a file that need not be UTF-8
+# Attributes with their types.  If they are damaged, the library is silent: it takes windows of
+# 64 x 64 pixels, and no envmap.
+WINDOWS = (b"dataWindow\0box2i\0", b"displayWindow\0box2i\0")
+ENVMAP = b"envmap\0envmap\0"
+HEADER = 1 << 20  # bytes in which an envmap is looked for
 XYZ_PRIMARIES = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3)  # as which R, G, B are X, Y, Z
-ENVMAP_LATLONG, ENVMAP_CUBE = 0, 1
 # Attributes that radcalc writes for itself; other programs pass over them.
 UNIT, WEIGHTS, PROJECTION = "radcalcUnit", "radcalcWeights", "radcalcProjection"
 ASCII = bytes(range(128)) + b"?" * 128  # of each byte
-_Places = dict[str, tuple[str, slice]]  # type and place of the value of each attribute
 
 
 def read(data: bytes, name: str, channel: str = "") -> Picture:
@@ -52,9 +47,9 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     Parameters
     ----------
     data : bytes
-        What the file holds: scan lines or tiles (of levels the full one), of one or more parts.
+        The whole file: scan lines or tiles (of several levels the largest), in one or more parts.
     name : str
-        The file, as errors name it.
+        The name of the file in messages.
     channel : str, optional
         The channel to read alone, of any layer: "Z", "diffuse.R"; in any case.
 
@@ -70,8 +65,8 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     Raises
     ------
     ConditionError
-        If it is damaged, deep or a cube, or has neither R, G and B nor Y; if the package OpenEXR
-        is missing.
+        If it is damaged, deep or a cube, or too large, or has neither R, G and B nor Y; if the
+        package OpenEXR is missing.
 
     References
     ----------
@@ -81,15 +76,19 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
     --------
     >>> read(b"v/1\\x01\\x02\\0\\0\\0", "sky.exr")
     Traceback (most recent call last):
-    radcalc.errors.ConditionError: sky.exr is damaged: its header ends early
+    radcalc.errors.ConditionError: sky.exr is damaged: its header cannot be read
     try: another copy of it
     """
-    parts = _parts(data, name)
-    number, channels = _one(parts, channel, name) if channel else _main(parts, name)
+    file = io.BytesIO(data)
+    parts = _parts(file, name)
+    number, channels = (
+        _named_channel(parts, channel, name) if channel else _main_channels(parts, name)
+    )
     part = parts[number]
-    _check_place(part, name)
-    planes = _planes(data, parts, number, channels, name)
-    pixels = np.empty((part.height, part.width, len(channels)), np.float32)
+    _check_directions(part, name)
+    planes = _planes(file, len(parts), number, channels, name)
+    _, _, width, height = part.pixels
+    pixels = np.empty((height, width, len(channels)), np.float32)
     for k, key in enumerate(channels):
         pixels[..., k] = planes[key]
     assumptions, notes = [], []
@@ -107,7 +106,7 @@ def read(data: bytes, name: str, channel: str = "") -> Picture:
             "multiplied by it, count as they are"
         )
     unit = part.unit
-    if (white := part.white_luminance) is not None:
+    for white in part.white_luminance:
         if 0 < white < np.inf:
             pixels *= np.float32(white)
             unit = "cd/m2"
@@ -141,7 +140,7 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
     """Write an OpenEXR picture over an empty file: 32-bit floats, compressed without loss.
 
     A latlong map is marked as one, cd/m2 by a `whiteLuminance` of 1.  X, Y, Z are written as R, G,
-    B with the primaries that make them so.  Returns what is to be told.
+    B with the primaries of XYZ.  Return notes for the user.
 
     Raises
     ------
@@ -177,15 +176,15 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
         name: np.ascontiguousarray(picture.pixels[..., k], np.float32)
         for k, name in enumerate(names)
     }
-    made = io.BytesIO()
-    openexr.File(header, planes).write(made)
+    written = io.BytesIO()
+    openexr.File(header, planes).write(written)
     with open(path, "wb") as file:
-        file.write(made.getbuffer())
+        file.write(written.getbuffer())
     return notes
 
 
 def library() -> Any:
-    """The package OpenEXR; a ConditionError where it is missing."""
+    """Return the package OpenEXR; raise a ConditionError if it is missing."""
     try:
         return import_module("OpenEXR")
     except ImportError:
@@ -195,95 +194,81 @@ def library() -> Any:
         ) from None
 
 
+class _Window(NamedTuple):
+    """A rectangle of pixels."""
+
+    left: int
+    top: int
+    width: int
+    height: int
+
+
 class _Part:
-    """What the header of a part says; a ValueError or a KeyError where it is none."""
+    """The header of a part."""
 
-    def __init__(self, data: bytes, places: _Places, is_tiled: bool) -> None:
-        attributes = {name: data[place] for name, (_, place) in places.items()}
-        self._attributes = attributes
-        self.texts = [place for kind, place in places.values() if kind == "string"]
-        self.label = attributes.get("name", b"").decode("utf-8", "replace")
-        kind = attributes.get("type", b"tiledimage" if is_tiled else b"scanlineimage")
-        self.is_deep = kind.startswith(b"deep")
-        self.is_tiled = kind == b"tiledimage"
-        self.left, self.top, self.width, self.height = self._window("dataWindow")
-        shown = self._window("displayWindow")
-        self.shown_left, self.shown_top, self.shown_width, self.shown_height = shown
-        self.channels = dict(_channels(attributes["channels"]))
-        (self.compression,) = self._numbers("compression", "B")
-        self.environment = self._numbers("envmap", "B")[0] if "envmap" in attributes else None
-        self.white_luminance: float | None = None
-        if "whiteLuminance" in attributes:
-            (self.white_luminance,) = self._numbers("whiteLuminance", "f")
-        self.chromaticities: tuple[float, ...] = ()
-        if "chromaticities" in attributes:
-            self.chromaticities = self._numbers("chromaticities", "8f")
-        self.unit, self.projection = (
-            quote(attributes.get(own, b"").decode("utf-8", "replace")) for own in (UNIT, PROJECTION)
-        )
-        self.weights: tuple[float, ...] = ()
-        if WEIGHTS in attributes:
-            self.weights = self._numbers(WEIGHTS, "3f")
-        tile = self._numbers("tiles", "2IB") if self.is_tiled else (0, 0)
-        self.tile: tuple[int, int] = tile[:2]
+    def __init__(self, part: Any) -> None:
+        """Read the attributes; an error of any class means that one is damaged."""
+        header = part.header
+        self.label = part.name()
+        self.is_deep = part.type().name.startswith("deep")
+        self.pixels = _window(header["dataWindow"])
+        self.display = _window(header["displayWindow"])
+        # the columns and rows that share one sample of a channel
+        self.channels = {
+            channel.name: (channel.xSampling, channel.ySampling) for channel in header["channels"]
+        }
+        tile = header.get("tiles")
+        self.tile = (tile.xSize, tile.ySize) if tile else (0, 0)
+        self.environment = header.get("envmap")
+        self.white_luminance = _floats(header, "whiteLuminance", 1)
+        self.chromaticities = _floats(header, "chromaticities", 8)
+        self.unit = quote(str(header.get(UNIT, "")))
+        self.projection = quote(str(header.get(PROJECTION, "")))
+        self.weights = _floats(header, WEIGHTS, 3)
 
-    def _numbers(self, attribute: str, layout: str) -> tuple[Any, ...]:
-        return struct.unpack(f"<{layout}", self._attributes[attribute])
-
-    def _window(self, attribute: str) -> tuple[int, int, int, int]:
-        """Left, top, width and height."""
-        left, top, right, bottom = self._numbers(attribute, "4i")
-        return left, top, right - left + 1, bottom - top + 1
-
-    def is_shown(self) -> bool:
-        """Whether the windows overlap."""
-        return (
-            -self.width < self.left - self.shown_left < self.shown_width
-            and -self.height < self.top - self.shown_top < self.shown_height
-        )
-
-    def samples(self) -> int:
-        """How many there are of all channels."""
-        pixels = self.width * self.height
-        return sum(pixels // max(1, across * down) for across, down in self.channels.values())
-
-    def chunks(self) -> int:
-        """How many there are of the full level, whose chunks come first in the table."""
+    def room(self) -> int:
+        """Return the bytes that the samples of all channels take, as floats."""
         wide, high = self.tile
-        if self.is_tiled:
-            return -(-self.width // wide) * -(-self.height // high)
-        return -(-self.height // LINES[self.compression])
-
-    def entries(self) -> int:
-        """How many the table has, where the header says it."""
-        if "chunkCount" in self._attributes:
-            return int(self._numbers("chunkCount", "i")[0])
-        return self.chunks()
+        pixels = max(self.pixels.width * self.pixels.height, wide * high)
+        return sum(4 * (pixels // (across * down)) for across, down in self.channels.values())
 
 
-def _parts(data: bytes, name: str) -> list[_Part]:
-    """The parts of a file that has all the pixels that they promise."""
+def _window(corners: Any) -> _Window:
+    (left, top), (right, bottom) = (corner.tolist() for corner in corners)
+    return _Window(left, top, right - left + 1, bottom - top + 1)
+
+
+def _floats(header: dict[str, Any], attribute: str, count: int) -> tuple[float, ...]:
+    """Return the numbers of an attribute, or none if the header does not have it."""
+    if attribute not in header:
+        return ()
+    return tuple(np.array(header[attribute], float).reshape(count).tolist())
+
+
+def _parts(file: io.BytesIO, name: str) -> list[_Part]:
+    """Read the headers, and refuse pixels that are deep or too many."""
+    library()
     try:
-        (flags,) = struct.unpack_from("<I", data, 4)
-        headers, place = _headers(data, bool(flags & SEVERAL_PARTS))
-        parts = [_Part(data, places, bool(flags & TILED)) for places in headers]
-    except (ValueError, struct.error):
-        raise _damaged(name, "its header ends early") from None
-    except KeyError as error:
-        raise _damaged(name, f"its header has no {error.args[0]}") from None
-    if flags & 0xFF != VERSION:
+        with _caught():
+            parts = [_Part(part) for part in _headers(file)]
+        data = file.getvalue()
+        is_damaged = not all(window in data for window in WINDOWS)
+    except Exception:  # of many classes, by what is damaged
+        is_damaged = True
+    if is_damaged:
+        raise _damaged(name, "its header cannot be read")
+    if data.find(ENVMAP, 0, HEADER) >= 0 and all(part.environment is None for part in parts):
         raise ConditionError(
-            f"{name} is of version {flags & 0xFF} of OpenEXR, which is not read", "version 2"
+            f"{name} is an environment map of an unknown kind, which is not read", "a latlong map"
         )
-    if flags & DEEP or any(part.is_deep for part in parts):
+    if any(part.is_deep for part in parts):
         raise ConditionError(
             f"{name} is deep: its pixels have several samples, in different distances",
             "a flat picture",
         )
     for part in parts:
         _check_size(part, name)
-        place = _check_chunks(data, place, part, 4 if flags & SEVERAL_PARTS else 0, name)
-    room = 4 * sum(map(_Part.samples, parts))
+    room = sum(map(_Part.room, parts))
     if room > pictures.MOST_BYTES:
         raise ConditionError(
             f"{name} has {room >> 20} MiB of pixels, more than {pictures.MOST_BYTES >> 20}",
@@ -292,103 +277,58 @@ def _parts(data: bytes, name: str) -> list[_Part]:
     return parts
 
 
-def _headers(data: bytes, several: bool) -> tuple[list[_Places], int]:
-    """Where the attributes of each part stand, and where the tables begin."""
-    place, headers = 8, list[_Places]()
-    while True:
-        places, place = _attributes(data, place)
-        if several and not places:
-            return headers, place
-        headers.append(places)
-        if not several:
-            return headers, place
+def _headers(file: io.BytesIO) -> list[Any]:
+    """Read the headers alone, with ? in texts that are not UTF-8, which the library refuses."""
+    for _ in range(TEXTS):
+        try:
+            return _opened(file, header_only=True)
+        except UnicodeDecodeError as error:
+            text = error.object
+            attribute = b"\0string\0" + struct.pack("<i", len(text)) + text
+            start = file.getvalue().find(attribute)
+            if start < 0:
+                raise
+            file.seek(start + len(attribute) - len(text))
+            file.write(text.translate(ASCII))
+    raise ValueError
 
 
-def _attributes(data: bytes, place: int) -> tuple[_Places, int]:
-    """Where the attributes of one part stand, and where they end."""
-    found: _Places = {}
-    while data[place : place + 1] != b"\0":
-        label, place = _text(data, place)
-        kind, place = _text(data, place)
-        (size,) = struct.unpack_from("<i", data, place)
-        place += 4
-        if not 0 <= size <= len(data) - place:
-            raise ValueError
-        found[label] = kind, slice(place, place + size)
-        place += size
-    return found, place + 1
-
-
-def _text(data: bytes, place: int) -> tuple[str, int]:
-    """A text of 255 bytes at most, and where it ends."""
-    end = data.index(b"\0", place, place + 256)
-    return data[place:end].decode("utf-8", "replace"), end + 1
-
-
-def _channels(data: bytes) -> Iterator[tuple[str, tuple[int, int]]]:
-    """The channels by name: of how many columns and rows they have one sample."""
-    place = 0
-    while data[place : place + 1] != b"\0":
-        label, place = _text(data, place)
-        yield label, struct.unpack_from("<8x2i", data, place)
-        place += 16
+def _opened(file: io.BytesIO, header_only: bool = False) -> list[Any]:
+    """Return the parts of a file that the library can read."""
+    file.seek(0)
+    parts: list[Any] = library().File(file, separate_channels=True, header_only=header_only).parts
+    return parts
 
 
 def _check_size(part: _Part, name: str) -> None:
-    pictures.check_size(part.width, part.height, name)
-    pictures.check_size(part.shown_width, part.shown_height, f"the display window of {name}")
-    if part.compression >= len(LINES):
-        raise ConditionError(
-            f"{name} has pixels of compression {part.compression}, which is not known",
-            "the same with compression zip",
-        )
+    _, _, width, height = part.pixels
+    pictures.check_size(width, height, name)
+    pictures.check_size(part.display.width, part.display.height, f"the display window of {name}")
     wide, high = part.tile
-    if part.is_tiled and not 0 < wide * high <= max(TILE, part.width * part.height):
-        raise _damaged(
-            name, f"tiles of {wide} x {high} pixels, in {part.width} x {part.height} pixels"
-        )
+    if wide * high > max(TILE, width * height):
+        raise _damaged(name, f"tiles of {wide} x {high} pixels, in {width} x {height} pixels")
 
 
-def _check_chunks(data: bytes, place: int, part: _Part, extra: int, name: str) -> int:
-    """Refuse a part of which a chunk is missing; else where its table ends.
-
-    A chunk begins with its place (behind `extra` bytes) and the size of what follows.
-    """
-    count, entries = part.chunks(), part.entries()
-    is_too_dense = part.compression < DWAA and part.samples() > DENSEST * len(data)
-    if is_too_dense or entries < count or place + 8 * entries > len(data):
-        raise _damaged(name, f"{len(data)} bytes, too few for {part.width} x {part.height} pixels")
-    starts = np.frombuffer(data, "<u8", count, place)
-    head = extra + (20 if part.is_tiled else 8)
-    is_there = (starts > 0) & (starts <= len(data) - head)
-    ends = starts[is_there].astype(np.int64) + head
-    sizes = np.frombuffer(data, np.uint8)[ends[:, None] + np.arange(-4, 0)].view("<i4")[:, 0]
-    whole = np.count_nonzero((sizes >= 0) & (sizes <= len(data) - ends))
-    if whole < count:
-        raise _damaged(name, f"{count - whole} of the {count} chunks of its pixels are missing")
-    return place + 8 * entries
-
-
-def _main(parts: Sequence[_Part], name: str) -> tuple[int, tuple[str, ...]]:
-    """The number of the part that is read, and its channels."""
+def _main_channels(parts: Sequence[_Part], name: str) -> tuple[int, tuple[str, ...]]:
+    """Return the number of the first part with R, G, B, else with Y, and these channels."""
     for wanted in (RGB, Y):
         for number, part in enumerate(parts):
             if set(wanted) <= part.channels.keys():
-                return number, _sampled(part, wanted, name)
-    raise _has_no(parts, f"{name} has neither R, G, B nor Y")
+                return number, _full_size(part, wanted, name)
+    raise _missing(parts, f"{name} has neither R, G, B nor Y")
 
 
-def _one(parts: Sequence[_Part], channel: str, name: str) -> tuple[int, tuple[str, ...]]:
-    """The number of the first part that has a channel, by its name in any case, and the name."""
+def _named_channel(parts: Sequence[_Part], wanted: str, name: str) -> tuple[int, tuple[str, ...]]:
+    """Return the number of the first part with a channel, in any case, and its exact name."""
     for number, part in enumerate(parts):
-        for own in part.channels:
-            if own.lower() == channel.lower():
-                return number, _sampled(part, (own,), name)
-    raise _has_no(parts, f"{name} has no channel '{quote(channel)}'")
+        for channel in part.channels:
+            if channel.lower() == wanted.lower():
+                return number, _full_size(part, (channel,), name)
+    raise _missing(parts, f"{name} has no channel '{quote(wanted)}'")
 
 
-def _sampled(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, ...]:
-    """Channels that have a sample for each pixel; others are refused."""
+def _full_size(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, ...]:
+    """Return the channels; refuse those that do not have a sample for each pixel."""
     if any(part.channels[channel] != (1, 1) for channel in channels):
         raise ConditionError(
             f"{name} has no {', '.join(channels)} for each of its pixels",
@@ -397,79 +337,66 @@ def _sampled(part: _Part, channels: tuple[str, ...], name: str) -> tuple[str, ..
     return channels
 
 
-def _has_no(parts: Sequence[_Part], problem: str) -> ConditionError:
-    """What is said where wanted channels are missing, with those that are there."""
-    found = list(dict.fromkeys(channel for part in parts for channel in part.channels))
+def _missing(parts: Sequence[_Part], problem: str) -> ConditionError:
+    """Return an error that lists the channels of the file."""
+    channels = list(dict.fromkeys(channel for part in parts for channel in part.channels))
     return ConditionError(
-        f"{problem}; it has {quote(listed(found)) or 'no channels'}",
-        option("channel", quote(found[0])) if found else "a picture that has some",
+        f"{problem}; it has {quote(listed(channels)) or 'no channels'}",
+        option("channel", quote(channels[0])) if channels else "a picture that has some",
     )
 
 
-def _check_place(part: _Part, name: str) -> None:
+def _check_directions(part: _Part, name: str) -> None:
     """Refuse pixels whose directions are not known."""
-    if part.environment is None and not part.is_shown():
+    if part.environment is not None:
+        if part.environment != library().ENVMAP_LATLONG:
+            raise ConditionError(
+                f"{name} is an environment map that is a cube, which is not read",
+                "the same as latlong (exrenvmap -l converts it)",
+            )
+        return
+    pixels, display = part.pixels, part.display
+    is_beside = not -pixels.width < pixels.left - display.left < display.width
+    is_above_or_below = not -pixels.height < pixels.top - display.top < display.height
+    if is_beside or is_above_or_below:
         raise ConditionError(
             f"{name} has no pixels in its display window", "a picture whose windows overlap"
         )
-    if part.environment not in (None, ENVMAP_LATLONG):
-        kind = "a cube" if part.environment == ENVMAP_CUBE else f"of kind {part.environment}"
-        raise ConditionError(
-            f"{name} is an environment map that is {kind}, which is not read",
-            "the same as latlong (exrenvmap -l converts it)",
-        )
-
-
-def _with_utf8(data: bytes, parts: Sequence[_Part]) -> bytes:
-    """A file with ? in those of its texts that are not UTF-8, which the library refuses."""
-    places = [place for part in parts for place in part.texts]
-    wrong = [place for place in places if not _is_utf8(data[place])]
-    if not wrong:
-        return data
-    mended = bytearray(data)
-    for place in wrong:
-        mended[place] = data[place].translate(ASCII)
-    return bytes(mended)
-
-
-def _is_utf8(text: bytes) -> bool:
-    return text.decode("utf-8", "ignore").encode() == text
 
 
 def _planes(
-    data: bytes, parts: Sequence[_Part], number: int, channels: Sequence[str], name: str
+    file: io.BytesIO, count: int, number: int, channels: Sequence[str], name: str
 ) -> dict[str, Any]:
-    """The pixels of the channels of a part, and of its alpha if there is one."""
-    openexr = library()
-    with _caught() as said:
+    """Read the pixels of the channels of a part, and of its alpha if there is one."""
+    with _caught() as printed:
         try:
-            whole = io.BytesIO(_with_utf8(data, parts))
-            file = openexr.File(whole, separate_channels=True)
-            # it leaves a part out of which it cannot decode a chunk
-            if len(file.parts) == len(parts):
-                found = file.parts[number].channels
-                return {key: found[key].pixels for key in (*channels, "A") if key in found}
+            parts = _opened(file)
+            # the library leaves out a part if it cannot decode one of its chunks
+            if len(parts) == count:
+                planes = parts[number].channels
+                wanted = (*channels, "A") if "A" in planes else channels
+                return {key: planes[key].pixels for key in wanted}
         except Exception as error:  # of many classes, by what is damaged
-            said.write(str(error))
-    problem = said.getvalue().strip().rpartition(" - ")[2].partition("\n")[0]
+            printed.write(str(error))
+    problem = printed.getvalue().strip().rpartition(" - ")[2].partition("\n")[0]
     raise _damaged(name, f"its pixels cannot be read ({quote(problem)})")
 
 
 @contextmanager
 def _caught() -> Iterator[io.StringIO]:
-    """What is printed to standard output; what is written to standard error is lost.
+    """Catch what Python prints to standard output, and discard standard error.
 
-    The library writes to the descriptor of standard error, which only this keeps from the user.
+    The library writes to the descriptor of standard error itself.
     """
-    said, kept = io.StringIO(), None
+    printed, kept = io.StringIO(), None
     with suppress(OSError):  # it is closed
         kept = os.dup(2)
     try:
         if kept is not None:
             with open(os.devnull, "wb") as nowhere:
                 os.dup2(nowhere.fileno(), 2)
-        with redirect_stdout(said):
-            yield said
+        with redirect_stdout(printed):
+            yield printed
     finally:
         if kept is not None:
             os.dup2(kept, 2)
@@ -477,13 +404,13 @@ def _caught() -> Iterator[io.StringIO]:
 
 
 def _cut(pixels: Any, part: _Part) -> tuple[Any, tuple[int, int, int, int] | None]:
-    """The pixels within the display window, and their frame where they do not fill it."""
-    left, top = part.left - part.shown_left, part.top - part.shown_top
-    rows = slice(max(0, -top), part.shown_height - top)
-    within = pixels[rows, max(0, -left) : part.shown_width - left]
-    if within.shape[:2] == (part.shown_height, part.shown_width):
+    """Return the pixels within the display window, and their frame if they do not fill it."""
+    _, _, width, height = part.display
+    left, top = part.pixels.left - part.display.left, part.pixels.top - part.display.top
+    within = pixels[max(0, -top) : height - top, max(0, -left) : width - left]
+    if within.shape[:2] == (height, width):
         return within, None
-    return within, (max(0, left), max(0, top), part.shown_width, part.shown_height)
+    return within, (max(0, left), max(0, top), width, height)
 
 
 def _damaged(name: str, problem: str) -> ConditionError:

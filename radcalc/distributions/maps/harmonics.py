@@ -10,13 +10,13 @@ from radcalc.geometry.light_vectors import half_edges, light_vectors
 ORDER = 2
 
 
-def irradiances_of_order_2(around: RadianceMap, own: Any) -> Any:
+def irradiances_of_order_2(around: RadianceMap, normals: Any) -> Any:
     """Irradiances of receivers, of the channels of a map, without what is finer than order 2.
 
     Parameters
     ----------
     around : RadianceMap
-    own : ndarray of shape (n, 3)
+    normals : ndarray of shape (n, 3)
         Unit vectors of where the receivers face, in the map's own axes.
 
     Returns
@@ -65,6 +65,6 @@ def irradiances_of_order_2(around: RadianceMap, own: Any) -> Any:
         vector = vector + numpy.einsum("xbij,bijc->xc", vectors, light)
         for part in parts:
             tensor = tensor + numpy.einsum("xbij,ybij,bijc->xyc", part, part, light, optimize=True)
-    squares = numpy.einsum("nx,xyc,ny->nc", own, tensor, own)
+    squares = numpy.einsum("nx,xyc,ny->nc", normals, tensor, normals)
     flux_of_tensor = numpy.trace(tensor)  # is the flux, up to the fourth power of a pixel's angle
-    return flux / 4 + own @ vector / 2 + 5 / 32 * (3 * squares - flux_of_tensor)
+    return flux / 4 + normals @ vector / 2 + 5 / 32 * (3 * squares - flux_of_tensor)

@@ -78,8 +78,8 @@ def irradiance_map(
     Examples
     --------
     >>> sky = numpy.repeat([3000.0, 0.0], 32)[:, None] + numpy.zeros(128)
-    >>> found = irradiance_map(RadianceMap(sky, "latlong"), 16, 8)
-    >>> found.pixels.shape, [round(float(x), 2) for x in found.pixels[[0, -1], 0, 0]]
+    >>> irradiances = irradiance_map(RadianceMap(sky, "latlong"), 16, 8)
+    >>> irradiances.pixels.shape, [round(float(x), 2) for x in irradiances.pixels[[0, -1], 0, 0]]
     ((8, 16, 1), [9334.23, 90.55])
     """
     check_shape(LATLONG, width, height)
@@ -90,16 +90,16 @@ def irradiance_map(
     if order is None:
         return IrradianceMap(around.irradiances(normals, is_each=True, progress=progress))
     # the exact sums of all pixels would take several times as long as all the harmonics
-    some = _directions()
-    exact = around.irradiances(some, is_each=True, progress=progress)
-    x, y, z = around.own(tuple(numpy.concatenate([some, normals.reshape(-1, 3)]).T))
-    found = irradiances_of_order_2(around, numpy.stack([x, y, z], -1))
+    checked = _directions()
+    exact = around.irradiances(checked, is_each=True, progress=progress)
+    x, y, z = around.in_map_axes(tuple(numpy.concatenate([checked, normals.reshape(-1, 3)]).T))
+    irradiances = irradiances_of_order_2(around, numpy.stack([x, y, z], -1))
     highest = exact.max() or 1.0
-    below = found[len(some) :].min(-1)
-    found = numpy.maximum(found, 0)
-    off = (found[: len(some)] - exact) / highest
+    below = irradiances[len(checked) :].min(-1)
+    irradiances = numpy.maximum(irradiances, 0)
+    off = (irradiances[: len(checked)] - exact) / highest
     return IrradianceMap(
-        found[len(some) :].reshape(height, width, -1),
+        irradiances[len(checked) :].reshape(height, width, -1),
         float(abs(off).max()),
         float(numpy.sqrt((off * off).mean())),
         int(numpy.count_nonzero(below < 0)),

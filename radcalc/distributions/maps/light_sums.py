@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.geometry.light_vectors import half_edges, light_vectors, shown
+from radcalc.geometry.light_vectors import half_edges, light_vectors, shown_directions
 from radcalc.geometry.projections import corner_of_pixel
 
 SIDE = 16  # pixels of a block, each way
@@ -76,10 +76,10 @@ class Raster:
 
     def blocks(self, values: Any) -> Any:
         """Values of rows of pixels, (rows, columns, ...), as (blocks, side, side, ...)."""
-        rows, columns, *rest = values.shape
-        room = numpy.zeros((self.side, self.across * self.side, *rest), values.dtype)
+        rows, columns, *channels = values.shape
+        room = numpy.zeros((self.side, self.across * self.side, *channels), values.dtype)
         room[:rows, :columns] = values
-        return room.reshape(self.side, self.across, self.side, *rest).swapaxes(0, 1)
+        return room.reshape(self.side, self.across, self.side, *channels).swapaxes(0, 1)
 
     def cones(self, u: Any, v: Any) -> tuple[Any, Any]:
         """Axes of cones about what blocks show, (blocks, 3), and the sines of their half angles.
@@ -87,13 +87,13 @@ class Raster:
         Sines of 2 where the half angle is beyond a right angle.
         """
         steps = numpy.linspace(0, 1, ACROSS)
-        wide, high = (one[:, :1] + (one[:, -1:] - one[:, :1]) * steps for one in (u, v))
+        wide, high = (edges[:, :1] + (edges[:, -1:] - edges[:, :1]) * steps for edges in (u, v))
         # and the place nearest to the middle: a circle may cut off no more than an edge's middle
         wide, high = (
-            numpy.concatenate([one, numpy.clip(0.0, one.min(1), one.max(1))[:, None]], 1)
-            for one in (wide, high)
+            numpy.concatenate([edges, numpy.clip(0.0, edges.min(1), edges.max(1))[:, None]], 1)
+            for edges in (wide, high)
         )
-        directions = shown(self.projection, wide[:, None, :], high[:, :, None])
+        directions = shown_directions(self.projection, wide[:, None, :], high[:, :, None])
         places = numpy.stack(numpy.broadcast_arrays(*directions), -1).reshape(len(u), -1, 3)
         axes = places.mean(1)
         axes /= numpy.maximum(numpy.linalg.norm(axes, axis=-1, keepdims=True), 1e-9)
@@ -118,7 +118,7 @@ class LightSums:
         self, raster: Raster, rows: Rows, seen: Callable[[int, int, Any], None] | None = None
     ) -> None:
         self.raster, self._rows = raster, rows
-        found = []
+        sums_and_cones = []
         for down in range(raster.down):
             u, v = raster.edges(down)
             first, last = raster.rows(down)
@@ -127,9 +127,11 @@ class LightSums:
                 seen(first, last, radiances)
             values = raster.blocks(radiances)
             vectors = light_vectors(raster.projection, u, v)
-            found.append((numpy.einsum("xbij,bijc->bcx", vectors, values), *raster.cones(u, v)))
+            sums_and_cones.append(
+                (numpy.einsum("xbij,bijc->bcx", vectors, values), *raster.cones(u, v))
+            )
         # (rows of blocks, blocks, channels, 3), (rows of blocks, blocks, 3), (..., blocks)
-        self._vectors, self._axes, self._sines = map(numpy.stack, zip(*found, strict=True))
+        self._vectors, self._axes, self._sines = map(numpy.stack, zip(*sums_and_cones, strict=True))
 
     def irradiances(
         self, normals: Any, progress: Progress | None = None, has_errors: bool = False
@@ -155,16 +157,16 @@ class LightSums:
             towards = normals @ self._axes[down].T
             is_whole = abs(towards) >= self._sines[down]
             above = (is_whole & (towards > 0)).astype(float)
-            whole = above @ self._vectors[down].reshape(len(above.T), -1)
-            total += numpy.einsum("ncx,nx->nc", whole.reshape(-1, channels, 3), normals)
+            vector_sums = above @ self._vectors[down].reshape(len(above.T), -1)
+            total += numpy.einsum("ncx,nx->nc", vector_sums.reshape(-1, channels, 3), normals)
             chosen = numpy.flatnonzero(~is_whole.all(0))
             if len(chosen):
                 for block, (pixels, split) in zip(chosen, self._pixels(down, chosen), strict=True):
-                    here = numpy.flatnonzero(~is_whole[:, block])
-                    for some in numpy.array_split(here, 1 + here.size * len(split[-1]) // CHUNK):
-                        total[some] += _received(normals[some], *split)
+                    cut = numpy.flatnonzero(~is_whole[:, block])
+                    for part in numpy.array_split(cut, 1 + cut.size * len(split[-1]) // CHUNK):
+                        total[part] += _received(normals[part], *split)
                         if has_errors:
-                            errors[some] += _error(normals[some], *pixels)
+                            errors[part] += _error(normals[part], *pixels)
             if progress:
                 progress(down + 1, self.raster.down)
         return total, errors
@@ -188,9 +190,11 @@ class LightSums:
                     u[k, j, None] + (u[k, j + 1] - u[k, j])[:, None] * steps,
                     v[0, i, None] + (v[0, i + 1] - v[0, i])[:, None] * steps,
                 )
-                own = numpy.concatenate([shape[:, :, k, ~wide], finer.reshape(3, 3, -1)], -1)
+                split_shape = numpy.concatenate(
+                    [shape[:, :, k, ~wide], finer.reshape(3, 3, -1)], -1
+                )
                 light = values[k, wide].repeat(parts * parts, 0)
-                split = (*own, numpy.concatenate([values[k, ~wide], light]))
+                split = (*split_shape, numpy.concatenate([values[k, ~wide], light]))
             yield pixels, split
 
 

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from radcalc import columns
 from radcalc.distributions.maps.pictures import (
     BY_REC_709,
     REC_709,
@@ -22,6 +21,7 @@ from radcalc.distributions.maps.pictures import (
     check_size,
 )
 from radcalc.errors import ConditionError, quote
+from radcalc.files import columns
 
 FORMAT = "PFM"
 HEADER = re.compile(rb"P([Ff])\s+(-?\d{1,15})\s+(-?\d{1,15})\s+([^\s]{1,40})\s")

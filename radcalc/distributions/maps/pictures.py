@@ -154,8 +154,8 @@ def write_picture(path: str, picture: Picture) -> tuple[str, ...]:
     if picture.frame and extension != ".exr":
         raise ConditionError("a part of a picture is kept in OpenEXR alone", "an .exr file")
     module = import_module(f"radcalc.distributions.maps.{WRITERS[extension]}")
-    with contents.written(path) as made:
-        notes: tuple[str, ...] = module.write(made, picture)
+    with contents.written(path) as temporary:
+        notes: tuple[str, ...] = module.write(temporary, picture)
     return notes
 
 
@@ -239,8 +239,8 @@ def _without_noise(picture: Picture) -> Picture:
         share = -below.sum(dtype=float) / np.abs(pixels).sum(dtype=float)
     if not share < NOISE:
         return picture
-    told = f"{below.size} values below 0, by {-below.min():.2g} at most, count as 0"
-    return picture._replace(pixels=np.maximum(pixels, 0), notes=(*picture.notes, told))
+    note = f"{below.size} values below 0, by {-below.min():.2g} at most, count as 0"
+    return picture._replace(pixels=np.maximum(pixels, 0), notes=(*picture.notes, note))
 
 
 def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float, ...]:
@@ -274,8 +274,8 @@ def luminance_weights(chromaticities: Sequence[float], name: str) -> tuple[float
     mixed, white = xyz[:3].T, xyz[3]
     # three on a line have a determinant of 0, up to rounding
     if white[1] < LEAST or abs(np.linalg.det(mixed)) < LEAST:
-        said = " ".join(f"{value:g}" for value in chromaticities)
-        problem = f"{name} has primaries of which no light can be mixed: {quote(said)}"
+        numbers = " ".join(f"{value:g}" for value in chromaticities)
+        problem = f"{name} has primaries of which no light can be mixed: {quote(numbers)}"
         raise ConditionError(problem, "x and y of red, green, blue and white")
     weights = np.linalg.solve(mixed, white / white[1]) * xyz[:3, 1]
     return tuple(map(float, weights))

@@ -10,7 +10,7 @@ from radcalc.distributions.distribution import Peak
 from radcalc.distributions.maps.light_sums import LightSums, Progress, Raster
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import FORWARD, cartesian, facing, spherical
-from radcalc.geometry.light_vectors import is_shown, shown
+from radcalc.geometry.light_vectors import is_shown, shown_directions
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.numerics.vectors import Vector, components, from_components, unit, vector
 from radcalc.geometry.projections import (
@@ -148,19 +148,21 @@ class RadianceMap:
         channels = numpy.moveaxis(self._inside(first, last), -1, 0)
         with numpy.errstate(invalid="ignore"):  # NaN and infinity, which are refused then
             # of a few channels faster than a matrix product
-            parts = (weight * one for weight, one in zip(self._weights, channels, strict=True))
+            parts = (
+                weight * channel for weight, channel in zip(self._weights, channels, strict=True)
+            )
             return numpy.asarray(sum(parts))[..., None]
 
     def _inside(self, first: int, last: int) -> Any:
         """Pixels as they are, but for those of which nothing is in the circle."""
         number, start = divmod(first, self._strip)
-        found = self._rows(number)[start : start + last - first]
+        pixels = self._rows(number)[start : start + last - first]
         if self.projection == LATLONG:
-            return found
+            return pixels
         (left, top, columns, _), (width, height) = self.part, self.size
         column = numpy.arange(left, left + columns + 1)
         u, v = corner_of_pixel(width, height, column, numpy.arange(top + first, top + last + 1))
-        return numpy.where(is_shown(self.projection, u, v)[..., None], found, 0)
+        return numpy.where(is_shown(self.projection, u, v)[..., None], pixels, 0)
 
     def _rows(self, strip: int) -> Any:
         """A strip of rows; one is kept."""
@@ -180,9 +182,9 @@ class RadianceMap:
         group, start = divmod(first, many)
         if group != self._angles[0]:
             part = slice(top + group * many, top + min((group + 1) * many, rows))
-            found = pixel_solid_angles(self.projection, *self.size, part)
-            whole = numpy.broadcast_to(found, (len(found), self.size[0]))
-            self._angles = (group, whole[:, left : left + columns])
+            sizes = pixel_solid_angles(self.projection, *self.size, part)
+            full_rows = numpy.broadcast_to(sizes, (len(sizes), self.size[0]))
+            self._angles = (group, full_rows[:, left : left + columns])
         return self._angles[1][start : start + last - first]
 
     def _survey(self, first: int, last: int, values: Any) -> None:
@@ -209,32 +211,32 @@ class RadianceMap:
     def radiance(self, polar: Number, azimuth: Number) -> Number:
         """As of `Radiances`: that of the pixel that shows a direction, 0 where none does."""
         polar, azimuth = numpy.broadcast_arrays(polar, azimuth)
-        own = self.own(cartesian(polar.ravel(), azimuth.ravel()))
-        return (self.toward(own) @ self._weights).reshape(polar.shape)[()]
+        direction = self.in_map_axes(cartesian(polar.ravel(), azimuth.ravel()))
+        return (self.toward(direction) @ self._weights).reshape(polar.shape)[()]
 
-    def toward(self, own: Vector) -> Any:
+    def toward(self, direction: Vector) -> Any:
         """Values, as the channels have them, of the pixels that show directions in its own axes.
 
         Parameters
         ----------
-        own : tuple of 3 ndarrays of shape (n,)
+        direction : tuple of 3 ndarrays of shape (n,)
 
         Returns
         -------
         ndarray of shape (n, channels)
             0 where none does; not times the factor.
         """
-        column, row = self._pixel_of(own)
-        found = numpy.zeros((len(column), self.pixels.shape[2]))
+        column, row = self._pixel_of(direction)
+        values = numpy.zeros((len(column), self.pixels.shape[2]))
         is_there = column >= 0
         for strip in numpy.unique(row[is_there] // self._strip):
             here = is_there & (row // self._strip == strip)
-            found[here] = self._rows(strip)[row[here] % self._strip, column[here]]
-        return found
+            values[here] = self._rows(strip)[row[here] % self._strip, column[here]]
+        return values
 
     def irradiance(self, normal: Vector) -> Integral:
-        own = numpy.array([self.own(_unit(normal))])
-        values, errors = self._sums.irradiances(own, has_errors=True)
+        in_map = numpy.array([self.in_map_axes(_unit(normal))])
+        values, errors = self._sums.irradiances(in_map, has_errors=True)
         value, error = float(values[0, 0]), float(errors[0, 0])
         return Integral(value, error + ROUNDING * value, self.part[2] * self.part[3])
 
@@ -262,13 +264,13 @@ class RadianceMap:
         >>> above.irradiances([(0, 0, 1), (1, 0, 0), (0, 0, -1)]).round(6).tolist()
         [3.141593, 1.570796, 0.0]
         """
-        x, y, z = self.own(_unit(vector(numpy.asarray(normals, float))))
-        own = numpy.stack([numpy.ravel(one) for one in (x, y, z)], -1)
+        x, y, z = self.in_map_axes(_unit(vector(numpy.asarray(normals, float))))
+        in_map = numpy.stack([numpy.ravel(component) for component in (x, y, z)], -1)
         if not is_each:
-            values, _ = self._sums.irradiances(own, progress)
+            values, _ = self._sums.irradiances(in_map, progress)
             return values.reshape(numpy.shape(x))[()]
         sums = LightSums(self.raster, self.channels)
-        values, _ = sums.irradiances(own, progress)
+        values, _ = sums.irradiances(in_map, progress)
         return values.reshape(*numpy.shape(x), -1)
 
     def mean(self) -> float:
@@ -278,25 +280,25 @@ class RadianceMap:
         """As of `Radiances`: the first pixel that has it, and the direction of its middle."""
         value, column, row = self._peak
         u, v = middle_of_pixel(*self.size, column, row)
-        polar, azimuth, _ = spherical(*self.world(shown(self.projection, u, v)))
+        polar, azimuth, _ = spherical(*self.world(shown_directions(self.projection, u, v)))
         return Peak(value, float(polar), float(azimuth))
 
-    def own(self, direction: Vector) -> Vector:
+    def in_map_axes(self, direction: Vector) -> Vector:
         """A direction of the world in the map's own axes."""
         return components(self.axes, direction)
 
-    def world(self, own: Vector) -> Vector:
+    def world(self, direction: Vector) -> Vector:
         """A direction in the map's own axes as one of the world."""
-        return from_components(self.axes, own)
+        return from_components(self.axes, direction)
 
-    def _pixel_of(self, own: Vector) -> tuple[Any, Any]:
+    def _pixel_of(self, direction: Vector) -> tuple[Any, Any]:
         """Column and row, among the pixels there are, that show directions; -1 where none does."""
         (left, top, columns, rows), (width, height) = self.part, self.size
-        u, v = place_of(self.projection, *own)
+        u, v = place_of(self.projection, *direction)
         # a place on the edge belongs to the pixel inside of it
         column, row = (1 + INSIDE * u) / 2 * width - left, (1 - INSIDE * v) / 2 * height - top
         is_there = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
-        column, row = (numpy.where(is_there, one, -1).astype(int) for one in (column, row))
+        column, row = (numpy.where(is_there, place, -1).astype(int) for place in (column, row))
         return column, row
 
 

@@ -9,7 +9,7 @@ import numpy
 from radcalc.distributions.maps.light_sums import Progress
 from radcalc.distributions.maps.radiance_map import RadianceMap, check_shape
 from radcalc.geometry.directions import FORWARD, facing
-from radcalc.geometry.light_vectors import is_shown, shown
+from radcalc.geometry.light_vectors import is_shown, shown_directions
 from radcalc.geometry.numerics.vectors import Vector, components, from_components
 from radcalc.geometry.projections import (
     corner_of_pixel,
@@ -107,7 +107,7 @@ class _Target:
 
     def places(self, around: RadianceMap, u: Any, v: Any) -> tuple[Any, Any]:
         """Places in the new image, in its pixels from the top left, of places in the old one."""
-        world = around.world(shown(around.projection, u, v))
+        world = around.world(shown_directions(around.projection, u, v))
         u, v = place_of(self.projection, *components(self.axes, world))
         return (u + 1) / 2 * self.width, (1 - v) / 2 * self.height
 
@@ -152,18 +152,18 @@ class _Target:
         sizes = pixel_solid_angles(self.projection, self.width, self.height)
         sizes = numpy.broadcast_to(sizes, (self.height, self.width)).ravel()
         is_lit = self.is_shown & (self.size > 0) & (sizes > 0)
-        found = numpy.zeros_like(self.light)
+        means = numpy.zeros_like(self.light)
         least = self.least[:, is_lit]
         more = (self.light[:, is_lit] - least * self.size[is_lit]) / sizes[is_lit]
-        found[:, is_lit] = numpy.clip(least + more, least, self.most[:, is_lit])
+        means[:, is_lit] = numpy.clip(least + more, least, self.most[:, is_lit])
         row, column = numpy.divmod(numpy.flatnonzero(self.is_shown & ~is_lit), self.width)
         if len(row):
             u, v = middle_of_pixel(self.width, self.height, column, row)
-            own = shown(self.projection, u, v)
-            world = from_components(self.axes, own)
-            values = around.toward(around.own(world)) * around.factor
-            found[:, row * self.width + column] = values.T
-        return numpy.moveaxis(found.reshape(-1, self.height, self.width), 0, -1)
+            in_image = shown_directions(self.projection, u, v)
+            world = from_components(self.axes, in_image)
+            values = around.toward(around.in_map_axes(world)) * around.factor
+            means[:, row * self.width + column] = values.T
+        return numpy.moveaxis(means.reshape(-1, self.height, self.width), 0, -1)
 
 
 def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
@@ -175,11 +175,11 @@ def _bands(around: RadianceMap) -> Iterator[tuple[Any, Any, Any]]:
     parts = [around.raster.rows(down) for down in range(around.raster.down)]
     bands = [(top + first, top + last, True) for first, last in parts]
     bands += [(row, row + 1, False) for row in range(height) if not top <= row < top + rows]
-    for first, last, is_told in bands:
+    for first, last, is_in_map in bands:
         row = numpy.arange(first, last + 1)
         edges = corner_of_pixel(width, height, numpy.arange(width + 1), row)
         values = numpy.zeros((last - first, width, around.pixels.shape[2]))
-        if is_told:
+        if is_in_map:
             values[:, left : left + columns] = around.channels(first - top, last - top)
         sizes = pixel_solid_angles(around.projection, width, height, slice(first, last))
         yield edges, numpy.broadcast_to(sizes, values.shape[:2]), values
@@ -190,10 +190,10 @@ def _deposit(around: RadianceMap, target: _Target, edges: Any, sizes: Any, value
     u, v = edges
     corners = target.places(around, *numpy.broadcast_arrays(u, v[:, None]))
     # how far a pixel reaches in the new image along u, and along v: (2, rows, columns)
-    along, down = ([target.step(one, axis) for one in corners] for axis in (1, 0))
+    along, down = ([target.step(coordinate, axis) for coordinate in corners] for axis in (1, 0))
     columns, rows = (
-        numpy.clip(numpy.ceil(FINER * numpy.hypot(*way)), 1, MOST).astype(int)
-        for way in (along, down)
+        numpy.clip(numpy.ceil(FINER * numpy.hypot(*reach)), 1, MOST).astype(int)
+        for reach in (along, down)
     )
     # next to a rim both are large, since all azimuths meet there
     less = numpy.minimum(1.0, numpy.sqrt(IN_ALL / (columns * rows)))

@@ -9,13 +9,14 @@ not keep: all that they read is half a step brighter, 0.2 % to 0.4 % in the brig
 `write` rounds to the nearest, so that what is read here is right on the average.
 """
 
+import math
 import re
 from collections.abc import Iterator
+from operator import mul
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from radcalc import columns
 from radcalc._version import __version__
 from radcalc.distributions.maps.pictures import (
     BY_REC_709,
@@ -28,6 +29,7 @@ from radcalc.distributions.maps.pictures import (
     luminance_weights,
 )
 from radcalc.errors import ConditionError, quote
+from radcalc.files import columns
 
 FORMAT = "Radiance RGBE"
 RGBE, XYZE = "32-bit_rle_rgbe", "32-bit_rle_xyze"
@@ -67,24 +69,19 @@ class _Damaged(ConditionError):
 
 
 class _Header(NamedTuple):
-    """What stands before the scanlines, which begin at byte `start`.
+    """The lines before the scanlines, which begin at byte `start`.
 
-    `scanlines` of them have `length` pixels each.  `order` has sign and letter of the axis along
-    which they follow each other, and of the axis along each.
+    `picture` has no pixels yet.  `order` has sign and letter of the axis from scanline to scanline,
+    and of the axis along each.
     """
 
-    channels: tuple[str, ...]  # those that are read
+    picture: Picture
     exposure: float
     correction: tuple[float, ...]
-    weights: tuple[float, ...]
-    unit: str
-    projection: str
     order: tuple[str, str]
     scanlines: int
     length: int
     start: int
-    assumptions: tuple[str, ...]
-    notes: tuple[str, ...]
 
 
 def read(data: bytes, name: str) -> Picture:
@@ -115,9 +112,10 @@ def read(data: bytes, name: str) -> Picture:
     [[[0.5, 0.25, 0.0]]]
     """
     header = _header(data, name)
-    # Without any encoding, pixels that are not normalized look as if there were one.  Taken so,
-    # scanlines end too early, and the data never do.
-    may_be_flat = len(data) - header.start == 4 * header.scanlines * header.length
+    shape = header.scanlines, header.length, 4
+    # Pixels that are neither normalized nor encoded can look like encoded ones.  A reader that
+    # takes them for these comes to the last scanline before the end of the data.
+    may_be_flat = len(data) - header.start == math.prod(shape)
     try:
         pixels, end = _decoded(_scanlines(data, header, name), header)
     except _Damaged as error:
@@ -125,23 +123,19 @@ def read(data: bytes, name: str) -> Picture:
             raise
         end = header.start
     if may_be_flat and end < len(data):
-        pixels, end = _decoded(_unencoded(data, header), header)
+        flat = np.frombuffer(data, np.uint8, offset=header.start).reshape(shape).transpose(0, 2, 1)
+        step = max(1, BLOCK // header.length)
+        firsts = range(0, header.scanlines, step)
+        pixels, end = _decoded(((flat[k : k + step], len(data)) for k in firsts), header)
     if min(header.exposure, *header.correction) < 1 and not np.isfinite(pixels).all():
         problem = f"{name}: without their EXPOSURE, pixels are too large for 32 bits"
         raise ConditionError(problem, "the EXPOSURE by which they were multiplied")
-    notes = header.notes
+    picture = header.picture
+    notes = picture.notes
     if end < len(data):
         notes += (f"{name} has {len(data) - end} bytes behind the picture",)
-    return Picture(
-        _upright(pixels[..., : len(header.channels)], header.order),
-        header.channels,
-        header.weights,
-        FORMAT,
-        header.unit,
-        header.projection,
-        assumptions=header.assumptions,
-        notes=notes,
-    )
+    upright = _upright(pixels[..., : len(picture.channels)], header.order)
+    return picture._replace(pixels=upright, notes=notes)
 
 
 def write(path: str, picture: Picture) -> tuple[str, ...]:
@@ -188,10 +182,10 @@ def write(path: str, picture: Picture) -> tuple[str, ...]:
 
 
 def _header(data: bytes, name: str) -> _Header:
-    """What the lines before the scanlines say."""
+    """Read the lines before the scanlines."""
     lines, start = _header_lines(data, name)
-    said = dict(line.split("=", 1) for line in lines if "=" in line)
-    form = said.get("FORMAT", RGBE).strip()
+    variables = dict(line.split("=", 1) for line in lines if "=" in line)
+    form = variables.get("FORMAT", RGBE).strip()
     if form not in (RGBE, XYZE):
         problem = f"{name} is in the format '{quote(form)}'"
         raise ConditionError(problem, f"a Radiance picture: FORMAT={RGBE} or {XYZE}")
@@ -199,15 +193,19 @@ def _header(data: bytes, name: str) -> _Header:
     numbers = _numbers(lines, name)
     (exposure,), (aspect,) = numbers.get("EXPOSURE", [1.0]), numbers.get("PIXASPECT", [1.0])
     if numbers.get("GAMMA", [1.0]) != [1.0]:
-        problem = f"{name} has GAMMA={quote(said['GAMMA'])}: its pixels are encoded for display"
+        problem = (
+            f"{name} has GAMMA={quote(variables['GAMMA'])}: its pixels are encoded for display"
+        )
         raise ConditionError(problem, "a picture of which the pixels are proportional to radiance")
-    unit = quote(said.get(UNIT, "cd/m2" if is_xyz else "").strip())
+    unit = quote(variables.get(UNIT, "cd/m2" if is_xyz else "").strip())
     # as Radiance's own programs take it
-    assumptions = [] if "FORMAT" in said else ["the pixels are RGBE, for the file has no FORMAT="]
+    assumptions = (
+        [] if "FORMAT" in variables else ["the pixels are RGBE, for the file has no FORMAT="]
+    )
     weights: tuple[float, ...] = REC_709
     if is_xyz:
         weights = (0.0, 1.0, 0.0)
-        if UNIT not in said:
+        if UNIT not in variables:
             assumptions.append(
                 "an XYZE picture counts as one that says cd/m2, as Radiance writes it"
             )
@@ -219,33 +217,29 @@ def _header(data: bytes, name: str) -> _Header:
         weights = luminance_weights(numbers["PRIMARIES"], name)
     else:
         assumptions.append(BY_REC_709)
-    if not said.get("SOFTWARE", "").startswith(SOFTWARE):
+    if not variables.get("SOFTWARE", "").startswith(SOFTWARE):
         assumptions.append(HALF_STEP)
     notes = []
     if aspect != 1:
         notes.append(f"{name} says PIXASPECT={aspect:g}, and all pixels are taken to be square")
     if view := _view(lines):
         notes.append(f"{name} says VIEW={view}, which is not the whole sphere")
-    order, count, length, start = _resolution(data, start, name)
-    channels = XYZ if is_xyz else RGB
-    return _Header(
-        channels if len(weights) == 3 else Y,
-        exposure,
-        tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0))),
+    picture = Picture(
+        None,
+        Y if len(weights) == 1 else XYZ if is_xyz else RGB,
         weights,
+        FORMAT,
         unit,
-        quote(said.get(PROJECTION, "").strip()),
-        order,
-        count,
-        length,
-        start,
-        tuple(assumptions),
-        tuple(notes),
+        quote(variables.get(PROJECTION, "").strip()),
+        assumptions=tuple(assumptions),
+        notes=tuple(notes),
     )
+    correction = tuple(numbers.get("COLORCORR", (1.0, 1.0, 1.0)))
+    return _Header(picture, exposure, correction, *_resolution(data, start, name))
 
 
 def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
-    """The lines before the empty one, and where it ends."""
+    """Return the lines before the empty one, and the byte after it."""
     start = 0
     lines: list[str] = []
     while (end := data.find(b"\n", start, HEADER)) >= 0:
@@ -258,33 +252,32 @@ def _header_lines(data: bytes, name: str) -> tuple[list[str], int]:
 
 
 def _numbers(lines: list[str], name: str) -> dict[str, list[float]]:
-    """The values of variables that are numbers: products of those that are cumulative."""
-    found: dict[str, list[float]] = {}
+    """Return the values of numeric variables, multiplied if they are cumulative."""
+    values: dict[str, list[float]] = {}
     for line in lines:
         key, _, text = line.partition("=")
         if key not in VARIABLES:
             continue
-        values = [columns.finite(cell, False) for cell in text.split()]
-        numbers = [value for value in values if value is not None]
-        if len(numbers) != len(values) or len(values) != VARIABLES[key]:
+        cells = [columns.finite(cell, False) for cell in text.split()]
+        numbers = [number for number in cells if number is not None]
+        if not len(numbers) == len(cells) == VARIABLES[key]:
             raise _wrong_line(line, name)
         if key in CUMULATIVE:
-            before = found.get(key, [1.0] * len(numbers))
-            numbers = [one * other for one, other in zip(before, numbers, strict=True)]
+            numbers = list(map(mul, numbers, values.get(key, [1.0] * len(numbers))))
             if not all(1 / EXTREME < number < EXTREME for number in numbers):
                 raise _wrong_line(line, name)
-        found[key] = numbers
-    return found
+        values[key] = numbers
+    return values
 
 
 def _view(lines: list[str]) -> str:
-    """The view that Radiance declares, if it is not an angular map of the whole sphere."""
+    """Return the view that Radiance declares, unless it is an angular map of the whole sphere."""
     views = " ".join(line for line in lines if line.startswith("VIEW="))
-    found = dict(VIEW.findall(views))  # the last of each counts
-    angles = [found.get(letter, "45") for letter in "hv"]
-    if "t" not in found or (found["t"] == "a" and angles == ["360", "360"]):
+    options = dict(VIEW.findall(views))  # the last of each counts
+    angles = [options.get(letter, "45") for letter in "hv"]
+    if "t" not in options or (options["t"] == "a" and angles == ["360", "360"]):
         return ""
-    return quote("-vt{} -vh {} -vv {}".format(found["t"], *angles))
+    return quote("-vt{} -vh {} -vv {}".format(options["t"], *angles))
 
 
 def _wrong_line(line: str, name: str) -> ConditionError:
@@ -295,7 +288,7 @@ def _wrong_line(line: str, name: str) -> ConditionError:
 
 
 def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], int, int, int]:
-    """The order, count and length of scanlines, and where they begin; that they fit is checked."""
+    """Return order, count and length of the scanlines, and their first byte."""
     end = data.find(b"\n", start, start + 100)
     line = data[start : max(start, end)].decode("latin-1")
     match = RESOLUTION.fullmatch(line)
@@ -314,9 +307,9 @@ def _resolution(data: bytes, start: int, name: str) -> tuple[tuple[str, str], in
 
 
 def _decoded(scanlines: Iterator[tuple[Any, int]], header: _Header) -> tuple[Any, int]:
-    """Pixels by scanline and place, and the byte at which they end.
+    """Return pixels by scanline and place, and the byte at which they end.
 
-    Those that are too large without their exposure become infinite.
+    Pixels that are too large without their exposure become infinite.
     """
     pixels = np.empty((header.scanlines, header.length, 3), np.float32)
     done, end = 0, header.start
@@ -324,18 +317,18 @@ def _decoded(scanlines: Iterator[tuple[Any, int]], header: _Header) -> tuple[Any
         scales = (np.ldexp(1.0, np.arange(256) - BIAS) / header.exposure).astype(np.float32)
         scales[0] = 0
         for parts, at in scanlines:
-            here = pixels[done : done + len(parts)]
+            rows = pixels[done : done + len(parts)]
             scale = scales.take(parts[:, 3])  # faster than [ ]
             for channel in range(3):
-                np.multiply(parts[:, channel], scale, out=here[:, :, channel])
+                np.multiply(parts[:, channel], scale, out=rows[:, :, channel])
             if header.correction != (1.0, 1.0, 1.0):
-                here /= np.array(header.correction, np.float32)
+                rows /= np.array(header.correction, np.float32)
             done, end = done + len(parts), at
     return pixels, end
 
 
 def _upright(pixels: Any, order: tuple[str, str]) -> Any:
-    """Pixels by rows from the top and columns from the left: a view."""
+    """Return a view of the pixels, by rows from the top and columns from the left."""
     if order[0][1] == "X":
         pixels = pixels.transpose(1, 0, 2)
     if "+Y" in order:
@@ -344,65 +337,56 @@ def _upright(pixels: Any, order: tuple[str, str]) -> Any:
 
 
 def _scanlines(data: bytes, header: _Header, name: str) -> Iterator[tuple[Any, int]]:
-    """Scanlines, some at a time: bytes by scanline, channel (the exponent last) and place.
+    """Read scanlines, some at a time, each in its own encoding.
 
-    And the byte at which they end.  Each scanline is encoded in its own way.
+    Yield bytes by scanline, channel (the exponent last) and place, and the byte at which they end.
     """
     length, done, at = header.length, 0, header.start
     most = max(1, BLOCK // length)
     likely = 1  # scanlines that may follow each other without the new encoding
     while done < header.scanlines:
-        left = min(most, header.scanlines - done)
+        count = min(most, header.scanlines - done)
         if _is_new(data, at):
-            parts, at = _new(data, at, left, length, done, name)
+            parts, at = _new(data, at, count, length, done, name)
         else:
-            parts, at = _old(data, at, min(likely, left), length, done, name)
+            parts, at = _old(data, at, min(likely, count), length, done, name)
             likely = 2 * likely if len(parts) == likely else 1
         done += len(parts)
         yield parts, at
 
 
-def _unencoded(data: bytes, header: _Header) -> Iterator[tuple[Any, int]]:
-    """Scanlines, as of `_scanlines`, of a picture of which none is encoded."""
-    shape = header.scanlines, header.length, 4
-    parts = np.frombuffer(data, np.uint8, offset=header.start).reshape(shape).transpose(0, 2, 1)
-    step = max(1, BLOCK // header.length)
-    for first in range(0, header.scanlines, step):
-        yield parts[first : first + step], len(data)
-
-
 def _is_new(data: bytes, at: int) -> bool:
-    """Whether a scanline is in the new run-length encoding."""
+    """Return True for a scanline in the new run-length encoding."""
     return data[at : at + 2] == bytes([MARK, MARK]) and data[at + 2 : at + 3] < b"\x80"
 
 
 def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> tuple[Any, int]:
-    """Scanlines in the new run-length encoding, as many as follow each other, and their end."""
+    """Read consecutive scanlines in the new run-length encoding; return them and their end."""
     start = at
     marks: list[int] = []
     codes: list[int] = []
     add = codes.append
     try:
         while len(marks) < most and _is_new(data, at):
-            if (found := data[at + 2] * 256 + data[at + 3]) != length:
-                what = f"has {found} pixels instead of {length}"
+            if (length_read := data[at + 2] * 256 + data[at + 3]) != length:
+                what = f"has {length_read} pixels instead of {length}"
                 raise _Damaged(what, done + len(marks), at, name)
             marks.append(at)
             at += 4
             for _ in range(4):
-                left = length
-                while left > 0:
+                remaining = length
+                while remaining > 0:
                     add(at)
                     code = data[at]
                     if code > LITERAL:
-                        left -= code - LITERAL
+                        remaining -= code - LITERAL
                         at += 2
                     elif code:
-                        left -= code
+                        remaining -= code
                         at += code + 1
                     else:
                         raise _Damaged("has a run of nothing", done + len(marks) - 1, at, name)
-                if left:
+                if remaining:
                     what = "has a run that is longer than the rest"
                     raise _Damaged(what, done + len(marks) - 1, codes[-1], name)
     except IndexError:
@@ -423,10 +407,10 @@ def _new(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
 
 
 def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> tuple[Any, int]:
-    """Scanlines in the old run-length encoding, or in none, and the end of the last.
+    """Read scanlines in the old run-length encoding, or in none; return them and their end.
 
-    A repetition of the pixel before is told by R = G = B = 1, its count by the exponent; others
-    that follow it have the higher bytes of the count.
+    R = G = B = 1 repeats the pixel before, as often as the exponent says; further ones that follow
+    it have the higher bytes of the count.
     """
     # no scanline has more places than pixels: to repeat 256 times takes two, and so on
     count = min(most * length, (len(data) - at) // 4)
@@ -447,8 +431,8 @@ def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
     lines = most if is_whole.all() else int(is_whole.argmin())
     if lines:
         stop = stops[lines - 1]
-        found = np.repeat(pixels[last[:stop]], times[:stop]).view(np.uint8)
-        return found.reshape(lines, length, 4).transpose(0, 2, 1), at + 4 * int(stop)
+        decoded = np.repeat(pixels[last[:stop]], times[:stop]).view(np.uint8)
+        return decoded.reshape(lines, length, 4).transpose(0, 2, 1), at + 4 * int(stop)
     if repeats[0]:
         raise _Damaged("begins with a repetition", done, at, name)
     if stops[0] <= count:
@@ -459,20 +443,20 @@ def _old(data: bytes, at: int, most: int, length: int, done: int, name: str) -> 
 
 
 def _rgbe(pixels: Any) -> Any:
-    """The bytes of rows of pixels, rounded to the nearest."""
+    """Return the bytes of rows of pixels, rounded to the nearest."""
     largest = pixels.max(2)
     # from 255.5 on a mantissa is rounded to 256, which is 128 of the next exponent
     exponents = np.frexp(largest * (256 / 255.5))[1]
     exponents[exponents <= -128] = -128  # black
     scaled = np.ldexp(pixels, 8 - exponents[..., None])
-    found = np.empty((*largest.shape, 4), np.uint8)
-    found[..., :3] = np.minimum(np.rint(scaled), 255) * (exponents > -128)[..., None]
-    found[..., 3] = exponents + 128
-    return found
+    encoded = np.empty((*largest.shape, 4), np.uint8)
+    encoded[..., :3] = np.minimum(np.rint(scaled), 255) * (exponents > -128)[..., None]
+    encoded[..., 3] = exponents + 128
+    return encoded
 
 
 def _encoded(values: Any) -> bytes:
-    """Bytes of a scanline in the new run-length encoding."""
+    """Encode the bytes of a scanline in the new run-length encoding."""
     starts = np.flatnonzero(values[1:] != values[:-1]) + 1
     starts = np.concatenate([[0], starts, [len(values)]])
     runs = np.flatnonzero(np.diff(starts) >= LEAST_RUN)
@@ -480,14 +464,14 @@ def _encoded(values: Any) -> bytes:
     parts: list[bytes] = []
     for start, end in zip(starts[runs].tolist(), starts[runs + 1].tolist(), strict=True):
         parts += _literals(data[at:start])
-        for left in range(end - start, 0, -LONGEST_RUN):
-            parts.append(bytes([LITERAL + min(LONGEST_RUN, left), data[start]]))
+        for remaining in range(end - start, 0, -LONGEST_RUN):
+            parts.append(bytes([LITERAL + min(LONGEST_RUN, remaining), data[start]]))
         at = end
     return b"".join([*parts, *_literals(data[at:])])
 
 
 def _literals(data: bytes) -> Iterator[bytes]:
-    """Bytes that stand as they are, with their codes."""
+    """Yield bytes that are not in runs, with their codes."""
     for start in range(0, len(data), LITERAL):
         part = data[start : start + LITERAL]
         yield bytes([len(part)]) + part

@@ -132,8 +132,8 @@ def _sunlight(sun: Sun, width: int, height: int) -> tuple[Any, Any]:
         moments = np.einsum("irc,jrc->ij", share * means, vectors)
         linear = np.linalg.lstsq(moments, toward, rcond=None)[0]
         light = share * np.einsum("i,irc->rc", linear, means)
-        left = np.einsum("irc,rc->i", vectors, light) - toward
-        if light.min() >= 0 and abs(left).max() <= CLOSE * sun.irradiance:
+        difference = np.einsum("irc,rc->i", vectors, light) - toward
+        if light.min() >= 0 and abs(difference).max() <= CLOSE * sun.irradiance:
             return rows, light
         radius = WIDER * max(radius, row / 4)
     rows, share = _shares(sun, width, height)

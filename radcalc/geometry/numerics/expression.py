@@ -178,8 +178,8 @@ class Expression:
                 raise _unknown(name)
             case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
                 self.cost += 1
-                unary, one = OPERATORS[type(op)], self._read(operand, depth - 1)
-                return lambda at: unary(one(at))
+                unary, side = OPERATORS[type(op)], self._read(operand, depth - 1)
+                return lambda at: unary(side(at))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
                 self.cost += COSTS["power"] if isinstance(op, ast.Pow) else 1
                 binary = OPERATORS[type(op)]
@@ -213,11 +213,11 @@ class Expression:
 
         def holds(at: dict[str, Any]) -> Any:
             values = [side(at) for side in sides]
-            found: Any = 1.0
+            truth: Any = 1.0
             for test, a, b in zip(tests, values, values[1:], strict=False):
                 nowhere = numpy.isnan(a) | numpy.isnan(b)
-                found = found * numpy.where(nowhere, math.nan, test(a, b))
-            return found
+                truth = truth * numpy.where(nowhere, math.nan, test(a, b))
+            return truth
 
         self._steps.append((inside, holds))
         return holds
@@ -257,13 +257,13 @@ class Expression:
         >>> [[round(x, 12) for x in of] for of in step.steps((0, math.pi), (0, 2 * math.pi))]
         [[1.047197551197], [1.0]]
         """
-        found: tuple[list[float], list[float]] = ([], [])
+        angles: tuple[list[float], list[float]] = ([], [])
         for uses, holds in self._steps:
             if uses and uses <= {"theta", "z"}:
-                found[0].extend(_changes(_along_theta(holds), polar))
+                angles[0].extend(_changes(_along_theta(holds), polar))
             elif uses == {"phi"}:
-                found[1].extend(_changes(_along_phi(holds), azimuth))
-        return found
+                angles[1].extend(_changes(_along_phi(holds), azimuth))
+        return angles
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
         """The call of one of `FUNCTIONS`, with the number of its arguments checked."""
@@ -277,7 +277,7 @@ class Expression:
             )
         self.cost += 1 if name in CHEAP else COSTS["function"]
         inner = [self._read(arg, depth - 1) for arg in args]
-        return lambda at: function(*(one(at) for one in inner))
+        return lambda at: function(*(argument(at) for argument in inner))
 
 
 def _along_theta(function: Function) -> Callable[[Any], Any]:
@@ -312,16 +312,16 @@ def _prepared(text: str) -> str:
         source = source.replace(letter, name)
     if not source:
         raise ConditionError("the expression is empty", EXAMPLE)
-    if found := REFUSED.search(source):
-        raise ConditionError(f"'{quote(found[0])}' cannot stand in an expression", EXAMPLE)
+    if match := REFUSED.search(source):
+        raise ConditionError(f"'{quote(match[0])}' cannot stand in an expression", EXAMPLE)
     if "+-" in source:  # elsewhere it is the sign of an uncertainty
         raise ConditionError(
             "'+-' cannot stand in an expression, which takes no uncertainties",
             quote(source.replace("+-", "-")),
         )
-    if found := EQUALS.search(source):
+    if match := EQUALS.search(source):
         raise ConditionError(
-            f"'{found[0]}' cannot stand in an expression: no part of the "
+            f"'{match[0]}' cannot stand in an expression: no part of the "
             "sphere is where two numbers are equal",
             STEP,
         )

@@ -8,7 +8,7 @@ summed as series there.  All arguments and results are dimensionless floats or N
 import math
 
 from radcalc.errors import ConditionError
-from radcalc.maths import Number, any_true, asin, atan, piecewise, sqrt
+from radcalc.maths import Number, any_true, asin, atan, piecewise, power, sqrt
 
 SMALL = 0.25  # [1] below this a series keeps the digits that a difference would lose
 TERMS = 14  # of a series: SMALL**(2 * TERMS) is below the rounding
@@ -71,16 +71,27 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     if any_true((kc <= 0) | (p <= 0)):
         raise ConditionError("the elliptic integral is infinite", "kc and p above 0")
     p = sqrt(p)
-    b = b / p
-    product, mean, root = kc, 1.0, kc
-    while True:
-        a, b = a + b / p, 2 * (b + a * (product / p))
-        p = p + product / p
-        before, mean = mean, mean + root
-        if not any_true(abs(before - root) > 1e-9 * before):
-            return math.pi / 2 * (b + a * mean) / (mean * (mean + p))
+    return _transformed(a, b / p, p, kc, 1.0, kc)
+
+
+def _transformed(
+    a: Number, b: Number, p: Number, product: Number, mean: Number, root: Number
+) -> Number:
+    """Transform `cel` once, and again where the means differ: each element as often as a float."""
+    a, b = a + b / p, 2 * (b + a * (product / p))
+    p = p + product / p
+    before, mean = mean, mean + root
+
+    def transform_again(a: Number, b: Number, p: Number, product: Number, mean: Number) -> Number:
         root = 2 * sqrt(product)
-        product = root * mean
+        return _transformed(a, b, p, root * mean, mean, root)
+
+    def settled(a: Number, b: Number, p: Number, product: Number, mean: Number) -> Number:
+        return math.pi / 2 * (b + a * mean) / (mean * (mean + p))
+
+    return piecewise(
+        abs(before - root) > 1e-9 * before, transform_again, settled, a, b, p, product, mean
+    )
 
 
 def less_arctangent(x: Number) -> Number:
@@ -115,7 +126,7 @@ def less_arctangent(x: Number) -> Number:
         total = 0.0
         for n in range(2 * TERMS + 1, 1, -2):  # x^3/3 - x^5/5 + ...
             total = 1 / n - x * x * total
-        return x**3 * total
+        return power(x, 3) * total
 
     return piecewise(x < SMALL, series, lambda x: x - atan(x), x)
 

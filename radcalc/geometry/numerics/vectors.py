@@ -183,14 +183,14 @@ def components(axes: Sequence[Vector], a: Vector) -> Vector:
     return x, y, z
 
 
-def from_components(axes: Sequence[Vector], own: Vector) -> Vector:
+def from_components(axes: Sequence[Vector], parts: Vector) -> Vector:
     """Vector that has given components along three axes: the inverse of `components`.
 
     Parameters
     ----------
     axes : sequence of 3 tuples of 3 floats
         Unit vectors at right angles.
-    own : tuple of 3 floats or ndarrays
+    parts : tuple of 3 floats or ndarrays
         The components.
 
     Returns
@@ -204,7 +204,7 @@ def from_components(axes: Sequence[Vector], own: Vector) -> Vector:
     (1.0, 2.0, 3.0)
     """
     first, second, third = axes
-    return plus(plus(times(first, own[0]), second, own[1]), third, own[2])
+    return plus(plus(times(first, parts[0]), second, parts[1]), third, parts[2])
 
 
 def length(a: Vector) -> Number:

@@ -94,7 +94,7 @@ def test_a_latlong_map_is_known_and_a_cube_refused():
     assert "poles" in found.assumptions[0]
     data = made(planes(colours(24, 4)), envmap=OpenEXR.ENVMAP_CUBE)
     assert refused(data) == "sky.exr is an environment map that is a cube, which is not read"
-    assert "of kind 7" in refused(edited(data, "envmap", b"\7"))
+    assert "environment map of an unknown kind" in refused(edited(data, "envmap", b"\7"))
 
 
 @pytest.mark.parametrize(
@@ -280,14 +280,69 @@ def test_sizes_that_the_file_does_not_hold_are_refused():
     wide = struct.pack("<4i", 0, 0, 65535, 3)
     many = struct.pack("<4i", 0, 0, 65535, 65535)
     high = struct.pack("<4i", 0, 0, 7, 65535)
-    assert "too few for 65536 x 4 pixels" in refused(edited(data, "dataWindow", wide))
+    assert "its pixels cannot be read" in refused(edited(data, "dataWindow", wide))
     assert "65536 x 65536 pixels, more than" in refused(edited(data, "dataWindow", many))
-    assert "too few for 8 x 65536 pixels" in refused(edited(data, "dataWindow", high))
+    assert "its pixels cannot be read" in refused(edited(data, "dataWindow", high))
     assert "65536 x 65536" in refused(edited(data, "displayWindow", many))
-    assert "0 x 4 pixels" in refused(edited(data, "dataWindow", struct.pack("<i", -1), at=8))
+    negative = edited(data, "dataWindow", struct.pack("<i", -1), at=8)
+    assert refused(negative) == "sky.exr is damaged: its header cannot be read"
+
+
+def test_sizes_of_tiles_are_limited():
     data = made(planes(colours()), **tiles(16, 16))
     for size in (0, 1 << 31):
-        assert "tiles of" in refused(edited(data, "tiles", struct.pack("<I", size)))
+        tile = struct.pack("<I", size)
+        assert "its header cannot be read" in refused(edited(data, "tiles", tile))
+    tile = struct.pack("<2I", 8, 1 << 24)
+    assert "tiles of 8 x 16777216 pixels, in 8 x 4 pixels" in refused(edited(data, "tiles", tile))
+
+
+def test_channels_are_limited_by_the_room_that_they_take():
+    """Five channels of 2^28 pixels, which the library would make room for."""
+    data = made(planes(np.ones((1, 1, 5), np.float32), ("R", "G", "B", "A", "Z")))
+    window = struct.pack("<4i", 0, 0, (1 << 14) - 1, (1 << 14) - 1)
+    assert "5120 MiB of pixels, more than 4096" in refused(edited(data, "dataWindow", window))
+
+
+MEMORY = """
+import resource, sys
+from radcalc.distributions.maps.pictures import read_picture
+from radcalc.errors import ConditionError
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+try:
+    read_picture(sys.argv[1])
+except ConditionError as error:
+    print(error.message)
+after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+assert after < 2 * before, (before, after)
+"""
+
+
+@pytest.mark.parametrize("compression", ["NO", "ZIP", "PIZ", "DWAB", "HTJ2K256", "ZSTD"])
+def test_the_size_in_a_small_file_costs_no_memory(compression, tmp_path):
+    """Four channels of 2^28 pixels, 4 GiB, in a few hundred bytes."""
+    pytest.importorskip("resource")
+    packed = getattr(OpenEXR, f"{compression}_COMPRESSION")
+    data = made(planes(np.ones((1, 1, 4), np.float32), (*RGB, "A")), compression=packed)
+    path = tmp_path / "sky.exr"
+    path.write_bytes(edited(data, "dataWindow", struct.pack("<4i", 0, 0, (1 << 20) - 1, 255)))
+    command = [sys.executable, "-c", MEMORY, path]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert "its pixels cannot be read" in done.stdout
+
+
+@pytest.mark.parametrize("window", ["dataWindow", "displayWindow"])
+def test_a_window_that_is_missing_is_refused(window):
+    """The library takes 64 x 64 pixels."""
+    data = made(planes(colours())).replace(window.encode(), window[:-1].encode() + b"x", 1)
+    assert "its header cannot be read" in refused(data)
+
+
+@pytest.mark.parametrize("name", ["whiteLuminance", exr.WEIGHTS])
+@pytest.mark.parametrize("value", ["text", np.ones(2, np.float32)])
+def test_an_attribute_of_another_type_is_refused(name, value):
+    data = made(planes(colours()), **{name: value})
+    assert "its header cannot be read" in refused(data)
 
 
 def test_a_file_that_ends_early_is_refused():
@@ -295,9 +350,11 @@ def test_a_file_that_ends_early_is_refused():
     table = first_table(data, 1)
     for end in range(8, len(data), 7):
         assert "damaged" in refused(data[:end])
-    assert "1 of the 3 chunks of its pixels are missing" in refused(data[:-1])
+    assert "its pixels cannot be read" in refused(data[:-1])
     unfinished = data[:table] + bytes(24) + data[table + 24 :]
-    assert "3 of the 3 chunks" in refused(unfinished)
+    assert "its pixels cannot be read" in refused(unfinished[:-1])
+    # the library finds the chunks without their table
+    assert (exr.read(unfinished, "sky.exr").pixels == colours(40, 8)).all()
 
 
 def test_what_the_library_cannot_decode_is_refused_and_nothing_printed(capfd):

@@ -218,6 +218,7 @@ def test_what_cannot_be_written_leaves_what_was_there(error, tmp_path, monkeypat
 
 LIMITED = """
 import resource, sys
+sys.dont_write_bytecode = True  # a module that is cut would spoil later starts
 import numpy as np
 from radcalc.distributions.maps.pictures import Picture, write_picture
 resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))

@@ -9,6 +9,7 @@ import numpy as np
 import OpenImageIO
 import pytest
 from distributions.maps import hdr
+from helpers import for_each
 
 from radcalc.distributions.maps.pictures import REC_709, Picture, read_picture, write_picture
 from radcalc.distributions.maps.rgbe import read
@@ -302,7 +303,7 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize("case", REFUSED)
+@for_each(REFUSED)
 def test_what_is_damaged_is_refused_with_its_place(case):
     data, said = REFUSED[case]
     with pytest.raises(ConditionError) as caught:

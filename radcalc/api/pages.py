@@ -1,0 +1,239 @@
+"""The Python functions of calculators, made from their pages.
+
+A page says which symbols a calculator takes, and the vocabulary what each of them is: the
+signature and the docstring of its function follow.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import textwrap
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, wraps
+from importlib import import_module
+from typing import Any, NamedTuple, TypeVar, get_type_hints
+
+from radcalc.api import keywords
+from radcalc.api.calculate import calculate
+from radcalc.api.result import Result
+from radcalc.api.spelling import Documented, Python, in_python, keyword, symbol_name
+from radcalc.calculators.page import Page, words_of
+from radcalc.calculators.pages import page_of
+from radcalc.errors import mention, spell
+from radcalc.quantities.symbols import (
+    CHOICE,
+    DIRECTION,
+    DISTRIBUTION,
+    FLAG,
+    INTERVAL,
+    NUMBERS,
+    PAIR,
+    POINT,
+    QUANTITY,
+    SPECIFIC,
+    VECTOR,
+    Symbol,
+    light_unit,
+    names_of_kinds,
+)
+from radcalc.units.unit import NUMBER
+
+T = TypeVar("T")
+FORMS = {
+    DIRECTION: "Direction",
+    DISTRIBUTION: "Distribution",
+    INTERVAL: "Interval",
+    NUMBERS: "Numbers",
+    PAIR: "Pair",
+    POINT: "Vector",
+    VECTOR: "Vector",
+}
+WIDTH = 96  # of a docstring, which help() indents
+HEADING = re.compile(r"^(\w+)\n-{3,}\n", re.MULTILINE)
+ENTRY = re.compile(r"^(\w[^\n]*?) : [^\n]*(?:\n    [^\n]*)*", re.MULTILINE)
+RETURNS = """Result
+    The inputs and everything that follows, as attributes by the names of ``radcalc -g``."""
+RAISES = """radcalc.RadcalcError
+    If an input is missing, contradictory, impossible or without use."""
+HEADINGS = PARAMETERS, _, _, EXAMPLES = "Parameters", "Returns", "Raises", "Examples"
+
+
+class Keyword(NamedTuple):
+    """A symbol as a keyword: its annotation and default, its unit, and what it is."""
+
+    name: str
+    annotation: str
+    default: Any
+    unit: str
+    help: str
+
+    @property
+    def parameter(self) -> inspect.Parameter:
+        """The keyword in a signature."""
+        return inspect.Parameter(
+            self.name,
+            inspect.Parameter.KEYWORD_ONLY,
+            default=self.default,
+            annotation=self.annotation,
+        )
+
+
+@cache
+def function(name: str) -> Callable[..., Result]:
+    """Make the function of a calculator whose page says everything about it."""
+    command = symbol_name(name)
+    work_out = getattr(import_module(f"radcalc.calculators.{name}"), name)
+
+    def call(**given: Any) -> Result:
+        return calculate(command, given, work_out)
+
+    call.__name__ = call.__qualname__ = name
+    return of_page(command)(call)
+
+
+def of_page(
+    command: str, without: Sequence[str] = ()
+) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Give a function the keywords and the documentation of a page.
+
+    The function takes the keywords as `**given`.  Its own parameters stay, and the sections of its
+    own docstring replace the remarks and examples of the page.  `without` are symbols that it does
+    not take.
+    """
+    page = page_of(command)
+    page_keywords = _keywords(page, without)
+
+    def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        signature = inspect.signature(function)
+        fixed = [
+            parameter
+            for parameter in signature.parameters.values()
+            if parameter.kind != parameter.VAR_KEYWORD
+        ]
+        operands = [parameter for parameter in fixed if parameter.kind != parameter.KEYWORD_ONLY]
+        options = [parameter for parameter in fixed if parameter.kind == parameter.KEYWORD_ONLY]
+        parameters = [*operands, *(added.parameter for added in page_keywords), *options]
+        signature = signature.replace(parameters=parameters)
+
+        @wraps(function)
+        def call(*args: Any, **kwargs: Any) -> T:
+            try:
+                bound = signature.bind(*args, **kwargs)
+            except TypeError as error:
+                raise TypeError(f"{function.__name__}() {error}") from None
+            return in_python(function)(**bound.arguments)
+
+        call.__signature__ = signature  # type: ignore[attr-defined]
+        call.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+        call.__annotations__["return"] = signature.return_annotation
+        call.__annotations__ = get_type_hints(call, {**vars(keywords), **function.__globals__})
+        own_text = inspect.cleandoc(function.__doc__ or "")
+        call.__doc__ = _docstring(
+            own_text, command, page, [parameter.name for parameter in operands], page_keywords
+        )
+        call.__module__ = "radcalc"
+        return call
+
+    return decorate
+
+
+def _keywords(page: Page, without: Sequence[str]) -> list[Keyword]:
+    """The keywords of a page; a light quantity has those of its kinds too."""
+    names = [name for section in page.sections.values() for name in section if name not in without]
+    all_names = [
+        kind_name
+        for name in names
+        for kind_name in (name, *names_of_kinds(name))
+        if kind_name == name or SPECIFIC[kind_name][1] in page.kinds
+    ]
+    return [_keyword(page.symbol(name), page.kinds) for name in all_names]
+
+
+def _keyword(symbol: Symbol, kinds: Sequence[str]) -> Keyword:
+    name, text = keyword(symbol.name), spell(mention(symbol.help), Documented)
+    unit = ""
+    if symbol.form in (QUANTITY, INTERVAL) and NUMBER not in symbol.dimensions:
+        unit = symbol.unit
+        if symbol.name == symbol.generic:
+            unit = ", ".join(light_unit(symbol.name, kind) for kind in kinds)
+    if symbol.form == FLAG:
+        return Keyword(name, "bool", False, unit, text)
+    annotation = FORMS.get(symbol.form, "Text")
+    if symbol.form == CHOICE:
+        annotation = "".join(map(str.capitalize, symbol.name.split("-"))) + " | None"
+    elif symbol.form == QUANTITY:
+        annotation = "Interval" if ":" in symbol.example else "Amount" if unit else "Number"
+    return Keyword(name, annotation, None, unit, text)
+
+
+def _docstring(
+    own_text: str,
+    command: str,
+    page: Page,
+    operands: Sequence[str],
+    page_keywords: Sequence[Keyword],
+) -> str:
+    """The sections of a function's own docstring, and the others from its page."""
+    summary, *headed = HEADING.split(own_text)
+    sections = {"Returns": RETURNS, "Raises": RAISES}
+    sections |= dict(zip(headed[::2], headed[1::2], strict=True))
+    if not summary:
+        remarks = [] if own_text else page.paragraphs
+        about = [textwrap.fill(spell(mention(text), Documented), WIDTH) for text in remarks]
+        summary = "\n\n".join([page.about, *about])
+    if EXAMPLES not in sections:
+        calls = [_example(command, example, page.bare) for example in page.examples]
+        sections[EXAMPLES] = "\n".join(calls)
+    entries = [entry[0] for entry in ENTRY.finditer(sections.get(PARAMETERS, ""))]
+    first = [entry for entry in entries if re.split(r"\W", entry)[0] in operands]
+    last = [entry for entry in entries if entry not in first]
+    sections[PARAMETERS] = "\n".join([*first, *_entries(page_keywords), *last])
+    parts = [
+        f"{heading}\n{'-' * len(heading)}\n{sections[heading].strip()}" for heading in HEADINGS
+    ]
+    return "\n\n".join([summary.strip(), *parts])
+
+
+def _entries(page_keywords: Sequence[Keyword]) -> Iterator[str]:
+    """An entry for each symbol, in which a light quantity has the names of its kinds too."""
+    groups: dict[str, list[Keyword]] = {}
+    for entry in page_keywords:
+        generic = keyword(SPECIFIC.get(symbol_name(entry.name), (entry.name, ""))[0])
+        groups.setdefault(generic if generic in groups else entry.name, []).append(entry)
+    for first, *kinds in groups.values():
+        names = [first.name, *(entry.name for entry in kinds)]
+        kind = f"{first.annotation.removesuffix(' | None')}, optional"
+        unit = f" [{first.unit}]" if first.unit else ""
+        head = textwrap.fill(f"{', '.join(names)} : {kind}", WIDTH, subsequent_indent="    ")
+        if "\n" not in head:
+            yield f"{head}\n{_filled(first.help + unit)}"
+        else:
+            yield f"{first.name} : {kind}\n{_filled(first.help + unit)}"
+            yield f"{', '.join(names[1:])} : {kind}\n{_filled('The same in one kind of light.')}"
+
+
+def _filled(text: str) -> str:
+    indent = "    "
+    return textwrap.fill(
+        text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False
+    )
+
+
+def _example(command: str, example: str, bare: Mapping[str, str]) -> str:
+    """A call of a page's examples, over several lines where it is long.
+
+    Python takes no bare numbers: they get the unit that they have at a shell.
+    """
+    words = [
+        word + bare.get(word.partition("=")[0], "") * word[-1].isdigit()
+        for word in words_of(example)[0]
+    ]
+    call = f">>> found = {Python.command(command, *words)}"
+    if len(call) <= WIDTH:
+        return call
+    head, inner, tail = re.split(r"(?<=\w)\(|(?<=[\"\w])\)(?=\.|$)", call, maxsplit=2)
+    breakable = inner.replace(", ", ",\n").replace(" ", "\0")  # breaks between arguments alone
+    arguments = textwrap.wrap(breakable, WIDTH - 8, break_long_words=False, break_on_hyphens=False)
+    lines = "".join(f"...     {line}\n" for line in arguments).replace("\0", " ")
+    return f"{head}(\n{lines}... ){tail}"

@@ -1,0 +1,338 @@
+"""The light quantities of a calculator: given in any kind, shown in every kind that is linked.
+
+A generic name (`flux`) serves every kind, and the unit decides; a name of one kind
+(`luminous-flux`) takes that kind alone.
+"""
+
+from contextlib import suppress
+from functools import reduce
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from radcalc.answer import Step, Value
+from radcalc.calculators.results import LINKS_HINT
+from radcalc.derivation import format_number, format_value, letter_of
+from radcalc.errors import (
+    ConditionError,
+    Exclusive,
+    Impossible,
+    MissingInput,
+    NumberError,
+    TooNarrow,
+    option,
+    options,
+    quote,
+)
+from radcalc.inputs.given import Input, Inputs
+from radcalc.laws.law import Law, law
+from radcalc.maths import is_lost, larger
+from radcalc.quantities.light import KIND_NAMES, KINDS, LUMINOUS, RADIANT
+from radcalc.quantities.symbols import (
+    EFFICACIES,
+    LINKS,
+    QUANTITY,
+    REFINEMENTS,
+    SYMBOLS,
+    light_unit,
+    specific_name,
+)
+from radcalc.units.table import resolve
+from radcalc.units.unit import Dimension
+
+
+def dimension(name: str, kind: str) -> Dimension:
+    """Return the dimension of a light quantity by its generic name, in a kind."""
+    return SYMBOLS[name].dimensions[KINDS.index(kind)]
+
+
+def kind_of(given: Input) -> str:
+    """Return the kind in which a light quantity was given."""
+    return KINDS[SYMBOLS[given.symbol.generic].dimensions.index(given.dimension)]
+
+
+if TYPE_CHECKING:
+    from radcalc.conversion.conditions import Factor
+
+
+class LightInputs(NamedTuple):
+    """The inputs about light: quantities of one kind [SI], and the links to other kinds.
+
+    `given_in_two_kinds` has the quantity, by its generic name, that was given in another kind too:
+    the two link the kinds, and their ratio is among the `links`.
+    """
+
+    kind: str
+    values: Inputs
+    amounts: dict[str, Any]
+    links: Inputs
+    assumptions: tuple[str, ...]
+    notes: tuple[str, ...]
+    steps: tuple[Step, ...]
+    given_in_two_kinds: Inputs
+
+
+NO_LIGHT = LightInputs(RADIANT, {}, {}, {}, (), (), (), {})
+
+
+def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs:
+    """Sort the light quantities that were given, by generic names, and turn them into one kind.
+
+    The kind is that of the first, or a preferred one where they are linked; another needs a
+    wavelength, a spectrum or an efficacy, or one quantity in both kinds.
+    """
+    given: Inputs = {}
+    given_in_two_kinds: Inputs = {}
+    for item in typed.values():
+        generic = item.symbol.generic
+        if generic not in given:
+            given[generic] = item
+        elif given_in_two_kinds or kind_of(given[generic]) == kind_of(item):
+            raise Exclusive((given[generic].name, item.name), "are the same quantity")
+        else:
+            given_in_two_kinds[generic] = item
+    linking = [name for name in links if name in LINKS]
+    steps: list[Step] = []
+    for name, twin in given_in_two_kinds.items():
+        if linking:
+            names = (given[name].name, twin.name, linking[0])
+            raise Exclusive(names, "contradict each other: the kinds are linked twice", word=", ")
+        ratio = Ratio.of(given[name], twin)
+        links = {**links, "efficacy": ratio.link()}
+        steps.append(ratio.step())
+        _refuse_impossible(ratio, links)
+    if len(linking) > 1:
+        raise Exclusive(linking[:2], "contradict each other: both link the kinds")
+    _refuse_idle_refinements(links)
+    first = next(iter(given), "")
+    kind = kind_of(given[first]) if first else preferred or RADIANT
+    if preferred not in ("", kind) and linking_factor(links, preferred, kind):
+        kind = preferred
+    assumptions: list[str] = []
+    notes: list[str] = []
+    amounts = {}
+    for name, item in given.items():
+        of_kind = kind_of(item)
+        amounts[name] = item.value
+        if of_kind != kind:
+            factor = linking_factor(links, kind, of_kind)
+            if factor is None:
+                first_name = option(given[first].name)
+                raise MissingInput(
+                    f"{option(item.name)} is {KIND_NAMES[of_kind]}, "
+                    f"{first_name} {KIND_NAMES[kind]}: what links them is missing",
+                    LINKS_HINT,
+                )
+            amounts[name] = item.value * factor.value
+            assumptions.append(factor.assumption)
+            notes += factor.notes
+            steps += factor.steps
+    return LightInputs(
+        kind,
+        given,
+        amounts,
+        links,
+        tuple(assumptions),
+        tuple(notes),
+        tuple(steps),
+        given_in_two_kinds,
+    )
+
+
+class Ratio(NamedTuple):
+    """The ratio of one quantity in two kinds, which links them: its name, over and under."""
+
+    name: str
+    over: Input
+    under: Input
+
+    @classmethod
+    def of(cls, first: Input, second: Input) -> "Ratio":
+        """Return the ratio of two values of one quantity."""
+        kinds = {kind_of(given): given for given in (first, second)}
+        return next(
+            cls(name, kinds[over], kinds[under])
+            for name, over, under in EFFICACIES
+            if {over, under} == kinds.keys()
+        )
+
+    @property
+    def value(self) -> Any:
+        """The ratio [SI]."""
+        return self.over.value / self.under.value
+
+    def link(self) -> Input:
+        """Return the ratio as an efficacy."""
+        unit = resolve(SYMBOLS[self.name].unit)
+        number = self.value / float(unit.factor)
+        text = f"{format_number(number)} {unit.text} ({self.over.text} over {self.under.text})"
+        return Input(
+            SYMBOLS["efficacy"], text, self.value, unit.dimension, number, unit, is_exact=True
+        )
+
+    @property
+    def law(self) -> Law:
+        """The definition of the ratio."""
+        over, under = (
+            specific_name(quantity.symbol.generic, kind_of(quantity)) for quantity in self[1:]
+        )
+        label = f"{SYMBOLS[self.name].label} of the light"
+        return law(label, f"{{{over}}} = {{{self.name}}} {{{under}}}")
+
+    def step(self) -> Step:
+        """Return how it follows."""
+        from radcalc.conversion.spectral import KIND_UNITS
+
+        generic, kinds = self.over.symbol.generic, (kind_of(self.over), kind_of(self.under))
+        over, under = (
+            format_value(quantity.value, light_unit(generic, kind_of(quantity), coherent=True))
+            for quantity in self[1:]
+        )
+        letter = letter_of(self.name)
+        ratio_text = f"{format_number(self.value)} {KIND_UNITS[kinds]}"
+        return self.law.formula.with_numbers(
+            f"({over}) = {letter} ({under}), so {letter} = {ratio_text}"
+        )
+
+
+def rounding(lit: LightInputs, name: str) -> Any:
+    """Return how far a light quantity [SI] may be off, by its digits and those of the link."""
+    given, amount = lit.values[name], abs(lit.amounts[name])
+    off = given.rounding * amount
+    kind = kind_of(given)
+    if kind != lit.kind:
+        for quantity, twin in lit.given_in_two_kinds.items():
+            off += (lit.values[quantity].rounding + twin.rounding) * amount
+        for key, link in lit.links.items():
+            if link.symbol.form == QUANTITY and link.rounding:
+                parts = (1 + link.rounding, 1 - link.rounding)
+                moved = ({**lit.links, key: link._replace(value=link.value * p)} for p in parts)
+                factors = [
+                    factor for links in moved if (factor := linking_factor(links, lit.kind, kind))
+                ]
+                off += reduce(larger, [abs(abs(given.value * f.value) - amount) for f in factors])
+    return off
+
+
+def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
+    """Refuse one quantity in two kinds that no light has together."""
+    kinds = (kind_of(quantity) for quantity in ratio[1:])
+    try:
+        linking_factor(links, *kinds)
+    except Impossible as error:
+        quantities = " and ".join(
+            option(quantity.name, quote(quantity.text)) for quantity in ratio[1:]
+        )
+        raise ConditionError(
+            f"{quantities} are not possible together: {error.because}",
+            f"less of the one or more of the other: {error.limit}",
+        ) from None
+
+
+def _refuse_idle_refinements(links: Inputs) -> None:
+    """Refuse refinements of what is not there."""
+    for name in REFINEMENTS:
+        useful = LINKS if name == "observer" else ("spectrum",)
+        if name in links and not set(useful) & set(links):
+            raise ConditionError(
+                f"{option(name)} has no use", f"{options(useful)} with it, or neither"
+            )
+
+
+def linking_factor(links: Inputs, over: str, under: str) -> "Factor | None":
+    """Return the ratio of two kinds by the conditions; None where they do not link them."""
+    if not links:
+        return None
+    from radcalc.conversion import spectral  # with the tables of the observers
+
+    return spectral.linked(links, over, under)
+
+
+def _multiple(name: str, amount: Any, factor: Any) -> Any:
+    """An amount of one kind in another, unless a number cannot hold it."""
+    product = amount * factor
+    if is_lost(product, amount, factor):
+        raise NumberError(f"{name} is too small for a number", "less extreme values")
+    return product
+
+
+class LightResults(NamedTuple):
+    """Light quantities as results, with what their kinds assume."""
+
+    values: dict[str, list[Value]]
+    assumptions: tuple[str, ...]
+    notes: tuple[str, ...]
+    steps: tuple[Step, ...]
+
+
+def show_light(lit: LightInputs, amounts: dict[str, Any]) -> LightResults:
+    """Light quantities [SI, by generic name] as results, in every kind that is linked."""
+    factors: dict[str, Factor] = {}
+    refused: dict[str, TooNarrow] = {}
+    for kind in KINDS:
+        try:
+            factor = linking_factor(lit.links, kind, lit.kind) if kind != lit.kind else None
+        except TooNarrow as error:
+            refused[kind] = error
+        else:
+            if factor:
+                factors[kind] = factor
+    values: dict[str, list[Value]] = {}
+    for name, amount in amounts.items():
+        reach = {
+            dimension(name, kind): _multiple(name, amount, factor.value)
+            for kind, factor in factors.items()
+        }
+        values[name] = [_value(lit, name, lit.kind, amount, reach)]
+        values[name] += [
+            _value(lit, name, kind, reach[dimension(name, kind)], {}) for kind in factors
+        ]
+        values[name] += [
+            _value(lit, name, kind, 0.0, {})._replace(units=(), because=error)
+            for kind, error in refused.items()
+        ]
+    return LightResults(
+        values,
+        tuple(dict.fromkeys([factor.assumption for factor in factors.values()])),
+        (
+            *[note for factor in factors.values() for note in factor.notes],
+            *[f"no {KIND_NAMES[kind]} results: {error.message}" for kind, error in refused.items()],
+        ),
+        tuple([step for factor in factors.values() for step in factor.steps]),
+    )
+
+
+def _value(
+    lit: LightInputs, name: str, kind: str, amount: Any, reach: dict[Dimension, Any]
+) -> Value:
+    """One light quantity in one kind; as it was given, where it was given in that kind."""
+    candidates = (lit.values.get(name), lit.given_in_two_kinds.get(name))
+    given = next(
+        (candidate for candidate in candidates if candidate and kind_of(candidate) == kind), None
+    )
+    letter = SYMBOLS[name].letter
+    specific = specific_name(name, kind)
+    own_name = specific if specific != name else f"radiant-{name}"
+    return Value(
+        name if kind == lit.kind else own_name,
+        specific.replace("-", " "),
+        letter if "_" in letter else f"{letter}_{kind}",
+        given.value if given else amount,
+        (dimension(name, kind),),
+        (given.unit_text if given else light_unit(name, kind),),
+        reach,
+        given.number if given else None,
+        specific,
+    )
+
+
+def efficacies(lit: LightInputs) -> list[tuple[str, Any]]:
+    """Return the ratios of kinds to show [SI]: lm/W if linked, and that of a quantity in two."""
+    ratio_names = {
+        Ratio.of(lit.values[name], twin).name for name, twin in lit.given_in_two_kinds.items()
+    }
+    ratios = []
+    for name, over, under in EFFICACIES:
+        if name in ratio_names or (over, under) == (LUMINOUS, RADIANT):
+            with suppress(TooNarrow):  # which the results say that want it
+                if factor := linking_factor(lit.links, over, under):
+                    ratios.append((name, factor.value))
+    return ratios

@@ -1,0 +1,103 @@
+"""Hints about missing inputs: what makes use of an idle input, and what gives a result."""
+
+from collections.abc import Iterable, Sequence, Set
+from itertools import combinations
+from typing import NamedTuple
+
+from radcalc.calculators.worksheet import OFFSETS, Worksheet
+from radcalc.errors import Idle, option, options
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.solver import reached
+from radcalc.quantities.symbols import SYMBOLS
+
+# The results that inputs must lead to; a page may name another goal.
+GOALS = frozenset(
+    {name for name, symbol in SYMBOLS.items() if symbol.generic == name} | {"projected-solid-angle"}
+)
+
+
+class Search(NamedTuple):
+    """A search for inputs that would help, by the symbols that are known and the laws."""
+
+    sheet: Worksheet
+    known: frozenset[str]
+    laws: Sequence[AnyLaw]
+
+    def refuse_idle(self, solved: Set[str], used: Set[str]) -> None:
+        """Refuse inputs that lead to no result; suggest what would make use of them."""
+        live = self._live(solved)
+        inputs = self.sheet.quantities
+        idle = {}
+        for name, item in inputs.items():
+            symbol = "lateral" if name in OFFSETS else name
+            if symbol not in live and name not in used:
+                idle[symbol] = item
+        if not idle:
+            return
+        name, item = next(iter(idle.items()))
+        lively = {
+            other: self._live(reached(self.laws, {*self.known, other}))
+            for other in self._inputs()
+            if other not in solved
+        }
+        # inputs that make use of all idle ones, or else of this
+        useful = [other for other, symbols in lively.items() if idle.keys() <= symbols]
+        useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
+        hint = f"the same without {option(item.name)}"
+        if useful:
+            hint = f"with it, {options(useful)}"
+        elif partners := self._partners(name):
+            hint = f"with it, {options(partners, ' and ')}"
+        alone = "" if len(inputs) > 1 else " alone"
+        raise Idle(f"nothing follows from {option(item.name, item.text)}{alone}", hint)
+
+    def lacking(self, name: str) -> str:
+        """Return the inputs that would give a result, one or two of them."""
+        light = self.sheet.page.light
+        candidates = [
+            candidate
+            for candidate in self._inputs()
+            if candidate != name and candidate not in self.known
+        ]
+        if single := [
+            candidate
+            for candidate in candidates
+            if name in reached(self.laws, {*self.known, candidate})
+        ]:
+            return options(single[:5])
+        for pair in combinations(
+            [candidate for candidate in candidates if candidate not in light], 2
+        ):
+            if name in reached(self.laws, {*self.known, *pair}):
+                return options(pair, " and ")
+        return "more of the quantities"
+
+    def _partners(self, name: str) -> list[str]:
+        """Return the inputs that one of the laws of a symbol lacks, the fewest that help."""
+        inputs = set(self._inputs())
+        lacking = [
+            [other for other in law.names[1:] if other not in self.known]
+            for law in self.laws
+            if name in law.names[1:]
+        ]
+        helpful = [
+            names
+            for names in lacking
+            if inputs.issuperset(names)
+            and name in self._live(reached(self.laws, {*self.known, *names}))
+        ]
+        return min(helpful, key=len, default=[])
+
+    def _inputs(self) -> Iterable[str]:
+        """Return the symbols that can be given, light quantities by generic names."""
+        hints = self.sheet.hints  # they may have light quantities, in the order of the hint
+        light = [n for n in self.sheet.page.light if SYMBOLS[n].help and n not in hints]
+        return (*light, *hints)
+
+    def _live(self, known: Set[str]) -> set[str]:
+        """Return the symbols of the laws that are complete and lead to light or to the goal."""
+        complete = [set(law.names) for law in self.laws if known >= {*law.names}]
+        live = {*GOALS, self.sheet.page.goal}
+        while more := [names for names in complete if names & live and not names <= live]:
+            live = live.union(*more)
+        return {name for names in complete if names <= live for name in names}

@@ -1,0 +1,135 @@
+"""Parts that every small source has: its receiver, its spread and its laws."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from radcalc.calculators.kinds import LightInputs
+from radcalc.calculators.solved import Solved, solve, solve_all
+from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet
+from radcalc.derivation import coherent_unit_of, format_value
+from radcalc.errors import ConditionError, Exclusive, MissingInput, command, mention, option, quote
+from radcalc.inputs.given import Inputs
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.point import CONICAL, ISOTROPIC, LOBED
+from radcalc.maths import is_array
+
+QUANTITIES = ("flux", "intensity", "irradiance", "exposure", "energy")
+# What takes a distribution as a function of direction, and not the laws of its own shape.
+DIRECTED = ("peak-intensity", "toward", "aim", "rotate")
+CONE = ("half-angle", "apex-angle", "solid-angle")
+LOBE = ("exponent", "beam-angle", "field-angle")
+POSITION = ("distance", "height", *OFFSETS, "incidence")
+RECEIVER = ("within", "time", "receiver-area")
+SHAPED = {ISOTROPIC: (), CONICAL: CONE, LOBED: LOBE}
+FLAGS = {"isotropic": ISOTROPIC, "hemisphere": CONICAL}  # which tell all of a distribution
+OF = {ISOTROPIC: "an isotropic source", CONICAL: "a uniform cone", LOBED: "a cosine-power lobe"}
+ASSUMED = {
+    ISOTROPIC: "isotropic: the same intensity in all directions",
+    CONICAL: "the same intensity everywhere in the cone, none outside",
+    LOBED: "intensity I0 cos^n(theta) from the axis; I0 is the intensity given here",
+}
+LYING = "the receiver lies flat, in a plane across the source's axis"
+
+
+def require_height(solved: Solved) -> None:
+    """Refuse an offset for which no height is given or follows."""
+    if not solved.has("height"):
+        offset = next(solved.given[name] for name in OFFSETS if name in solved.given)
+        raise MissingInput(
+            f"{option('height')} is missing beside {option(offset.name)}",
+            mention("{height=6m}, along the source's axis"),
+        )
+
+
+def solve_facing(
+    sheet: Worksheet,
+    laws: list[AnyLaw],
+    placed: Placed,
+    any_incidence: bool,
+    is_flat: bool,
+) -> list[Solved]:
+    """Return every solution; without an incidence light comes along the receiver's normal.
+
+    That of a receiver that is flat follows from its place.
+    """
+    known = sheet.known_with(placed)
+    is_turned = is_flat or "incidence" in known
+    is_lit = not known.keys().isdisjoint(("irradiance", "distance", "exposure"))
+    if is_turned or any_incidence or not is_lit:
+        solutions = solve_all(sheet, laws, placed)
+        if is_turned or not is_lit or solutions[0].has("incidence"):
+            return solutions
+    facing = Placed()
+    facing.merge(placed)
+    facing.add("incidence", 0.0)
+    facing.assume("light along the receiver's normal")
+    try:
+        return solve_all(sheet, laws, facing)
+    except ConditionError as error:
+        angle = _explaining_incidence(sheet, laws, placed)
+        if angle is None or is_array(angle):
+            raise
+        degrees = f"{math.degrees(angle):.6g} deg"
+        hint = f"{error.hint}; an incidence of {degrees} would explain it"
+        raise error.reworded(hint=hint) from None
+
+
+def _explaining_incidence(sheet: Worksheet, laws: list[AnyLaw], placed: Placed) -> Any:
+    """Return the incidence that fits the other inputs, or None."""
+    try:
+        solved = solve(sheet, laws, placed)
+    except ConditionError:
+        return None
+    return solved.value("incidence") if solved.has("incidence") else None
+
+
+def refuse_light_of_surfaces(lit: LightInputs, takes: Sequence[str] = QUANTITIES) -> None:
+    """Refuse what a point has not: a radiance, an exitance."""
+    for name, item in lit.values.items():
+        if name not in takes:
+            raise ConditionError(
+                f"{option(item.name)}: a point source has none", command("lambertian")
+            )
+
+
+def spread(given: Inputs) -> str:
+    """Return how the light is spread: as it was chosen, or as an input of its own tells."""
+    chosen = given["distribution"].value if "distribution" in given else None
+    shapes = {name: shape for shape, names in SHAPED.items() for name in names if name in given}
+    shapes |= {name: shape for name, shape in FLAGS.items() if name in given}
+    if not shapes:
+        return str(chosen or ISOTROPIC)
+    (first, shape), *further = shapes.items()
+    for name, other in further:
+        if other != shape:
+            raise ConditionError(
+                f"{option(first)} is of {OF[shape]}, {option(name)} of {OF[other]}", "one of them"
+            )
+        if name in FLAGS:
+            raise Exclusive([first, name], "contradict each other: both give the cone")
+    if chosen not in (None, shape):
+        raise ConditionError(
+            f"{option(first)} is of {OF[shape]}, and contradicts "
+            f"{option('distribution', quote(given['distribution'].text))}",
+            "one of them",
+        )
+    return shape
+
+
+def place_hemisphere(given: Inputs, placed: Placed) -> None:
+    """Add the right angle of a cone that is a hemisphere."""
+    if "hemisphere" in given:
+        placed.add("half-angle", math.pi / 2)
+        placed.assume("uniform over 2 pi sr (a hemisphere)")
+
+
+def compare_mean(solved: Solved) -> None:
+    """Note where the irradiance at a receiver's centre is not its mean."""
+    mean = solved.value("received-flux") / solved.value("receiver-area")
+    if not is_array(mean) and abs(solved.value("irradiance") - mean) > 0.01 * mean:
+        unit = coherent_unit_of("irradiance", solved.lit.kind)
+        solved.note(
+            "the irradiance is that at the receiver's centre; its mean over the receiver is "
+            f"{format_value(mean, unit)}"
+        )

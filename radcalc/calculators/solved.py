@@ -1,0 +1,211 @@
+"""The solutions of a worksheet: they are judged by the page, and give the answer."""
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import Any
+
+from radcalc.answer import Answer, Value
+from radcalc.calculators import kinds
+from radcalc.calculators.missing import Search
+from radcalc.calculators.results import known, value
+from radcalc.calculators.worksheet import Placed, Remarks, Worksheet
+from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
+from radcalc.errors import (
+    ConditionError,
+    Contradiction,
+    Exclusive,
+    option,
+    options,
+    quote,
+)
+from radcalc.laws import solver
+from radcalc.laws.law import AnyLaw
+from radcalc.laws.solver import Derivation, Disagreement, Solution
+from radcalc.maths import any_true
+from radcalc.quantities.symbols import INNER, QUANTITY, SYMBOLS, article, specific_name
+
+LIGHT = frozenset({name for name, symbol in SYMBOLS.items() if symbol.generic})  # of any kind
+ROUNDING = 1e-9  # by which a result may exceed a limit
+
+
+def solve(
+    sheet: Worksheet,
+    laws: Sequence[AnyLaw],
+    placed: Placed | None = None,
+    steps: dict[str, float] | None = None,
+) -> "Solved":
+    """Return the first solution; `placed` is what the page found outside the laws.
+
+    `steps` are the distances between the marked values of logarithmic symbols.
+    """
+    placed = placed or Placed()
+    return Solved(sheet, placed, laws, _solutions(sheet, laws, placed, steps or {})[0])
+
+
+def solve_all(sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed) -> list["Solved"]:
+    """Return every solution; each has a note where there are several."""
+    solutions = _solutions(sheet, laws, placed, {})
+    answers = [Solved(sheet, placed, laws, solution) for solution in solutions]
+    if len(answers) > 1:
+        for solved in answers:
+            solved.note(f"{len(answers)} answers fit what is given")
+    return answers
+
+
+def _solutions(
+    sheet: Worksheet, laws: Sequence[AnyLaw], placed: Placed, steps: dict[str, float]
+) -> list[Solution]:
+    """Solve the laws; a contradiction is in the units typed."""
+    try:
+        return solver.solve_all(laws, sheet.known_with(placed), steps, LIGHT)
+    except Disagreement as error:
+        raise contradiction(sheet, error, steps) from None
+
+
+class Solved(Remarks):
+    """One solution of a worksheet, to which the page adds its remarks before the answer."""
+
+    def __init__(
+        self, sheet: Worksheet, placed: Placed, laws: Sequence[AnyLaw], solution: Solution
+    ) -> None:
+        super().__init__()
+        self.sheet, self.placed, self.laws, self.solution = sheet, placed, laws, solution
+        self.given, self.lit = sheet.given, sheet.lit
+        self.assume(*sheet.lit.assumptions, *placed.assumptions)
+        self.note(*sheet.lit.notes, *placed.notes)
+        self.use(*sheet.lit.given_in_two_kinds, *placed.used)
+
+    def has(self, *names: str) -> bool:
+        """Check that one of the symbols has a value."""
+        return not self.solution.values.keys().isdisjoint(names)
+
+    def value(self, name: str) -> Any:
+        """Return a value [SI]."""
+        return self.solution.values[name].value
+
+    def describe(self, name: str) -> str:
+        """Return a value for a message, as it was typed or as it follows."""
+        if name in self.given:
+            return option(name, quote(self.given[name].text))
+        size = format_value(self.value(name), coherent_unit_of(name, self.lit.kind))
+        return f"{article(SYMBOLS[name].label)} of {size}"
+
+    def refuse_impossible(self, *names: str, because: str = "", hint: str = "") -> None:
+        """Refuse results beyond the limits of their symbols, with the reason."""
+        for name in names:
+            limits = SYMBOLS[name].limits
+            if not self.has(name):
+                continue
+            result = self.value(name)
+            low, high = limits.low - ROUNDING * abs(limits.low), limits.high * (1 + ROUNDING)
+            if any_true((result < low) | (result > high)):
+                inputs = {**self.sheet.quantities, **self.lit.links}
+                raise ConditionError(
+                    f"{self.describe(name)} follows from the rest, and is not possible: "
+                    f"{because or f'it is {limits.said}'}",
+                    hint or f"another value of {options(item.name for item in inputs.values())}",
+                )
+
+    def note_behind(self) -> None:
+        """Note light from the side of the receiver, or from behind it."""
+        if self.has("cosine") and any_true(self.value("cosine") == 0):
+            self.note("light from the side or behind does not reach the receiver")
+
+    def answer(self, first: Iterable[Value] = (), laws: Sequence[AnyLaw] | None = None) -> Answer:
+        """Return all results, `first` those of the page; refuse inputs that lead to none.
+
+        `laws` replace the solved ones in hints.
+        """
+        values, page = self.solution.values, self.sheet.page
+        names = frozenset(self.sheet.known_with(self.placed)) | self.sheet.defaults
+        search = Search(self.sheet, names, self.laws if laws is None else laws)
+        search.refuse_idle(values.keys(), self.used)
+        amounts = {name: self.value(name) for name in page.light if name in values}
+        light = kinds.show_light(self.lit, amounts)
+        results = [*first, *(row for name in amounts for row in light.values[name])]
+        results += self._others()
+        results += [value(name, ratio) for name, ratio in kinds.efficacies(self.lit)]
+        results += self._absent(search)
+        before = [*self.lit.steps, *self.placed.steps]
+        after = [step for step in light.steps if step not in before]
+        return Answer(
+            results,
+            _once([*self.assumptions, *light.assumptions]),
+            tuple(dict.fromkeys([*self.notes, *light.notes])),
+            Derivation(self.solution, self.lit.kind, before, after),
+        )
+
+    def _others(self) -> list[Value]:
+        """Return the results of the page that are not light quantities."""
+        values, page = self.solution.values, self.sheet.page
+        results = []
+        for name in page.others:
+            if name in self.given and self.given[name].symbol.form == QUANTITY:
+                result = known(self.given[name])
+            elif name in values:
+                result = value(name, self.value(name))
+            else:
+                continue
+            if name in page.labels or name in page.forms:
+                form = page.forms.get(name, "")
+                label = page.labels.get(name, result.label)
+                result = result._replace(label=label, form=form)
+            results.append(result)
+        return results
+
+    def _absent(self, search: Search) -> list[Value]:
+        """Return the results that do not follow; each finds what it lacks when asked."""
+        absent = []
+        page, values = self.sheet.page, self.solution.values
+        for name in dict.fromkeys((*page.light, *page.others, *page.takes)):
+            symbol = SYMBOLS[name]
+            if symbol.form == QUANTITY and name not in values and name not in self.given:
+                label = page.labels.get(name, symbol.label)
+                also = specific_name(name, self.lit.kind) if name == symbol.generic else ""
+                lacking = partial(search.lacking, name)
+                absent.append(
+                    Value(name, label, "", 0.0, symbol.dimensions, (), also=also, lacking=lacking)
+                )
+        return absent
+
+
+def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]) -> ConditionError:
+    """Return the refusal of two values of a symbol, with their units and ratio."""
+    inputs = sheet.quantities
+    names = [item.name for item in inputs.values()]
+    if error.name in INNER:
+        return Exclusive(
+            names,
+            f"contradict each other, by the law '{error.law.name}'",
+            "fewer of them",
+            ", ",
+        )
+    unit = coherent_unit_of(error.name, sheet.lit.kind)
+    digits = digits_apart(error.given, error.implied)
+    first = f"{error.name} {format_value(error.given, unit, digits)}"
+    if item := inputs.get(error.name):
+        first = option(item.name, item.text)
+    ratio = ""
+    if error.name in steps:
+        ratio = f" ({format_number(error.given - error.implied)} apart)"
+    elif isinstance(error.implied, float) and error.implied:
+        ratio = f" (ratio {format_number(error.given / error.implied, digits)})"
+    second = format_value(error.implied, unit, digits)
+    return Contradiction(
+        f"{first} contradicts the rest, which gives {second}{ratio}",
+        f"without one of {options(names, ', ')}",
+        error.name,
+        error.given,
+        error.implied,
+    )
+
+
+def _once(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return texts without the clauses of earlier ones."""
+    seen: dict[str, None] = {}
+    kept = []
+    for text in texts:
+        clauses = [clause for clause in text.split("; ") if clause not in seen]
+        seen.update(dict.fromkeys(clauses))
+        kept += ["; ".join(clauses)] if clauses else []
+    return tuple(kept)

@@ -1,0 +1,189 @@
+"""Answers on their way to the renderers."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from radcalc import terminal
+from radcalc.answer import Answer, Result, Row, ShownInput
+from radcalc.calculators.results import LINKS_HINT, element, pick, rows, scales_of
+from radcalc.cli.cases import Case, label
+from radcalc.cli.options import Output
+from radcalc.cli.request import Request
+from radcalc.errors import MissingInput, UsageError
+from radcalc.maths import is_array
+from radcalc.render.formats import CSV
+
+
+class Answered(NamedTuple):
+    """An answer, which of several it is, and what was given for it."""
+
+    case: str
+    inputs: tuple[ShownInput, ...]
+    answer: Answer
+
+    @property
+    def long(self) -> ShownInput | None:
+        """The input that is an array."""
+        arrays = [given for given in self.inputs if is_array(given.value)]
+        return arrays[0] if arrays else None
+
+
+def refuse_bare(output: Output) -> None:
+    """Refuse -n where there are several results."""
+    if output.style.bare:
+        raise UsageError("-n prints one number, and there are several results", "-g NAME:UNIT")
+
+
+def show(
+    answers: Iterable[Answered],
+    asked: Request,
+    output: Output,
+    inputs: Sequence[Sequence[ShownInput]] = (),
+) -> None:
+    """Write the answers, or the results that were asked for; `inputs` are those of all answers."""
+    if not asked.steps:
+        answers = (
+            answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
+        )
+    if not asked.wanted:
+        refuse_bare(output)
+        output.show([result(answered) for answered in _spread(answers)])
+    elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
+        hint = "--format table, or a unit: -g NAME:UNIT"
+        output.refuse_auto("--get prints bare numbers", hint)
+        _show_columns(_picked(answers, asked.wanted, in_columns=True), output, inputs)
+    else:
+        picked = _picked(_spread(answers), asked.wanted)
+        output.show([result(answered, chosen) for answered, chosen in picked])
+
+
+def _are_arrays(inputs: Sequence[Sequence[ShownInput]]) -> bool:
+    return any(is_array(given.value) for listed in inputs for given in listed)
+
+
+def _picked(
+    answers: Iterable[Answered], wanted: Sequence[str], in_columns: bool = False
+) -> Iterator[tuple[Answered, list[Row]]]:
+    """Each answer with the results that were asked for, in the units of the first.
+
+    What was asked for without a unit, and is of another kind of light than in the first, is in its
+    own unit; columns, each of one unit, are refused then.
+    """
+    scale_remarks: tuple[str, ...] | None = None
+    first = wanted
+    for answered in answers:
+        chosen = [
+            _in_first(answered, name, in_unit, in_columns)
+            for name, in_unit in zip(wanted, first, strict=True)
+        ]
+        if first is wanted:
+            first = [f"{row.name}:{row.unit}" for row in chosen]
+        if scale_remarks is None:
+            scale_remarks = scales_of(answered.answer.values, first)
+        if scale_remarks:
+            assumptions = dict.fromkeys((*answered.answer.assumptions, *scale_remarks))
+            answered = answered._replace(
+                answer=answered.answer._replace(assumptions=tuple(assumptions))
+            )
+        yield answered, chosen
+
+
+def _in_first(answered: Answered, name: str, in_unit: str, in_columns: bool) -> Row:
+    """A result in the unit that it has in the first answer; or in its own, if that is not named."""
+    try:
+        return pick(answered.answer.values, in_unit, answered.case)
+    except MissingInput:
+        if name == in_unit or ":" in name:
+            raise
+        row = pick(answered.answer.values, name, answered.case)
+        if not in_columns:
+            return row
+        units = f"{in_unit.partition(':')[2]} and {row.unit}"
+        problem = f"a column of {row.name} would have two units, {units}"
+        raise UsageError(problem, f"--format table, or {LINKS_HINT}") from None
+
+
+def _show_columns(
+    picked: Iterable[tuple[Answered, list[Row]]],
+    output: Output,
+    inputs: Sequence[Sequence[ShownInput]],
+) -> None:
+    """Write numbers alone in plain text, or CSV of arrays."""
+    units: dict[str, str] = {}
+    if output.format == CSV:
+        from radcalc.render import csv
+
+        units = csv.units_of_varied(inputs)
+    texts: list[str] = []
+    remarks: dict[tuple[Any, ...], Result] = {}
+    for answered, chosen in picked:
+        output.hear([result(answered, chosen)])
+        columns = [row.value for row in chosen]
+        if output.format == CSV:
+            texts.append(csv.block(result(answered, chosen), units, output.style, not texts))
+        else:
+            count = len(answered.long.value) if answered.long else 1
+            from radcalc.render.columns import lines
+
+            texts.append(lines(columns, output.style.precision, count))
+        steps = () if answered.long and texts[1:] else answered.answer.steps
+        remark = result(answered, ())._replace(steps=tuple(steps), inputs=())
+        remarks[remark if remark.steps else remark[1:3]] = remark
+    for text in texts:
+        terminal.write(text)
+    output.remark(list(remarks.values()))
+
+
+def with_notes(case: Case, answer: Answer) -> Answer:
+    """Return the answer with the notes on its inputs."""
+    return answer._replace(notes=(*case.notes, *answer.notes)) if case.notes else answer
+
+
+def every_answer(
+    cases: Iterable[Case], inputs: Iterable[tuple[ShownInput, ...]], solved: Iterable[Answer]
+) -> Iterator[Answered]:
+    """Pair the cases with their answers; where several answers fit a case, each has its number."""
+    for case, given, answer in zip(cases, inputs, solved, strict=True):
+        if not answer.more:
+            yield Answered(case.label, given, answer)
+            continue
+        for k, alternative in enumerate((answer, *answer.more), start=1):
+            number = ShownInput("answer", text=str(k))
+            yield Answered(label((*case.varied, number)), given, alternative)
+
+
+def _spread(answers: Iterable[Answered]) -> Iterator[Answered]:
+    """The answers, those of a long range one by one."""
+    for answered in answers:
+        answer, long = answered.answer, answered.long
+        if long is None:
+            yield answered
+            continue
+        present = [value for value in answer.values if not value.is_absent]
+        for k in range(len(long.value)):
+            case = ", ".join(filter(None, (answered.case, label([_element(long, k)]))))
+            values = [element(value, k) for value in present]
+            inputs = tuple(_element(given, k) for given in answered.inputs)
+            steps = answer.steps if k == 0 else ()
+            yield Answered(case, inputs, answer._replace(values=values, steps=steps))
+
+
+def _element(given: ShownInput, k: int) -> ShownInput:
+    """One element of an input that is an array, as it would be typed."""
+    if not is_array(given.value):
+        return given
+    number = float(given.value[k])
+    unit = given.unit if given.unit != "1" else ""
+    return given._replace(value=number, text=f"{number:.15g}{unit}")
+
+
+def result(answered: Answered, chosen: Sequence[Row] | None = None) -> Result:
+    """An answer as rows: all of them, or those that are chosen."""
+    answer = answered.answer
+    return Result(
+        tuple(rows(answer.values, answered.case) if chosen is None else chosen),
+        tuple(answer.assumptions),
+        tuple(answer.notes),
+        tuple(answer.steps),
+        answered.inputs,
+    )

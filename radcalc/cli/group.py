@@ -1,0 +1,120 @@
+"""The command `radcalc` itself, and its subcommands."""
+
+import click
+
+from radcalc import terminal
+from radcalc.cli.help import COMMANDS, HELP_NAMES, Helped
+from radcalc.errors import MINUS, UsageError, quote
+from radcalc.units.numbers import is_sentence
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from typing import Any
+
+    from radcalc.cli.options import Listener
+
+SETTINGS: "dict[str, Any]" = {"help_option_names": HELP_NAMES, "max_content_width": 100}
+
+
+def _version(ctx: click.Context, parameter: click.Parameter, wanted: bool) -> None:
+    if wanted and not ctx.resilient_parsing:
+        from radcalc._version import __version__
+
+        terminal.write(f"radcalc {__version__}\n")
+        ctx.exit()
+
+
+class Commands(Helped, click.Group):
+    """The subcommands, each imported when it is called and not for the help that lists them."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Name them all, in the order of the help."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import one."""
+        if cmd_name not in COMMANDS:
+            return None
+        from importlib import import_module
+
+        module_name = f"radcalc.cli.{cmd_name.replace('-', '_')}"
+        command: click.Command
+        try:
+            command = import_module(module_name).command
+        except ModuleNotFoundError as error:
+            if error.name != module_name:
+                raise
+            from radcalc.cli.pages import of_page
+
+            command = of_page(cmd_name)  # a calculator's page says all that there is to it
+        command.short_help = COMMANDS[cmd_name]
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the table of the commands."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the command, or say which one is near; what begins with a value is converted."""
+        if is_sentence(args):
+            return "convert", self.get_command(ctx, "convert"), args
+        if args[0] not in COMMANDS and not args[0].startswith("-"):
+            from radcalc.cli.suggestions import meant
+
+            raise UsageError(f"there is no command '{quote(args[0].strip())}'", meant(args))
+        return super().resolve_command(ctx, args)
+
+
+@click.command(cls=Commands, context_settings=SETTINGS, no_args_is_help=False)
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_version,
+    help="Show the version and exit.",
+)
+def commands() -> None:
+    """Calculate with light: units, photometry, radiometry, photons and their geometry.
+
+    \b
+    Examples:
+      radcalc 100 lx fc                  (convert may be left out)
+      radcalc convert 5 mW lm --wavelength 632.8nm
+      radcalc convert 800 lm cd --isotropic
+      radcalc solid-angle cone --half-angle 30deg
+      radcalc point-source --flux 800lm --distance 2m
+      radcalc lambertian --luminance 100cd/m2 --check exitance=628lm/m2
+      radcalc units luminance
+    """
+
+
+def context(listener: "Listener | None" = None) -> click.Context:
+    """The context of `radcalc` itself, to which nothing was typed."""
+    return click.Context(commands, info_name="radcalc", obj=listener, **SETTINGS)
+
+
+def protect_negatives(words: list[str]) -> list[str]:
+    """Write the minus of words that are numbers in another way, so that Click sees no option.
+
+    The - of a stream, as in '- nm', has a blank before it.
+    """
+    return [
+        "→"
+        if word == "->"
+        else f" {word}"
+        if word[:2] == "- "
+        else MINUS + word[1:]
+        if word[:1] == "-" and _is_negative(word)
+        else word
+        for word in words
+    ]
+
+
+def _is_negative(word: str) -> bool:
+    if word[1:2] in ("", "-"):
+        return False
+    return is_sentence([word]) or word[1:].lower() in ("inf", "infinity", "nan")

@@ -1,0 +1,130 @@
+"""The layout of help: no line is wider than the terminal, and no word or option is cut."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+import click
+
+from radcalc.terminal import BOLD, RESET, fold
+
+BETWEEN_COLUMNS = re.compile(r"(?<=\S) {2,}(?=\S)")
+AT_OPTIONS = re.compile(r" (?=-[a-z-]|\| |< )")  # where an example may go on in the next line
+DEEPER = 4  # columns
+
+
+class HelpFormatter(click.HelpFormatter):
+    """Click's, but for how it folds, and for headings that stand out where it is coloured."""
+
+    is_colored = False
+
+    def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
+        """Write how the command is called."""
+        super().write_usage(prog, args, self._heading(prefix or "Usage:") + " ")
+
+    def write_heading(self, heading: str) -> None:
+        """Write the title of a section."""
+        self.write(f"{'':{self.current_indent}}{self._heading(f'{heading}:')}\n")
+
+    def _heading(self, text: str) -> str:
+        return f"{BOLD}{text}{RESET}" if self.is_colored else text
+
+    def write_text(self, text: str) -> None:
+        """Write paragraphs; one that begins with a line of `\\b` keeps its own lines."""
+        indent = " " * self.current_indent
+        room = self.width - self.current_indent
+        blocks = []
+        for paragraph in text.split("\n\n"):
+            first, *lines = paragraph.strip("\n").split("\n")
+            if first.strip() != "\b":
+                folded = fold(" ".join([first, *lines]), room)
+            else:
+                folded = [
+                    line for joined_line in joined(lines) for line in narrowed(joined_line, room)
+                ]
+                if folded[:1] == [folded[0].rstrip(":") + ":"]:
+                    folded[0] = self._heading(folded[0])
+            blocks.append("\n".join(indent + line for line in folded))
+        self.write("\n\n".join(blocks) + "\n")
+
+    def write_dl(
+        self, rows: Iterable[tuple[str, str]], col_max: int = 30, col_spacing: int = 2
+    ) -> None:
+        """Write terms and what they mean, in two columns."""
+        rows = list(rows)
+        indent = " " * self.current_indent
+        room = self.width - self.current_indent
+        longest = max(len(term) for term, _ in rows)
+        word = max(len(word) for _, meaning in rows for word in [*meaning.split(), ""])
+        column = min(longest, col_max, self.width // 2, room - col_spacing - word) + col_spacing
+        for term, meaning in rows:
+            *above, last = _cut_choices(term, room)
+            lines = fold(" ".join(meaning.split()), room - column)
+            if len(last) > column - col_spacing:
+                above, last = [*above, last], ""
+            for line in above:
+                self.write(f"{indent}{line}\n")
+            self.write(f"{indent}{last:{column}}{lines[0]}".rstrip() + "\n")
+            for line in lines[1:]:
+                self.write(f"{indent}{'':{column}}{line}\n")
+
+
+def joined(lines: Iterable[str]) -> Iterator[str]:
+    """The lines of a block, with those of one example, or of one row of a table, as one."""
+    joined_line = ""
+    for line in lines:
+        start = len(line) - len(line.lstrip())
+        parts = BETWEEN_COLUMNS.split(joined_line.lstrip())
+        if joined_line.endswith("\\"):
+            joined_line = f"{joined_line[:-1].rstrip()} {line.strip()}"
+        elif len(parts) == 2 and start == len(joined_line) - len(parts[1]) and start > DEEPER:
+            joined_line += f"\n{line.strip()}"
+        else:
+            yield from [joined_line] if joined_line else []
+            joined_line = line
+    yield joined_line
+
+
+def narrowed(line: str, width: int) -> list[str]:
+    """A line of a block in a width: an example over several lines, or a row with its last column.
+
+    What already fits keeps its lines.
+    """
+    text = line.lstrip()
+    indent = " " * (len(line) - len(text))
+    term, *columns = BETWEEN_COLUMNS.split(text.partition("\n")[0])
+    column = len(line.partition("\n")[0]) - len(columns[-1]) if columns else 0
+    kept = line.replace("\n", "\n" + " " * column).split("\n")
+    if max(map(len, kept)) <= width:
+        return kept
+    if "radcalc " in term:
+        return _example(indent, term, columns[0] if columns else "", width)
+    if len(columns) != 1:
+        return [indent + part for part in fold(text, width - len(indent), DEEPER)]
+    words = line[column:].replace("\n", " ")
+    if width - column >= width // 2:
+        first, *more = fold(words, width - column)
+        return [line[:column] + first, *(" " * column + part for part in more)]
+    deeper = indent + " " * DEEPER
+    return [indent + term, *(deeper + part for part in fold(words, width - len(deeper)))]
+
+
+def _example(indent: str, command: str, remark: str, width: int) -> list[str]:
+    """A command over several lines, as a shell takes it; a remark on it in a line of its own."""
+    lines = [indent]
+    for part in AT_OPTIONS.split(command):
+        room = width - len(" \\")
+        if lines[-1].strip() and len(lines[-1]) + 1 + len(part) > room:
+            lines[-1] += " \\"
+            lines.append(indent + " " * DEEPER)
+        lines[-1] += f" {part}" if lines[-1].strip() else part
+    return [*lines, *([f"{remark:>{width}}"] if remark else [])]
+
+
+def _cut_choices(term: str, width: int) -> list[str]:
+    """An option over several lines, where the choices that it has are many."""
+    lines = [""]
+    for part in re.split(r"(?<=\|)", term):
+        if lines[-1] and len(lines[-1]) + len(part) > width:
+            lines.append(" " * DEEPER)
+        lines[-1] += part
+    return lines

@@ -1,0 +1,166 @@
+"""The refusals of a wrong command line: loaded when one is met."""
+
+from itertools import pairwise
+
+import click
+
+from radcalc.calculators.pages import SUMMARIES, page_of
+from radcalc.cli.group import commands, context
+from radcalc.cli.help import COMMANDS
+from radcalc.errors import MINUS, MissingUnit, RadcalcError, nearest, option, quote
+from radcalc.errors import command as call_of
+from radcalc.errors import manual as help_of
+from radcalc.render.formats import FORMATS
+from radcalc.units.numbers import is_sentence
+
+# What people call an option; those of the command are mentioned.
+MEANT_OPTIONS = {
+    "f-number": "aperture f-stop fstop stop",
+    "time": "shutter shutter-speed exposure-time duration",
+    "iso": "asa sensitivity film-speed",
+    "luminous-flux": "lumen lumens",
+    "radiant-flux": "watt watts power",
+    "illuminance": "lux illumination footcandles",
+    "luminous-intensity": "candela candelas candlepower",
+    "luminance": "nit nits brightness",
+    "half-angle": "angle beam cone",
+    "apex-angle": "angle cone",
+    "beam-angle": "angle beam spread",
+    "off-axis-angle": "field-angle off-axis angle",
+    "reflectance": "albedo reflectivity",
+    "wavelength": "lambda color colour",
+    "spectrum": "illuminant lamp",
+    "precision": "digits decimals",
+    "format": "output",
+    "steps": "derivation explain verbose",
+    "quiet": "silent",
+}
+
+
+def join_unit(error: MissingUnit, words: list[str]) -> MissingUnit:
+    """Return the refusal with the hint to write `--distance 2 ft` as one word."""
+    from radcalc.quantities.symbols import SYMBOLS
+    from radcalc.units.table import resolve
+
+    flag = f"--{error.symbol}"
+    following = words[words.index(flag) + 2 :][:1] if flag in words else []
+    if ":" in error.text:  # an interval, each end of which has its unit
+        return error
+    hint = error.hint
+    symbol = SYMBOLS.get(error.symbol)
+    called = next((word for word in words if word in COMMANDS), "")
+    if symbol and called in SUMMARIES:  # a shutter's time is no 2h
+        example = page_of(called).symbol(error.symbol).example
+        usual, page_unit = _unit_of(symbol.example), _unit_of(example)
+        if usual and page_unit and hint == option(error.symbol, f"{error.text}{usual}"):
+            hint = option(error.symbol, f"{error.text}{page_unit}")
+    try:
+        if following and symbol and resolve(following[0]).dimension in symbol.dimensions:
+            hint = option(error.symbol, f"{error.text}{quote(following[0])}")
+    except RadcalcError:
+        pass
+    return error.reworded(hint=f"{hint} (one word, no blank)")
+
+
+def _unit_of(example: str) -> str:
+    """The unit of an example of a symbol."""
+    return example.lstrip("0123456789./")
+
+
+def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
+    """Return Click's complaint of a wrong option or command, with the nearest right ones."""
+    called = next((word for word in words if word in COMMANDS), "")
+    called = "convert" if is_sentence(words) else called
+    help_ = f"{f'radcalc {called}'.strip()} --help"
+    if isinstance(error, click.NoSuchOption):
+        return _no_such_option(error.option_name, called, help_, words)
+    message = one_line(error.format_message().replace(MINUS, "-"))  # as it was typed
+    message = message.replace("a valid integer range", "a whole number in its range")
+    if "unexpected extra argument" in message:
+        word = message.partition("(")[2].rstrip(")")
+        hint = "a value and its unit are one word, as in --distance 2m"
+        if ("--plot", word) in pairwise(words):
+            hint = "--plot FILE.svg or --plot FILE.png, or --plot without a file"
+        return RadcalcError(f"there is a word too many: '{word}'", hint)
+    return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
+
+
+def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> RadcalcError:
+    """Refuse an option that a command lacks; suggest what is meant."""
+    from radcalc.cli.command import GET
+
+    if after_command := options_behind(words):
+        problem = f"options go behind the command, and '{quote(words[0])}' is before it"
+        return RadcalcError(problem, after_command)
+    if called == "convert" and typed in GET.opts:
+        problem = f"a conversion has one result, and no {quote(typed)}"
+        return RadcalcError(problem, "-n, for its bare number")
+    problem = f"there is no option '{quote(typed)}'"
+    if typed[2:] in FORMATS:
+        return RadcalcError(problem, f"--format {typed[2:]}")
+    known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
+    near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
+    if called and not near and typed.startswith("--") and (takers := _takers(typed)):
+        hint = f"{help_of(takers[0])}; it is of {', '.join(takers)}"
+        return RadcalcError(f"{problem} in {called}", hint)
+    near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
+    return RadcalcError(problem, f"{', '.join(near)} (see {help_})" if near else help_)
+
+
+def _synonyms(typed: str, known: list[str]) -> list[str]:
+    """Return the known options that people call by that name."""
+    name = typed.removeprefix("--").lower()
+    meant = [f"--{option}" for option, words in MEANT_OPTIONS.items() if name in words.split()]
+    return [option for option in meant if option in known]
+
+
+def options_behind(words: list[str]) -> str:
+    """Mention the call with the options that stand before the command behind it.
+
+    '' where there are none, or something else is wrong besides.
+    """
+    implied = "convert" if any(is_sentence([word]) for word in words) else ""
+    called = next((word for word in words if word in COMMANDS), implied)
+    if not called:
+        return ""
+    known = {spelling: p for p in _parameters(called) for spelling in p.opts}
+    at = 0
+    while words[at : at + 1] and words[at].startswith("-") and not is_sentence(words[at:]):
+        name, equals, _ = words[at].partition("=")
+        if name not in known:
+            return ""
+        is_flag = getattr(known[name], "is_flag", False)
+        at += 1 if is_flag or equals else 2
+    call = [*words[at:], *words[:at]]
+    if not at or not (words[at:] and (words[at] == called or is_sentence(words[at:]))):
+        return ""
+    if any(quote(word) != word for word in call):
+        return help_of(called)
+    return call_of(*_with_values(call))
+
+
+def _with_values(words: list[str]) -> list[str]:
+    """The words of a call as a mention has them: an option whose value has a = is one word."""
+    mentioned: list[str] = []
+    for word in words:
+        if "=" in word and mentioned and mentioned[-1].startswith("--"):
+            mentioned[-1] = f"{mentioned[-1][2:]}={word}"
+        else:
+            mentioned.append(word[2:] if word.startswith("--") and "=" in word else word)
+    return mentioned
+
+
+def _takers(name: str) -> list[str]:
+    """The commands that have an option."""
+    return [c for c in COMMANDS if any(name in p.opts for p in _parameters(c))]
+
+
+def _parameters(called: str) -> list[click.Parameter]:
+    top = context()
+    return (commands.get_command(top, called) or commands).get_params(top)
+
+
+def one_line(text: str) -> str:
+    """One printable line of bounded length."""
+    text = " ".join(text.split())
+    return quote(text) if not text.isprintable() or len(text) > 300 else text

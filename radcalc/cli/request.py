@@ -1,0 +1,44 @@
+"""What a command is asked for, beside its inputs."""
+
+from typing import Any, NamedTuple
+
+from radcalc.cli import check, line_options
+from radcalc.errors import UsageError
+
+
+class Request(NamedTuple):
+    """What is asked of the answer: some results, the derivation, whether a number is right.
+
+    `lines` are the options for lines of standard input, of a command that takes these; `plot` is
+    where the picture goes, of one that has one.
+    """
+
+    wanted: tuple[str, ...]
+    steps: bool
+    check: str | None
+    tolerance: str | None
+    lines: line_options.LineOptions | None = None
+    plot: str = ""
+
+    @classmethod
+    def of(cls, values: dict[str, Any], takes_lines: bool) -> "Request":
+        """Take it out of a command's values; refuse what has no use with --check, or without."""
+        asked = cls(*[values.pop(name) for name in cls._fields[:4]])
+        asked = asked._replace(plot=values.pop("plot", None) or "")
+        if takes_lines:
+            line_values = [values.pop(name) for name in line_options.LineOptions._fields]
+            asked = asked._replace(lines=line_options.LineOptions(*line_values))
+        check.refuse_idle(asked.check, asked.tolerance)
+        if asked.check is not None and asked.wanted:
+            raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
+        return asked
+
+    def wants(self, name: str) -> bool:
+        """Return whether a result is asked for by its name."""
+        from radcalc.calculators.results import name_of
+
+        names = [*self.wanted, (self.check or "").replace("=", ":")]
+        return name in map(name_of, names)
+
+
+TO_TERMINAL = "-"  # --plot without a file

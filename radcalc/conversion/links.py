@@ -1,0 +1,316 @@
+"""What stands between two different quantities, and which of the given conditions supply it.
+
+The two quantities' facts (kind, axis of density, time, area and solid angle) are compared, and
+each difference needs a condition.  Area and solid angle go together and can be bridged in several
+ways: those are the rows of `WAYS`.  Where nothing given is enough, what is missing is named; a
+condition without use, or one too many, is refused as well.
+"""
+
+from collections.abc import Sequence
+
+from radcalc.conversion import geometric
+from radcalc.conversion.bridge import Bridge, Links
+from radcalc.conversion.conditions import (
+    AREA,
+    CONE,
+    DISTANCE,
+    LINK,
+    PUPIL,
+    REFLECTANCE,
+    RESPONSIVITY,
+    TIME,
+    Conditions,
+)
+from radcalc.conversion.ways import (
+    DISC,
+    FAR,
+    FLUX,
+    INTENSITY,
+    IRRADIANCE,
+    PLAIN,
+    RADIANCE,
+    REFLECTED,
+    WAYS,
+    Way,
+    ways_between,
+)
+from radcalc.errors import (
+    ConditionError,
+    ConversionError,
+    RadcalcError,
+    command,
+    option,
+    options,
+    quote,
+)
+from radcalc.inputs.given import Input
+from radcalc.maths import any_true
+from radcalc.quantities.light import (
+    NONE,
+    PHOTON_NAMES,
+    RADIANT,
+    Reading,
+    coherent_text,
+    is_incident,
+    read,
+)
+from radcalc.units.dimensions import (
+    ANGLE,
+    CHARGE,
+    CURRENT,
+    PER_TIME,
+    SOLID_ANGLE,
+)
+from radcalc.units.unit import Unit
+
+# ---------------------------------------------------------------------------------------------
+# Area and solid angle
+
+
+def _space(bridge: "Bridge", start: Reading, end: Reading) -> Links:
+    """Link flux, intensity, irradiance and radiance."""
+    conditions = bridge.conditions
+    given = {slot for slot in PLAIN if slot in conditions.given}
+    here, there = start.geometry[1:], end.geometry[1:]
+    if here == there:
+        return _surface(bridge)
+    ways, sign = ways_between(here, there)
+    if bridge.source.is_exitance or bridge.target.is_exitance:
+        # what leaves the source's surface: nothing is on the way yet
+        ways = tuple(way for way in ways if not {DISTANCE, REFLECTANCE} & set(way.powers))
+    elif ways is WAYS[IRRADIANCE, RADIANCE] and _is_round(conditions, given):
+        return _applied(DISC, sign, conditions)
+    if {here, there} == {INTENSITY, IRRADIANCE} and given == {AREA, CONE}:
+        _refuse_two_meanings(bridge, start)
+    complete = [way for way in ways if given.issuperset(way.powers)]
+    if len(complete) > 1:
+        flags = options((conditions.given[slot].name for slot in PLAIN if slot in given), " and ")
+        raise ConditionError(f"{bridge.heading}: over-specified by {flags}", "fewer of them")
+    if not complete:
+        _want_space(bridge, ways, given, start.is_radiance or end.is_radiance)
+        return []
+    if DISTANCE in given and DISTANCE not in complete[0].powers and CONE not in given:
+        # no way uses the distance: the cone of the lamp is missing
+        lamps = [way for way in ways if set(way.powers) == {CONE, DISTANCE}]
+        if lamps:
+            bridge.want_space(lamps, {DISTANCE})
+            return []
+    return _applied(complete[0], sign, conditions)
+
+
+def _want_space(bridge: "Bridge", ways: Sequence[Way], given: set[str], is_radiance: bool) -> None:
+    """Ask for the conditions that a way between geometries lacks."""
+    if is_radiance and given == {DISTANCE} and any(way.supply is FAR for way in ways):
+        bridge.conditions.take(DISTANCE)
+        bridge.lacking["size"] = (
+            "the size of the source",
+            f"{option('radius', 'R')} or {option('area', 'A')}",
+        )
+    else:
+        bridge.want_space(ways, given)
+
+
+def _is_round(conditions: Conditions, given: set[str]) -> bool:
+    """Whether a disc that faces the receiver is given: by its radius or diameter, from afar."""
+    is_exact = given == {AREA, DISTANCE} and "tilt" not in conditions.given
+    return is_exact and conditions.given[AREA].name != "area"
+
+
+def _refuse_two_meanings(bridge: "Bridge", start: Reading) -> None:
+    """Refuse a cone beside an area, where nothing tells what is uniform over it.
+
+    By way of the flux it is the intensity, by way of the radiance the radiance.
+    """
+    area, cone = (bridge.conditions.given[slot] for slot in (AREA, CONE))
+    if cone.name not in geometric.PROJECTED:
+        return
+    first, second = (cone, area) if start.solid_angle else (area, cone)
+    by_flux = coherent_text(start._replace(area=0, solid_angle=0))
+    by_radiance = coherent_text(start._replace(area=1, solid_angle=1))
+    steps = [
+        f"{command('convert', bridge.amount, unit, **{step.name: quote(step.text)})} "
+        f"and then {option(then.name, quote(then.text))}, for a uniform {what}"
+        for unit, step, then, what in (
+            (by_flux, first, second, "intensity"),
+            (by_radiance, second, first, "radiance"),
+        )
+    ]
+    raise ConversionError(
+        f"{bridge.heading}: over {option(cone.name, quote(cone.text))} the intensity may be "
+        "uniform, or the radiance, and the answers differ",
+        "; or ".join(steps),
+    )
+
+
+def _applied(way: Way, sign: int, conditions: Conditions) -> Links:
+    """Return the factors of a way; nothing follows from no light."""
+    links = [(way.supply[slot](conditions), power * sign) for slot, power in way.powers.items()]
+    if way.is_tilted and (tilt := conditions.use("tilt")):
+        links.append((geometric.turned(tilt), way.powers[AREA] * sign))
+    for factor, power in links:
+        if power < 0 and any_true(factor.value == 0):
+            raise ConditionError(
+                f"{factor.assumption}: no light arrives, so nothing follows from it",
+                "a reflectance above 0, and an incidence or a tilt below 90 deg",
+            )
+    return links
+
+
+def _incidence(bridge: "Bridge", start: Reading, end: Reading) -> Links:
+    """Return how a surface is turned that a given irradiance lights: E cos(theta) reaches it."""
+    conditions = bridge.conditions
+    if "incidence" not in conditions.given or DISTANCE in conditions.given:
+        return []
+    if start.geometry[1:] != IRRADIANCE or bridge.source.is_exitance:
+        return []
+    here = end.geometry[1:]
+    reflects = REFLECTANCE in conditions.used
+    is_lit = here == FLUX or (here == RADIANCE and reflects)
+    if is_lit or (here == IRRADIANCE and bridge.target.is_exitance == reflects):
+        return [(geometric.turned(conditions.take("incidence")), 1)]
+    return []
+
+
+# ---------------------------------------------------------------------------------------------
+# What is missing
+
+
+# ---------------------------------------------------------------------------------------------
+# Everything between two quantities
+
+
+def link(source: Unit, target: Unit, given: Sequence[Input], number: str = "1") -> Links:
+    """Find the factors, with their powers, that turn the source's quantity into the target's."""
+    bridge = Bridge(source, target, given, number)
+    start, end = _behind_detector(source), _behind_detector(target)
+    links: Links = []
+    if source.dimension == target.dimension:
+        links += _surface(bridge)
+        if start and end:
+            links += _incidence(bridge, start, end)
+    elif start is None or end is None:
+        links += _width(bridge)
+    else:
+        if (start.kind, start.axis) != (end.kind, end.axis):
+            from radcalc.conversion import spectral  # with the tables of the observers
+
+            links += spectral.between(bridge, start, end)
+        links += _time(bridge, start, end)
+        links += _pupil(bridge, start, end)
+        links += _detector(bridge)
+        links += _space(bridge, start, end)
+        links += _incidence(bridge, start, end)
+    bridge.refuse()
+    return links
+
+
+def _surface(bridge: Bridge) -> Links:
+    """Between what arrives at a surface and what leaves it."""
+    units = (bridge.source, bridge.target)
+    arriving = [unit for unit in units if not unit.is_exitance]
+    if len(arriving) != 1:
+        return []
+    if REFLECTANCE in bridge.conditions.given:
+        return _applied(REFLECTED, 1 if bridge.target.is_exitance else -1, bridge.conditions)
+    if is_incident(arriving[0]):
+        bridge.want(REFLECTANCE)
+    return []
+
+
+def _width(bridge: Bridge) -> Links:
+    """Between the widths of one narrow band in wavelength, frequency and wavenumber."""
+    given = bridge.conditions.given.get(LINK)
+    if given is not None and given.name == "wavelength":
+        from radcalc.conversion import spectral
+
+        factor = spectral.width(bridge, given)
+        if factor is not None:
+            return [(factor, -1)]
+    raise _unlike(bridge)
+
+
+def _unlike(bridge: Bridge) -> RadcalcError:
+    """Refuse two quantities of which one is no light quantity: no condition links them."""
+    source, target, heading = bridge.source, bridge.target, bridge.heading
+    if PER_TIME in (source.dimension, target.dimension):
+        hint = "Hz, or cycle/s, for a frequency"
+        if source.dimension == PER_TIME:
+            per = source.text.removeprefix("1")
+            cycles = f"cycle{per}" if per.startswith("/") else f"cycle.{source.text}"
+            hint = command("convert", f"{bridge.number} {quote(cycles)}", quote(target.text))
+        return ConversionError(f"{heading}: a frequency counts cycles", hint)
+    if source.dimension in PHOTON_NAMES and target.dimension in PHOTON_NAMES:
+        return ConversionError(
+            f"{heading}: no condition links them, but a photon has both",
+            command(
+                "photon",
+                bridge.amount,
+                get=f"{PHOTON_NAMES[target.dimension]}:{quote(target.text)}",
+            ),
+        )
+    if {source.dimension, target.dimension} == {ANGLE, SOLID_ANGLE}:
+        name = "half-angle" if source.dimension == ANGLE else "solid-angle"
+        return ConversionError(
+            f"{heading}: no condition links them, a solid angle depends on the shape",
+            command("solid-angle", "cone", **{name: bridge.amount}),
+        )
+    hint = f"{command('units', 'UNIT')}, which shows what a unit measures"
+    if notes := source.notes + target.notes:
+        hint = "; ".join(notes)
+    elif target.atoms and all(power < 0 for _, power in target.atoms):
+        both = f"{source.text} {target.text}"
+        hint = f"quotes around '{quote(both)}', if that is one unit"
+    return ConversionError(
+        f"{heading}: they are different quantities, and no condition links them", hint
+    )
+
+
+def _time(bridge: Bridge, start: Reading, end: Reading) -> Links:
+    """Between energy and flux, exposure and irradiance."""
+    if start.time == end.time:
+        return []
+    given = bridge.conditions.use(TIME)
+    if given is None:
+        bridge.want(TIME)
+        return []
+    return [(geometric.duration(given), end.time - start.time)]
+
+
+ELECTRIC = {CURRENT: 0, CHARGE: 1}  # with the power of time beside that of a flux
+
+
+def _behind_detector(unit: Unit) -> Reading | None:
+    """Return the facts of a light quantity; of a current those of the flux that makes it."""
+    if unit.dimension in ELECTRIC:
+        return Reading(RADIANT, ELECTRIC[unit.dimension], 0, 0, NONE)
+    return read(unit)
+
+
+def _detector(bridge: Bridge) -> Links:
+    """Between the light on a detector and the current that it gives."""
+    from_current = bridge.source.dimension in ELECTRIC
+    if from_current == (bridge.target.dimension in ELECTRIC):
+        return []
+    given = bridge.conditions.use(RESPONSIVITY)
+    if given is None:
+        bridge.want(RESPONSIVITY)
+        return []
+    factor = geometric.responsivity(given)
+    link = bridge.conditions.given.get(LINK)
+    if link and link.name == "wavelength":
+        from radcalc.conversion import spectral
+
+        energy = spectral.light(link, None).photon_energy
+        factor = factor._replace(notes=geometric.yield_of(given.value, energy))
+    return [(factor, -1 if from_current else 1)]
+
+
+def _pupil(bridge: Bridge, start: Reading, end: Reading) -> Links:
+    """Between luminance and trolands."""
+    if start.retinal == end.retinal:
+        return []
+    given = bridge.conditions.use(PUPIL)
+    if given is None:
+        bridge.want(PUPIL)
+        return []
+    return [(geometric.pupil(given), 1 if end.retinal else -1)]

@@ -1,0 +1,1 @@
+"""Files of text, and tables of columns in them."""

@@ -1,0 +1,145 @@
+"""Columns of numbers in text: what separates them, decimal commas, the units in their titles."""
+
+import re
+from collections.abc import Sequence
+
+DELIMITERS = ("\t", ";", "|", ",")
+COMMENTS = ("#", "%", "//", ";;")
+COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
+THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2},\d{3}")
+MARKS = "points or commas in all numbers, and no separators of thousands"
+IN_BRACKETS = re.compile(r"\[([^\[\]]*)\]|\(((?:[^()]|\([^()]*\))*)\)")  # W/(m2 nm) has its own
+
+
+def dialect(line: str) -> tuple[str | None, bool]:
+    """The delimiter of a line (None: blanks) and whether its numbers have a decimal comma."""
+    for delimiter in DELIMITERS[:3]:
+        if delimiter in line:
+            return delimiter, "," in line
+    if "," in line:
+        parts = line.split()
+        if len(parts) > 1 and all(is_number(part, True) and part[-1] != "," for part in parts):
+            return None, True
+        return ",", False
+    return None, False
+
+
+def cells(line: str, delimiter: str | None) -> list[str]:
+    """Return the cells of a line, without blanks and quotes around them."""
+    if delimiter and '"' in line:
+        import csv
+
+        try:
+            parts = next(csv.reader([line], delimiter=delimiter))
+        except csv.Error:  # a cell of more than 128 KiB
+            parts = line.split(delimiter)
+    else:
+        parts = line.split(delimiter)
+    return [cell.strip().strip('"').strip() for cell in parts]
+
+
+def is_comment(line: str) -> bool:
+    """Check whether a line is a comment."""
+    return line.lstrip().startswith(COMMENTS)
+
+
+def comment_text(line: str) -> str:
+    """Return what a comment says."""
+    return line.lstrip("#%/; \t")
+
+
+def titles_in_comments(
+    comments: Sequence[str], width: int, delimiter: str | None = None
+) -> list[str]:
+    """The titles of so many columns in the last of the comments' texts that has them; or none."""
+    for comment in reversed(comments):
+        titles = cells(comment, delimiter or dialect(comment)[0])
+        if len(titles) == width and not is_number(titles[0], False):
+            return titles
+    return []
+
+
+def has_odd_digits(text: str) -> bool:
+    """Whether float() might read in a text what no file means: 5_50, and other scripts' digits."""
+    return not text.isascii() or "_" in text
+
+
+def finite_numbers(texts: Sequence[str]) -> list[float]:
+    """Return the numbers that many texts are; ValueError where any is none, NaN or infinity."""
+    values = list(map(float, texts))
+    total = sum(values)
+    if total - total:
+        raise ValueError
+    return values
+
+
+def is_number(cell: str, comma: bool) -> bool:
+    """Check whether a cell is a number, NaN and infinity among them."""
+    if has_odd_digits(cell):
+        return False
+    try:
+        float(cell.replace(",", ".") if comma else cell)
+    except ValueError:
+        return False
+    return True
+
+
+def finite(cell: str, comma: bool) -> float | None:
+    """Return the number that a cell is; None for anything else, NaN and infinity among it."""
+    if not is_number(cell, comma):
+        return None
+    value = float(cell.replace(",", ".") if comma else cell)
+    return value if value - value == 0 else None
+
+
+def numbers_at_once(text: str, cells: Sequence[str]) -> list[float] | None:
+    """Return the numbers of a text's cells; None where they have to be read one by one."""
+    if has_odd_digits(text):
+        return None
+    try:
+        return finite_numbers(cells)
+    except ValueError:
+        return None
+
+
+class Decimals:
+    """Whether the numbers of a file have decimal points or commas; 1,000 might be a thousand."""
+
+    def __init__(self) -> None:
+        self.point = self.comma = 0  # the lines that first had one
+        self.doubtful: (
+            tuple[int, str] | tuple[()]
+        ) = ()  # the first number that may be either: its line and text
+
+    def conflict(self, text: str, line: int) -> str:
+        """Take note of a number; say what is wrong where others have the other mark."""
+        if "." in text:
+            self.point = self.point or line
+        elif THOUSANDS.fullmatch(text):
+            self.doubtful = self.doubtful or (line, text)
+        elif COMMA.fullmatch(text):
+            self.comma = self.comma or line
+        comma = self.comma or (self.doubtful[0] if self.doubtful else 0)
+        if not (self.point and comma):
+            return ""
+        mark, other_mark = ("point", "comma") if line == self.point else ("comma", "point")
+        return f"a decimal {mark}, but line {min(self.point, comma)} has a decimal {other_mark}"
+
+    def doubt(self) -> tuple[int, str] | tuple[()]:
+        """The line of a number that may be a thousand, unless others tell; what is wrong there."""
+        if self.comma or not self.doubtful:
+            return ()
+        line, text = self.doubtful
+        return line, f"'{text}' may be a thousand or a decimal"
+
+
+def plain(title: str) -> str:
+    """A title in small letters, with one kind of micro and of degrees."""
+    return title.strip().lower().replace("µ", "u").replace("μ", "u").replace("º", "°")
+
+
+def units_in(title: str) -> tuple[list[str], list[str]]:
+    """What may be the unit in a title: the texts in brackets, the last first; its last words."""
+    brackets = ["".join(filter(None, bracketed)) for bracketed in IN_BRACKETS.findall(title)][::-1]
+    words = title.split()
+    return brackets, [" ".join(words[start:]) for start in range(len(words))]

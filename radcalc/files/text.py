@@ -1,0 +1,147 @@
+"""The lines of a file of numbers, a block at a time, whatever their encoding and their ends.
+
+And where in it something is wrong: its name and the line.
+"""
+
+import codecs
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from radcalc import terminal
+from radcalc.errors import ConditionError, quote_path
+
+ENDINGS = (".csv", ".tsv", ".txt", ".dat")  # of files of columns
+
+BLOCK = 1 << 20  # bytes read at a time
+LONGEST = 1 << 22  # bytes of a line
+MOST_BYTES = 1 << 29  # of a file
+MARKS = {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}
+
+Lines = list[str]
+
+
+def refusal(name: str, number: int, problem: str, hint: str) -> ConditionError:
+    """Return the error of a file, with the line (0: of none) that is wrong."""
+    return ConditionError(f"{where(name, number)}: {problem}", hint)
+
+
+def where(name: str, number: int) -> str:
+    """Return how a line of a file is told (0: of none)."""
+    return f"{name}, line {number}" if number else name
+
+
+def _lines(text: str) -> Lines:
+    """The lines of a text; str.splitlines would also cut at the \\x85 of Latin-1 and others."""
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    lines = text.split("\n")
+    if not lines[-1]:
+        lines.pop()
+    return lines
+
+
+@contextmanager
+def reading(path: str, expected: str) -> Iterator[tuple[str, Callable[[int], bytes]]]:
+    """The name of a file, of a pipe or (-) of standard input, and what reads it piece by piece.
+
+    Raises ConditionError where it cannot be read; `expected` is what it should be.
+    """
+    if path == "-":
+        yield "stdin", terminal.read
+        return
+    with readable(path, expected) as name, open(path, "rb", buffering=0) as file:
+        yield name, file.read
+
+
+@contextmanager
+def readable(path: str, expected: str) -> Iterator[str]:
+    """Return the name of a file in messages, while it is opened and read.
+
+    Raises ConditionError for what goes wrong then; `expected` is what it should be.
+    """
+    name = quote_path(path)
+    if "\0" in path:
+        raise ConditionError(f"cannot read {name}: no name of a file", expected)
+    try:
+        yield name
+    except OSError as error:
+        raise ConditionError(f"cannot read {name}: {error.strerror}", expected) from None
+
+
+class Text:
+    """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
+
+    def __init__(
+        self,
+        name: str,
+        read: Callable[[int], bytes],
+        row: str,
+        largest: float = MOST_BYTES,
+    ) -> None:
+        """Hold what reads so many bytes of the file, none at its end.
+
+        A `row` should have that; the file may have so many bytes.
+        """
+        self.name = name
+        self.read = read
+        self.row = row
+        self.largest = largest
+        self.encoding = "utf-8-sig"
+        self.note = ""
+
+    def blocks(self) -> Iterator[tuple[int, Lines]]:
+        """Return the lines, many at a time, and the number of the first of them."""
+        number, size, rest = 1, 0, b""
+        read = filter(None, self._in_utf8())
+        while True:
+            data = next(read, b"")
+            size += len(data)
+            if size > self.largest:
+                raise refusal(self.name, 0, f"more than {self.largest} bytes", "fewer rows")
+            ends = data.replace(b"\r\n", b"\n\n") if b"\r" in data else data
+            cut = max(ends.rfind(b"\n"), ends.rfind(b"\r", 0, -1)) + 1 if data else 0
+            whole, rest = (rest + data[:cut], data[cut:]) if cut else (b"", rest + data)
+            if not data:
+                whole = rest
+            elif len(rest) > LONGEST:
+                problem = f"a line of more than {LONGEST} bytes"
+                raise refusal(self.name, number, problem, f"{self.row} in every row")
+            if whole:
+                lines = _lines(self._decoded(whole))
+                yield number, lines
+                number += len(lines)
+            if not data:
+                return
+
+    def _in_utf8(self) -> Iterator[bytes]:
+        """Return the bytes of the file; of one in UTF-16 those that it would have in UTF-8."""
+        data = self.read(BLOCK)
+        if data[:2] not in MARKS:
+            while data:
+                yield data
+                data = self.read(BLOCK)
+            return
+        decoder = codecs.getincrementaldecoder("utf-16")()
+        while data:
+            yield self._from_utf16(decoder, data)
+            data = self.read(BLOCK)
+        yield self._from_utf16(decoder, b"")
+
+    def _from_utf16(self, decoder: codecs.IncrementalDecoder, data: bytes) -> bytes:
+        try:
+            return decoder.decode(data, not data).encode()
+        except UnicodeDecodeError:
+            problem = "not UTF-16 text, which its byte order mark says it is"
+            raise refusal(self.name, 0, problem, "the whole file, or one in UTF-8") from None
+
+    def _decoded(self, data: bytes) -> str:
+        """Return the text of whole lines; from the first that is not UTF-8 on they are Latin-1."""
+        try:
+            text = data.decode(self.encoding)
+        except UnicodeDecodeError:
+            self.encoding = "latin-1"
+            self.note = "the text is not UTF-8, and read as Latin-1"
+            return data.decode(self.encoding)
+        if self.encoding == "utf-8-sig":
+            self.encoding = "utf-8"
+        return text

@@ -1,0 +1,1 @@
+"""Inputs: what somebody gave for a symbol, read and held to its limits."""

@@ -1,0 +1,228 @@
+"""An input, and what calculators ask of their inputs."""
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from radcalc import maths
+from radcalc.answer import ShownInput
+from radcalc.derivation import format_number
+from radcalc.errors import ConditionError, Exclusive, Impossible, MissingInput, option, quote
+from radcalc.maths import SLACK
+from radcalc.quantities.symbols import (
+    FLAG,
+    LINKS,
+    QUANTITY,
+    REFINEMENTS,
+    SPECTRUM,
+    SYMBOLS,
+    Limits,
+    Symbol,
+)
+from radcalc.units.numbers import rounding
+from radcalc.units.unit import NUMBER, Dimension, Unit
+
+if TYPE_CHECKING:
+    from radcalc.units.parts import Part
+
+
+class DigitsMatter(Exception):
+    """Raised where an answer depends on the digits with which each of several numbers was typed."""
+
+
+class Input(NamedTuple):
+    """A value that was given: the symbol, the text as typed, the value in SI units.
+
+    `number` and `unit` are those typed, a reading and a `ScaleUnit` on a scale; `is_exact` marks
+    a Python number, which has no text.  `uncertainty` is the standard uncertainty in SI units,
+    and `variable` the number of the `uncertainties` package that carries it; `assumptions` say how
+    the text was read.  `off` is the relative rounding error of an expression as typed, and `parts`
+    are the shares of its uncertain numbers, or of a reading, in `unit`.
+    """
+
+    symbol: Symbol
+    text: str
+    value: Any
+    dimension: Dimension = NUMBER
+    number: Any = None
+    unit: Unit | None = None
+    is_exact: bool = False
+    uncertainty: float = 0.0
+    assumptions: tuple[str, ...] = ()
+    variable: Any = None
+    off: float | None = None
+    parts: "tuple[Part, ...]" = ()
+
+    @property
+    def name(self) -> str:
+        """The symbol's name."""
+        return self.symbol.name
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Check for an uncertainty, also of an expression whose slope is 0."""
+        return bool(self.uncertainty or self.parts)
+
+    @property
+    def unit_text(self) -> str:
+        """The unit as typed; for a bare number 1."""
+        return self.unit.text if self.unit else "1"
+
+    def text_where(self, condition: Any) -> str:
+        """Return the text; of an array that of the elements for which a condition holds."""
+        if not maths.is_array(self.number):
+            return self.text
+        return self.text_of(maths.chosen(self.number, condition))
+
+    def text_of(self, numbers: Any) -> str:
+        """Return the range of an array, with the unit behind it as it is in the text."""
+        range_text, unit = format_number(numbers), self.unit_text
+        if self.unit is None or not self.text.endswith(unit):
+            return range_text
+        blank = " " if self.text.removesuffix(unit).endswith(" ") else ""
+        return f"{range_text}{blank}{unit}"
+
+    @property
+    def size(self) -> float:
+        """Size of a single number [SI]; that of an uncertain spectrum is its parameter."""
+        if self.symbol.form == SPECTRUM:
+            return float(self.number * self.unit.factor if self.unit else self.number)
+        return float(self.value)
+
+    @property
+    def rounding(self) -> float:
+        """Relative rounding error of the value as typed; counted things are exact.
+
+        An array of typed numbers has no such value, and raises DigitsMatter.
+        """
+        if self.is_exact or self.name in COUNTS:
+            return 0.0
+        if maths.is_array(self.number):
+            raise DigitsMatter
+        if self.uncertainty:
+            return abs(self.uncertainty / self.value) if self.value else 0.0
+        if self.unit and self.unit.is_scale:
+            off = rounding(self.text) * abs(self.number)
+            slope, quantity = self.unit.slope(self.number), self.unit.quantity(self.number)
+            return float(abs(off * slope / quantity))
+        return rounding(self.text) if self.off is None else self.off
+
+
+Inputs = dict[str, Input]
+COUNTS = ("luminaires",)  # counted things: 12 is not 12.0
+
+
+def shown_inputs(given: Inputs) -> tuple[ShownInput, ...]:
+    """Return the inputs as an answer shows them; a place by its coordinates."""
+    return tuple([row for item in given.values() for row in _shown_as(item)])
+
+
+def _shown_as(given: Input) -> list[ShownInput]:
+    form = given.symbol.form
+    if form == QUANTITY:
+        off = given.uncertainty and given.uncertainty / float(
+            given.unit.factor if given.unit else 1
+        )
+        if given.unit and given.unit.is_scale:
+            off /= abs(given.unit.slope(given.number))
+        return [ShownInput(given.name, given.number, given.unit_text, given.text, off)]
+    if form == FLAG:
+        return [ShownInput(given.name, True)]
+    if given.name == "point":
+        axes = zip("xyz", given.value, strict=True)
+        return [ShownInput(axis, metres, "m") for axis, metres in axes]
+    return [ShownInput(given.name, text=given.text)]
+
+
+def any_uncertain(given: Iterable[Input]) -> bool:
+    """Check whether any input has an uncertainty."""
+    return any(item.is_uncertain for item in given)
+
+
+def refuse_uncertain(given: Iterable[Input], what: str) -> None:
+    """Refuse uncertain inputs where `what` does not carry uncertainties."""
+    for item in given:
+        if item.is_uncertain:
+            option_text = option(item.name, quote(item.text))
+            problem = f"{option_text} has an uncertainty, which {what} does not carry"
+            raise ConditionError(problem, "the value alone")
+
+
+def check_limits(given: Input, limits: Limits) -> None:
+    """Refuse a value outside limits, naming the limit.
+
+    A value of 0 or less of a symbol that starts above 0 gets that limit alone.
+    """
+    value = given.value
+    low, high = limits.low, limits.high
+    below = value <= low if limits.without_low else value < low - SLACK * abs(low)
+    above = value >= high if limits.without_high else value > high * (1 + SLACK)
+    if below is above is False:  # as of nearly every number
+        return
+    if maths.any_true(below):
+        limit_text = limits.said
+        if low == 0 and limits.without_low:
+            limit_text = "more than 0"
+        raise Impossible(given.name, given.text, limit_text)
+    if maths.any_true(above):
+        raise Impossible(given.name, given.text, limits.said)
+
+
+def require(given: Input, good: bool, limit: str) -> None:
+    """Refuse a value that the case at hand makes impossible, naming the limit."""
+    if not good:
+        raise Impossible(given.name, given.text, limit)
+
+
+def split_by_light(given: Inputs) -> tuple[Inputs, Inputs, Inputs]:
+    """Split inputs into light quantities, links between kinds of light, and the rest."""
+    quantities = {n: item for n, item in given.items() if item.symbol.generic}
+    links = {n: item for n, item in given.items() if n in (*LINKS, *REFINEMENTS)}
+    rest = {n: item for n, item in given.items() if n not in quantities and n not in links}
+    return quantities, links, rest
+
+
+def at_most_one(inputs: Inputs, what: str, *names: str) -> Input | None:
+    """Return the given one of several inputs, or None; refuse two."""
+    matches = [inputs[name] for name in names if name in inputs]
+    if len(matches) > 1:
+        given_names = [match.name for match in matches]
+        raise Exclusive(given_names, f"contradict each other: both give {what}")
+    return matches[0] if matches else None
+
+
+def one_of(inputs: Inputs, what: str, *names: str) -> Input:
+    """Return the given one of several inputs; refuse none and two."""
+    match = at_most_one(inputs, what, *names)
+    if match is None:
+        examples = " or ".join(option(name, SYMBOLS[name].example) for name in names)
+        raise MissingInput(f"{what} is missing", examples)
+    return match
+
+
+def radius_of(given: Input) -> Any:
+    """Return a radius [m] that was given as such or as a diameter."""
+    return given.value / (2 if given.name.endswith("diameter") else 1)
+
+
+def half_angle_of(given: Input, most: int = 180) -> Any:
+    """Return a half angle [rad] of at most so many degrees, given as such or as an apex angle."""
+    factor = 2 if given.name == "apex-angle" else 1
+    limit = Limits(0.0, math.radians(factor * most), f"at most {factor * most} deg", True)
+    check_limits(given, limit)
+    return given.value / factor
+
+
+def angle_of(inputs: Inputs, name: str) -> Any:
+    """Return an angle from a normal [rad] without its sign; 0 where none is given."""
+    return abs(inputs[name].value) if name in inputs else 0.0
+
+
+def offset_of(inputs: Inputs, name: str = "offset") -> Any:
+    """Return a sideways distance [m]; 0 where none is given."""
+    return inputs[name].value if name in inputs else 0.0
+
+
+def runs_backwards(symbol: Symbol, text: str, hint: str) -> ConditionError:
+    """Return the refusal of an interval that ends before it starts."""
+    return ConditionError(f"{option(symbol.name, quote(text))} ends before it starts", hint)

@@ -1,0 +1,294 @@
+"""Readers of directions, points and grids."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from operator import index
+from typing import Any
+
+from radcalc import maths
+from radcalc.errors import (
+    ConditionError,
+    Impossible,
+    MissingInput,
+    NumberError,
+    RadcalcError,
+    option,
+    quote,
+)
+from radcalc.inputs.given import Input
+from radcalc.inputs.quantities import is_number_with_unit
+from radcalc.maths import LARGEST, SLACK
+from radcalc.quantities.light import describe
+from radcalc.quantities.symbols import (
+    DIRECTION,
+    GRID,
+    NUMBERS,
+    PAIR,
+    POINT,
+    SYMBOLS,
+    VECTOR,
+    Symbol,
+)
+from radcalc.units.amounts import split_value
+from radcalc.units.dimensions import ANGLE, LENGTH
+from radcalc.units.numbers import parse_number
+from radcalc.units.table import resolve
+from radcalc.units.unit import Unit, divide
+
+Point = tuple[float, float, float]
+
+
+def read_point(text: str, what: str) -> Point:
+    """Read X,Y,Z, three bare numbers in any one unit; `what` names the text in a refusal."""
+    hint = "X,Y,Z, in one unit that is not written: 1,0,0.5"
+    x, y, z = _read_bare(text, what, 3, "coordinate", hint)
+    return x, y, z
+
+
+def read_vector(text: str, what: str) -> Point:
+    """Read X,Y,Z that are not all 0, as for a point."""
+    vector = read_point(text, what)
+    if not any(vector):
+        raise ConditionError(
+            f"{what} '{quote(text)}' has no direction", "a vector other than 0: 1,0,0.5"
+        )
+    return vector
+
+
+def read_direction(text: str, what: str) -> tuple[float, float]:
+    """Read POLAR or POLAR,AZIMUTH, angles with their units, or a vector X,Y,Z of bare numbers.
+
+    Returns the polar angle, from 0 to pi, and the azimuth, from 0 to below 2 pi [rad], as
+    `radcalc.geometry.directions` counts them.  `what` names the text in a refusal.
+    """
+    from radcalc.geometry.directions import TURN, spherical
+
+    parts = text.split(",")
+    if len(parts) > 2:
+        polar, azimuth, _ = spherical(*read_vector(text, what))
+        return polar, azimuth
+    polar, azimuth = (*(_read_angle(part, text, what) for part in parts), 0.0)[:2]
+    if not 0 <= polar <= math.pi * (1 + SLACK):
+        raise ConditionError(
+            f"{what} '{quote(text)}' has a polar angle that is not from 0 to 180 deg", AS_DIRECTION
+        )
+    azimuth %= TURN
+    return min(polar, math.pi), 0.0 if azimuth == TURN else azimuth  # of a hair below 0
+
+
+def require_azimuth(given: Input, why: str) -> None:
+    """Refuse a direction with a polar angle alone, unless it is a pole."""
+    if given.value[0] % math.pi and "," not in given.text:
+        typed = quote(given.text)
+        problem = f"{option(given.name, typed)} has no azimuth, and {why}"
+        raise MissingInput(problem, option(given.name, f"{typed},90deg"))
+
+
+AS_DIRECTION = "angles with their units, 60deg or 60deg,90deg, or X,Y,Z without: 1,0,0.5"
+
+
+def _read_angle(text: str, direction: str, what: str) -> float:
+    """Read one of the angles of a direction [rad]."""
+    if ":" in text:
+        raise ConditionError(
+            f"{what} '{quote(direction)}' has a range where one angle is meant",
+            "one direction, or at a shell a range of polar angles: 0deg:90deg:15deg,90deg",
+        )
+    try:
+        number, unit_text = split_value(text)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(direction)}': {error.message}", AS_DIRECTION) from None
+    try:
+        unit = resolve(unit_text) if unit_text else None
+    except RadcalcError as error:
+        raise error.reworded(f"{what} '{quote(direction)}': {error.message}") from None
+    if unit is None or unit.dimension != ANGLE:
+        description = describe(unit) if unit else "a bare number"
+        raise ConditionError(
+            f"{what} '{quote(direction)}' has {description} where an angle is meant", AS_DIRECTION
+        )
+    angle = number * unit.factor
+    if abs(angle) > LARGEST:
+        raise NumberError(f"{what} '{quote(direction)}' has too large an angle", AS_DIRECTION)
+    return angle
+
+
+def direction_input(symbol: Symbol, value: Any) -> Input:
+    """Read a direction: one angle or two, or a vector."""
+    if is_number_with_unit(value) and maths.is_array(value[0]):
+        raise ConditionError(f"{option(symbol.name)} takes one direction at a time", AS_DIRECTION)
+    text = joined(value)
+    return Input(symbol, text, read_direction(text, option(symbol.name)))
+
+
+COUNTED = {2: "two", 3: "three", 4: "four"}
+
+
+def _read_bare(text: str, what: str, count: int, noun: str, hint: str) -> tuple[float, ...]:
+    """Read so many bare numbers between commas."""
+    parts = text.split(",")
+    if len(parts) != count:
+        how_many = f"{len(parts)} {noun}{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} '{quote(text)}' has {how_many}, not {COUNTED[count]}", hint)
+    try:
+        numbers = tuple(parse_number(part) for part in parts)
+    except NumberError as error:
+        raise NumberError(f"{what} '{quote(text)}': {error.message}", hint) from None
+    if max(map(abs, numbers)) > LARGEST:
+        raise NumberError(f"{what} '{quote(text)}' is beyond what radcalc reckons with", hint)
+    return numbers
+
+
+def joined(value: Any, mark: str = ",", number: Callable[[Any], Any] = float) -> str:
+    """Return Python numbers as they would be typed; the readers refuse anything else."""
+    if isinstance(value, str):
+        return value
+    if is_number_with_unit(value):
+        return f"{value[0]} {value[1].text}"
+    try:
+        return mark.join(str(number(item)) for item in value)
+    except (TypeError, ValueError, OverflowError):
+        return " ".join(str(value).split())
+
+
+def point_input(symbol: Symbol, value: Any) -> Input:
+    """Read a point in space."""
+    text = joined(value)
+    return Input(symbol, text, read_point(text, option(symbol.name)))
+
+
+def vector_input(symbol: Symbol, value: Any) -> Input:
+    """Read a vector, as a text or as three numbers."""
+    text = joined(value)
+    return Input(symbol, text, read_vector(text, option(symbol.name)))
+
+
+def numbers_input(symbol: Symbol, value: Any) -> Input:
+    """Read as many numbers as the symbol's example has."""
+    text, count = joined(value), len(symbol.example.split(","))
+    hint = option(symbol.name, symbol.example)
+    return Input(symbol, text, _read_bare(text, option(symbol.name), count, "number", hint))
+
+
+def pair_input(symbol: Symbol, value: Any) -> Input:
+    """Read two whole numbers with the mark of the example between them: 1024x512, or 0,0."""
+    mark = "x" if "x" in symbol.example else ","
+    text = joined(value, mark, index)
+    parts = [part.strip() for part in text.lower().replace("×", "x").split(mark)]
+    option_text = option(symbol.name, quote(text))
+    if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
+        problem = f"{option_text} is not two whole numbers with '{mark}' between them"
+        raise ConditionError(problem, option(symbol.name, symbol.example))
+    low, high, limit_text, *_ = symbol.limits
+    if not all(len(part) <= DIGITS and low <= int(part) <= high for part in parts):
+        raise Impossible(symbol.name, text, limit_text)
+    return Input(symbol, text, (int(parts[0]), int(parts[1])))
+
+
+DIGITS = 18  # of a whole number that is read at all
+IN_METRES = "coordinates without a unit are in metres"
+TOO_FAR = "a coordinate is beyond what radcalc reckons with", "up to 1e100"
+
+
+def read_coordinates(parts: Sequence[str]) -> tuple[tuple[float, ...], str]:
+    """Read coordinates that are all lengths or all bare; return them [m] and the first unit.
+
+    A 0 needs no unit next to lengths.
+    """
+    if any(":" in part for part in parts):
+        raise ConditionError("a coordinate is one number, not a range", "one point at a time")
+    numbers_and_units = [split_value(part) for part in parts]
+    units = [resolve(unit or "1") for _, unit in numbers_and_units]
+    first_unit = next((unit for _, unit in numbers_and_units if unit), "")
+    sizes = tuple(
+        _coordinate(part.strip(), number, unit_text, unit, first_unit)
+        for part, (number, unit_text), unit in zip(parts, numbers_and_units, units, strict=True)
+    )
+    if max(map(abs, sizes)) > LARGEST:
+        raise ConditionError(*TOO_FAR)
+    return sizes, first_unit
+
+
+def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit: str) -> float:
+    """Return a coordinate [m], rounded once; refuse a bare number where others have a unit."""
+    if unit_text and unit.dimension != LENGTH:
+        raise ConditionError(
+            f"a coordinate is a length or a bare number, not {describe(unit)}",
+            f"without {quote(unit_text)}",
+        )
+    if first_unit and not unit_text and number:
+        raise ConditionError(
+            f"'{quote(text)}' has no unit, and another coordinate has one",
+            f"{quote(text + first_unit)} in place of {quote(text)}",
+        )
+    over, under = number.as_integer_ratio()
+    return divide(over * unit.top, under * unit.bottom)
+
+
+def read_place(name: str, text: str, description: str = "") -> Input:
+    """Read X,Y,Z, the place [m] of a symbol: three lengths, or bare numbers of metres.
+
+    `description` is its name in messages, by default that of the symbol.
+    """
+    parts = text.split(",")
+    what = f"{description or f'the {name}'} '{quote(text)}'"
+    hint = "X,Y,Z, as 1,0,2 in metres, or 1m,0m,2m"
+    if len(parts) != 3:
+        count = f"{len(parts)} coordinate{'s' if len(parts) > 1 else ''}"
+        raise ConditionError(f"{what} has {count}, not three", hint)
+    try:
+        place, unit = read_coordinates(parts)
+    except RadcalcError as error:
+        raise error.reworded(f"{what}: {error.message}") from None
+    return Input(SYMBOLS[name], text, place, unit=resolve(unit) if unit else None)
+
+
+AS_GRID = "X0:X1:N,Y0:Y1:N,Z, as in 0:6:61,0:4:41,0.75"
+MOST_POINTS = 100_000_000  # of a grid
+
+
+def grid_input(symbol: Symbol, value: Any) -> Input:
+    """Read X0:X1:N,Y0:Y1:N,Z as start, end and count of three axes; each may be one place."""
+    text = joined(value)
+    what = f"{option(symbol.name)} '{quote(text)}'"
+    parts = [part.split(":") for part in text.split(",")]
+    if len(parts) != 3 or any(len(part) not in (1, 3) for part in parts):
+        raise ConditionError(f"{what} is no grid", AS_GRID)
+    try:
+        ends, unit = read_coordinates([word for part in parts for word in part[:2]])
+    except RadcalcError as error:
+        raise ConditionError(f"{what}: {error.message}", AS_GRID) from None
+    coordinates = iter(ends)
+    axes = tuple([_axis(part, coordinates, what) for part in parts])
+    size = math.prod(count for _, _, count in axes)
+    if size > MOST_POINTS:
+        raise ConditionError(f"{what} has {size} points", f"at most {MOST_POINTS}")
+    return Input(symbol, text, axes, unit=resolve(unit) if unit else None)
+
+
+def _axis(part: list[str], coordinates: Iterator[float], what: str) -> tuple[float, float, int]:
+    """Return start, end and count of an axis of a grid; take its ends from the coordinates."""
+    start = next(coordinates)
+    if len(part) == 1:
+        return start, start, 1
+    end, count = next(coordinates), _count(part[2].strip(), what)
+    if start == end:
+        raise ConditionError(f"{what}: '{quote(':'.join(part))}' has no width", AS_GRID)
+    return start, end, count
+
+
+def _count(text: str, what: str) -> int:
+    """Read the number of points along an axis of a grid."""
+    if not (text.isascii() and text.isdecimal() and 1 < int(text[:12]) <= MOST_POINTS):
+        raise ConditionError(f"{what}: '{quote(text)}' is no number of points from 2 on", AS_GRID)
+    return int(text)
+
+
+READERS = {
+    POINT: point_input,
+    VECTOR: vector_input,
+    GRID: grid_input,
+    DIRECTION: direction_input,
+    NUMBERS: numbers_input,
+    PAIR: pair_input,
+}

@@ -1,0 +1,288 @@
+"""Reader of quantities."""
+
+import math
+from typing import TYPE_CHECKING, Any, cast
+
+from radcalc import maths
+from radcalc.derivation import format_number
+from radcalc.errors import (
+    MINUS,
+    ConditionError,
+    MissingUnit,
+    NumberError,
+    RadcalcError,
+    option,
+    quote,
+)
+from radcalc.inputs.given import DigitsMatter, Input, check_limits
+from radcalc.maths import LARGEST
+from radcalc.quantities.light import describe
+from radcalc.quantities.symbols import SPECTRUM, Symbol
+from radcalc.units.amount import Amount
+from radcalc.units.dimensions import ANGLE, ENERGY, TIME
+from radcalc.units.numbers import parse_number, relative_rounding
+from radcalc.units.ranges import real, with_list
+from radcalc.units.reading import read_amount
+from radcalc.units.unit import NUMBER, Unit, divide
+
+LEFT_OF_LIGHT = ("reflectance", "transmittance")  # ratios that OD, stops or dB may give
+if TYPE_CHECKING:
+    from radcalc.units.scales import ScaleUnit
+
+MARKED = {"f-number": "f/", "nd": "nd"}  # what people write before the number: f/8,f/11 is not 8.11
+MARKS_OF_STOPS = range(101, 114)  # filters' marks for 1 to 13 stops
+NO_SHARES = (  # numbers that are not a part of a whole, and so have no percentage
+    "exponent", "beam-exponent", "falloff", "f-number", "working-f-number", "ev", "ev100", "iso",
+    "nd", "stops", "luminaires", "room-index", "electrons", "snr",
+)  # fmt: skip
+DIFFERENCES = ("temperature-rise",)  # may be in degrees Celsius, but not in mired
+
+
+def moved(given: Input, shift: float) -> Input:
+    """Return an input with its value moved by so much [SI], within its limits.
+
+    The uncertain value of a spectrum is its parameter.
+    """
+    number = given.number + shift * (divide(given.unit.bottom, given.unit.top) if given.unit else 1)
+    if given.symbol.form == SPECTRUM:
+        from radcalc.spectra.sources import uncertain_parameter
+
+        parameter = uncertain_parameter(given.text)
+        assert parameter is not None
+        return given._replace(text=f"{given.text}, {number!r}", value=parameter.source(number))
+    value = given.value + shift
+    if given.name:
+        _refuse_extreme(given.name, given.text, value)
+    elif not math.isfinite(value):
+        raise NumberError(f"more than '{quote(given.text)}' is too large for a number", "less")
+    if given.unit and given.unit.is_scale:
+        number = cast("ScaleUnit", given.unit).reading(value / given.unit.factor)
+    shifted = given._replace(
+        text=f"{number!r}{given.unit_text if given.unit else ''}",
+        value=value,
+        number=number,
+        off=None,
+    )
+    check_limits(shifted, given.symbol.limits)
+    return shifted
+
+
+def with_numbers(given: Input, numbers: Any) -> Input:
+    """Read an array of numbers as the number of an input was read, in its unit."""
+    if given.name == "nd":  # 3 is refused and 3.0 is not
+        raise DigitsMatter
+    text = given.text_of(numbers)
+    sizes, unit = numbers, given.unit
+    if unit and unit.is_scale:
+        sizes, unit = unit.quantity(numbers), cast("ScaleUnit", unit).unit
+    value = _in_si(given.name, text, sizes, unit)
+    old_option, new_option = (option(given.name, quote(item)) for item in (given.text, text))
+    assumptions = tuple([item.replace(old_option, new_option) for item in given.assumptions])
+    several = given._replace(text=text, value=value, number=numbers, assumptions=assumptions)
+    check_limits(several, given.symbol.limits)
+    return several
+
+
+def quantity_input(symbol: Symbol, value: Any) -> Input:
+    """Read a quantity: a text, a Python number, or a number with its unit."""
+    variable = None
+    if isinstance(value, str):
+        text = " ".join(value.split()).replace(MINUS, "-")  # messages show it on one line
+        if symbol.name == "f-number":
+            text = text.removeprefix(MARKED[symbol.name])  # as photographers write it: f/2.8
+        amount = _typed_amount(symbol, text)
+    else:
+        amount, variable = _python_amount(symbol, value)
+        text = amount.text
+    _check_unit(symbol, amount)
+    unit = amount.unit
+    if (unit.dimension if unit else NUMBER) not in symbol.dimensions:
+        raise _wrong_dimension(symbol, text, amount)
+    given = Input(
+        symbol,
+        text,
+        _in_si(symbol.name, text, amount.number, unit),
+        unit.dimension if unit else NUMBER,
+        *amount.typed,
+        not isinstance(value, str),
+        amount.uncertainty * unit.factor if unit else amount.uncertainty,
+        amount.assumptions,
+        variable,
+        amount.rounding,
+        amount.parts,
+    )
+    check_limits(given, symbol.limits)
+    return given
+
+
+def _typed_amount(symbol: Symbol, text: str) -> Amount:
+    """Read the text of a quantity, which a few symbols write in forms of their own."""
+    amount = None
+    if symbol.name in DIFFERENCES:
+        amount = _difference(text)
+    elif symbol.name == "nd":
+        amount = _density(text)
+    return amount or _read_amount(symbol, text)
+
+
+def _python_amount(symbol: Symbol, value: Any) -> tuple[Amount, Any]:
+    """Read a Python number or an array, with its unit and its text where it has them.
+
+    Returns the amount and the number of the `uncertainties` package, or None for any other.
+    """
+    number, unit, *texts = value if is_number_with_unit(value) else (value, None)
+    variable, uncertainty = None, 0.0
+    if maths.is_uncertain(number):
+        variable, number, uncertainty = number, number.nominal_value, number.std_dev
+    number = real(number, option(symbol.name), option(symbol.name, symbol.example))
+    text = texts[0] if texts else format_number(number) + (f" {unit.text}" if unit else "")
+    return Amount(text, number, unit, uncertainty), variable
+
+
+def _check_unit(symbol: Symbol, amount: Amount) -> None:
+    """Refuse a scale that does not suit the symbol, and the share of a number without shares."""
+    scale, unit = amount.scale, amount.unit
+    refused = None
+    if scale:
+        dimension = unit.dimension if unit else NUMBER
+        if dimension not in symbol.dimensions or not takes_scale(symbol.name, scale):
+            refused = f"{symbol.takes}, not {quote(scale.text)}"
+    elif symbol.name in NO_SHARES and unit is not None and unit.factor != 1:
+        refused = f"a number, not {quote(unit.text)}"
+    if refused:
+        name = option(symbol.name)
+        raise ConditionError(f"{name} takes {refused}", option(symbol.name, symbol.example))
+
+
+def _wrong_dimension(symbol: Symbol, text: str, amount: Amount) -> ConditionError:
+    """Return the refusal of an amount whose unit is missing or measures another quantity."""
+    name, unit = symbol.name, amount.unit
+    if unit is None and maths.is_array(amount.number):
+        problem = f"{option(name)} has numbers without a unit"
+        return ConditionError(problem, "an array with its unit, a radcalc.Quantity")
+    if unit is None:
+        is_expression = amount.rounding is not None
+        number = f"({quote(text)})" if is_expression else quote(text)
+        return MissingUnit(name, quote(text), with_likely_unit(symbol, number))
+    example = symbol.example
+    if name == "bandwidth" and unit.dimension == ENERGY:
+        from radcalc.spectra.planck import PLANCK
+
+        example = f"{amount.number * unit.factor / PLANCK / 1e12:.6g}THz"
+    problem = f"{option(name)} takes {symbol.takes}, not {describe(unit)}"
+    return ConditionError(problem, option(name, example))
+
+
+def takes_scale(name: str, scale: Unit) -> bool:
+    """Check that a symbol has readings on a scale: dB and stops are for light that passes."""
+    if scale.dimension == NUMBER:
+        return name in LEFT_OF_LIGHT
+    return name not in DIFFERENCES
+
+
+def is_number_with_unit(value: Any) -> bool:
+    """Check for a tuple of a number, or an array, and its unit."""
+    return isinstance(value, tuple) and len(value) > 1 and isinstance(value[1], Unit)
+
+
+def _read_amount(symbol: Symbol, text: str) -> Amount:
+    try:
+        return read_amount(text, symbol.dimensions)
+    except NumberError as error:
+        hint = with_list(error.hint, text) if "," in text else error.hint
+        raise NumberError(f"{option(symbol.name)}: {error.message}", hint) from None
+
+
+def _difference(text: str) -> Amount | None:
+    """Read a difference of temperature in degrees of a scale with another 0; None for others."""
+    unit_text = text[max(map(text.rfind, "0123456789.)%")) + 1 :].strip()
+    from radcalc.units.scales import degree
+
+    unit = degree(unit_text)
+    without_unit = text.replace(unit_text, "") if unit else ""
+    if unit is None or any(c.isalpha() for c in without_unit.lower().replace("e", "")):
+        return None
+    try:
+        amount = read_amount(text.replace(unit_text, "K"))
+    except RadcalcError:
+        return None  # the refusal quotes the text as typed
+    if amount.unit is None or amount.rounding is not None:
+        return None
+    assumption = (
+        f"a difference of temperature: 1 {quote(unit_text)} is {format_number(unit.factor)} K"
+    )
+    return Amount(text, amount.number, unit, amount.uncertainty, (assumption,))
+
+
+def _density(text: str) -> Amount | None:
+    """Read the density of a neutral filter by its mark: ND8 is a factor of 8, ND0.9 a density.
+
+    Returns None for a density alone, which is read as other numbers are.
+    """
+    number = _without_mark(text)
+    if not number[:1].isdecimal():
+        return None
+    if number == text:
+        if text.isdecimal() and float(text) > 1:
+            problem = f"{option('nd', quote(text))} can be a density or a factor"
+            ways = (option("nd", f"{quote(text)}.0"), option("nd", f"ND{quote(text)}"))
+            raise ConditionError(problem, f"{ways[0]} for the density, or {ways[1]} for the factor")
+        return None
+    factor, off = parse_number(number), relative_rounding(number)
+    if "." in number:
+        return Amount(
+            text, factor, None, assumptions=(f"{quote(text)} is a density",), rounding=off
+        )
+    _check_factor(text, number, factor)
+    density = math.log10(factor)
+    assumption = f"{quote(text)} lets 1/{number} of the light through: a density of {density:.4g}"
+    return Amount(text, density, None, assumptions=(assumption,), rounding=off)
+
+
+def _without_mark(text: str) -> str:
+    """Return a filter's number without ND before or after it, and without the x of a factor."""
+    number = text[:-1] if text[-1:] in ("X", "x") else text
+    if number[:2].upper() == "ND":
+        number = number[2:]
+    if number[-2:].upper() == "ND":
+        number = number[:-2]
+    return number.strip()
+
+
+def _check_factor(text: str, number: str, factor: float) -> None:
+    """Refuse a filter's factor below 1, and one that can be a mark for stops."""
+    if factor < 1:
+        problem = f"{option('nd', quote(text))} is no filter: its factor is below 1"
+        raise ConditionError(problem, option("nd", "ND8"))
+    if factor in MARKS_OF_STOPS:  # as some makers mark 3 stops: 103
+        problem = f"{option('nd', quote(text))} can be a factor, or {number[1:].lstrip('0')} stops"
+        raise ConditionError(problem, f"{option('nd', f'{(factor - 100) * 0.3:.1f}')}, for stops")
+
+
+def with_likely_unit(symbol: Symbol, number: str) -> str:
+    """Return a bare number with a unit that suits the symbol."""
+    if ANGLE in symbol.dimensions and ("pi" in number or "π" in number):
+        return f"{number}rad"
+    if TIME in symbol.dimensions and "/" in number:
+        return f"{number}s"  # as shutters are marked
+    return number + symbol.example.lstrip("0123456789./")
+
+
+def _in_si(name: str, text: str, number: Any, unit: Unit | None) -> Any:
+    """Return the value in SI units."""
+    value = number * (divide(unit.top, unit.bottom) if unit else 1)
+    _refuse_extreme(name, text, value)
+    return value
+
+
+def _refuse_extreme(name: str, text: str, value: Any) -> None:
+    """Refuse extreme values [SI], which no light reaches and which would overflow later."""
+    if isinstance(value, float) and value != value:
+        raise ConditionError(f"{option(name, quote(text))} is no number", "a finite number")
+    size = abs(value)
+    extreme = (size > LARGEST) | ((size < 1 / LARGEST) & (size != 0)) | (size != size)
+    if maths.any_true(extreme):
+        raise ConditionError(
+            f"{option(name, quote(text))} is beyond what radcalc reckons with",
+            f"values from {1 / LARGEST:g} to {LARGEST:g} in SI units",
+        )

@@ -1,0 +1,196 @@
+"""Readers of inputs of every form."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from radcalc.errors import ConditionError, MissingUnit, option, quote
+from radcalc.inputs.given import Input, runs_backwards
+from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
+from radcalc.quantities.symbols import (
+    CHOICE,
+    DIRECTION,
+    DISTRIBUTION,
+    FLAG,
+    INTERVAL,
+    LINKS,
+    QUANTITY,
+    SPECTRUM,
+    SYMBOLS,
+    UNIT,
+    WAVELENGTHS,
+    WORD,
+    Limits,
+    Symbol,
+)
+from radcalc.units.amounts import split_value
+from radcalc.units.ranges import read_array, read_values
+from radcalc.units.table import resolve
+from radcalc.units.unit import NUMBER, Unit
+
+
+def split_values(name: str, text: Any, arrays: bool = False) -> Sequence[Any]:
+    """Split a list or a range into values; a range of wavelengths or a file name is one value.
+
+    Directions are a range of polar angles with one azimuth: 0deg:90deg:15deg,90deg.
+    """
+    form = SYMBOLS[name].form
+    if name in MARKED and MARKED[name] in str(text).lower():
+        return text.split(",")  # type: ignore[no-any-return]
+    if form == SPECTRUM:
+        from radcalc.spectra.sources import read_spectra
+
+        return read_spectra(text)
+    if form == DIRECTION and ":" in str(text):
+        angles, comma, azimuth = text.partition(",")
+        return [f"{polar}{comma}{azimuth}" for polar in read_values(angles)]
+    return _quantities(name, text, arrays) if form == QUANTITY else [text]
+
+
+def _quantities(name: str, text: str, arrays: bool) -> Sequence[Any]:
+    """Split a list or a range of quantities; a long range may become an array."""
+    has_unit = NUMBER not in SYMBOLS[name].dimensions
+    if arrays and name not in LINKS and (values := read_array(text, has_unit)):
+        return [values]
+    if not has_unit:
+        _refuse_mixed_shares(text)
+    return read_values(text)
+
+
+def _refuse_mixed_shares(text: str) -> None:
+    """Refuse 0.5,0.6%, where 0.5 may be a half or half a percent."""
+    mark = ":" if ":" in text else ","
+    *first_parts, last = [part.strip() for part in text.split(mark)]
+    if last.endswith("%") and not all(part.endswith("%") for part in first_parts):
+        in_percent = mark.join(f"{part.removesuffix('%')}%" for part in (*first_parts, last))
+        problem = f"'{quote(text)}' can be read in two ways"
+        raise ConditionError(problem, f"{quote(in_percent)}, or numbers without %")
+
+
+AS_BARE = "0123456789./"  # characters of a number that people write without its unit
+
+
+def read(name: str, value: Any, uncertain: bool = False, bare: str = "") -> Input:
+    """Read the value of a symbol of the vocabulary.
+
+    `value` is a text as on the command line, True for a flag, a number, or a number (or an
+    array) with a `Unit` and possibly a text for messages.  `uncertain` says that the caller
+    carries uncertainties.  `bare` is the unit of a number that people write without one.
+    """
+    text = str(value).strip() if bare else ""
+    if text and not text.strip(AS_BARE) and ("time" not in name or "/" in text):  # 4 may be 1/4
+        given = read_as(SYMBOLS[name], f"{text} {bare}", uncertain)
+        assumption = f"{option(name, quote(text))} is in {bare}"
+        return given._replace(text=text, assumptions=(*given.assumptions, assumption))
+    return read_as(SYMBOLS[name], value, uncertain)
+
+
+def read_as(symbol: Symbol, value: Any, uncertain: bool = False) -> Input:
+    """Read the value of any symbol, also of one outside the vocabulary."""
+    given = _reader(symbol.form)(symbol, value)
+    if given.is_uncertain and not uncertain:
+        option_text = option(symbol.name, quote(given.text))
+        raise ConditionError(f"{option_text} cannot be uncertain here", "the value alone")
+    return given
+
+
+def _reader(form: str) -> Callable[[Symbol, Any], Input]:
+    """Return the reader of a form; those of places and spectra are loaded when they are needed."""
+    if form in (SPECTRUM, WAVELENGTHS):
+        from radcalc.inputs import spectra
+
+        return spectra.READERS[form]
+    if form not in _READERS:
+        from radcalc.inputs import places
+
+        return places.READERS[form]
+    return _READERS[form]
+
+
+def _read_choice(symbol: Symbol, value: Any) -> Input:
+    if not isinstance(value, str) or value not in symbol.choices:
+        raise ConditionError(
+            f"{option(symbol.name)} does not know '{quote(str(value))}'", ", ".join(symbol.choices)
+        )
+    return Input(symbol, str(value), value)
+
+
+def _read_flag(symbol: Symbol, value: Any) -> Input:
+    if value is not True:
+        raise ConditionError(
+            f"{option(symbol.name)} takes no value", f"{option(symbol.name)} alone"
+        )
+    return Input(symbol, "", True)
+
+
+def read_interval(name: str, text: str) -> Input:
+    """Read A:B, two angles [rad] of a symbol; an interval of azimuths may cross +x."""
+    symbol = SYMBOLS[name]._replace(limits=Limits(), example="30deg:60deg")
+    low, high = _ends(symbol, text)
+    if low.value == high.value:
+        raise ConditionError(
+            f"{option(name, quote(text))} has no width", option(name, symbol.example)
+        )
+    if low.value > high.value:
+        hint = option(name, f"{high.text}:{low.text}")
+        if name == "azimuth":  # across +x
+            hint = option(name, f"{low.text}:{math.degrees(high.value) + 360:.12g}deg")
+        raise runs_backwards(symbol, text, hint)
+    return Input(symbol._replace(form=INTERVAL), text, (low.value, high.value))
+
+
+def _read_interval(symbol: Symbol, value: Any) -> Input:
+    """Read A:B; both ends may be the same."""
+    text = " ".join(str(value).split())
+    low, high = _ends(symbol, text)
+    if low.value > high.value:
+        raise runs_backwards(symbol, text, option(symbol.name, f"{high.text}:{low.text}"))
+    return Input(symbol, text, (low.value, high.value))
+
+
+def _ends(symbol: Symbol, text: str) -> tuple[Input, Input]:
+    parts = text.split(":")
+    example = option(symbol.name, symbol.example)
+    if len(parts) != 2:
+        option_text = option(symbol.name, quote(text))
+        raise ConditionError(f"{option_text} is not an interval", f"{example}, from A to B")
+    end = symbol._replace(form=QUANTITY, example=symbol.example.partition(":")[0])
+    try:
+        low, high = (read_as(end, part) for part in parts)
+    except MissingUnit:
+        with_units = (
+            part if split_value(part)[1] else with_likely_unit(end, part) for part in parts
+        )
+        raise MissingUnit(symbol.name, quote(text), quote(":".join(with_units))) from None
+    return low, high
+
+
+def _read_distribution(symbol: Symbol, value: Any) -> Input:
+    """Read one of the named distributions, or the photometry of a file or an expression."""
+    name = value.strip().lower() if isinstance(value, str) else ""
+    if name in symbol.choices:
+        return Input(symbol, name, name)
+    from radcalc.distributions.sources import photometry  # with NumPy
+
+    distribution = photometry(value)
+    return Input(symbol, value.strip() if name else distribution.format, distribution)
+
+
+def _read_unit(symbol: Symbol, value: Any) -> Input:
+    unit = value if isinstance(value, Unit) else resolve(str(value))
+    return Input(symbol, unit.text, unit, unit.dimension)
+
+
+def _read_word(symbol: Symbol, value: Any) -> Input:
+    return Input(symbol, str(value), str(value))
+
+
+_READERS = {
+    CHOICE: _read_choice,
+    FLAG: _read_flag,
+    INTERVAL: _read_interval,
+    UNIT: _read_unit,
+    WORD: _read_word,
+    DISTRIBUTION: _read_distribution,
+    QUANTITY: quantity_input,
+}

@@ -1,0 +1,67 @@
+"""Readers of spectra and ranges of wavelengths."""
+
+from typing import Any
+
+from radcalc.errors import ConditionError, RadcalcError, option, quote
+from radcalc.inputs.given import Input, runs_backwards
+from radcalc.inputs.quantities import quantity_input
+from radcalc.quantities.symbols import SPECTRUM, SYMBOLS, WAVELENGTHS, Symbol
+from radcalc.units.amounts import split_value
+from radcalc.units.dimensions import LENGTH
+from radcalc.units.table import resolve
+
+
+def spectrum_input(symbol: Symbol, value: Any) -> Input:
+    """Read a spectrum."""
+    from radcalc.spectra.sources import spectrum, uncertain_parameter
+
+    text = str(value).strip()
+    uncertain = uncertain_parameter(text)
+    if uncertain is None:
+        return Input(symbol, text, spectrum(text))
+    amount = uncertain.amount
+    return Input(
+        symbol,
+        text,
+        uncertain.source(amount.number),
+        number=amount.number,
+        unit=amount.unit,
+        uncertainty=amount.uncertainty * float(amount.unit.factor if amount.unit else 1),
+        parts=amount.parts,
+    )
+
+
+def wavelengths_input(symbol: Symbol, value: Any) -> Input:
+    """Read LOW:HIGH, two wavelengths [nm]."""
+    text = str(value).strip()
+    parts = text.split(":")
+    ends = (
+        [quantity_input(SYMBOLS["wavelength"], end) for end in parts]
+        if all(map(_is_length, parts))
+        else []
+    )
+    if len(ends) != 2:
+        raise ConditionError(
+            f"{option(symbol.name, quote(text))} is not a range of wavelengths",
+            option(symbol.name, symbol.example),
+        )
+    low, high = (round(end.value * 1e9, 9) for end in ends)
+    if low == high:
+        raise ConditionError(
+            f"{option(symbol.name, quote(text))} is one wavelength",
+            option(symbol.name, symbol.example),
+        )
+    if low > high:
+        raise runs_backwards(symbol, text, option(symbol.name, f"{ends[1].text}:{ends[0].text}"))
+    return Input(symbol, text, (low, high))
+
+
+def _is_length(text: str) -> bool:
+    try:
+        value, unit = split_value(text)
+        return value > 0 and bool(unit) and resolve(unit).dimension == LENGTH
+    except RadcalcError:
+        return False
+
+
+READERS = {SPECTRUM: spectrum_input, WAVELENGTHS: wavelengths_input}

@@ -1,0 +1,478 @@
+"""Pictures in characters: dots of Braille letters, or ASCII, with axes and units."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+from radcalc.derivation import in_ascii
+from radcalc.plots.data import (
+    LINE,
+    LINES,
+    POINTS,
+    REFERENCE,
+    RIGHT,
+    Axis,
+    Chart,
+    Disc,
+    Field,
+    Mark,
+    Picture,
+    Polar,
+    Values,
+)
+from radcalc.plots.sheet import (
+    APART,
+    BEHIND,
+    DIM,
+    NARROWEST,
+    PLAIN,
+    Piece,
+    Point,
+    Sheet,
+    Style,
+    below,
+    beside,
+    blot,
+    caption,
+    dotted,
+    heading,
+    legend,
+    line,
+    sample,
+)
+from radcalc.plots.ticks import ends, levels, limits, log_ticks, rings, shades, texts, ticks
+from radcalc.terminal import can_show, fold
+
+Scale = Callable[[float], float]  # a value to its place on an axis
+
+BRAILLE = "\u28ff"  # a letter of it
+IN_ASCII = str.maketrans(
+    {"°": " deg", "\u2032": "'", "µ": "u", "μ": "u", "×": "x", "·": ".", "☉": "*", "∥": "||",
+     "│": "|", "─": "-", "└": "+", "┬": "+", "┤": "+"}
+)  # fmt: skip
+COLORS = ("32", "35", "36", "31", "34", "33")  # green first: seen on light and on dark
+MARKS = "*+o#x%@&"  # of curves, in ASCII
+LEAST, MOST = 10, 24  # rows of a chart
+SHARE = 5  # columns for each row of a chart
+GRID = 4  # dots of the circles and rays of a polar diagram
+RIM = 6  # columns beside a circle, for what is written there
+SMALLEST, LARGEST = 22, 32  # rows of a circle
+ROUND = 360  # pieces of a circle
+RAMP = [f"38;5;{n}" for n in (62, 68, 73, 71, 107, 143, 172, 167)]  # from the first to the last
+DARKEST, BRIGHTEST = 1, 4  # of the 5 steps of red, green and blue that a hue has
+BAYER = ((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))  # order of dots
+
+
+def style_of(width: int = 80, color: bool = False) -> Style:
+    """How pictures are drawn on standard output: in ASCII where its encoding has no Braille."""
+    return Style(width, color, not can_show(BRAILLE))
+
+
+def draw(picture: Picture, style: Style) -> str:
+    """A picture as lines of text, no wider than the style says."""
+    ways: dict[type, Callable[[Any, Style], list[str]]] = {
+        Chart: _chart,
+        Polar: _polar,
+        Field: _field,
+        Disc: _disc,
+    }
+    style = style._replace(width=max(style.width, NARROWEST))
+    lines = ways[type(picture)](picture, style)
+    text = "".join(f"{line.rstrip()}\n" for line in lines)
+    return in_ascii(text.translate(IN_ASCII)) if style.ascii else text
+
+
+# -- polar diagrams --------------------------------------------------------------------------------
+
+
+def _polar(polar: Polar, style: Style) -> list[str]:
+    """The axis points down; only the lower half is drawn where there is nothing in the upper."""
+    circles, is_half = rings(polar.most), polar.is_half
+    names, outer = texts(circles), circles[-1]
+    radius = min(style.width - 2 * RIM, (4 if is_half else 2) * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * RIM, -(-radius // (4 if is_half else 2)) + 2
+    dot = outer / (radius - 1)
+    top = 5 if is_half else 2 * rows
+    sheet = Sheet(
+        columns,
+        rows,
+        (-columns * dot, columns * dot),
+        ((top - 4 * rows) * dot, top * dot),
+    )
+    grid = sheet.layer(DIM, BEHIND)
+    reach = RIGHT if is_half else 180.0
+    for size in circles:
+        circle = [_turned(size, angle) for angle in _degrees(-reach, reach)]
+        dotted(grid, pairwise(circle), GRID)
+    for angle in range(-180, 180, 30):
+        if abs(angle) <= reach:
+            dotted(grid, [((0.0, 0.0), _turned(outer, angle))], GRID)
+            _write_at_rim(sheet, f"{abs(angle)}°", *_turned(outer, angle), dot)
+    for size, name in zip(circles, names, strict=True):
+        column, row = sheet.place(size, 0.0)
+        if size != outer:
+            sheet.write(column - len(name) // 2, row if not is_half else row - 1, name, "2")
+    entries = []
+    for k, plane in enumerate(polar.planes):
+        color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
+        canvas = sheet.layer(color, mark)
+        points = [_turned(v, a) for a, v in zip(plane.angles, plane.values, strict=True)]
+        if k == 0:
+            line(canvas, pairwise(points))
+        else:
+            dotted(canvas, pairwise(points))
+        look = sample(LINE if k == 0 else REFERENCE, mark, style)
+        entries.append((look, color, plane.label))
+    indent = " " * ((style.width - columns) // 2)
+    caption_text = f"{polar.radius.title}, circles every {names[0]}"
+    lines = [*heading(polar.title, style), *(indent + line for line in sheet.lines(style))]
+    return [
+        *lines,
+        *caption(caption_text, 0, style.width),
+        *legend(entries, style),
+    ]
+
+
+def _turned(size: float, angle: float) -> Point:
+    """Where a value stands at an angle [deg] from straight down."""
+    turn = math.radians(angle)
+    return size * math.sin(turn), -size * math.cos(turn)
+
+
+def _degrees(low: float, high: float) -> list[float]:
+    return [low + (high - low) * k / ROUND for k in range(ROUND + 1)]
+
+
+def _write_at_rim(sheet: Sheet, text: str, x: float, y: float, dot: float) -> None:
+    """Write beside a place on a circle about the middle, outside of it."""
+    size = math.hypot(x, y)
+    column, row = sheet.place(x + 4 * dot * x / size, y + 4 * dot * y / size)
+    if abs(x) < size / 100:
+        column -= len(text) // 2
+    elif x < 0:
+        column -= len(text) - 1
+    sheet.write(column, row, text)
+
+
+def _tall(style: Style) -> int:
+    """The rows of a circle, in which most of a terminal is."""
+    return min(max(style.width * 2 // 7, SMALLEST), LARGEST)
+
+
+# -- fields and discs ------------------------------------------------------------------------------
+
+
+def _field(field: Field, style: Style) -> list[str]:
+    """Contours over x and y, of lengths that are alike on both."""
+    x_ends, y_ends = (field.xs[0], field.xs[-1]), (field.ys[0], field.ys[-1])
+    wide, high = x_ends[1] - x_ends[0], y_ends[1] - y_ends[0]
+    y_ticks = ticks(*y_ends, 6)
+    names = texts(y_ticks)
+    margin = max(map(len, names)) + 2
+    columns = style.width - margin - 1
+    rows = min(max(round(columns * high / wide / 2), 4), MOST)
+    columns = min(columns, max(round(2 * rows * wide / high), LEAST))
+    sheet = Sheet.between(columns, rows, x_ends, y_ends)
+    drawn = field.xs, field.ys, field.rows
+    _place_marks(sheet, field.marks)
+    value_caption = _contours(sheet, drawn, field.value, field.marks)
+    x_ticks = ticks(*x_ends, max(columns // 10, 2))
+    return [
+        *heading(field.title, style),
+        *beside(field.y, sheet, dict(zip(y_ticks, names, strict=True)), margin, style),
+        *below(field.x, sheet, dict(zip(x_ticks, texts(x_ticks), strict=True)), margin, style),
+        *fold(value_caption, style.width),
+    ]
+
+
+def _disc(disc: Disc, style: Style) -> list[str]:
+    """A disc with its contours, or of dots where it is a picture of things."""
+    radius = min(style.width - 2 * RIM, 2 * (_tall(style) - 2))  # in dots
+    columns, rows = radius + 2 * RIM, radius // 2 + 2
+    wide, high = columns / (radius - 1), 2 * rows / (radius - 1)
+    sheet = Sheet(columns, rows, (-wide, wide), (-high, high))
+    count = len(disc.rows)
+    places = [2 * k / (count - 1) - 1 for k in range(count)]
+    inside = [
+        [v if x * x + y * y <= 1 else math.nan for x, v in zip(places, row, strict=True)]
+        for y, row in zip(places, disc.rows, strict=True)
+    ]
+    grid = sheet.layer(DIM, BEHIND)
+    rim = [_turned(1.0, angle) for angle in _degrees(-180, 180)]
+    line(grid, pairwise(rim))
+    for label, angle in disc.rim:
+        x, y = _turned(1.0, 180 - angle)
+        _write_at_rim(sheet, label, x, y, 1 / radius)
+    _place_marks(sheet, disc.marks)
+    if disc.is_image:
+        value_caption = _shaded(sheet, places, inside, disc.value, style)
+    else:
+        taken = {sheet.place(*place) for place in rim}
+        value_caption = _contours(sheet, (places, places, inside), disc.value, disc.marks, taken)
+    indent = " " * max((style.width - columns) // 2, 0)
+    lines = [*heading(disc.title, style), *(indent + line for line in sheet.lines(style))]
+    return [*lines, *caption(value_caption, 0, style.width)]
+
+
+def _place_marks(sheet: Sheet, marks: Sequence[Mark]) -> None:
+    """Small crosses with their names."""
+    for mark in marks:
+        column, row = sheet.place(mark.x, mark.y)
+        sheet.write(column, row, "+")
+        if column + 2 + len(mark.label) <= sheet.columns:
+            sheet.write(column + 1, row, mark.label)
+        else:
+            sheet.write(column - len(mark.label), row, mark.label)
+
+
+def _contours(
+    sheet: Sheet,
+    drawn: tuple[Values, Values, Sequence[Values]],
+    value: Axis,
+    marks: Sequence[Mark],
+    taken: Iterable[tuple[int, int]] = (),
+) -> str:
+    """Draw contours with their numbers, away from what is taken, and tell what they are of."""
+    values = [z for row in drawn[2] for z in row if z == z]
+    contour_levels = levels(values)
+    full = [*taken, *(sheet.place(mark.x, mark.y) for mark in marks)]
+    for k, (level, name) in enumerate(zip(contour_levels, texts(contour_levels), strict=True)):
+        color = _on_ramp(k, len(contour_levels))
+        canvas = sheet.layer(color, MARKS[k % len(MARKS)])
+        places = []
+        for start, end in _segments(*drawn, level):
+            canvas.line(*start, *end)
+            places.append(start)
+        _name_contour(sheet, places, name, color, full)
+    low, high = texts([float(f"{x:.4g}") for x in ends(values)])
+    return f"{value.title}, from {low} to {high}"
+
+
+def _on_ramp(k: int, count: int) -> str:
+    """The colour of one of several that are in an order."""
+    return RAMP[k * (len(RAMP) - 1) // max(count - 1, 1)]
+
+
+def _name_contour(
+    sheet: Sheet,
+    places: list[Point],
+    name: str,
+    color: str,
+    taken: list[tuple[int, int]],
+) -> None:
+    """Write a contour's number where it is farthest from those of others and from the edges."""
+    half = len(name) // 2
+
+    def is_free(cell: tuple[int, int]) -> bool:
+        around = range(cell[0] - half - 1, cell[0] - half + len(name) + 1)
+        inside = around[0] >= 0 and around[-1] < sheet.columns
+        return inside and not any((column, cell[1]) in sheet.texts for column in around)
+
+    def room(cell: tuple[int, int]) -> tuple[float, int, int]:
+        apart = [abs(cell[0] - c) / len(name) + abs(cell[1] - r) for c, r in taken]
+        return min(apart, default=0.0), *cell
+
+    free = list(filter(is_free, {sheet.place(x, y) for x, y in places}))
+    if free:
+        column, row = max(free, key=room)
+        taken.append((column, row))
+        sheet.write(column - half, row, name, color)
+
+
+def _segments(xs: Values, ys: Values, rows: Sequence[Values], level: float) -> Iterator[Piece]:
+    """The straight pieces of a contour, each across a triangle that is half of a cell."""
+    for (y0, low), (y1, high) in pairwise(zip(ys, rows, strict=True)):
+        for i in range(len(xs) - 1):
+            z = low[i], low[i + 1], high[i], high[i + 1]
+            if not min(z) <= level <= max(z) or any(map(math.isnan, z)):
+                continue
+            a, b = (xs[i], y0, z[0]), (xs[i + 1], y0, z[1])
+            c, d = (xs[i], y1, z[2]), (xs[i + 1], y1, z[3])
+            for corners in ((a, b, d), (a, c, d)):
+                crossed = [
+                    _between(start, end, level)
+                    for start, end in pairwise((*corners, corners[0]))
+                    if (start[2] < level) != (end[2] < level)
+                ]
+                if len(crossed) == 2:
+                    yield crossed[0], crossed[1]
+
+
+def _between(
+    start: tuple[float, float, float], end: tuple[float, float, float], level: float
+) -> Point:
+    """Where a level is on the line between two places."""
+    share = (level - start[2]) / (end[2] - start[2])
+    return start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
+
+
+def _shaded(sheet: Sheet, places: Values, rows: Sequence[Values], value: Axis, style: Style) -> str:
+    """Draw dots the denser the brighter, by the logarithm of what is above the least share."""
+    low, high = shades([z for row in rows for z in row if z == z])
+    canvas = sheet.layer("", "#")
+    count = len(places)
+    for row in range(4 * sheet.rows):
+        y = sheet.y[0] + (sheet.y[1] - sheet.y[0]) * row / (4 * sheet.rows)
+        for column in range(2 * sheet.columns):
+            x = sheet.x[0] + (sheet.x[1] - sheet.x[0]) * column / (2 * sheet.columns)
+            if x * x + y * y > 1:
+                continue
+            i, j = (round((place + 1) / 2 * (count - 1)) for place in (x, y))
+            z = rows[j][i]
+            share = math.log(max(z, low) / low) / math.log(high / low) if high > low else 1.0
+            if z == z and share > (BAYER[row % 4][column % 4] + 0.5) / 16:
+                canvas.point(x, y)
+    ends = texts([float(f"{z:.3g}") for z in (low, high)])
+    return f"{value.title}: all dots at {ends[1]} and more, none at {ends[0]} and less"
+
+
+# -- charts ----------------------------------------------------------------------------------------
+
+
+def _chart(chart: Chart, style: Style) -> list[str]:
+    rows = min(max(style.width // SHARE, LEAST), MOST)
+    x_of, y_of = _scale(chart.x.is_log), _scale(chart.y.is_log)
+    values = [y for series in chart.series for y in series.y]
+    y_ends, y_ticks = _ends(chart.y, values, rows // 3 + 1)
+    places = [x for series in chart.series for x in series.x]
+    names = texts(y_ticks)
+    margin = max(map(len, names)) + 2
+    columns = style.width - margin - 1
+    x_ends, x_ticks = _ends(chart.x, places, max(columns // 10, 2), is_round=False)
+    sheet = Sheet.between(
+        columns,
+        rows,
+        (x_of(x_ends[0]), x_of(x_ends[1])),
+        (y_of(y_ends[0]), y_of(y_ends[1])),
+    )
+    for label, place in chart.marks:
+        _upright(sheet, x_of(place), label)
+    entries = _draw_series(chart, sheet, x_of, y_of, style)
+    y_numbers = {y_of(y): name for y, name in zip(y_ticks, names, strict=True)}
+    x_numbers = {x_of(x): name for x, name in zip(x_ticks, texts(x_ticks), strict=True)}
+    return [
+        *heading(chart.title, style),
+        *beside(chart.y, sheet, y_numbers, margin, style),
+        *below(chart.x, sheet, x_numbers, margin, style),
+        *heading(chart.crowd, style),
+        *legend(entries, style),
+    ]
+
+
+def _draw_series(
+    chart: Chart, sheet: Sheet, x_of: Scale, y_of: Scale, style: Style
+) -> list[tuple[str, str, str]]:
+    """Draw the series, each in its colour and mark, and return their entries in the legend."""
+    entries, drawn = [], []
+    count = len(chart.curves)
+    colors = _hues(chart, sheet) if count == 1 else PLAIN
+    named = chart.named
+    for k, series in enumerate(chart.series):
+        color, mark = COLORS[k % len(COLORS)], MARKS[k % len(MARKS)]
+        if chart.crowd:
+            color = _on_ramp(k, count)
+        if series.style == REFERENCE:
+            color, mark, colors = DIM, BEHIND, PLAIN
+        elif colors:
+            color = ""
+        points = [(x_of(x), y_of(y)) for x, y in zip(series.x, series.y, strict=True)]
+        _curve(sheet.layer(color, mark, colors), points, series.style, sheet)
+        if series.style in (LINE, POINTS):
+            drawn.append((dict(sheet.place(*point) for point in points), color))
+        if k in named:
+            entries.append((sample(series.style, mark, style), color, series.label))
+    if len(drawn) < 2 or chart.crowd:
+        return entries
+    _number(sheet, drawn)
+    return [
+        (look if k > len(drawn) else f"{k} {look}", color, label)
+        for k, (look, color, label) in enumerate(entries, start=1)
+    ]
+
+
+def _upright(sheet: Sheet, x: float, label: str) -> None:
+    """A line from the bottom to the top, with its name beside it."""
+    canvas = sheet.layer(DIM, "|")
+    canvas.line(x, sheet.y[0], x, sheet.y[1])
+    column = sheet.column(x)
+    is_left = column + 2 + len(label) > sheet.columns
+    sheet.write(column - 1 - len(label) if is_left else column + 2, 0, label)
+
+
+def _curve(canvas: Any, points: list[Point], style: str, sheet: Sheet) -> None:
+    """A line through points, dots along it, or uprights below them; outside nothing is drawn."""
+    if style == LINES:
+        for x, y in points:
+            canvas.line(x, sheet.y[0], x, y)
+        return
+    if style == REFERENCE:
+        dotted(canvas, _inside(points, sheet))
+        return
+    if style == POINTS:
+        for x, y in points:
+            blot(canvas, x, y, sheet)
+        return
+    line(canvas, _inside(points, sheet))
+
+
+def _inside(points: list[Point], sheet: Sheet) -> Iterator[Piece]:
+    """The pieces of a line that runs to the right or upright, cut at the ends of x."""
+    low, high = sheet.x
+    for (x0, y0), (x1, y1) in pairwise(points):
+        if x0 <= high and x1 >= low:
+            yield (
+                _at(low, x0, y0, x1, y1) if x0 < low else (x0, y0),
+                _at(high, x0, y0, x1, y1) if x1 > high else (x1, y1),
+            )
+
+
+def _at(x: float, x0: float, y0: float, x1: float, y1: float) -> Point:
+    return x, y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+
+
+def _hues(chart: Chart, sheet: Sheet) -> dict[int, str]:
+    """The colours of columns, in the palette of 256: neither white nor black hides them."""
+    colors = {}
+    for hue in chart.hues:
+        if sheet.x[0] <= hue.place <= sheet.x[1]:
+            red, green, blue = (round(DARKEST + (BRIGHTEST - DARKEST) * part) for part in hue[1:])
+            colors[sheet.column(hue.place)] = f"38;5;{16 + 36 * red + 6 * green + blue}"
+    return colors
+
+
+def _number(sheet: Sheet, drawn: Sequence[tuple[dict[int, int], str]]) -> None:
+    """Write the number of each curve on it, as high as it is apart from the others.
+
+    A curve is its rows by its columns.
+    """
+    for k, (places, color) in enumerate(drawn):
+        other_curves = [rows for j, (rows, _) in enumerate(drawn) if j != k]
+
+        def room(
+            column: int, places: dict[int, int] = places, other_curves: Any = other_curves
+        ) -> tuple[int, int]:
+            apart = [abs(places[column] - rows.get(column, -APART)) for rows in other_curves]
+            return min(APART, *apart), -places[column]
+
+        free = [column for column in places if (column, places[column]) not in sheet.texts]
+        if free:
+            column = max(free, key=room)
+            sheet.write(column, places[column], str(k + 1), color)
+
+
+def _scale(is_log: bool) -> Scale:
+    return math.log10 if is_log else lambda value: value
+
+
+def _ends(
+    axis: Axis, values: list[float], most: int, is_round: bool = True
+) -> tuple[Point, list[float]]:
+    """The ends of an axis, and the round numbers on it."""
+    if axis.is_log:
+        low, high = axis.limits or (min(values), max(values))
+        return (low, high), log_ticks(low, high, most)
+    low, high = axis.limits or (limits(values, most) if is_round else (min(values), max(values)))
+    if low == high:
+        low, high = limits([low], most)
+    return (low, high), ticks(low, high, most)

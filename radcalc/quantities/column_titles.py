@@ -1,0 +1,365 @@
+"""Titles over columns: the name and the unit in each, and the column that a name means.
+
+A unit stands in brackets (`E [lx]`), behind a slash as in ISO 80000 (`E / lx`), or is a word of
+the title (`E_lx`, `E, lx`, `lux desk`) or all of it.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from radcalc.errors import UnitError, UsageError, listed, nearest, quote
+from radcalc.files.columns import IN_BRACKETS
+from radcalc.quantities.light import NONE, Reading, describe, read
+from radcalc.quantities.names import PPF, PPFD, QUANTITIES, Quantity
+from radcalc.quantities.search import comparable, index
+from radcalc.quantities.targets import GENERIC
+from radcalc.units.scales import find as find_scale
+from radcalc.units.scales import scale_of
+from radcalc.units.table import PARTS, resolve, suggest, unit_of
+from radcalc.units.unit import Unit
+
+AROUND = " \t,;:_/-–"  # what stands between a name and a unit
+LONGEST = 200  # characters of a title in which a unit is looked for
+MOST_WORDS = 8  # of a unit
+WORD = re.compile(r'[^\s,;:_"]+')
+QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
+# Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
+PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
+SCALED_BEFORE = re.compile(
+    r"(?:[(\[][^)\]]*[\d⁰¹²³⁴-⁹]|(?:^|\s)1(?:0+|e)[-+^\d⁰¹²³⁴-⁹]*|[*×]|\d\s?x)\s*$"
+)
+HERE = "\0"  # stands for the unit in a title, where the rest of it is looked at
+# Numbers in a title that scale nothing: f/2.8, 1/e2, sizes such as 2x4, places such as x1 y2 and
+# x1, fractions and dates, areas such as 20 m².
+NO_SCALE = re.compile(
+    r"\bf/\d[\d.]*"
+    r"|\b1\s?/\s?(?-i:e)(?:\^?2|²)?(?![^\W\d_])"
+    r"|\b\d+(?:(?:[x×]| [x×] )(?!10+(?!\d))\d+)+(?![\d^⁰¹²³⁴-⁹.])"
+    r"|(?<![^\W_])x=?\d+[\s_,;]*y=?\d+"
+    r"|^x(?!10+(?!\d))\d+"
+    r"|\b\d+(?:/(?!100)\d+)+"
+    r"|(?<![^\W\d_])(?:[cmkµμ]?m|ft|s)(?:\^-?\d|⁻?[¹²³])",
+    re.IGNORECASE,
+)
+FACTOR = re.compile(
+    r"(?<![^\W\d_])x\s?\d|\d\s?x(?![^\W_])|[*×·÷]\s?\d|\d\s?[*×·]|/\s?\d"
+    r"|10(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])|(?<![^\W_])\d[\d.]*e[-+]?\d+(?![^\W_])"
+    r"|(?<![^\W\d_])(?:thousand|million|hundred|tenth)(?:th)?s?(?![^\W\d_])"
+    r"|(?<!\d)(?<!\d\s)(?:%|‰|(?<![^\W\d_])(?:per ?cent|pct)(?![^\W\d_]))"
+    rf"|{HERE}[\"')\]]*\s?(?:[/*·×^²³]|per\b)"
+    # 1000 I (cd), but not 2 m (lx): the number before the symbol of a quantity
+    rf"|^\s*\d[\d.,e]*\s?(?-i:[EFHILMQΦφ])(?:_\w+|[evp])?[\s(\[/,_]*(?:in\s+)?{HERE}",
+    re.IGNORECASE,
+)
+FUNCTION = re.compile(
+    r"(?<![^\W\d_])(?:(?i:log)(?:10|2|e)?|lg|ln|lb|dB[a-zA-Z]{0,3}|(?i:sqrt|squared|square root"
+    r"|inverse|reciprocal|exp(?=\s?\()))(?=(?:[A-ZΑ-Ω][a-z]{0,3})?(?![^\W\d_]))"
+    r"|(?<!\d)1\s?/\s?(?:[^\W\d_]|\()|(?<![^\W_])d\w+\s?/\s?dt(?![^\W_])"
+    r"|[√∛∫∂^²³⁻⁴-⁹]|\*\*"
+)
+IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
+# A word that is surely meant as a unit of light, were it known: klux, W/m2*s-1.
+UNIT_OF_LIGHT = re.compile(
+    r"(?<![^\W_])(?!units?(?![^\W_]))(?:[kmunµμ]|kilo|milli|micro)?"
+    r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
+    re.IGNORECASE,
+)
+BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # no inch: E at 2 m in W/m2
+# What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
+SUBSCRIPTS = ("e", "v", "p", "ph", "q")
+SYMBOL = re.compile(r"[EL](?![^\W_])")  # of an irradiance, of a radiance: no einstein, no lambert
+BRACKETS = re.compile(r"[()\[\]]")
+# Names of what is counted in photons: PPFD, but PAR is given in watts, too; PPF was once PPFD.
+PHOTON_IRRADIANCES = ("pfd", *[name for name in PPFD if name != "par"])
+PHOTONS = ("photon", "photons", "quanta", *PPF)
+COMPARED = 1000  # titles that a name is held against where it is none of them
+
+
+class Title(NamedTuple):
+    """A title: what is named in it, and its unit, which is the text from `start` to `end`.
+
+    `text[opening:start]` and `text[end:closing]` set the unit off from the name.
+    """
+
+    text: str
+    name: str
+    unit: Unit | None = None
+    opening: int = 0
+    start: int = 0
+    end: int = 0
+    closing: int = 0
+
+    @property
+    def in_brackets(self) -> bool:
+        """Check whether the unit stands in brackets."""
+        return BRACKETS.search(self.text, self.opening, self.start) is not None
+
+    def with_unit(self, unit: str) -> str:
+        """The title with another unit in the place of its own; as it is where it has none."""
+        return self.text[: self.start] + unit + self.text[self.end :] if self.unit else self.text
+
+    def renamed(self, name: str, unit: str) -> str:
+        """Another name with a unit, set off as it is here; the name alone where there is none."""
+        if self.unit is None:
+            return name
+        if not self.opening:  # lux, lux (desk)
+            return f"{name} [{unit}]"
+        before, behind = self.text[self.opening : self.start], self.text[self.end : self.closing]
+        return name + before + unit + behind
+
+
+def read_title(text: str, like: Unit | None = None) -> Title:
+    """Return the name and the unit in a title.
+
+    A unit of the quantity of `like` is looked for first, or of any of light without it.  Then
+    what is in brackets is any unit, and a word of more than one letter is one of light.
+
+    Raises UnitError where the title has a unit of light that is none here, as `E (klux)`, or
+    where its numbers are not those of its unit, as `refuse_altered` has it, or where it names a
+    quantity that its unit does not measure, as `refuse_misnamed` has it.
+    """
+    title = _read(text, like)
+    if title.unit is None and (match := UNIT_OF_LIGHT.search(text)):
+        hint = ", ".join(suggest(match[0])) or "a unit of radcalc units"
+        raise UnitError(f"the title '{quote(text)}' has a unit that is not known", hint)
+    if title.unit:
+        refuse_altered(title)
+        refuse_misnamed(title, title.unit)
+    return title
+
+
+def unit_in(text: str, like: Unit | None = None) -> Unit | None:
+    """Return the unit in a title, whatever else the title says; None where it has none."""
+    return _read(text, like).unit
+
+
+def refuse_altered(title: Title) -> None:
+    """Refuse a title under which the numbers are not those of the quantity in its unit.
+
+    Raises UnitError where the title scales them, as `E [lx] x1000`, has a function of them, as
+    `log E [lx]`, or has another unit, as `E [W/m2] or [lx]`.
+    """
+    text, unit = title.text, title.unit
+    before, after = text[: title.start], text[title.end :]
+    masked = NO_SCALE.sub(" ", f"{before}{HERE}{after}" if unit else text)
+    hint = f"numbers in {quote(unit.text)}" if unit else "numbers in their unit"
+    in_parts = unit and len(unit.atoms) > 1 and any(name in PARTS for name, _ in unit.atoms)
+    if in_parts or FACTOR.search(masked) or (unit and SCALED_BEFORE.search(before)):
+        raise UnitError(f"the title '{quote(text)}' scales its numbers", hint)
+    if FUNCTION.search(masked):
+        raise UnitError(f"the title '{quote(text)}' has a function of its numbers", hint)
+    if unit and (other_unit := _other_unit(f"{before} {after}", unit)):
+        units = f"{quote(unit.text)} and {quote(other_unit.text)}"
+        raise UnitError(f"the title '{quote(text)}' has two units, {units}", "one of them")
+
+
+def refuse_misnamed(title: Title, unit: Unit) -> None:
+    """Refuse a title that is the name of another quantity than the unit of its numbers measures.
+
+    Raises UnitError for `illuminance [cd/m2]`, and for `PPFD (desk) 1` over numbers in lux.
+    """
+    if other := other_quantity(title.name, unit):
+        raise UnitError(
+            f"the title '{quote(title.text)}' names {other.name('en')}, not {describe(unit)}",
+            f"a unit of the first, such as {other.unit}, or another name",
+        )
+
+
+def other_quantity(name: str, unit: Unit) -> Quantity | None:
+    """Return the quantity of that name, where a unit of light measures another; None where it fits.
+
+    What stands in brackets is no part of a name, nor is a number behind a word.  A name that is
+    none of a quantity, or that has more words, fits any unit, as every name fits those of no light.
+    """
+    words = [word.rstrip("0123456789") for word in comparable(IN_BRACKETS.sub(" ", name)).split()]
+    folded = " ".join(filter(None, words))
+    named = index().names.get(folded, [])
+    symbols = index().misnomers.get(folded, {}) if named else {}
+    if folded in (*PHOTON_IRRADIANCES, *PHOTONS):
+        symbols = {"E_p": "", "Q_p": ""} if folded in PHOTONS else {"E_p": ""}
+    named = [*named, *(quantity for quantity in QUANTITIES if quantity.symbol in symbols)]
+    readings = [read(candidate) for candidate in (unit, *getattr(unit, "others", ()))]
+    if not named or any(
+        reading is None or _is_called(folded, quantity, reading)
+        for reading in readings
+        for quantity in named
+    ):
+        return None
+    return named[0]
+
+
+def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
+    """Check whether the name of a quantity is also one of what a reading measures."""
+    usual = read(resolve(quantity.unit))
+    if usual is None:
+        return False
+    if usual.retinal:  # there is one in lux, too
+        return reading.retinal or (reading.kind, reading.geometry) == (usual.kind, (0, 1, 0))
+    return (
+        (usual.kind == reading.kind or name in GENERIC)
+        and (usual.geometry == reading.geometry or name in PHOTONS)
+        and not reading.retinal
+        and (usual.axis == NONE or reading.axis != NONE)  # irradiance, per wavelength
+    )
+
+
+def _read(text: str, like: Unit | None) -> Title:
+    candidates = list(_candidates(text)) if len(text) <= LONGEST else []
+    for is_fitting in (_fits, _contradicts):
+        longer: list[Title] = []  # units of light, no part of which is the unit: s in umol_m2_s
+        for title, in_brackets in candidates:
+            if any(
+                long_title.start <= title.start and title.end <= long_title.end
+                for long_title in longer
+            ):
+                continue
+            if is_fitting(title, in_brackets, like):
+                return title
+            if _contradicts(title, in_brackets, like) and not in_brackets:
+                longer.append(title)
+    return Title(text, text)
+
+
+def _other_unit(text: str, unit: Unit) -> Unit | None:
+    """A unit in the rest of a title that is surely meant as one, and is not that of the title."""
+    for variant in (text, BRACKETS.sub(" ", text)):
+        for title, in_brackets in _candidates(variant):
+            other = title.unit
+            if other is None or is_same(other, unit) or IN.fullmatch(other.text):
+                continue
+            is_symbol = sum(map(str.isalpha, other.text)) < 2 or other.is_scale  # E1, (W)
+            if is_symbol and not (in_brackets and _measure(other) == _measure(unit)):
+                continue
+            if _measure(other) == _measure(unit) or _contradicts(title, False, None):
+                return other
+    return None
+
+
+def is_same(first: Unit, second: Unit) -> bool:
+    """Check whether two units have the same numbers: lux, lx and lm/m2."""
+    if first.is_scale or second.is_scale:
+        return scale_of(first) == scale_of(second)
+    return (
+        _measure(first) == _measure(second)
+        and first.top * second.bottom == second.top * first.bottom
+    )
+
+
+def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None) -> int:
+    """Return the place of the one column with a name.
+
+    The name is a whole title, a title without its unit, or either in any case of letters; the
+    first of these forms counts.  A number that is not a whole title is that of the column, from 1.
+    Raises UsageError if there is no such column, or several.
+    """
+    name = name.strip()
+    places = [place for place, title in enumerate(titles) if title == name]
+    number = int(name[:9]) if name.isascii() and name.isdecimal() else None
+    if not places:
+        places = _similar(titles, name, like)
+        if number and number <= len(titles) and number - 1 not in places:
+            places = sorted([*places, number - 1])
+    if len(places) == 1:
+        return places[0]
+    if places:
+        several = [f"{quote(titles[k])} (field {k + 1})" for k in places[:COMPARED]]
+        raise UsageError(
+            f"{where} has the column '{quote(name)}' {len(places)} times", listed(several)
+        )
+    known_titles = [title for title in titles[:COMPARED] if title]
+    hint = listed(nearest(name, known_titles) or known_titles) or "a title for each column"
+    if number is not None:
+        hint = f"from 1 to {len(titles)}"
+        hint += f", or one of: {listed(known_titles)}" if known_titles else ""
+    raise UsageError(f"{where} has no column '{quote(name)}'", hint)
+
+
+def _similar(titles: Sequence[str], name: str, like: Unit | None) -> list[int]:
+    """Return the places of titles that match a name but for the unit or the case of letters."""
+    folded = name.casefold()
+    near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
+    bare = [(k, title, _read(title, like).name) for k, title in near[:COMPARED]]
+    return (
+        [k for k, _, bare_name in bare if bare_name == name]
+        or [k for k, title, _ in bare if title.casefold() == folded]
+        or [k for k, _, bare_name in bare if bare_name.casefold() == folded]
+    )
+
+
+def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
+    """Return every part of a title that is a unit, and whether it stands in brackets."""
+    for match in [*IN_BRACKETS.finditer(text)][::-1]:
+        inner = match[1] if match[1] is not None else match[2]
+        start = match.start() + 1
+        preamble = PREAMBLE.match(inner)
+        for before in (0, preamble.end() if preamble else 0):
+            if title := _title(text, match.start(), start + before, match.end() - 1, match.end()):
+                yield title, True
+                break
+    words = [word.span() for word in WORD.finditer(text)]
+    for count in range(min(len(words), MOST_WORDS), 0, -1):
+        for first in range(len(words) - count, -1, -1):  # the last first
+            start, end = words[first][0], words[first + count - 1][1]
+            if count > 1 and BETWEEN.search(text, start, end):
+                continue
+            if title := _title(text, start, start, end, end):
+                yield title, False
+    if divided := QUANTITY_OVER_UNIT.fullmatch(text):
+        head = unit_of(text[: text.index("/")].strip())
+        is_ratio = head is not None and len(head.text) > 1 and read(head) is not None
+        start, end = divided.span(1)
+        if not is_ratio and (title := _title(text, start, start, end, end)):
+            yield title, False
+
+
+def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title | None:
+    """Return the title in which a part is the unit; None where it is none."""
+    inner = text[start:end]
+    start += len(inner) - len(inner.lstrip())
+    inner = inner.strip()
+    unit = find_scale(inner) or unit_of(inner) or _of_words(inner)
+    if unit is None:
+        return None
+    if text[opening - 1 : opening] == '"' == text[closing : closing + 1]:
+        opening, closing = opening - 1, closing + 1
+    before = text[:opening].rstrip(AROUND)
+    before = IN.sub("", before).rstrip(AROUND)
+    name = " ".join(filter(None, [before, text[closing:].strip(AROUND)]))
+    return Title(text, name, unit, len(before), start, start + len(inner), closing)
+
+
+def _of_words(text: str) -> Unit | None:
+    """Return the unit of umol_m2_s or umol_m-2_s-1, which programs make of umol/m2/s."""
+    words = text.split("_")
+    if len(words) < 2 or not all(word[:1].isalpha() for word in words):
+        return None
+    return unit_of(" ".join(words) if "-" in text else "/".join(words))
+
+
+def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
+    """Check whether the unit measures what `like` does, or light that can be told without it."""
+    unit = title.unit
+    if unit is None or like is None:
+        return _contradicts(title, in_brackets, like) and unit is not None and _is_light(unit)
+    readings = {_measure(reading) for reading in (unit, *getattr(unit, "others", ()))}
+    return any(_measure(reading) in readings for reading in (like, *getattr(like, "others", ())))
+
+
+def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
+    """Check whether the unit is surely meant as one, whatever it measures."""
+    unit = title.unit
+    if unit is None or in_brackets:
+        return unit is not None
+    is_word = sum(map(str.isalpha, unit.text)) > 1 and unit.text not in SUBSCRIPTS
+    is_word = is_word and not SYMBOL.match(unit.text)
+    is_name_of_kind = len(unit.atoms) == 1 and unit.atoms[0][0] == "photon"  # photon irradiance
+    return is_word and not is_name_of_kind and _is_light(unit)
+
+
+def _is_light(unit: Unit) -> bool:
+    return read(unit) is not None
+
+
+def _measure(unit: Unit) -> tuple[object, bool]:
+    return unit.dimension, unit.is_exitance

@@ -1,0 +1,250 @@
+"""What the titles of a file's columns say: the unit of its wavelengths, and what its values are."""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from radcalc.errors import ConditionError, UnitError, quote
+from radcalc.files.columns import plain, units_in
+from radcalc.quantities.column_titles import read_title, refuse_altered
+from radcalc.quantities.light import LUMINOUS, PER_WAVELENGTH, PHOTON, RADIANT, Reading, read
+from radcalc.units.dimensions import RESPONSIVITY
+from radcalc.units.table import unit_of
+from radcalc.units.unit import NUMBER, Unit
+
+NANOMETRES = {  # in a unit, by its name in small letters
+    "nm": 1.0,
+    "nanometre": 1.0,
+    "nanometer": 1.0,
+    "um": 1e3,
+    "micron": 1e3,
+    "micrometre": 1e3,
+    "micrometer": 1e3,
+    "angstrom": 0.1,
+    "å": 0.1,
+    "mm": 1e6,
+    "m": 1e9,
+}
+# A wavelength with its unit: wavelength (nm), wavelength [nm], wavelength in nm, wavelength_nm.
+DECLARED = re.compile(
+    r"(?:wave ?length|wvlgth|lambda|\bwl)s?\W*(?:in )?[\s_(\[:,]*([a-zå]+)[\s)\]]*$"
+)
+BRACKETED = re.compile(r"[(\[]\s*([^)\]]*?)\s*[)\]]\s*$")
+WORD = r"(?<![a-z]){}(?![a-z])"
+PROPERTY = WORD.format(
+    "(?:absorb|absorpt|transmitt|transmiss|reflect|respons|sensitiv|efficien|extinct|emissiv)[a-z]*"
+)
+NO_LIGHT = re.compile(
+    PROPERTY
+    + "|"
+    + WORD.format(
+        "(?:optical.densit(?:y|ies)|od|qe|eqe|refractive|counts?|cts|adu|dn|raw|dark|albedo"
+        "|log(?:10)?|ln|lg|d(?:b|bm)|err(?:ors?)?|std|stdev|uncertainty|cumulative)"
+    )
+    + r"|% ?[tra]\b|\b[tra] ?%|v ?\(lambda\)"
+)
+# A number before or behind a unit, or within it, and 1/(...), which scale the values.
+SCALED = re.compile(
+    r"\d[\d.]*(?:e[-+]?\d+)? *[*x×]? *(?:[mkun]?w|[mu]?mol|j)/|(?<![a-z])[*x×] *\d|1/\(|/\d"
+)
+AXES = re.compile(
+    WORD.format(r"(?:[mk]?ev|[mgtp]?hz|cm\^?-1|1/cm|energy|frequency|wave ?numbers?)")
+)
+PHOTONS = re.compile(
+    WORD.format("(?:photon(?:s|en)?|quanta|quantum|qntm|y?ppfd?|ypf|pfd|u?mol|u?einsteins?)")
+)
+# A property of a sample as all that a line says, or that it says behind its key.
+SAMPLED = re.compile(
+    rf"(?:.*[:=\t,;])?\W*+(?:(?:percent|spectral|total|diffuse)\W++)*{PROPERTY}\W*(?:percent)?\W*"
+)
+RELATIVE = re.compile(r"\b(?:a\.? ?u|arb|rel|norm)")
+PREFIXED = re.compile(r"(?<![a-zA-Z])([µμumkn])(Watt|Mol)s?(?![a-z])")
+LONGEST = 500  # characters of a line before the table that are looked at
+LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminances?|luminous)"))
+SHORT = {"Watt": "W", "Mol": "mol"}
+KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
+# The radiant quantity by the powers of 1/area and 1/solid angle.
+QUANTITIES = {
+    (0, 0): "flux",
+    (0, 1): "intensity",
+    (1, 0): "irradiance",
+    (1, 1): "radiance",
+}
+
+
+class Meaning(NamedTuple):
+    """What the values of a file are: watts or photons per wavelength, absolute or relative."""
+
+    said: str
+    are_photons: bool = False
+    absolute: str = ""  # the radiant quantity, where there is a unit
+    factor: float = 1.0  # to W/../nm or photon/s/../nm
+
+
+RELATIVE_WATTS = Meaning("its values taken as relative watts per wavelength")
+
+
+def is_wavelength(title: str) -> bool:
+    """Check whether a plain title is that of wavelengths."""
+    return bool(DECLARED.match(title)) or title.startswith(("wavelength", "nm ", "nm\t"))
+
+
+def wavelengths(
+    titles: Sequence[str], comments: Iterable[str], low: float, high: float
+) -> tuple[float, str]:
+    """Nanometres per unit of the wavelengths, and what to say of it.
+
+    Declared in the title, if there is one, or in a comment, or else plain from the numbers.
+    """
+    typed = {plain(title): title.strip() for title in (*titles, *comments)}
+    own_titles = [plain(title) for title in titles]
+    for text in own_titles:
+        if AXES.search(text) and not DECLARED.search(text):
+            raise ConditionError(f"'{quote(typed[text])}' is no wavelength", "wavelengths in nm")
+    for text in typed:
+        match = DECLARED.search(text)
+        word = match.group(1) if match else ""
+        if text in own_titles:
+            bracket = BRACKETED.search(text)
+            bare = text if text.rstrip("s") in NANOMETRES else word
+            word = bracket.group(1) if bracket else bare
+            if bracket and word.rstrip("s") not in NANOMETRES:
+                unit_text = quote(_typed(typed[text], word))
+                problem = f"wavelengths in '{unit_text}', which is no unit of length here"
+                raise ConditionError(problem, "nm, um, angstrom, mm or m")
+        if word and word.rstrip("s") in NANOMETRES:
+            note = f"the wavelengths are in {quote(_typed(typed[text], word))}, as declared"
+            return NANOMETRES[word.rstrip("s")], note
+    for unit, factor, fits in (
+        ("nanometres", 1.0, 100 <= low < 2000 and high <= 20000),
+        ("micrometres", 1e3, 0.1 <= low < 2.5 and high <= 100),
+        ("metres", 1e9, high < 1e-4),
+    ):
+        if fits:
+            return factor, f"the wavelengths are taken as {unit}, from their size"
+    problem = f"wavelengths from {low:g} to {high:g} in a unit that is not declared"
+    raise ConditionError(problem, "a header such as: wavelength (nm), value")
+
+
+def _typed(text: str, word: str) -> str:
+    """Return the last place of a word of a plain text, as it was typed."""
+    at = plain(text).rindex(word)
+    return text[at : at + len(word)]
+
+
+def values(title: str) -> Meaning:
+    """Return what the values under a title are; refuse what is no light, or not per wavelength."""
+    title = _with_short_units(title)
+    text = plain(title).replace("_", " ").replace("photon counts", "photons")
+    if NO_LIGHT.search(text):
+        raise ConditionError(f"'{quote(title)}' is not light, or not calibrated", KNOWN)
+    if SCALED.search(text):
+        raise ConditionError(f"'{quote(title)}' scales its values", KNOWN)
+    try:
+        parsed = read_title(title)
+        if parsed.unit is None:
+            refuse_altered(read_title(title.replace("%", " ")))  # of the peak, in any unit
+    except UnitError as error:
+        raise ConditionError(error.message, KNOWN) from None
+    if parsed.unit and (facts := read(parsed.unit)):
+        if _is_spectral(facts):
+            return _absolute(facts, float(parsed.unit.factor))
+        if parsed.in_brackets or not _is_word(parsed.unit, facts):
+            problem = f"values in {quote(parsed.unit.text)} are not power or photons per wavelength"
+            raise ConditionError(problem, KNOWN)
+    brackets, endings = units_in(title)
+    other_units = [part for part in brackets if _is_of_another(part)]
+    other_units += filter(_is_of_a_detector, endings)
+    if other_units:
+        problem = f"values in {quote(other_units[0])} are not light, or in a unit that is not known"
+        raise ConditionError(problem, KNOWN)
+    if LUMENS.search(text):
+        raise ConditionError(f"'{quote(title)}' is not power or photons per wavelength", KNOWN)
+    if PHOTONS.search(text):
+        return Meaning("its values taken as relative photons per wavelength", True)
+    return RELATIVE_WATTS
+
+
+def in_preamble(lines: Iterable[str], meant: Meaning) -> Meaning | None:
+    """Return what the lines before a table say of its values: a unit; refuse what is no light.
+
+    `meant` is what the title of the column says.  Where it does not say photons, and the lines
+    speak of them without a unit per wavelength, nothing tells what the values are.
+    """
+    meanings: dict[object, Meaning] = {}
+    photons = ""
+    for line in lines:
+        line = _with_short_units(line[:LONGEST])
+        text = plain(line).replace("_", " ")
+        if SAMPLED.fullmatch(text):
+            raise ConditionError(f"'{quote(line.strip())}' is not light", KNOWN)
+        brackets, endings = units_in(re.sub(r"[\t,;:=]", " ", line))
+        for part in brackets + endings:
+            facts, factor = _light(part, part in brackets)
+            if facts and _is_spectral(facts):
+                if SCALED.search(text):
+                    raise ConditionError(f"'{quote(line.strip())}' scales its values", KNOWN)
+                meaning = _absolute(facts, factor)
+                notes = filter(None, (f"in {quote(part)}, as its preamble says", meaning.said))
+                meanings[meaning] = meaning._replace(said=", ".join(notes))
+                break
+            if _is_of_a_detector(part):
+                raise ConditionError(f"'{quote(line.strip())}' is not light", KNOWN)
+        else:
+            photons = photons or (line if PHOTONS.search(text) else "")
+    if len(meanings) > 1:
+        problem = "the lines before the table have several units of light"
+        raise ConditionError(problem, "the unit in the title of the column")
+    if not meanings and photons and not meant.are_photons:
+        problem = f"'{quote(photons.strip())}' may mean that the values are photons"
+        raise ConditionError(problem, "a title over the values: watts, photons or their unit")
+    stated = next(iter(meanings.values()), None)
+    if stated and meant.are_photons and not stated.are_photons:
+        raise ConditionError("the title says photons, the lines before it watts", KNOWN)
+    return stated
+
+
+def _with_short_units(text: str) -> str:
+    """The text with uW and umol where it has uWatt and uMol, which are no spellings of units."""
+    return PREFIXED.sub(lambda match: match[1] + SHORT[match[2]], text)
+
+
+def _is_spectral(facts: Reading) -> bool:
+    """Check whether it is power or photons per wavelength."""
+    return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
+
+
+def _is_word(unit: Unit, facts: Reading) -> bool:
+    """Check whether a unit is one that titles have as a word for their quantity: watts, mol."""
+    is_of_all = not (facts.axis or facts.area or facts.solid_angle or unit.is_scale)
+    is_known = facts.kind == PHOTON or (facts.kind == RADIANT and not facts.time)
+    return is_of_all and is_known and len(unit.atoms) == 1
+
+
+def _is_of_another(part: str) -> bool:
+    """Check whether what is in brackets is a unit of something else, or a ratio of unknown ones."""
+    unit = unit_of(part)
+    if unit:
+        return unit.dimension != NUMBER
+    return "/" in part and not RELATIVE.search(plain(part))
+
+
+def _is_of_a_detector(part: str) -> bool:
+    """Check whether a text is a unit of what a detector makes of light, as A/W is."""
+    unit = unit_of(part) if "/" in part or "-" in part or "⁻" in part else None
+    return unit is not None and unit.dimension == RESPONSIVITY
+
+
+def _absolute(facts: Reading, factor: float) -> Meaning:
+    are_photons = facts.kind == PHOTON
+    note = "photons turned into watts" if are_photons else ""
+    return Meaning(note, are_photons, QUANTITIES[facts.area, facts.solid_angle], factor * 1e-9)
+
+
+def _light(text: str, in_brackets: bool) -> tuple[Reading | None, float]:
+    """What a text is as a unit of light, and its factor to SI; outside brackets W is a word."""
+    if not text or not (in_brackets or "/" in text or "-" in text or "⁻" in text):
+        return None, 1.0
+    unit = unit_of(text)
+    facts = read(unit) if unit else None
+    return (facts, float(unit.factor)) if unit and facts else (None, 1.0)

@@ -1,0 +1,70 @@
+"""The figures that a meter found itself, held against what its spectrum gives."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from radcalc.spectra.contents import Figure
+from radcalc.spectra.observers import OBSERVERS
+from radcalc.spectra.planck import AVOGADRO
+from radcalc.spectra.spectrum import PAR, Table
+
+CLOSE = 0.01  # relative: what the meter's own tables make of the same spectrum
+UNITS = {"illuminance": "lx", "irradiance": "W/m2", "ppfd": "umol/m2/s", "cct": "K"}
+
+
+def chosen(tables: Sequence[Table], figures: Mapping[str, Figure]) -> tuple[Table, tuple[str, ...]]:
+    """Return the table that the figures fit, and notes; the first is relative, for where none does.
+
+    Parameters
+    ----------
+    tables : sequence of Table
+        The same numbers, read in several ways; one that is alone is the answer.
+    figures : mapping
+        What the meter found, by the names of `UNITS`, in these.
+
+    Returns
+    -------
+    table : Table
+        The first of those whose illuminance is within 1 % and rounding, or the relative one.
+    notes : tuple of str
+        What differs by more.
+    """
+    if len(tables) == 1:
+        return tables[0], ()
+    relative, *absolute = tables
+    given = figures["illuminance"]
+    for table in absolute:
+        if _are_close(_illuminance(table), given):
+            return table, tuple(
+                f"the meter found {figure.value:g} {UNITS[name]} ({name}), "
+                f"its spectrum gives {value:.6g}"
+                for name, figure in figures.items()
+                if (value := RESULTS[name](table)) is not None and not _are_close(value, figure)
+            )
+    note = f"the meter found {given.value:g} lx, which its spectrum gives in no usual unit"
+    return relative, (note,)
+
+
+def _are_close(value: float, figure: Figure) -> bool:
+    return abs(value - figure.value) <= CLOSE * figure.value + figure.rounding
+
+
+def _illuminance(table: Table) -> float:
+    return table.lumens(OBSERVERS["photopic"])
+
+
+def _ppfd(table: Table) -> float:
+    return table.photons(PAR) / AVOGADRO * 1e6
+
+
+def _temperature(table: Table) -> float | None:
+    from radcalc.spectra.colorimetry import temperature_of  # loads large tables
+
+    return temperature_of(table)
+
+
+RESULTS: Mapping[str, Callable[[Table], float | None]] = {
+    "illuminance": _illuminance,
+    "irradiance": Table.total,
+    "ppfd": _ppfd,
+    "cct": _temperature,
+}

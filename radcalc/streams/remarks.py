@@ -1,0 +1,91 @@
+"""Remarks on the answers to lines: assumptions and notes, each said once for all its lines.
+
+Remarks that differ in their numbers alone are one, which has the range of each number.
+"""
+
+import re
+from collections.abc import Sequence
+
+NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?:/[1-9]\d*)?"
+SPAN = re.compile(f"({NUMBER})(?: to ({NUMBER}))?")
+MARK = "\0"  # in place of a number or a range
+
+Span = tuple[str, str]  # the least and the largest number, as they are written
+
+
+class Remark:
+    """A remark on some of the lines so far."""
+
+    def __init__(self, template: str, spans: list[Span], lines: range) -> None:
+        """Begin with the first lines and their numbers."""
+        self.template = template
+        self.spans = spans
+        self.lines = lines
+        self.is_shared = False  # by all lines
+        self.shown_spans: list[Span] | None = None
+
+    def widen(self, spans: list[Span], lines: range) -> None:
+        """Take in the numbers of more lines."""
+        self.lines = range(self.lines.start, max(self.lines.stop, lines.stop))
+        pairs = zip(self.spans, spans, strict=True)
+        self.spans = [old if old == new else _together(*old, *new) for old, new in pairs]
+
+    @property
+    def text(self) -> str:
+        """The remark with its numbers, and with its lines where others lack it."""
+        spans = iter(self.spans)
+        text = re.sub(MARK, lambda _: " to ".join(dict.fromkeys(next(spans))), self.template)
+        if self.is_shared:
+            return text
+        word, colon, rest = text.partition(": ")
+        first, last = self.lines[0], self.lines[-1]
+        where = f"line {first}" if first == last else f"lines {first} to {last}"
+        return f"{word}{colon}{where}: {rest}"
+
+
+def _together(*numbers: str) -> Span:
+    return min(numbers, key=_size), max(numbers, key=_size)
+
+
+def _size(number: str) -> float:
+    top, _, bottom = number.partition("/")
+    return float(top) / float(bottom or 1)
+
+
+class Remarks:
+    """The remarks on a stream's lines."""
+
+    def __init__(self) -> None:
+        """Begin without any."""
+        self.remarks: dict[str, Remark] = {}  # by their templates
+        self.shared: set[str] | None = None  # by all lines before any answer is written
+        self.has_begun = False
+
+    def hear(self, texts: Sequence[str], lines: range) -> None:
+        """Take the remarks on the answer to some lines."""
+        templates = [SPAN.sub(MARK, text) for text in texts]
+        if not self.has_begun:
+            self.shared = {*templates} & ({*templates} if self.shared is None else self.shared)
+        for template, text in zip(templates, texts, strict=True):
+            spans = [(low, high or low) for low, high in SPAN.findall(text)]
+            if template in self.remarks:
+                self.remarks[template].widen(spans, lines)
+            else:
+                self.remarks[template] = Remark(template, spans, lines)
+
+    def new(self) -> list[str]:
+        """Return the remarks that were not said yet, which goes before the answers."""
+        remarks = [item for item in self.remarks.values() if item.shown_spans is None]
+        for remark in remarks:
+            remark.is_shared = not self.has_begun and remark.template in (self.shared or ())
+            remark.shown_spans = remark.spans
+        self.has_begun = self.has_begun or self.shared is not None
+        return [remark.text for remark in remarks]
+
+    def changed(self) -> list[str]:
+        """Return the remarks whose numbers have left the range that was said."""
+        return [
+            remark.text
+            for remark in self.remarks.values()
+            if remark.shown_spans not in (None, remark.spans)
+        ]

@@ -1,0 +1,234 @@
+"""Readers of what people type: a value with its unit, and the words of a conversion.
+
+`read_amount` is the one reader of a value (`100 lx`, `1/3`, `4pi sr`), `read_operands` that of
+VALUE UNIT [to] TARGET.
+"""
+
+from radcalc.errors import (
+    ExpressionError,
+    NumberError,
+    RadcalcError,
+    UnitError,
+    UsageError,
+    command,
+    quote,
+)
+from radcalc.units.amount import Amount
+from radcalc.units.amounts import (
+    ALSO_UNITS,
+    EXAMPLE,
+    LONGEST_SUM,
+    OPERATORS,
+    STREAM_EXAMPLE,
+    UNCERTAIN,
+    amount_in,
+    find_unit,
+    has_number,
+    read_plain,
+    read_sum,
+)
+from radcalc.units.numbers import DIGITS, SEPARATORS, SIGNS_OF_UNCERTAINTY, split_quantity
+from radcalc.units.table import resolve, unit_of
+from radcalc.units.unit import NUMBER, Dimension
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
+    """Read a value, with its unit or bare; a scale of several readings is read as one of them.
+
+    Raises RadcalcError where it is none, or has an unknown unit.
+    """
+    text = text.strip()
+    problem: RadcalcError | None = None
+    try:
+        number, unit = split_quantity(text)
+        if unit.isalpha() or not has_number(unit):
+            return read_plain(text, number, unit, dimensions)
+    except RadcalcError as error:
+        problem = error
+    is_signed = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
+    is_signed |= any(text[k - 1] in DIGITS for k, c in enumerate(text) if k and c == "(")  # 100(3)
+    if not is_signed and (amount := read_sum(text)):
+        return amount
+    if any(mark in text for mark in UNCERTAIN):
+        from radcalc.units.uncertain import read_uncertain
+
+        if reading := read_uncertain(text):
+            size, unit_found, off, _, parts = reading
+            return amount_in(text, size, unit_found, off, dimensions, parts)
+    if is_signed and (amount := read_sum(text)):
+        return amount
+    if meant := sum_meant(text):
+        raise UnitError(f"'{quote(text)}' has several numbers", f"'{quote(meant)}'")
+    if problem:
+        raise problem
+    return read_plain(text, number, unit, dimensions)
+
+
+def sum_meant(text: str) -> str:
+    """`5 ft + 3 in` for `5 ft 3 in`: numbers with units of one quantity; '' for anything else."""
+    import re  # only when something is wrong already
+
+    if len(text) > LONGEST_SUM:
+        return ""
+    pairs = re.findall(r"([\d.]+)\s*([^\d\s.]+)", text)
+    if len(pairs) < 2 or "".join(map("".join, pairs)) != "".join(text.split()):
+        return ""
+    units = [unit_of(unit) for _, unit in pairs]
+    if len({unit.dimension if unit else None for unit in units} | {None}) != 2 or None in units:
+        return ""
+    return " + ".join(f"{number} {unit}" for number, unit in pairs)
+
+
+def with_unit(amount: Amount, unit: str) -> Amount:
+    """A bare number with the unit that stands in another word; arithmetic as it is in one."""
+    text = f"{amount.text} {unit}"
+    if unit == "1":  # which multiplies nothing, so that 2 + 3 stays 5
+        return Amount(
+            text,
+            amount.number,
+            resolve(unit),
+            amount.uncertainty,
+            (),
+            None,
+            0.0,
+            amount.rounding,
+            amount.parts,
+        )
+    if amount.rounding is not None or amount.parts:
+        return read_amount(text)
+    return amount_in(
+        text, amount.number, find_unit(text, unit), amount.uncertainty, (), amount.parts
+    )
+
+
+def read_operands(words: list[str]) -> tuple[Amount, str]:
+    """Return the value with its unit, and the text of the target ('' where none is).
+
+    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around a separator
+    may a unit be several words.
+    """
+    try:
+        return _read_operands(words)
+    except RadcalcError:
+        for end in range(len(words), 1, -1):  # 5 ft 3 in m, 5ft 3in m
+            if not (end > 3 or all(word[:1].isdigit() for word in words[:end])):
+                continue
+            if meant := sum_meant(" ".join(words[:end])):
+                typed = quote(" ".join(words[:end]))
+                hint = command("convert", meant, *words[end:])
+                raise UsageError(f"'{typed}' has several numbers", hint) from None
+        raise
+
+
+def _read_operands(words: list[str]) -> tuple[Amount, str]:
+    if not words:
+        raise UsageError("a value is missing", EXAMPLE)
+    if words[1:] and words[-1] in ("-", "="):
+        shell = "to in its place, or '->' in quotes: without them > is the shell's"
+        raise UsageError(f"a unit is missing after {words[-1]}", shell)
+    amount, separator, rest = read_value(words)
+    if separator and not rest:
+        raise UsageError(f"a unit is missing after {separator}", EXAMPLE)
+    if not separator and amount.unit is None and rest and rest[0] in OPERATORS:
+        raise _too_many(quote(words[0]), rest)
+    if not separator and amount.unit is None and rest and rest[0].strip():
+        amount, rest = with_unit(amount, rest[0].strip()), rest[1:]
+    if separator and amount.unit is None and _is_of_numbers(rest[0]):
+        amount = with_unit(amount, "1")
+    if amount.unit is None:
+        is_plain = words[0].replace(".", "").isalnum()
+        hint = EXAMPLE if is_plain else command("convert", quote(words[0]), "to", "1")
+        raise UsageError(f"{quote(words[0])} has no unit", hint)
+    if rest and not rest[0].strip():
+        raise UsageError("the unit to convert to is empty", EXAMPLE)
+    if len(rest) > 1:
+        _, typed = amount.typed
+        raise _too_many(typed.text if typed else "", rest)
+    return amount, rest[0] if rest else ""
+
+
+def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
+    """Return the value, the separator behind it or '', and the words behind both.
+
+    The unit of a bare number may be the first of these, where nothing separates it.
+    """
+    if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
+        from radcalc.units.uncertain import join_words
+
+        words = join_words(words)
+    source, separator, target = sides(words)
+    if separator:
+        return read_amount(source), separator, [target] if target else []
+    return read_amount(words[0]), "", words[1:]
+
+
+def read_stream_operands(words: list[str]) -> tuple[str, str]:
+    """Return the units of `- UNIT [to] TARGET`; the first is '' where the lines carry their own."""
+    if words.count("-") > 1:
+        raise UsageError("there is more than one -, and one standard input", STREAM_EXAMPLE)
+    source, separator, target = sides(words[1:], is_stream=True)
+    units = [source, target] if separator else words[1:]
+    if not units or not all(unit.strip() for unit in units[bool(separator) :]):
+        raise UsageError("a unit to convert to is missing", STREAM_EXAMPLE)
+    if len(units) > 2:
+        raise _too_many(units[0], units[1:])
+    return (units[0] if len(units) > 1 else ""), units[-1]
+
+
+def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
+    """Cut the words at what separates source and target: the source, the separator, the target.
+
+    All are '' where nothing does.  `in` and `as` do between a value with its unit and a target:
+    `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches alone.
+    """
+    parts = " ".join(words).split()
+    places = [place for place, part in enumerate(parts) if part in SEPARATORS]
+    if not places and (len(words) == 1 or any(word in ALSO_UNITS for word in words)):
+        last = max((i for i, part in enumerate(parts[:-1]) if part in ALSO_UNITS), default=0)
+        if last and (parts[last + 1][0] in "(°%" or parts[last + 1][0].isalpha()):
+            places = [last] if is_stream or _has_unit(" ".join(parts[:last])) else []
+    if not places:
+        return "", "", ""
+    at, *others = places
+    if others:
+        again = parts[others[0]]
+        raise UsageError(
+            f"the word {again} stands there more than once"
+            if again == parts[at]
+            else f"{parts[at]} and {again} both separate units",
+            STREAM_EXAMPLE if is_stream else EXAMPLE,
+        )
+    return " ".join(parts[:at]), parts[at], " ".join(parts[at + 1 :])
+
+
+def _is_of_numbers(text: str) -> bool:
+    """Check whether a unit or a scale is of bare numbers: 1, % or dB."""
+    unit = unit_of(text)
+    if unit is None:
+        from radcalc.units.scales import find
+
+        unit = find(text)
+    return unit is not None and unit.dimension == NUMBER
+
+
+def _has_unit(text: str) -> bool:
+    """Check whether a value has a unit, which may be one that nobody knows."""
+    try:
+        return read_amount(text).unit is not None
+    except RadcalcError as error:
+        return isinstance(error, ExpressionError) or not isinstance(error, NumberError)
+
+
+def _too_many(unit: str, rest: list[str]) -> UsageError:
+    if rest[0].lower() in SEPARATORS + ALSO_UNITS and rest[1:]:
+        return UsageError(
+            f"'{quote(rest[0])}' does not separate units", f"{quote(unit)} to {quote(rest[1])}"
+        )
+    hint = "quotes around a unit of several words, or to between the units"
+    if any(word in OPERATORS for word in rest):
+        hint = "quotes around a value that is calculated"
+    return UsageError(f"too many words: '{quote(' '.join([unit, *rest]))}'", hint)

@@ -1,0 +1,204 @@
+"""The scales: units that are read through a function, with their spellings and sources."""
+
+import math
+from typing import Any, NamedTuple
+
+from radcalc import maths
+from radcalc.errors import RadcalcError, UnitError, mention, quote
+from radcalc.units.grammar import parse_unit
+from radcalc.units.unit import lookup
+
+K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of light meters use
+CONSTANTS = {  # what is assumed of a light meter where nobody says it, and what others have
+    "k": ("K = 12.5 cd s/m2", "some makers have 14"),
+    "c": ("C = 250 lx s", "320 to 340 with a dome"),
+}
+
+
+class Scale(NamedTuple):
+    """A scale: how it is spelled, its function, what is assumed in reading it, and says who.
+
+    The reference is `size` times `unit`; `letter` is that of the quantity.  `constant` is the
+    symbol of the light meter's constant that gives the size.
+    """
+
+    spellings: tuple[str, ...]
+    letter: str
+    unit: str
+    size: float
+    base: int
+    steps: float
+    zero: float
+    meaning: str
+    source: str
+    constant: str = ""
+
+    @property
+    def name(self) -> str:
+        """The first of its spellings."""
+        return self.spellings[0]
+
+    @property
+    def reference(self) -> str:
+        """The reference with its unit."""
+        return f"{self.size:.7g} {self.unit}".removesuffix(" 1")
+
+    @property
+    def formula(self) -> str:
+        """The reading of a quantity."""
+        return self.of(self.letter)
+
+    def of(self, quantity: str) -> str:
+        """Return the reading of a quantity that is written so."""
+        if not self.steps:
+            return f"{self.reference} / {quantity}"
+        inner = quantity if self.reference == "1" else f"{quantity} / {self.reference}"
+        log = f"{'lg' if self.base == 10 else 'lb'}({inner})"
+        log = {1.0: log, -1.0: f"-{log}"}.get(self.steps, f"{self.steps:g} {log}")
+        return f"{self.zero:g} + {log}" if self.zero else log
+
+    def inverse(self, reading: str = "n") -> str:
+        """Return the quantity of a reading."""
+        if not self.steps:
+            return f"{self.letter} = {self.reference} / {reading}"
+        n = f"({reading})" if reading.startswith("-") and self.steps < 0 else reading
+        n = f"{n} - {self.zero:g}" if self.zero else n
+        power = {1.0: n, -1.0: f"-{n}", -2.5: f"-0.4 * {n}"}.get(self.steps, f"{n}/{self.steps:g}")
+        head = "" if self.reference == "1" else f"{self.reference} * "
+        return f"{self.letter} = {head}{self.base}^{power if power.isalnum() else f'({power})'}"
+
+    def quantity(self, reading: Any) -> Any:
+        """What a reading stands for, in the scale's unit: a float, or whatever has powers."""
+        if not self.steps:
+            return self.size / reading
+        return self.size * maths.power(float(self.base), (reading - self.zero) / self.steps)
+
+    def reading(self, quantity: Any) -> Any:
+        """Return the reading of a quantity in the scale's unit."""
+        if not self.steps:
+            return self.size / quantity
+        log = maths.log10 if self.base == 10 else maths.log2
+        return self.zero + self.steps * log(quantity / self.size)
+
+    def of_meter(self, constant: Any) -> "Scale":
+        """Return the scale of a light meter that has a constant of its own [SI]."""
+        return self._replace(size=constant / 100)
+
+    def slope(self, reading: Any) -> Any:
+        """By how much the quantity grows with the reading, in the scale's unit."""
+        if not self.steps:
+            return -self.size / reading / reading
+        return self.quantity(reading) * maths.log(float(self.base)) / self.steps
+
+
+def _power(spellings: str, unit: str) -> Scale:
+    return Scale(
+        tuple(spellings.split()), "P", unit, 1, 10, 10, 0, "a level of power", "IEC 60027-3"
+    )
+
+
+# The zero point of magnitudes stands once; per square second of arc it is 1.0806e5 cd/m2.
+MAGNITUDE = Scale(
+    ("mag", "Vmag", "vmag", "magnitude", "magnitudes"), "E", "lx", 2.54e-6, 10, -2.5, 0,
+    "V band, above the atmosphere; zero points in print differ by up to a third",
+    "Allen, Astrophysical Quantities",
+)  # fmt: skip
+LUMINANCE_EV = Scale(
+    ("EV", "EV100"), "L", "cd/m2", K / 100, 2, 1, 0,
+    "of the luminance, at ISO 100", "ISO 2720", "k",
+)  # fmt: skip
+ILLUMINANCE_EV = LUMINANCE_EV._replace(
+    letter="E", unit="lx", size=C / 100, meaning="of the illuminance, at ISO 100", constant="c",
+)  # fmt: skip
+SCALES = (
+    _power("dBm dB(mW) dB(1mW) dBmW дБм", "mW"),
+    _power("dBW dB(W) dB(1W) дБВт", "W"),
+    _power("dBu(W) dBuW dB(uW) dB(1uW)", "uW"),
+    MAGNITUDE,
+    MAGNITUDE._replace(
+        spellings=("mag/arcsec2", "mpsas"),
+        meaning="V band; zero points in print differ by up to a third", letter="L", unit="cd/m2",
+        size=MAGNITUDE.size * (180 * 3600 / math.pi) ** 2,
+    ),
+    LUMINANCE_EV,
+    ILLUMINANCE_EV,
+    Scale(
+        ("mired", "mireds"), "T", "K", 1e6, 10, 0, 0,
+        "reciprocal colour temperature, in 1/MK", "ANSI/IES LS-1, reciprocal color temperature",
+    ),
+    Scale(
+        ("OD", "optical density"), "tau", "1", 1, 10, -1, 0,
+        "optical density, of the part of the light that is left",
+        "CIE S 017, transmittance optical density",
+    ),
+    Scale(
+        ("stops", "stop"), "x", "1", 1, 2, 1, 0,
+        "a ratio, above 0 for more light: a filter has less than 0",
+        "a step of exposure values (ISO 2720)",
+    ),
+    Scale(
+        ("dB", "decibel", "decibels", "дБ"), "x", "1", 1, 10, 10, 0,
+        "a ratio of powers, above 0 for more light: a loss is below 0", "IEC 60027-3",
+    ),
+    Scale(
+        ("bril", "brils"), "L", "lambert", 1, 2, 1, 100,
+        "a step is twice the luminance; others call 1e-7 lambert or a sensation so",
+        "GNU units, bril",
+    ),
+)  # fmt: skip
+
+REFUSED = {
+    "dBu": "dBu(W) or dBuW for a power: dBu alone is a voltage",
+    "dBuV": "dBu(W) for a power",
+    "dBV": "dBW for a power",
+    "SQM": "mag/arcsec2 for a reading of a sky quality meter",
+}
+SIZES = {scale.constant: scale.size for scale in SCALES if scale.constant}
+# Symbols are as they are written, names of words in any case; several scales may have one.
+BY_SPELLING: dict[str, list[Scale]] = {}
+BY_NAME: dict[str, list[Scale]] = {}
+for _scale in SCALES:
+    for _spelling in _scale.spellings:
+        BY_SPELLING.setdefault(_spelling, []).append(_scale)
+        if len(_spelling) > 3 and _spelling.islower():
+            BY_NAME.setdefault(_spelling, []).append(_scale)
+
+
+def usual(constant: str, settable: bool = False) -> str:
+    """Return what is assumed of a light meter's constant, where it can be given with its symbol."""
+    assumed, others = CONSTANTS[constant]
+    return f"{assumed} ({others}{mention(f': {{{constant}}}') if settable else ''})"
+
+
+def named(text: str) -> list[Scale]:
+    """Return the rows of a spelling: symbols as they are written, names of words in any case."""
+    bare, folded = text.replace(" ", ""), text.lower().replace("_", " ")
+    rows = BY_SPELLING.get(bare) or BY_NAME.get(folded) or []
+    if rows or "mag" not in text:
+        return rows
+    try:  # mag/arcsec^2, mag arcsec-2
+        atoms = [(name, power) for name, power, _ in parse_unit(text)]
+        area = [(lookup(name), power) for name, power in atoms if name != "mag"]
+    except RadcalcError:
+        return []
+    is_area = ("mag", 1) in atoms and area == [(("", "arcsecond"), -2)]
+    return [scale for scale in SCALES if "mpsas" in scale.spellings and is_area]
+
+
+def refuse(spelling: str) -> UnitError | None:
+    """Return what to say of a spelling that is no unit, but a scale or nearly one."""
+    name = quote(spelling)
+    if spelling in REFUSED:
+        return UnitError(f"'{name}' is not accepted as a scale", REFUSED[spelling])
+    if rows := named(spelling):
+        scale = rows[0]
+        return UnitError(
+            f"'{name}' is a scale, {scale.formula}, and no unit that is multiplied or divided",
+            f"a number of {scale.unit}" if scale.unit != "1" else "the ratio as a number",
+        )
+    return None
+
+
+def spellings() -> list[str]:
+    """Return every spelling of a scale."""
+    return list(dict.fromkeys(spelling for scale in SCALES for spelling in scale.spellings))
