@@ -33,6 +33,7 @@ __all__ = [
     "mesopic",
     "photon",
     "point_source",
+    "refraction",
     "reproject",
     "room",
     "scene",

@@ -78,6 +78,7 @@ __all__ = [
     "mesopic",
     "photon",
     "point_source",
+    "refraction",
     "reproject",
     "room",
     "scene",
@@ -471,6 +472,14 @@ def point_source(
     range: Text = None,
     photon_range: Text = None,
     any_incidence: bool = False,
+) -> Result: ...
+def refraction(
+    *,
+    index: Number = None,
+    incidence: Amount = None,
+    refraction_angle: Amount = None,
+    brewster_angle: Amount = None,
+    critical_angle: Amount = None,
 ) -> Result: ...
 def reproject(
     source: Surroundings,

@@ -25,6 +25,7 @@ SUMMARIES = {
     "dose": "What samples of light in time add up to.",
     "sensor": "Sensors: light, photons, electrons and current.",
     "laser": "Laser beams: the spot and the hazard distance.",
+    "refraction": "Surfaces between media: angles and reflectances.",
     "room": "The luminaires that light a room.",
     "integrate": "Integrals over directions.",
     "photon": "Wavelength, frequency and energy of a photon.",

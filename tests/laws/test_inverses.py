@@ -257,6 +257,29 @@ FORWARD: dict[tuple[str, str], tuple[dict[str, Any], str, Any]] = {
             lambda size, angle, away: size + angle * away)
         for spot, distance in SPOTS
     },
+    ("Snell's law", "incidence"): (
+        {"index": st.floats(1.05, 2.5), "refraction-angle": st.floats(0.05, 0.4)}, "incidence",
+        lambda n, t: math.atan2(n * math.sin(t), math.sqrt(1 - (n * math.sin(t)) ** 2))),
+    ("Brewster's angle", "brewster-angle"): (
+        {"index": NEAR_1}, "brewster-angle", lambda n: math.asin(n / math.hypot(1, n))),
+    ("critical angle", "critical-angle"): (
+        {"index": st.floats(1.05, 3)}, "critical-angle",
+        lambda n: math.atan(1 / math.sqrt(n**2 - 1))),
+    # as a line that ends in another impedance reflects
+    ("Fresnel's reflectance, perpendicular", "reflectance-s"): (
+        {"incidence": ANGLE, "index": NEAR_1, "refraction-angle": ANGLE}, "reflectance-s",
+        lambda i, n, t: (1 - 2 / (1 + n * math.cos(t) / math.cos(i))) ** 2),
+    ("Fresnel's reflectance, parallel", "reflectance-p"): (
+        {"index": NEAR_1, "incidence": ANGLE, "refraction-angle": ANGLE}, "reflectance-p",
+        lambda n, i, t: (1 - 2 / (1 + n * math.cos(i) / math.cos(t))) ** 2),
+    ("unpolarised light", "reflectance"): (
+        {"reflectance-s": PART, "reflectance-p": PART}, "reflectance", lambda s, p: s / 2 + p / 2),
+    ("energy at the surface", "transmittance"): (
+        {"reflectance": PART}, "transmittance", lambda whole: 1 - whole),
+    # (1 - rho)^2 (1 + rho^2 + rho^4 ...), the light that leaves after each pair of reflections
+    ("slab without absorption", "slab-transmittance"): (
+        {"reflectance-s": PART, "reflectance-p": PART}, "slab-transmittance",
+        lambda *rhos: sum((1 - rho) ** 2 / (1 - rho**2) for rho in rhos) / 2),
     ("flux of a gaussian beam through an aperture", "received-flux"): (
         {"flux": SIZE, "spot-diameter": st.floats(0.5, 2), "receiver-diameter": st.floats(0.1, 1)},
         "received-flux", lambda flux, spot, size: flux * (1 - math.exp(-2 * (size / spot) ** 2))),
