@@ -48,11 +48,13 @@ class Screen:
         self.wait(lambda text: "\nready\n>" in text)
 
     def tmux(self, *words: str) -> str:
+        # tmux starts commands with $SHELL, else with the user's login shell, which may be nologin
         done = subprocess.run(
             ["tmux", "-S", str(self.socket), *words],
             capture_output=True,
             text=True,
             encoding="utf-8",
+            env=os.environ | {"SHELL": "/bin/sh"},
             timeout=LONGEST,
             check=True,
         )
