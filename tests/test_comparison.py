@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT, run
 from helpers import require
 
-SECTION = (ROOT / "README.md").read_text("utf-8").partition("## What others answer\n")[2]
+SECTION = (ROOT / "README.md").read_text("utf-8").partition("## How other tools answer\n")[2]
 ABOUT, _, TABLE = SECTION.partition("\n\n| question ")
 ROWS = [line.strip("| ").split(" | ") for line in TABLE.split("\n\n")[0].splitlines()[2:]]
 TOOLS = ("units", "qalc", "Pint")  # in the order of the columns
