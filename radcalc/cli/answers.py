@@ -36,24 +36,24 @@ def refuse_bare(output: Output) -> None:
 
 def show(
     answers: Iterable[Answered],
-    asked: Request,
+    request: Request,
     output: Output,
     inputs: Sequence[Sequence[ShownInput]] = (),
 ) -> None:
     """Write the answers, or the results that were asked for; `inputs` are those of all answers."""
-    if not asked.steps:
+    if not request.steps:
         answers = (
             answered._replace(answer=answered.answer._replace(steps=())) for answered in answers
         )
-    if not asked.wanted:
+    if not request.wanted:
         refuse_bare(output)
         output.show([result(answered) for answered in _spread(answers)])
     elif output.is_bare or (output.format == CSV and _are_arrays(inputs)):
         hint = "--format table, or a unit: -g NAME:UNIT"
         output.refuse_auto("--get prints bare numbers", hint)
-        _show_columns(_picked(answers, asked.wanted, in_columns=True), output, inputs)
+        _show_columns(_picked(answers, request.wanted, in_columns=True), output, inputs)
     else:
-        picked = _picked(_spread(answers), asked.wanted)
+        picked = _picked(_spread(answers), request.wanted)
         output.show([result(answered, chosen) for answered, chosen in picked])
 
 

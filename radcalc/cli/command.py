@@ -57,7 +57,7 @@ def define(
     takes any, and that for a picture if it draws; `output` are more options of the output.
 
     The function is called with `typed`, the texts of the symbols that were given, where it has
-    any; `shown`, how to show the answer; `asked`, where it calculates; and with everything else
+    any; `shown`, how to show the answer; `request`, where it calculates; and with everything else
     by its name.
     """
     sections = dict(page.sections if sections is None else sections)
@@ -99,7 +99,7 @@ def define(
             if calculates:
                 from radcalc.cli.request import Request
 
-                values["asked"] = Request.of(values, page.takes_lines)
+                values["request"] = Request.of(values, page.takes_lines)
             if symbols:
                 values["typed"] = given
             return function(output=chosen_output, **values)

@@ -95,7 +95,7 @@ def command(
 ) -> int:
     """Answer a conversion, or those of the lines of standard input."""
     checking.refuse_idle(check, tolerance)
-    asked = line_options.LineOptions(**stream_options)
+    options = line_options.LineOptions(**stream_options)
     if words and is_stream(words[0]):  # '- lx', as an option has it
         words = (*words[0].split(None, 1), *words[1:])
     if words[:1] == ("-",):
@@ -112,8 +112,8 @@ def command(
         from radcalc.cli import streams
 
         checking.refuse_stream(check)
-        return streams.convert(list(words), asked, all_cases, steps, output)
-    line_options.refuse(asked)
+        return streams.convert(list(words), options, all_cases, steps, output)
+    line_options.refuse(options)
     try:
         calls = conversions(list(words), all_cases)
     except NumberError:
@@ -183,12 +183,12 @@ class Conversion(NamedTuple):
 
 def answers(calls: Sequence[Conversion], steps: bool) -> list[Result]:
     """The answers to all conversions, each under those of the conditions that it uses."""
-    asked = [
+    wanted = [
         (call.source, target, call.conditions, f"{call.value:.12g}")
         for call in calls
         for target in call.targets
     ]
-    planned = iter(plans(asked))
+    planned = iter(plans(wanted))
     return [call.answer([next(planned) for _ in call.targets], steps) for call in calls]
 
 

@@ -119,7 +119,7 @@ def command(
     time_unit: str | None,
     time_format: str | None,
     by: str | None,
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> int:
     """Answer for the samples of a log, or for each of its periods."""
@@ -147,13 +147,13 @@ def command(
         "time-unit": time_unit,
     }
     operands = texts_of({name: text or "" for name, text in typed_here.items()})
-    if by and asked.check is None:
-        _show_periods(summed, log, all_cases[0].given, operands, by, asked, output)
+    if by and request.check is None:
+        _show_periods(summed, log, all_cases[0].given, operands, by, request, output)
         status = terminal.ANSWERED
     else:
         if by:
             refuse_several(len(summed.dose.periods))
-        status = run(all_cases, _task(summed, log, operands, bool(by)), asked, output)
+        status = run(all_cases, _task(summed, log, operands, bool(by)), request, output)
     return status if log.is_good or status else terminal.FAILED
 
 
@@ -176,7 +176,7 @@ def _show_periods(
     given: Inputs,
     operands: Sequence[ShownInput],
     by: str,
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> None:
     """Show an answer for each day or hour of a log."""
@@ -187,7 +187,7 @@ def _show_periods(
         )
         for label, answer in summed.of_periods(_light(given))
     ]
-    show(answers, asked, output, [answered.inputs for answered in answers])
+    show(answers, request, output, [answered.inputs for answered in answers])
 
 
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:

@@ -54,7 +54,7 @@ def command(
     order: str | None,
     reproject: str | None,
     to: str | None,
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> int:
     """Answer for a receiver, or write the map that is asked for."""
@@ -77,13 +77,13 @@ def command(
             return environment(source, given)
 
         task = Task("environment", work_out, texts_of(operands), drawn=source)
-        return run(all_cases, task, asked, output)
+        return run(all_cases, task, request, output)
     for name in ("normal", "toward"):
         if name in typed:
             problem = f"--{name} has no use where a map is written"
             raise UsageError(problem, f"the same without --{name}")
     _refuse_source(path, operands["source"])
-    given = one_case(typed, asked)
+    given = one_case(typed, request)
     if irradiance_map:
         if reproject:
             flags = "--irradiance-map and --reproject"
@@ -93,7 +93,7 @@ def command(
         make = partial(page.irradiance_map, source, given, 2 if order else None)
         inputs = texts_of({**operands, "irradiance-map": path, "order": order or ""})
         return write_map(
-            path, "irradiance map", make, asked, output, (*inputs, *shown_inputs(given))
+            path, "irradiance map", make, request, output, (*inputs, *shown_inputs(given))
         )
     if order:
         raise UsageError("--order has no use with --reproject", "the same without --order")
@@ -102,7 +102,7 @@ def command(
         raise UsageError("the projection to write is missing", ways)
     make = partial(page.reprojection, source, given, to)
     inputs = (*texts_of({**operands, "reproject": path, "to": to}), *shown_inputs(given))
-    return write_map(path, "reprojection", make, asked, output, inputs)
+    return write_map(path, "reprojection", make, request, output, inputs)
 
 
 def _refuse_source(path: str, source: str) -> None:

@@ -19,7 +19,11 @@ UNIT = click.Option(
 
 @define("integrate", PAGE, {**PAGE.sections, "Results": (UNIT, *PAGE.sections["Results"])})
 def command(
-    words: tuple[str, ...], unit: str | None, typed: dict[str, str], asked: Request, output: Output
+    words: tuple[str, ...],
+    unit: str | None,
+    typed: dict[str, str],
+    request: Request,
+    output: Output,
 ) -> int:
     """Answer for an expression, which may have a unit."""
     if not words:
@@ -30,4 +34,4 @@ def command(
     operands = texts_of({"expression": text, "unit": unit or ""})
     drawn = text, unit or ""
     task = Task("integrate", lambda given: integrate(text, given, of), operands, drawn=drawn)
-    return run(all_cases, task, asked, output)
+    return run(all_cases, task, request, output)

@@ -69,9 +69,9 @@ OPTIONS = (
 )
 
 
-def refuse(asked: LineOptions, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
+def refuse(options: LineOptions, hint: str = command("convert", "-", "UNIT", "TARGET")) -> None:
     """Refuse an option for streams where there is none."""
-    for name, value in zip(LineOptions._fields, asked, strict=True):
+    for name, value in zip(LineOptions._fields, options, strict=True):
         if value is not None and value in SYMBOLS["electric-field"].choices:
             raise UsageError(
                 f"--{name} {value} is for the fields of lines",

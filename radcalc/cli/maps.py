@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from radcalc.calculators.maps import RenderedMap
 
 
-def one_case(typed: dict[str, str], asked: Request) -> Inputs:
+def one_case(typed: dict[str, str], request: Request) -> Inputs:
     """Return the inputs of a map; one map is made at a time."""
-    if asked.check is not None:
+    if request.check is not None:
         raise UsageError("--check has no use where a map is written", "the same without --check")
-    if asked.plot:
+    if request.plot:
         raise UsageError("--plot has no use where a map is written", "the same without --plot")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1 or all_cases[0].stream:
@@ -35,22 +35,22 @@ def write_map(
     path: str,
     task: str,
     make: Callable[..., "RenderedMap"],
-    asked: Request,
+    request: Request,
     output: Output,
     inputs: tuple[ShownInput, ...],
 ) -> int:
     """Make a map, write it, and tell what it is; everything is checked before it is written."""
     from radcalc.distributions.maps.pictures import check_target, write_picture
 
-    if not asked.wanted:
+    if not request.wanted:
         refuse_bare(output)
     check_target(path)
     with progress(task, output.style.remarks) as tick:
         rendered = make(progress=tick)
-    for name in asked.wanted:
+    for name in request.wanted:
         pick(rendered.answer.values, name)
     lost = write_picture(path, rendered.picture)
     description = f"{quote_path(path)}: {rendered.what}"
     answer = rendered.answer._replace(notes=(*rendered.answer.notes, description, *lost))
-    show([Answered("", inputs, answer)], asked, output)
+    show([Answered("", inputs, answer)], request, output)
     return terminal.ANSWERED

@@ -23,19 +23,19 @@ def of_page(name: str) -> SectionedCommand:
     page = module.PAGE
 
     def calculate(
-        typed: dict[str, Any], asked: Any, output: options.Output, words: Sequence[str] = ()
+        typed: dict[str, Any], request: Any, output: options.Output, words: Sequence[str] = ()
     ) -> int:
         from radcalc.cli.calculator import run
         from radcalc.cli.cases import at_points, cases
 
         all_cases = cases(typed, intervals=page.intervals, bare=page.bare)
         if hasattr(module, "task"):
-            return run(all_cases, module.task(words, asked.wants), asked, output)
+            return run(all_cases, module.task(words, request.wants), request, output)
         if page.operand and not words:
             example, _ = words_of(page.examples[0])
             raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
         if page.operand:
             all_cases = at_points(all_cases, page.operand.name, words)
-        return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), asked, output)
+        return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), request, output)
 
     return define(name, page)(calculate)

@@ -17,7 +17,7 @@ T = TypeVar("T")
 
 
 @define("photon", PAGE)
-def command(words: tuple[str, ...], typed: dict[str, str], asked: Request, output: Output) -> int:
+def command(words: tuple[str, ...], typed: dict[str, str], request: Request, output: Output) -> int:
     """Answer for a wavelength, or what is given for one."""
     if not words:
         raise UsageError("a wavelength is missing", "radcalc photon 555nm")
@@ -25,8 +25,8 @@ def command(words: tuple[str, ...], typed: dict[str, str], asked: Request, outpu
     all_cases = [_named(case) for case in all_cases]
     task = Task("photon", photon)
     if all_cases[0].stream:
-        return _as_operand(lambda: run(all_cases, task, asked, output))
-    return run(all_cases, task, asked, output)
+        return _as_operand(lambda: run(all_cases, task, request, output))
+    return run(all_cases, task, request, output)
 
 
 def _as_operand(read: Callable[[], T]) -> T:

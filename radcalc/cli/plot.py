@@ -21,14 +21,14 @@ FEW = 20  # answers of which a terminal has the table beside the picture
 IN_A_FILE = "--plot FILE.svg, which leaves the numbers alone"
 
 
-def refuse(asked: Request, output: Output) -> None:
+def refuse(request: Request, output: Output) -> None:
     """Refuse a picture where there is no place for it, before anything is worked out."""
-    if asked.check is not None:
+    if request.check is not None:
         raise UsageError("--check has one number, and no picture", "the same without --plot")
-    if asked.plot != TO_TERMINAL:
+    if request.plot != TO_TERMINAL:
         from radcalc.plots.figure import check_place
 
-        check_place(asked.plot)
+        check_place(request.plot)
         return
     if output.format in (JSON, CSV):
         raise UsageError(f"a picture is no {output.format.upper()}", IN_A_FILE)
@@ -50,7 +50,7 @@ def picture(
 def show_with_picture(
     drawing: "Picture",
     answers: Sequence[Answered],
-    asked: Request,
+    request: Request,
     output: Output,
     inputs: Sequence[Sequence[ShownInput]],
 ) -> None:
@@ -58,20 +58,20 @@ def show_with_picture(
 
     On a terminal many answers are the picture alone, unless their table is asked for.
     """
-    if asked.plot != TO_TERMINAL:
+    if request.plot != TO_TERMINAL:
         for answered in answers:  # before anything is written
-            for name in asked.wanted:
+            for name in request.wanted:
                 pick(answered.answer.values, name, answered.case)
         from radcalc.plots.figure import write
 
-        write(asked.plot, drawing)
-        show(answers, asked, output, inputs)
+        write(request.plot, drawing)
+        show(answers, request, output, inputs)
         return
     count = sum(len(answered.long.value) if answered.long else 1 for answered in answers)
     if count > FEW and output.format == TABLE and not output.is_chosen:
         output.remark([result(answered, ()) for answered in answers])
     else:
-        show(answers, asked, output, inputs)
+        show(answers, request, output, inputs)
         terminal.write("\n")
     draw(drawing, output)
 

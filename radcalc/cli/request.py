@@ -23,15 +23,15 @@ class Request(NamedTuple):
     @classmethod
     def of(cls, values: dict[str, Any], takes_lines: bool) -> "Request":
         """Take it out of a command's values; refuse what has no use with --check, or without."""
-        asked = cls(*[values.pop(name) for name in cls._fields[:4]])
-        asked = asked._replace(plot=values.pop("plot", None) or "")
+        request = cls(*[values.pop(name) for name in cls._fields[:4]])
+        request = request._replace(plot=values.pop("plot", None) or "")
         if takes_lines:
             line_values = [values.pop(name) for name in line_options.LineOptions._fields]
-            asked = asked._replace(lines=line_options.LineOptions(*line_values))
-        check.refuse_idle(asked.check, asked.tolerance)
-        if asked.check is not None and asked.wanted:
+            request = request._replace(lines=line_options.LineOptions(*line_values))
+        check.refuse_idle(request.check, request.tolerance)
+        if request.check is not None and request.wanted:
             raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
-        return asked
+        return request
 
     def wants(self, name: str) -> bool:
         """Return whether a result is asked for by its name."""

@@ -79,7 +79,7 @@ def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     at: tuple[str, ...],
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> int:
     """Answer for the points of a scene."""
@@ -95,10 +95,10 @@ def command(
     all_inputs = (*places, *shown_inputs(given))
     points = _points(at, given.pop("grid", None))
     normal = given.pop("normal").value if "normal" in given else None
-    names = [*map(name_of, asked.wanted)]
+    names = [*map(name_of, request.wanted)]
     of_all = _of_all(names)
     if points.size > 1:
-        _refuse_one_of_many(asked, points.size)
+        _refuse_one_of_many(request, points.size)
 
     def survey(given: Inputs) -> page.Survey:
         scene = page.scene(words[0], given, points.assumptions)
@@ -111,16 +111,16 @@ def command(
             return survey(given).at_point(next(points.blocks()))
         return survey(given).over_all(points.blocks(), points.is_grid)
 
-    is_for_each = points.size > 1 and not of_all and asked.check is None and not asked.plot
+    is_for_each = points.size > 1 and not of_all and request.check is None and not request.plot
     if is_for_each and (output.format == CSV or names):
         by_points = _stream if output.has_columns else _list
-        return by_points(survey(given), all_inputs, points, asked, output)
+        return by_points(survey(given), all_inputs, points, request, output)
     if is_for_each and not points.is_grid:
         return _show(survey(given), all_inputs, points, output)
     links = tuple(entry for entry in all_inputs if entry.name not in given)
-    if asked.plot:
-        return _draw(survey, given, points, asked, output, links)
-    return run([Case(given)], Task("scene", work_out, links), asked, output)
+    if request.plot:
+        return _draw(survey, given, points, request, output, links)
+    return run([Case(given)], Task("scene", work_out, links), request, output)
 
 
 def _of_all(names: Sequence[str]) -> list[str]:
@@ -133,14 +133,14 @@ def _of_all(names: Sequence[str]) -> list[str]:
     return of_all
 
 
-def _refuse_one_of_many(asked: Request, count: int) -> None:
+def _refuse_one_of_many(request: Request, count: int) -> None:
     """Refuse the check and the derivation of a result that each of several points has."""
-    if asked.check is not None:
-        claimed = name_of(asked.check.partition("=")[0])
+    if request.check is not None:
+        claimed = name_of(request.check.partition("=")[0])
         if (claimed in SYMBOLS or page.is_share(claimed)) and not page.is_of_all(claimed):
             problem = f"--check {quote(claimed)} is of one point, and there are {count}"
             raise UsageError(problem, "--at X,Y,Z once, or --check mean-irradiance=VALUE")
-    if asked.steps:
+    if request.steps:
         raise UsageError("--steps is of one point", "--at X,Y,Z once")
 
 
@@ -148,7 +148,7 @@ def _draw(
     survey: Callable[[Inputs], Any],
     given: Inputs,
     points: "Points",
-    asked: Request,
+    request: Request,
     output: Output,
     operands: tuple[ShownInput, ...],
 ) -> int:
@@ -169,14 +169,14 @@ def _draw(
         sources.extend((source.name, source.source.place) for source in surveyed.scene.sources)
         return surveyed.remarks(points.is_grid, with_values=True)
 
-    of_each = [name for name in asked.wanted if not page.is_of_all(name_of(name))]
+    of_each = [name for name in request.wanted if not page.is_of_all(name_of(name))]
     drawn = Surveyed(points.axes, blocks, sources, *of_each[:1])
-    asked = asked._replace(wanted=() if of_each else asked.wanted)
-    return run([Case(given)], Task("scene", work_out, operands, drawn=drawn), asked, output)
+    request = request._replace(wanted=() if of_each else request.wanted)
+    return run([Case(given)], Task("scene", work_out, operands, drawn=drawn), request, output)
 
 
 def _stream(
-    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", asked: Request, output: Output
+    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
     """Write a line for each point, a block of them at a time."""
     output.refuse_auto("a column of points has one", "-g NAME:UNIT, in a unit that fits")
@@ -184,12 +184,12 @@ def _stream(
 
     is_first = True
     for answer in survey.at_points(points.blocks()):
-        wanted = asked.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
+        wanted = request.wanted or [f"{v.name}:{unit}" for v in answer.values for unit in v.units]
         rows = [pick(answer.values, name) for name in wanted]
         if is_first:  # which tells that the answer is no single number
             output.hear([Result(tuple(rows))])
         if output.format == CSV:
-            at = () if _has_places(asked) else _coordinates(answer)
+            at = () if _has_places(request) else _coordinates(answer)
             units = {coordinate.name: coordinate.unit for coordinate in at}
             text = csv.block(Result(tuple(rows), inputs=at), units, output.style, is_first)
         else:
@@ -201,15 +201,15 @@ def _stream(
 
 
 def _list(
-    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", asked: Request, output: Output
+    survey: Any, inputs: tuple[ShownInput, ...], points: "Points", request: Request, output: Output
 ) -> int:
     """Write the results of each point that were asked for, as rows or objects."""
     if points.size > MOST:
         raise UsageError(f"a table of {points.size} points is too long", "--format csv")
     answers, _ = _at_each(survey, inputs, points)
-    if output.format == CSV and _has_places(asked):
+    if output.format == CSV and _has_places(request):
         answers = [answered._replace(inputs=inputs) for answered in answers]
-    show(answers, asked, output)
+    show(answers, request, output)
     return terminal.ANSWERED
 
 
@@ -250,9 +250,9 @@ def _coordinates(answer: Answer) -> tuple[ShownInput, ...]:
     return tuple(ShownInput(value.name, value.si, value.units[0]) for value in answer.values[:3])
 
 
-def _has_places(asked: Request) -> bool:
+def _has_places(request: Request) -> bool:
     """Check for coordinates among the wanted results: no others precede the results then."""
-    return any(name_of(name) in COORDINATES for name in asked.wanted)
+    return any(name_of(name) in COORDINATES for name in request.wanted)
 
 
 class Points(NamedTuple):

@@ -27,7 +27,7 @@ def command(
     words: tuple[str, ...],
     typed: dict[str, str],
     save: str | None,
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> int:
     """Answer for a sky, or write its map."""
@@ -36,13 +36,15 @@ def command(
         raise UsageError(f"too many words: '{quote(' '.join(others))}'", "one type of sky")
     name = word.lower()
     if save:
-        given = one_case(typed, asked)
+        given = one_case(typed, request)
         inputs = (*texts_of({"type": name, "save": save}), *shown_inputs(given))
-        return write_map(save, "map", lambda progress: sky_map(name, given), asked, output, inputs)
+        return write_map(
+            save, "map", lambda progress: sky_map(name, given), request, output, inputs
+        )
     if "size" in typed:
         raise UsageError("--size has no use without --save", "--save FILE with it")
     all_cases = cases(typed)
     operands = texts_of({"type": name})
-    is_drawn = bool(asked.plot)
+    is_drawn = bool(request.plot)
     task = Task("sky", lambda given: sky(name, given, is_drawn), operands, name, drawn=name)
-    return run(all_cases, task, asked, output)
+    return run(all_cases, task, request, output)

@@ -46,12 +46,12 @@ def command(
     column: str | None,
     list_: bool,
     typed: dict[str, str],
-    asked: Request,
+    request: Request,
     output: Output,
 ) -> int:
     """Answer for each source, or list the named ones."""
     if list_:
-        if typed or column or asked != Request((), False, None, None):
+        if typed or column or request != Request((), False, None, None):
             raise UsageError("--list takes words to search for alone", "radcalc spectrum --list")
         _show_list(" ".join(words), output)
         return terminal.ANSWERED
@@ -70,7 +70,7 @@ def command(
     operands = texts_of({"column": column or ""})
     if len(words) > 1:  # what is compared has its names beside it, wherever there is a table
         output = output._replace(is_chosen=output.is_chosen or output.format == TABLE)
-    return run(all_cases, Task("spectrum", describe, operands), asked, output)
+    return run(all_cases, Task("spectrum", describe, operands), request, output)
 
 
 def _source(text: str, column: str | None) -> Input:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 def convert(
     words: list[str],
-    asked: LineOptions,
+    options: LineOptions,
     cases: Sequence[Case],
     steps: bool,
     output: Output,
@@ -50,11 +50,11 @@ def convert(
         raise UsageError(problem, "one unit a call")
     given = _given(cases, steps)
     _refuse_format(output)
-    layout = Layout.of(asked, bool(source_text))
+    layout = Layout.of(options, bool(source_text))
     source = resolve_any(source_text) if source_text else None
     target = target_of(target_text, source)
     conversion = _Conversion(layout, source, target, given, output)
-    header = conversion.header(asked.column or "") if layout.has_titles else None
+    header = conversion.header(options.column or "") if layout.has_titles else None
     texts: Texts
     if source:
         if target.text != " ".join(target_text.split()):  # a quantity by its name
@@ -73,7 +73,7 @@ def convert(
         return conversion.record(place, planned, value)
 
     write_record = record if conversion.as_json else None
-    return layout.run(texts, header, write_record, terminal.pour, asked.invalid)
+    return layout.run(texts, header, write_record, terminal.pour, options.invalid)
 
 
 class _Conversion:
@@ -160,7 +160,7 @@ class _Conversion:
 
 
 def calculate(
-    case: Case, task: Task, wanted: Sequence[str], asked: LineOptions, output: Output
+    case: Case, task: Task, wanted: Sequence[str], options: LineOptions, output: Output
 ) -> int:
     """Answer every line of standard input; return the exit status.
 
@@ -171,18 +171,18 @@ def calculate(
     output.refuse_auto("a stream has one unit for all its lines", "the same without --auto")
     _refuse_format(output)
     refuse_uncertain(case.given.values(), "a stream")
-    layout = Layout.of(asked, source.is_bare)
+    layout = Layout.of(options, source.is_bare)
     calculation = _Calculation(case, source, task, wanted, layout, output)
     if len(wanted) > 1 and not calculation.as_json and (layout.cut or layout.lines or layout.adds):
         raise UsageError(f"{len(wanted)} results in the place of one field", "-g once")
     names_in_units = calculation.in_units(source)
     header = None
     if layout.lines or layout.adds:
-        header = calculation.header(asked.column or "", _unit_of(names_in_units))
+        header = calculation.header(options.column or "", _unit_of(names_in_units))
         wanted = names_in_units if calculation.has_titles else wanted
     texts = calculation.texts(source, wanted)
     record = calculation.record if calculation.as_json else None
-    status = layout.run(texts, header, record, calculation.write, asked.invalid)
+    status = layout.run(texts, header, record, calculation.write, options.invalid)
     calculation.say(calculation.remarks.changed())
     return status
 
@@ -219,7 +219,7 @@ class _Calculation:
 
     def write(self, data: bytes) -> None:
         """Write answers after the remarks on them."""
-        self.say(self.remarks.new())
+        self.say(self.remarks.not_yet_said())
         terminal.pour(data)
 
     def texts(self, source: Source, wanted: Sequence[str]) -> "Calculated":
@@ -371,27 +371,27 @@ class Layout(NamedTuple):
     adds: bool
 
     @classmethod
-    def of(cls, asked: LineOptions, has_unit: bool) -> "Layout":
+    def of(cls, options: LineOptions, has_unit: bool) -> "Layout":
         """Read the options; lines whose numbers have no unit may be cut at blanks."""
         from radcalc.streams.fields import Cut, Fields, read_delimiter
 
-        lines = asked.header or (1 if asked.column is not None else 0)
-        _refuse_contradictions(asked, lines, has_unit)
+        lines = options.header or (1 if options.column is not None else 0)
+        _refuse_contradictions(options, lines, has_unit)
         cut = None
-        if (asked.field, asked.column, asked.delimiter) != (None, None, None):
-            delimiter = read_delimiter(asked.delimiter) if asked.delimiter is not None else ""
+        if (options.field, options.column, options.delimiter) != (None, None, None):
+            delimiter = read_delimiter(options.delimiter) if options.delimiter is not None else ""
             cut = Cut(os.fsencode(delimiter))
-        mark = (asked.decimal or ".").encode()
+        mark = (options.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
             raise UsageError(
                 "--decimal , and --delimiter , contradict each other", option("delimiter", "tab")
             )
-        fields = Fields("1" if asked.field is None else asked.field)
-        name = asked.rename if asked.add is None else asked.add
+        fields = Fields("1" if options.field is None else options.field)
+        name = options.rename if options.add is None else options.add
         name = None if name is None else name.strip()
         if name is not None and not fields.is_one:
             raise UsageError("--add and --rename are for one field", "a call for each field")
-        return cls(cut, fields, lines, mark, name, asked.add is not None)
+        return cls(cut, fields, lines, mark, name, options.add is not None)
 
     @property
     def has_titles(self) -> bool:
@@ -414,15 +414,15 @@ class Layout(NamedTuple):
         return terminal.ANSWERED if good else terminal.FAILED
 
 
-def _refuse_contradictions(asked: LineOptions, lines: int, has_unit: bool) -> None:
+def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     """Refuse options that exclude each other, or lack another one."""
-    if asked.field is not None and asked.column is not None:
+    if options.field is not None and options.column is not None:
         raise UsageError("--field and --column contradict each other", "one of them")
-    if asked.add is not None and asked.rename is not None:
+    if options.add is not None and options.rename is not None:
         raise UsageError("--add and --rename contradict each other", "one of them")
-    if asked.rename is not None and not lines:
+    if options.rename is not None and not lines:
         raise UsageError("--rename needs a header", "--header, or --column NAME")
-    if not has_unit and asked.delimiter is None and asked.field is not None and not lines:
+    if not has_unit and options.delimiter is None and options.field is not None and not lines:
         raise UsageError(
             "--field needs --delimiter where the lines carry their own units",
             "--delimiter X, which says what cuts the fields",

@@ -355,13 +355,15 @@ def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
     for name in at:
         off = sheet.off(name)
         if any_true(off != 0):
-            total = total + larger(
-                *(abs(_cut(law, target, at, {name: sign * off}, value) - value) for sign in (1, -1))
-            )
+            moves = ({name: off}, {name: -off})
+            moved = [_moved_to_limit(law, target, at, move, value) for move in moves]
+            total = total + larger(*(abs(other - value) for other in moved))
     return total
 
 
-def _cut(law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any) -> Any:
+def _moved_to_limit(
+    law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any
+) -> Any:
     """Return the target with one symbol moved, as far as it can be; of several values the nearest.
 
     An incidence typed as 90 deg is not meant as 90.05.

@@ -32,11 +32,11 @@ def product_weights(grid: Any, nodes: Any, heights: Any) -> Any:
     array of shape (n,)
         By the trapezoid on the union of both grids.
     """
-    union, share = _shares(grid, nodes)
-    return _spread(union, share * np.interp(union, nodes, heights), grid)
+    union, weights = _trapezoid_weights(grid, nodes)
+    return _spread(union, weights * np.interp(union, nodes, heights), grid)
 
 
-def _shares(grid: Any, nodes: Any) -> tuple[Any, Any]:
+def _trapezoid_weights(grid: Any, nodes: Any) -> tuple[Any, Any]:
     """Return the union of two grids where both are, and the trapezoid's weights of its points."""
     low, high = max(grid[0], nodes[0]), min(grid[-1], nodes[-1])
     if low >= high:
@@ -48,10 +48,10 @@ def _shares(grid: Any, nodes: Any) -> tuple[Any, Any]:
     union = np.insert(part, np.searchsorted(part, inner), inner)
     union = np.concatenate(([low], union, [high]))  # a step of no width changes nothing
     steps = np.diff(union)
-    share = np.zeros(len(union))
-    share[:-1] += steps / 2
-    share[1:] += steps / 2
-    return union, share
+    weights = np.zeros(len(union))
+    weights[:-1] += steps / 2
+    weights[1:] += steps / 2
+    return union, weights
 
 
 def _spread(places: Any, amounts: Any, grid: Any) -> Any:
@@ -84,10 +84,10 @@ class ArrayTable(Table):
     def find_moments(self, start: int, count: int) -> Sequence[float]:
         """See `Spectrum`."""
         nodes = np.arange(start, start + count, dtype=float)
-        union, share = _shares(self.grid, nodes)
+        union, weights = _trapezoid_weights(self.grid, nodes)
         heights = np.interp(union, self.grid, self.values)
-        weights: list[float] = _spread(union, share * heights, nodes).tolist()
-        return weights
+        moments: list[float] = _spread(union, weights * heights, nodes).tolist()
+        return moments
 
     def photons(self, limits: Range) -> float:
         """See `Spectrum`."""

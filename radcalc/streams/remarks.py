@@ -73,7 +73,7 @@ class Remarks:
             else:
                 self.remarks[template] = Remark(template, spans, lines)
 
-    def new(self) -> list[str]:
+    def not_yet_said(self) -> list[str]:
         """Return the remarks that were not said yet, which goes before the answers."""
         remarks = [item for item in self.remarks.values() if item.shown_spans is None]
         for remark in remarks:
