@@ -1,4 +1,4 @@
-"""What surrounds a place: a map of radiances, a sky, an expression; what a receiver gets of it."""
+"""The light that a receiver gets from its surroundings: a radiance map, a sky, an expression."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -45,7 +45,7 @@ OF_SKY = ("sun-elevation", "sun-azimuth")
 SCALES = ("zenith-radiance", "horizontal-irradiance")
 RECEIVER = ("normal", "toward")
 PAGE = Page(
-    about="Give what a receiver gets of all that surrounds it: of a map, a sky or an expression.",
+    about="Give the light that a receiver gets from a radiance map, a sky or an expression.",
     operand=Operand("source", "SOURCE", ENVIRONMENT, NAMES),
     sections={
         "Map": OF_MAP,
@@ -56,8 +56,8 @@ PAGE = Page(
     },
     texts={
         "toward": "A direction that light comes from: POLAR from +z, POLAR,AZIMUTH, or X,Y,Z.",
-        "aim": "What the middle of the map shows (1,0,0).",
-        "normal": "Where the receiver faces (0,0,1: up).",
+        "aim": "Direction in the middle of the map (1,0,0).",
+        "normal": "Normal of the receiver (0,0,1: up).",
     },
     draws=True,
     takes_lines=False,
@@ -76,21 +76,21 @@ PAGE = Page(
     remarks="""
     SOURCE is a map of radiances (Radiance .hdr, OpenEXR .exr, .pfm), sky:TYPE with a type of
     radcalc sky, or an expression in theta (polar angle from +z, which is up) and phi (azimuth from
-    +x towards +y), with a unit behind a blank, or relative.  Directions are those that light comes
-    from.
+    +x towards +y), followed by a blank and a unit, or relative.  Directions are those that light
+    comes from.
 
-    The middle of a map shows the direction {aim}, and its up is as near to +z as can be.  A map
-    that is 2:1 is latlong; a square one has to be told.  Few files say in which {unit} they are;
-    with {unit} 1 every result is relative.  R, G and B are weighted to a luminance, by the file's
-    primaries or those of Rec. 709; in W/m2/sr they are Radiance's, and a watt counts as 179 lm.
+    The middle of a map shows the direction {aim}; its top is as near to +z as possible.  A 2:1 map
+    is latlong; a square map needs {projection}.  Few files state their {unit}; with {unit} 1
+    every result is relative.  R, G and B are weighted to a luminance, by the file's primaries or
+    those of Rec. 709; in W/m2/sr the weights are Radiance's, and a watt counts as 179 lm.
     """,
     mistakes=("all around",),
 )
 
-EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak's own, up to rounding
+EVEN = 1 - 1e-9  # of the peak: a mean above it is the peak, up to rounding
 SMALL = (64, 32)  # pixels of an irradiance map
 MOST = {"irradiance": "maximum", "radiance": "peak"}  # before the name of a quantity
-# Formulas of derivations, and where they come from.
+# Formulas of derivations, and their sources.
 IRRADIANCE = "E = integral of L max(n . s, 0) domega", "ISO 80000-7, irradiance"
 BY_HARMONICS = (
     "E = sum of A_l L_lm Y_lm(n), l = 0, 1, 2, A_l = pi, 2 pi/3, pi/4",
@@ -98,33 +98,33 @@ BY_HARMONICS = (
 )
 MEAN = "{} = integral of L domega / integral of domega"
 IS_RELATIVE = (
-    "the radiances are relative, and so is every result: where they are 1 everywhere, the "
-    "irradiance is pi sr"
+    "the radiances are relative, and so are all results: radiances of 1 everywhere give an "
+    "irradiance of pi sr"
 )
 
 
 class Source:
-    """The source that a user named, read once for all answers about it.
+    """The source of the radiances, read once for all answers.
 
-    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture; where it
-    `is_path`, the first of these alone.
+    `named` is the path of a map, sky:TYPE, an expression with its unit, or a picture; with
+    `is_path` it is a path.
     """
 
     def __init__(self, named: "str | Picture", is_path: bool = False) -> None:
         self.named, self.is_path = named, is_path
-        self.pictures: dict[str, Picture] = {}  # by the channel that they are read for
+        self.pictures: dict[str, Picture] = {}  # by channel
         self.environments: dict[tuple[Any, ...], Environment] = {}
         self.sums: dict[tuple[int, Vector], tuple[Integral, float, Peak]] = {}
 
     def environment(self, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
-        """Return the radiances, by the inputs that are about them."""
+        """Return the radiances for the settings of the source."""
         key = tuple((name, given.text) for name, given in settings.items())
         if key not in self.environments:
             self.environments[key] = self._read(settings, lit)
         return self.environments[key]
 
     def figures(self, radiances: "Radiances", normal: Vector) -> "tuple[Integral, float, Peak]":
-        """Return the irradiance, the mean and the peak, once for a list of directions."""
+        """Return irradiance, mean and peak, cached for a list of directions."""
         key = (id(radiances), normal)
         if key not in self.sums:
             self.sums[key] = radiances.irradiance(normal), radiances.mean(), radiances.peak()
@@ -148,7 +148,7 @@ class Source:
         return environments.of_picture(named, **values)
 
     def _picture(self, path: str, channel: str) -> "Picture":
-        """Return the picture of a map, which is read once."""
+        """Return the picture of a map, read once."""
         from radcalc.distributions.maps.pictures import read_picture
 
         if channel not in self.pictures:
@@ -157,14 +157,14 @@ class Source:
 
 
 def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
-    """Refuse what is about another source."""
+    """Refuse the settings of other sources."""
     foreign = [item.name for name, item in settings.items() if name not in takes]
     if foreign:
         raise Unused(foreign, f"with {what}")
 
 
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
-    """A sky, scaled by what is given or relative to its zenith."""
+    """Return a sky, scaled by a light quantity or relative to its zenith."""
     from radcalc.calculators.sky import place_of_sun
     from radcalc.distributions.environments import Environment
     from radcalc.distributions.sky import Sky
@@ -178,13 +178,13 @@ def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
         if "sun-azimuth" not in settings:
             raise MissingInput(*MISSING_AZIMUTH)
         sun = place_of_sun(settings)
-    sky = Sky(name, sun)  # which asks for the sun where it is missing
-    assumptions = [f"sky {name}: {sky.type.name}; below the horizon it is dark"]
+    sky = Sky(name, sun)  # asks for the sun if it is missing
+    assumptions = [f"sky {name}: {sky.type.name}; no light comes from below the horizon"]
     if sun:
-        assumptions.append("the sun is no part of the sky")
-    scale = at_most_one(settings, "how bright the sky is", *SCALES)
+        assumptions.append("the sky does not include the sun's disc")
+    scale = at_most_one(settings, "the brightness of the sky", *SCALES)
     if scale is None:
-        assumptions.append("the radiances are those over the zenith's")
+        assumptions.append("the radiances are relative to the zenith's")
         return Environment(sky, assumptions=tuple(assumptions))
     zenith = lit.amounts[scale.symbol.generic]
     if scale.symbol.generic == "horizontal-irradiance":
@@ -193,16 +193,16 @@ def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
 
 
 def environment(source: Source, given: Inputs) -> Answer:
-    """Return what a receiver gets of its surroundings, and what they are like.
+    """Return the irradiance of a receiver and the mean and peak radiance of its surroundings.
 
-    `given` are what tells how a map is to be read, how bright a sky is and where the sun, where the
-    receiver faces, a direction, and what links the kinds.
+    `given` are the settings of a map, the brightness of a sky and the position of the sun, the
+    normal of the receiver, a direction, and links between kinds.
     """
     return _surroundings(source, given, RECEIVER).answer()
 
 
 def surroundings(source: Source, given: Inputs) -> "Radiances":
-    """Return the radiances that `environment` is about; `given` as there."""
+    """Return the radiances; `given` as for `environment`."""
     return _surroundings(source, given, RECEIVER).environment.radiances
 
 
@@ -211,7 +211,7 @@ def irradiance_map(
 ) -> RenderedMap:
     """Return the irradiances of receivers that face in all directions, as a latlong map.
 
-    `given` are as of `environment`, but for the receiver's, and the size of the map.
+    `given` are the settings of `environment` without those of the receiver, and the map's size.
     """
     return _surroundings(source, given, ("size",)).irradiance_map(order, progress)
 
@@ -219,12 +219,12 @@ def irradiance_map(
 def reprojection(
     source: Source, given: Inputs, to: str, progress: "Progress | None" = None
 ) -> RenderedMap:
-    """Return the radiances as a map in one of `PROJECTIONS`; `given` as of `irradiance_map`."""
+    """Return the radiances as a map in one of `PROJECTIONS`; `given` as for `irradiance_map`."""
     return _surroundings(source, given, ("size",)).reprojected(to, progress)
 
 
 def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Surroundings":
-    """Return the radiances that a user named, with what is given."""
+    """Return the radiances of a source with the other inputs."""
     quantities, links, rest = split_by_light(given)
     takes = (*OF_MAP, *OF_SKY, *SCALES, *more)
     refuse_foreign(rest, takes, "an environment")
@@ -238,7 +238,7 @@ def _surroundings(source: Source, given: Inputs, more: tuple[str, ...]) -> "_Sur
 
 
 class _Surroundings:
-    """Radiances, in their kind or in none, and what is said of them."""
+    """Radiances of a kind, or relative ones, with their assumptions and notes."""
 
     def __init__(
         self, source: Source, environment: "Environment", lit: kinds.LightInputs, given: Inputs
@@ -278,11 +278,11 @@ class _Surroundings:
             value("peak-azimuth", peak.azimuth, letter="φ_max"),
         ]
         if not peak.value:
-            self.notes.append("there is no light from any direction that was looked at")
+            self.notes.append("the sampled directions have no light")
             dark = "there is no light", "a map, a sky or an expression that has some"
             ends = [absent("peak-polar", *dark), absent("peak-azimuth", *dark)]
         elif mean > peak.value * EVEN:
-            self.notes.append("the radiance is the same in every direction that is covered")
+            self.notes.append("the radiance is the same in all covered directions")
             even = "the radiance is the same in all directions", "peak-radiance"
             ends = [absent("peak-polar", *even), absent("peak-azimuth", *even)]
         values = [*results.values["irradiance"], *results.values["mean-radiance"]]
@@ -290,7 +290,7 @@ class _Surroundings:
         values += results.values.get("radiance-toward") or [
             absent("radiance-toward", "no direction is given", option("toward", "60deg,90deg"))
         ]
-        if "toward" in given:  # which tells the answers to a list apart
+        if "toward" in given:  # identifies each answer of a list
             polar, azimuth = given["toward"].value
             values.append(value("polar", polar, label="polar angle of that direction"))
             if "," in given["toward"].text:
@@ -307,25 +307,24 @@ class _Surroundings:
         )
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
-        """Return the irradiances by the normals that the pixels of a latlong map show."""
+        """Return the irradiances for the normals of the pixels of a latlong map."""
         from radcalc.distributions.maps.irradiance_map import DIRECTIONS, irradiance_map
 
         size = self._size(LATLONG, *SMALL)
         result = irradiance_map(self._map(), *size, order, progress)
         if order:
             self.notes.append(
-                f"of spherical harmonics up to order {order}: off the exact sum by up to "
-                f"{100 * result.largest:.2g} % of the largest irradiance, by "
-                f"{100 * result.rms:.2g} % in the root mean square, of receivers in "
-                f"{DIRECTIONS} directions"
+                f"spherical harmonics up to order {order}: compared to the exact sum in "
+                f"{DIRECTIONS} directions, the error is up to {100 * result.largest:.2g} % of the "
+                f"largest irradiance, {100 * result.rms:.2g} % root mean square"
             )
             if result.raised:
                 self.notes.append(
                     f"the harmonics are below 0 in {result.raised} pixels, by up to "
-                    f"{100 * result.deepest:.2g} % of the largest irradiance, and count as 0 there"
+                    f"{100 * result.deepest:.2g} % of the largest irradiance; these pixels are 0"
                 )
         formula, reference = BY_HARMONICS if order else IRRADIANCE
-        numbers = "n = the direction that the middle of a pixel shows"
+        numbers = "n = the direction of the middle of a pixel"
         step = Step("irradiance of each receiver", formula, numbers, reference)
         return self._render("irradiance", result.pixels, LATLONG, step)
 
@@ -336,12 +335,12 @@ class _Surroundings:
         chart = self._map()
         height = chart.size[1]
         size = self._size(to, 2 * height if to == LATLONG else height, height)
-        self.assumptions.append("the middle of what is written shows +x")
-        step = Step("radiance of each pixel", MEAN.format("L'"), "over what the pixel shows")
+        self.assumptions.append("the middle of the written map shows +x")
+        step = Step("radiance of each pixel", MEAN.format("L'"), "over the pixel's solid angle")
         return self._render("radiance", reproject(chart, to, *size, progress=progress), to, step)
 
     def _size(self, projection: str, width: int, height: int) -> tuple[int, int]:
-        """Return the size of a map to be made: the one asked for, or a default."""
+        """Return the size of the map to write, as given or by default."""
         from radcalc.calculators.pixel import refuse_shape
         from radcalc.distributions.maps.pictures import check_size
         from radcalc.distributions.maps.radiance_map import check_shape
@@ -354,7 +353,7 @@ class _Surroundings:
         return width, height
 
     def _map(self) -> "RadianceMap":
-        """Return the radiances as a map; skies and expressions are sampled."""
+        """Return the radiances as a map; sample skies and expressions."""
         from radcalc.distributions import environments
         from radcalc.distributions.maps.radiance_map import RadianceMap
         from radcalc.geometry.projections import USUAL_SIZE
@@ -368,7 +367,7 @@ class _Surroundings:
         return environments.sampled(self.environment.radiances, width, height)
 
     def _render(self, name: str, values: Any, projection: str, step: Step) -> RenderedMap:
-        """A picture of irradiances or radiances [SI], and the least and the greatest it shows."""
+        """Return a picture of irradiances or radiances [SI], with its extremes as results."""
         from radcalc.distributions.maps.pictures import Picture, as_floats
         from radcalc.geometry.projections import name_of_map, pixel_solid_angles
 
@@ -405,7 +404,7 @@ class _Surroundings:
         return RenderedMap(picture, pixels, unit, what, answer)
 
     def _show_light(self, amounts: dict[str, float]) -> kinds.LightResults:
-        """Light quantities as results: in every kind that is linked, or relative."""
+        """Return light quantities as results in every linked kind, or relative ones."""
         if not self.kind:
             rows = {name: [_relative(name, amount)] for name, amount in amounts.items()}
             return kinds.LightResults(rows, (), (), ())
@@ -419,20 +418,20 @@ class _Surroundings:
         return results
 
     def _format(self, name: str, amount: float) -> str:
-        """A light quantity in a derivation."""
+        """Return the text of a light quantity in a derivation."""
         relative = _relative(name, amount).units[0]
         unit = light_unit(name, self.kind, coherent=True) if self.kind else relative
         return format_value(amount, unit)
 
     def _error(self, error: float) -> Value:
-        """Return how far the irradiance may be off."""
+        """Return the estimated error of the irradiance."""
         row = self._show_light({"irradiance": error}).values["irradiance"][0]
         return value("error", error, *row.units, label="estimate of the error")._replace(
             dimensions=row.dimensions
         )
 
     def _steps(self, normal: Any, irradiance: float, mean: float) -> Iterator[Step]:
-        """Yield how the numbers follow."""
+        """Yield the steps of the derivation."""
         yield from self._weighting()
         facing = ",".join(map(format_number, normal))
         numbers = f"n = {facing}; E = {self._format('irradiance', irradiance)}"
@@ -441,7 +440,7 @@ class _Surroundings:
         yield Step("mean radiance", MEAN.format("L_mean"), numbers)
 
     def _weighting(self) -> Iterator[Step]:
-        """Yield how the radiance of a pixel follows from its channels, if it has several."""
+        """Yield the weighting of a pixel's channels, if it has several."""
         if self.environment.luminance:
             yield Step(
                 "radiance of a pixel", "", self.environment.luminance, self.environment.reference
@@ -449,7 +448,7 @@ class _Surroundings:
 
 
 def _relative(name: str, amount: float) -> Value:
-    """A light quantity of relative radiances."""
+    """Return a light quantity of relative radiances."""
     symbol = SYMBOLS[name]
     is_radiance = symbol.geometry == SYMBOLS["radiance"].geometry
     dimension, unit = (NUMBER, "1") if is_radiance else (SOLID_ANGLE, "sr")

@@ -1,4 +1,4 @@
-"""Maps of directions that a calculator made."""
+"""Maps of directions as results of calculators."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -9,9 +9,9 @@ if TYPE_CHECKING:
 
 
 class RenderedMap(NamedTuple):
-    """A picture that was made, what it is in words, and what is to be said of its values.
+    """A rendered picture, its description, and the answer with results and remarks.
 
-    `pixels` are the picture's with all their digits, in the `unit`.
+    `pixels` are those of the picture in full precision, in the `unit`.
     """
 
     picture: "Picture"

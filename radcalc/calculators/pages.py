@@ -1,7 +1,6 @@
-"""The calculators in the order of the help, each with its line there.
+"""The calculators in the order of the help, each with its summary.
 
-Each of them has a page, `PAGE` of the module of the same name, which is imported when it is asked
-for.
+The page of a calculator is `PAGE` in the module of the same name, imported on demand.
 """
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
@@ -13,20 +12,20 @@ SUMMARIES = {
     "solid-angle": "Solid angles of shapes, plain and projected.",
     "direction": "Spherical coordinates and unit vectors.",
     "etendue": "Etendues, and the flux of a radiance.",
-    "point-source": "Sources that are small beside their distance.",
-    "environment": "What surrounds a place: maps, skies, expressions.",
-    "scene": "Many sources, summed at points or over a grid.",
+    "point-source": "Small sources: flux, intensity, illuminance, distance.",
+    "environment": "Light from all around: maps, skies, expressions.",
+    "scene": "The light of many sources at points or over a grid.",
     "lambertian": "Diffuse sources and reflectors.",
-    "sky": "The light of the sky, and of the sun beside it.",
-    "uberlight": "The cinematographer's light of computer graphics.",
+    "sky": "The light of the sky and the sun.",
+    "uberlight": "The cinematographer's light of computer graphics (uberlight).",
     "ev": "Exposure values and the light meter.",
-    "calorimeter": "Radiant flux from the heat it leaves.",
+    "calorimeter": "Radiant flux from the heat that it produces.",
     "screen": "The picture on a projection screen.",
-    "dose": "What samples of light in time add up to.",
+    "dose": "Exposure or energy from samples of light over time.",
     "sensor": "Sensors: light, photons, electrons and current.",
     "laser": "Laser beams: the spot and the hazard distance.",
-    "refraction": "Surfaces between media: angles and reflectances.",
-    "room": "The luminaires that light a room.",
+    "refraction": "Surfaces between two media: angles and reflectances.",
+    "room": "The number of luminaires for a room (lumen method).",
     "integrate": "Integrals over directions.",
     "photon": "Wavelength, frequency and energy of a photon.",
     "spectrum": "Peak, efficacies and colour of a spectrum.",

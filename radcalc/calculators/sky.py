@@ -1,7 +1,7 @@
-"""The light of the sky and of the sun beside it: toward a direction, on the ground, on a plane.
+"""The light of the sky and the sun: from a direction, on the ground, on a plane.
 
-What is worked out by quadrature, the luminance of the sky over that of its zenith, and its
-integrals over the ground and over the plane, goes into laws by which all the light follows.
+Quadrature gives the sky's luminance relative to the zenith and its integrals for the ground and
+the plane; the laws use these values.
 """
 
 import math
@@ -61,7 +61,7 @@ ISO = "ISO 80000-7, illuminance"
 OF_SUN = ("sun-irradiance", "sun-radiance", "global-irradiance")
 OF_PLACE = ("sun-elevation", "sun-azimuth", "sun-radius")
 ANGLES = ("sun-elevation", "sun-azimuth", "toward", "normal", "tilt", "azimuth")
-LEAST = 1e-15  # of a cosine: below it is what rounding makes of 0
+LEAST = 1e-15  # a smaller cosine is a rounded 0
 GROUND = law(
     "irradiance of the ground", "{horizontal-irradiance} = {zenith-radiance} {horizontal-sky}", ISO
 )
@@ -77,7 +77,7 @@ DIRECT = law(
 
 
 def _rest(total: Number, part: Number) -> Number:
-    refuse(total < part, "sky and sun together are less than one of them", "less of that one")
+    refuse(total < part, "sky and sun together give less than one of them", "less of that one")
     return total - part
 
 
@@ -133,7 +133,7 @@ PAGE = Page(
     LIGHT,
     (SHARED, *ANGLES),
     goal=SHARED,
-    about="Give the light of the sky, toward a direction, on the ground and on a plane.",
+    about="Give the light of the sky from a direction, on the ground and on a plane.",
     operand=OPERAND,
     sections={
         "Light": (
@@ -157,9 +157,9 @@ PAGE = Page(
     texts={
         "tilt": ("90deg", "Tilt of a plane from the horizontal: 90deg is a wall."),
         "azimuth": ("180deg", "Azimuth that the plane faces (with {tilt})."),
-        "toward": "Where in the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up.",
-        "normal": "Where the plane faces, in place of {tilt}: z is up.",
-        "sun-azimuth": "Azimuth of the sun, counted as those of the plane and of directions.",
+        "toward": "A point of the sky: POLAR from the zenith, POLAR,AZIMUTH, or X,Y,Z with Z up.",
+        "normal": "Normal of the plane, instead of {tilt}: z is up.",
+        "sun-azimuth": "Azimuth of the sun, counted like those of planes and directions.",
     },
     draws=True,
     examples=(
@@ -181,22 +181,22 @@ PAGE = Page(
     remarks="""
     \b
     TYPE is one of:
-      overcast (default)  the traditional one, of Moon and Spencer: the zenith is three times as
-                          bright as the horizon
+      overcast (default)  the traditional overcast sky of Moon and Spencer: the zenith is three
+                          times as bright as the horizon
       uniform             the same in all directions (CIE type 5)
       clear               CIE type 12, low turbidity
       turbid              CIE type 13, the clear sky over polluted places
-      intermediate        CIE type 7, partly cloudy and brighter about the sun
+      intermediate        CIE type 7, partly cloudy and brighter around the sun
       1 to 15             a type of the CIE standard general sky (ISO 15469); 1 is its overcast sky
 
-    The types 2, 4 and 6 to 15 depend on where the sun is.  The sun's own light is no part of the
-    sky's: it is added where one of {sun-irradiance} (perpendicular to its rays), {sun-radiance} (of
-    its disc) or {global-irradiance} tells how much there is.  Any of the light gives all others.
+    The types 2, 4 and 6 to 15 depend on the position of the sun.  The light of the sky does not
+    include the sun's own light: {sun-irradiance} (perpendicular to the rays), {sun-radiance} (of
+    the disc) or {global-irradiance} adds it.  Any light quantity gives all others.
 
-    Azimuths may be counted in any one way, such as from north clockwise, as only their differences
-    count; with {normal} X,Y,Z or {toward} X,Y,Z they are counted from +x towards +y.  The ground
-    is dark: a wall is lit by half of the sky, and what the ground reflects is not counted.
-    daylight-share is what the plane gets of the sky alone, over what the ground gets of it.
+    Only differences of azimuths matter, so they may be counted from any direction, such as from
+    north clockwise; with {normal} X,Y,Z or {toward} X,Y,Z they are counted from +x towards +y.
+    The ground reflects no light: a wall is lit by half of the sky alone.  daylight-share is the
+    irradiance of the plane from the sky alone, divided by that of the ground.
     """,
     mistakes=("sky",),
 )
@@ -208,14 +208,14 @@ LUMINANCE = Formula(
 )
 LINEAR = "luminance of the sky", "", "L / L_z = (1 + 2 cos(Z)) / 3", MOON
 RELATIVE = Formula(
-    "luminance in a direction, over that of the zenith", "{relative-radiance} = L / L_z"
+    "luminance in a direction, relative to the zenith", "{relative-radiance} = L / L_z"
 )
 HORIZONTAL_SKY = Formula(
-    "the sky over the ground", "{horizontal-sky} = integral of L / L_z cos(Z) domega, over the sky"
+    "sky seen by the ground", "{horizontal-sky} = integral of L / L_z cos(Z) domega, over the sky"
 )
 PLANE_SKY = Formula(
-    "the sky before the plane",
-    "{plane-sky} = integral of L / L_z cos(theta) domega, over what is above ground and plane",
+    "sky seen by the plane",
+    "{plane-sky} = integral of L / L_z cos(theta) domega, over the sky in front of the plane",
 )
 SUN_COSINE = Formula(
     "incidence of the sun",
@@ -227,17 +227,17 @@ NO_DIRECTION = "no direction is given", mention("{toward=60deg,90deg}")
 
 
 def sky(name: str, given: Inputs, is_drawn: bool = False) -> Answer:
-    """Return the light of a sky of `radcalc.geometry.sky.NAMES`, and of the sun beside it.
+    """Return the light of a sky of `radcalc.geometry.sky.NAMES` and of the sun.
 
-    `given` are light quantities by whichever name, where the sun is, a direction, a plane, and
-    what links the kinds.  Of a sky that `is_drawn` the sun's azimuth is of use by itself.
+    `given` are light quantities (generic or specific names), the sun's position, a direction, a
+    plane, and links between kinds.  A sky that `is_drawn` accepts the sun's azimuth alone.
     """
     sky = _Sky(name, given, is_drawn=is_drawn)
     return sky.answer(sky.solve())
 
 
 def sky_map(name: str, given: Inputs) -> "RenderedMap":
-    """A map of a sky, with the sun's disc if the sun has light; `given` also has its size."""
+    """Return a map of a sky, with the sun's disc if the sun has light; `given` may have a size."""
     from radcalc.calculators.maps import RenderedMap
     from radcalc.calculators.pixel import refuse_shape
 
@@ -249,14 +249,14 @@ def sky_map(name: str, given: Inputs) -> "RenderedMap":
     picture = sky.picture(solved, *(given["size"].value if "size" in given else USUAL_SIZE))
     height, width, _ = picture.pixels.shape
     what = f"a latlong map of {width} x {height} pixels in {picture.unit}, "
-    what += "the azimuth 0 in its middle and 90 deg a quarter to the left, "
+    what += "azimuth 0 in the middle and 90 deg a quarter of the width to the left, "
     what += "with the sun's disc" if sky.is_sunlit else "without the sun's disc"
     what += f"; {sky.on_ground(solved, picture)}"
     return RenderedMap(picture, picture.pixels, picture.unit, what, answer)
 
 
 class _Sky:
-    """A sky, where its sun is, and what is asked of it."""
+    """A sky, its sun, and the plane and direction of interest."""
 
     def __init__(
         self, name: str, given: Inputs, for_map: bool = False, is_drawn: bool = False
@@ -282,7 +282,7 @@ class _Sky:
             self._refuse_sun()
 
     def answer(self, solved: Solved) -> Answer:
-        """Return everything that follows."""
+        """Return the answer."""
         self._assume(solved)
         kind = solved.lit.kind
         lacking = {} if self.has_plane else {"irradiance": NO_PLANE, "daylight-share": NO_PLANE}
@@ -311,21 +311,23 @@ class _Sky:
         from radcalc.distributions.sky import Sky
 
         if not solved.has("zenith-radiance"):
-            raise MissingInput("how bright the sky is is missing", BRIGHT)
+            raise MissingInput("the brightness of the sky is missing", BRIGHT)
         zenith = solved.value("zenith-radiance")
         place = place_of_sun(self.given) if "sun-elevation" in self.given else (0.0, 0.0)
         sky = Sky(self.name, place if self.type.follows_sun else None, zenith, solved.lit.kind)
         disc = None
         if self.is_sunlit:
             if not solved.has("sun-irradiance"):
-                raise MissingInput("how bright the sun is is missing", mention("{sun-irradiance}"))
+                raise MissingInput(
+                    "the brightness of the sun is missing", mention("{sun-irradiance}")
+                )
             polar, azimuth = place
             radius, irradiance = solved.value("sun-radius"), solved.value("sun-irradiance")
             disc = Sun(polar, azimuth, radius, irradiance)
         return sky_map(sky, width, height, disc)
 
     def on_ground(self, solved: Solved, picture: "Picture") -> str:
-        """Return the light that the pixels of the map give the ground, and its error."""
+        """Return a text with the irradiance of the ground from the map's pixels, and its error."""
         from radcalc.distributions.maps.radiance_map import RadianceMap
 
         kind = solved.lit.kind
@@ -335,7 +337,7 @@ class _Sky:
         unit = light_unit("irradiance", kind)
         irradiance_text = f"{format_number(integral.value / float(resolve(unit).factor))} {unit}"
         off = 100 * (integral.value / right - 1) if right else 0.0
-        return f"its pixels give the ground {irradiance_text}, which is off by {off:.1g} %"
+        return f"its pixels give the ground {irradiance_text} (error: {off:.1g} %)"
 
     def _laws(self, with_direction: bool) -> list[AnyLaw]:
         """Return the laws of the sky, the sun, the direction and the plane."""
@@ -348,10 +350,10 @@ class _Sky:
             laws += [SHARE, *([DIFFUSE, DIRECT, BOTH] if self.is_sunlit else [PLANE])]
         return laws
 
-    # -- what is refused ------------------------------------------------------------------------
+    # -- checks ---------------------------------------------------------------------------------
 
     def _refuse_incomplete(self) -> None:
-        """Refuse half of a plane, two planes, and light on what is not there."""
+        """Refuse an incomplete plane, two planes, and light without its plane or direction."""
         given, lit = self.given, self.lit
         for other in ("tilt", "azimuth"):
             if "normal" in given and other in given:
@@ -367,11 +369,11 @@ class _Sky:
             raise MissingInput(f"the direction of {option_text} is missing", NO_DIRECTION[1])
         if "radiance-toward" in lit and any_true(given["toward"].value[0] > math.pi / 2):
             option_text = option(lit["radiance-toward"].name)
-            problem = f"below the horizon it is dark, and nothing follows from {option_text}"
+            problem = f"{option_text} cannot be used below the horizon, where it is dark"
             raise ConditionError(problem, mention("{toward=60deg,90deg}"))
 
     def _refuse_sun(self) -> None:
-        """Refuse the place of a sun where nothing depends on it."""
+        """Refuse the position of the sun if nothing depends on it."""
         useless = [
             symbol_name for symbol_name in (*OF_PLACE, "azimuth") if symbol_name in self.given
         ]
@@ -379,7 +381,7 @@ class _Sky:
             raise Unused(useless, IS_EVEN.format(quote(self.name)))
 
     def _refuse_misplaced(self, for_map: bool, is_drawn: bool) -> None:
-        """Ask for the angles that matter, and refuse those that do not."""
+        """Refuse missing angles and unused ones."""
         given = self.given
         if "sun-elevation" not in given:
             raise MissingInput(*MISSING_SUN)
@@ -387,7 +389,7 @@ class _Sky:
             raise Unused(("sun-radius",), "without the sun's light")
         turned = self._is_turned()
         is_off_zenith = self.type.follows_sun and "toward" in given and given["toward"].value[0] > 0
-        # one of a list of planes or directions may be level, or the zenith
+        # one plane of a list may be level, and one direction the zenith
         needs_azimuth = self.has_plane or (self.type.follows_sun and "toward" in given)
         if "sun-azimuth" in given and not (needs_azimuth or for_map or is_drawn):
             hint = mention("{tilt=90deg} and {azimuth=180deg}, or {toward=60deg,90deg}, with it")
@@ -400,16 +402,16 @@ class _Sky:
             require_azimuth(given["toward"], "the sky follows the sun")
 
     def _is_turned(self) -> bool:
-        """Check whether the plane faces anything but straight up or down."""
+        """Return whether the plane faces neither straight up nor straight down."""
         if not self.has_plane:
             return False
         x, y, _ = _facing(self.given)
         return any_true((abs(x) > LEAST) | (abs(y) > LEAST))
 
-    # -- what is worked out by quadrature -------------------------------------------------------
+    # -- quadrature -----------------------------------------------------------------------------
 
     def _place(self, sheet: Worksheet) -> Placed:
-        """Find the sky over the ground and the plane, and in a direction, and the sun's cosine."""
+        """Compute the sky seen by ground and plane, its relative radiance, and the sun's cosine."""
         given, sky, placed = sheet.given, self.type, Placed()
         sun = place_of_sun(given) if "sun-elevation" in given else (0.0, 0.0)
         placed.steps.append(self._luminance())
@@ -436,7 +438,7 @@ class _Sky:
         return placed
 
     def _luminance(self) -> Step:
-        """Return how the luminance depends on the direction."""
+        """Return the derivation of the sky's luminance distribution."""
         if self.type.is_linear:
             return Step(*LINEAR)
         numbers = ", ".join(f"{name} = {getattr(self.type, name):g}" for name in "abcde")
@@ -445,7 +447,7 @@ class _Sky:
             numbers += f"; Z_s = {format_angle(polar)}"
         return LUMINANCE.with_numbers(numbers)
 
-    # -- what is said of it ---------------------------------------------------------------------
+    # -- remarks --------------------------------------------------------------------------------
 
     def _assume(self, solved: Solved) -> None:
         """Add the assumptions about the sky, the sun and the directions."""
@@ -453,18 +455,16 @@ class _Sky:
         number = f"CIE type {sky.number}: " if sky.number else ""
         solved.assume(f"{number}{sky.name}")
         if self.is_sunlit:
-            solved.assume(
-                "the sun's disc is no part of the sky: its light is added to what planes get"
-            )
+            solved.assume("the sky does not include the sun's disc; planes get the light of both")
             if solved.lit.links:
                 solved.assume("the sun's light and the sky's have the same spectrum")
         elif sky.follows_sun:
-            solved.assume("the sun is no part of the sky")
+            solved.assume("the sky does not include the sun's disc")
         below = "toward" in given and any_true(given["toward"].value[0] > math.pi / 2)
         if self.has_plane or below:
-            solved.assume("below the horizon it is dark: nothing comes from the ground")
+            solved.assume("no light comes from below the horizon")
         if self.has_plane and self.is_sunlit:
-            solved.assume("the daylight share is that of the sky alone")
+            solved.assume("the daylight share is for the sky alone")
         if "sun-azimuth" in given:
             is_vector = "normal" in given or (
                 "toward" in given and given["toward"].text.count(",") == 2
@@ -472,13 +472,13 @@ class _Sky:
             solved.assume(
                 "azimuths are counted from +x towards +y"
                 if is_vector
-                else "azimuths are counted in any one way, all in the same"
+                else "all azimuths are counted from the same direction and in the same sense"
             )
         if self.is_sunlit:
             self._say_disc(solved)
 
     def _say_disc(self, solved: Solved) -> None:
-        """Assume a size of the sun, and note where it matters."""
+        """Add the size of the sun to the assumptions, with notes on where it matters."""
         radius = solved.value("sun-radius")
         if "sun-radius" not in self.given:
             solved.assume(f"the sun's disc has a radius of {format_angle(radius)}")
@@ -491,22 +491,22 @@ class _Sky:
         if "toward" in self.given and "sun-azimuth" in self.given:
             polar, azimuth = self.given["toward"].value
             if any_true(angle_between(polar, azimuth, place_of_sun(self.given)) < radius):
-                solved.note("the sun's disc is seen there, and not counted in the radiance")
+                solved.note("the sun's disc is in that direction; the radiance leaves it out")
         if any_true(cut):
             solved.note(
-                "the horizon or the plane cuts the sun's disc, which is taken as if all of it were "
-                "at its centre"
+                "the horizon or the plane cuts the sun's disc, which is treated as a point at its "
+                "centre"
             )
 
 
 def place_of_sun(given: Inputs) -> tuple[Number, Number]:
-    """Polar angle and azimuth of the sun."""
+    """Return the polar angle and the azimuth of the sun [rad]."""
     azimuth = given["sun-azimuth"].value if "sun-azimuth" in given else 0.0
     return math.pi / 2 - given["sun-elevation"].value, azimuth
 
 
 def _facing(given: Inputs) -> Vector:
-    """Return where the plane faces, as a vector of length 1."""
+    """Return the unit normal of the plane."""
     if "normal" in given:
         return unit(given["normal"].value)
     tilt, azimuth = given["tilt"].value, given["azimuth"].value if "azimuth" in given else 0.0
