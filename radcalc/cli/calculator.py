@@ -21,12 +21,17 @@ BLOCK = 100_000  # values of a long range that are worked out at a time
 def run(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
     """Answer the cases of a task, judge a number by one, or draw them; return the exit status."""
     if request.plot:
-        return _draw(cases, task, request, output)
+        from radcalc.cli import plot
+
+        plot.refuse(request, output)
     if cases[0].stream:
         return _answer_lines(cases, task, request, output)
-    _refuse_line_options(cases, request)
+    if request.lines is not None:
+        line_options.refuse(request.lines, _lines_for(cases[0].given))
     if request.check is not None:
         return _judge(cases, task, request, output)
+    if request.plot:
+        return _draw(cases, task, request, output)
     cases = _in_parts(cases, request, output)
     inputs = _shown_inputs(cases, task)
     show(every_answer(cases, inputs, _solve(cases, task)), request, output, inputs)
@@ -45,20 +50,10 @@ def _draw(cases: Sequence[Case], task: Task, request: Request, output: Output) -
     """Draw the answers, below their numbers or into a file."""
     from radcalc.cli import plot
 
-    plot.refuse(request, output)
-    if cases[0].stream:
-        return _answer_lines(cases, task, request, output)
-    _refuse_line_options(cases, request)
     solved, inputs = [*_solve(cases, task)], _shown_inputs(cases, task)
     picture = plot.picture(task, [case.given for case in cases], solved, request.wanted)
     plot.show_with_picture(picture, [*every_answer(cases, inputs, solved)], request, output, inputs)
     return terminal.ANSWERED
-
-
-def _refuse_line_options(cases: Sequence[Case], request: Request) -> None:
-    """Refuse the options for lines of standard input where there are no lines."""
-    if request.lines is not None:
-        line_options.refuse(request.lines, _lines_for(cases[0].given))
 
 
 def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) -> int:
@@ -67,9 +62,8 @@ def _judge(cases: Sequence[Case], task: Task, request: Request, output: Output) 
 
     assert request.check is not None
     check.refuse_several(sum(case.size for case in cases))
-    given = cases[0].given
-    question = of_task(task, given, request.steps)
-    inputs = (*task.operands, *shown_inputs(given))
+    question = of_task(task, cases[0].given, request.steps)
+    (inputs,) = _shown_inputs(cases, task)
     return check.judge(question, request.check, request.tolerance, output, inputs)
 
 

@@ -47,7 +47,7 @@ class Calculated:
         source: Source,
         work_out: Callable[[Input], Answer],
         wanted: Sequence[str],
-        hear: Callable[[Sequence[str], range], None],
+        hear: Callable[[Sequence[str], Sequence[int]], None],
         precision: int | None = None,
         mark: bytes = POINT,
     ) -> None:
@@ -134,13 +134,14 @@ class Calculated:
         if len(texts) < self.fewest:
             return None
         if self.source.unit:
-            return self._of_unit(b"", texts, texts, range(len(texts)))
+            return self._of_unit(b"", texts, texts, range(self.line, self.line + len(texts)))
         columns = [[0.0] * len(texts) for _ in self.wanted]
         for unit, places in by_unit(texts).items():
             of_unit = [texts[place] for place in places]
             size = len(unit)
             bare = [text[:-size] for text in of_unit] if size else of_unit
-            results = self._of_unit(unit, of_unit, bare, places)
+            lines = [self.line + place for place in places]
+            results = self._of_unit(unit, of_unit, bare, lines)
             if results is None:
                 return None
             for column, part in zip(columns, results, strict=True):
@@ -149,16 +150,12 @@ class Calculated:
         return columns
 
     def _of_unit(
-        self, unit: bytes, texts: list[bytes], bare: list[bytes], places: Sequence[int]
+        self, unit: bytes, texts: list[bytes], bare: list[bytes], lines: Sequence[int]
     ) -> list[list[float]] | None:
-        """Return the results of texts of one unit, whose numbers are `bare`.
-
-        The texts are at some `places`, counted from the line at which the stream is.
-        """
+        """Return the results of texts of one unit, whose numbers are `bare`."""
         values = numbers(bare)
         if values is None or len(unit) > LONGEST_UNIT or unit != unit.rstrip():
             return None
-        lines = range(self.line + places[0], self.line + places[-1] + 1)
         try:
             given = self._first(unit, texts[0], lines[0])
             if unit and given.unit_text != unit.decode().strip():

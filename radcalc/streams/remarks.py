@@ -9,6 +9,7 @@ from collections.abc import Sequence
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?:/[1-9]\d*)?"
 SPAN = re.compile(f"({NUMBER})(?: to ({NUMBER}))?")
 MARK = "\0"  # in place of a number or a range
+FEW = 3  # lines that are named one by one
 
 Span = tuple[str, str]  # the least and the largest number, as they are written
 
@@ -16,17 +17,22 @@ Span = tuple[str, str]  # the least and the largest number, as they are written
 class Remark:
     """A remark on some of the lines so far."""
 
-    def __init__(self, template: str, spans: list[Span], lines: range) -> None:
+    def __init__(self, template: str, spans: list[Span], lines: Sequence[int]) -> None:
         """Begin with the first lines and their numbers."""
         self.template = template
         self.spans = spans
-        self.lines = lines
+        self.first_lines = [*lines[: FEW + 1]]
+        self.last_line = lines[-1]
+        self.is_unbroken = _are_unbroken(lines)
         self.is_shared = False  # by all lines
         self.shown_spans: list[Span] | None = None
 
-    def widen(self, spans: list[Span], lines: range) -> None:
-        """Take in the numbers of more lines."""
-        self.lines = range(self.lines.start, max(self.lines.stop, lines.stop))
+    def widen(self, spans: list[Span], lines: Sequence[int]) -> None:
+        """Take in more lines and their numbers."""
+        touches = lines[0] - 1 <= self.last_line and self.first_lines[0] - 1 <= lines[-1]
+        self.is_unbroken = self.is_unbroken and touches and _are_unbroken(lines)
+        self.first_lines = sorted({*self.first_lines, *lines[: FEW + 1]})[: FEW + 1]
+        self.last_line = max(self.last_line, lines[-1])
         pairs = zip(self.spans, spans, strict=True)
         self.spans = [old if old == new else _together(*old, *new) for old, new in pairs]
 
@@ -38,9 +44,21 @@ class Remark:
         if self.is_shared:
             return text
         word, colon, rest = text.partition(": ")
-        first, last = self.lines[0], self.lines[-1]
-        where = f"line {first}" if first == last else f"lines {first} to {last}"
-        return f"{word}{colon}{where}: {rest}"
+        return f"{word}{colon}{self._where()}: {rest}"
+
+    def _where(self) -> str:
+        first, last = self.first_lines[0], self.last_line
+        if first == last:
+            return f"line {first}"
+        if self.is_unbroken:
+            return f"lines {first} to {last}"
+        named = ", ".join(map(str, self.first_lines[:FEW]))
+        others = f" and others up to {last}" if len(self.first_lines) > FEW else ""
+        return f"lines {named}{others}"
+
+
+def _are_unbroken(lines: Sequence[int]) -> bool:
+    return lines[-1] - lines[0] + 1 == len(lines)
 
 
 def _together(*numbers: str) -> Span:
@@ -61,7 +79,7 @@ class Remarks:
         self.shared: set[str] | None = None  # by all lines before any answer is written
         self.has_begun = False
 
-    def hear(self, texts: Sequence[str], lines: range) -> None:
+    def hear(self, texts: Sequence[str], lines: Sequence[int]) -> None:
         """Take the remarks on the answer to some lines."""
         templates = [SPAN.sub(MARK, text) for text in texts]
         if not self.has_begun:
