@@ -46,6 +46,11 @@ def listed(names: "Sequence[str]") -> str:
     return f"{listing} and {more} more" if more > 0 else listing
 
 
+def ambiguous(text: str, readings: str) -> str:
+    """Return the message for a text with several readings."""
+    return f"'{quote(text)}' is ambiguous: {readings}"
+
+
 def nearest(word: str, known: "Iterable[str]", count: int = 2, cutoff: float = 0.6) -> list[str]:
     """Choose the known words most like a word that is not known."""
     import difflib  # only when something is wrong already
@@ -203,7 +208,7 @@ class ConversionError(RadcalcError):
 
 
 class ConditionError(RadcalcError):
-    """A condition that is impossible, contradictory or without use."""
+    """A condition that is out of range, contradictory or unused."""
 
 
 class TooMany(ConditionError):
@@ -249,12 +254,12 @@ class MissingUnit(ConditionError):
 
 
 class Unused(ConditionError):
-    """Inputs that have no use in what is asked."""
+    """Inputs that do not apply; `where` completes the sentence: "to a cone", "without a tilt"."""
 
-    def __init__(self, symbols: "Sequence[str]", with_what: str, hint: str = "") -> None:
+    def __init__(self, symbols: "Sequence[str]", where: str, hint: str = "") -> None:
         names = options(symbols, " and ")
         super().__init__(
-            f"{names} {'has' if len(symbols) == 1 else 'have'} no use {with_what}",
+            f"{names} {'does' if len(symbols) == 1 else 'do'} not apply {where}",
             hint or f"the same without {names}",
         )
         self.symbols = tuple(symbols)
@@ -269,11 +274,11 @@ class Idle(ConditionError):
 
 
 class Impossible(ConditionError):
-    """A value that the symbol cannot have; `limit` says which ones it can."""
+    """A value outside the range of its symbol: `limit` is that range, `because` the reason."""
 
     def __init__(self, symbol: str, text: str, limit: str, because: str = "") -> None:
-        reason = f": {because}" if because else ""
-        super().__init__(f"{option(symbol, quote(text))} is not possible{reason}", limit)
+        reason = because or f"it must be {limit}"
+        super().__init__(f"{option(symbol, quote(text))} is out of range: {reason}", limit)
         self.symbol, self.text, self.limit, self.because = symbol, text, limit, because
 
 
@@ -320,16 +325,15 @@ class HorizonCuts(ConditionError):
 
 
 class Exclusive(ConditionError):
-    """Inputs of which only one can be given."""
+    """Inputs that exclude each other."""
 
     def __init__(
-        self,
-        symbols: "Sequence[str]",
-        because: str = "contradict each other",
-        hint: str = "one of them",
-        word: str = " and ",
+        self, symbols: "Sequence[str]", because: str = "", hint: str = "one of them"
     ) -> None:
-        super().__init__(f"{options(symbols, word)} {because}", hint)
+        first, *others = symbols
+        reason = f": {because}" if because else ""
+        message = f"{option(first)} cannot be used with {options(others, ' and ')}{reason}"
+        super().__init__(message, hint)
         self.symbols = tuple(symbols)
 
 

@@ -163,27 +163,27 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         lambda: MissingUnit("distance", "2", "2m"),
         ("--distance 2 has no unit", "--distance 2m"), ("distance 2 has no unit", "distance 2m"),
         ('distance="2" has no unit', 'distance="2 m"')),
-    "what has no use is to be left out": (
-        lambda: Unused(("off-axis",), "with a disc"),
-        ("--off-axis has no use with a disc", "the same without --off-axis"),
-        ("off-axis has no use with a disc", "the same without off-axis"),
-        ("off_axis has no use with a disc", "the same without off_axis")),
-    "two that have no use are to be left out": (
+    "what does not apply is left out": (
+        lambda: Unused(("off-axis",), "to a disc"),
+        ("--off-axis does not apply to a disc", "the same without --off-axis"),
+        ("off-axis does not apply to a disc", "the same without off-axis"),
+        ("off_axis does not apply to a disc", "the same without off_axis")),
+    "two that do not apply are left out": (
         lambda: Unused(("time", "width"), "here"),
-        ("--time and --width have no use here", "the same without --time and --width"),
-        ("time and width have no use here", "the same without time and width"),
-        ("time and width have no use here", "the same without time and width")),
+        ("--time and --width do not apply here", "the same without --time and --width"),
+        ("time and width do not apply here", "the same without time and width"),
+        ("time and width do not apply here", "the same without time and width")),
     "what nothing follows from is told what would change that": (
         lambda: Idle(f"nothing follows from {option('half-angle', '30deg')}",
                      f"with it, {options(('flux', 'off-axis'))}"),
         ("nothing follows from --half-angle 30deg", "with it, --flux or --off-axis"),
         ("nothing follows from half-angle 30deg", "with it, flux or off-axis"),
         ('nothing follows from half_angle="30 deg"', "with it, flux or off_axis")),
-    "what is not possible is told its limits": (
+    "what is out of range gets its limits": (
         lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
-        ("--half-angle 181deg is not possible: a turn", "at most 180 deg"),
-        ("half-angle 181deg is not possible: a turn", "at most 180 deg"),
-        ('half_angle="181 deg" is not possible: a turn', "at most 180 deg")),
+        ("--half-angle 181deg is out of range: a turn", "at most 180 deg"),
+        ("half-angle 181deg is out of range: a turn", "at most 180 deg"),
+        ('half_angle="181 deg" is out of range: a turn', "at most 180 deg")),
     "a range that leaves out too much is to be wider": (
         lambda: TooNarrow("more than any light gives", f"a wider {option('photon-range')}"),
         ("more than any light gives", "a wider --photon-range"),
@@ -191,9 +191,9 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("more than any light gives", "a wider photon_range")),
     "of two that exclude each other one is enough": (
         lambda: Exclusive(("na", "f-number")),
-        ("--na and --f-number contradict each other", "one of them"),
-        ("na and f-number contradict each other", "one of them"),
-        ("na and f_number contradict each other", "one of them")),
+        ("--na cannot be used with --f-number", "one of them"),
+        ("na cannot be used with f-number", "one of them"),
+        ("na cannot be used with f_number", "one of them")),
     "a contradiction names what was given": (
         lambda: Contradiction(f"{option('flux', '800lm')} contradicts the rest",
                               f"without one of {options(('flux', 'intensity'), ', ')}",

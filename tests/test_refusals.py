@@ -57,37 +57,37 @@ CONVERSIONS = {
     "a wide band has not the same width in wavelength and frequency": (
         "um", "THz", {"wavelength": "550nm"}, "is not small beside", "photon"),
     "a time makes no other rate of what comes in a day": (
-        "mol/m2/day", "umol/m2/s", {"time": "12h"}, "--time has no use",
+        "mol/m2/day", "umol/m2/s", {"time": "12h"}, "--time does not apply",
         "mol/m2 in place of mol/m2/day"),
     "a distance alone makes no lux of lumens": (
         "lm", "lx", {"distance": "2m"}, "a solid angle is missing", "--isotropic"),
-    "a time has no use between lumens and candelas": (
-        "lm", "cd", {"time": "1h"}, "--time has no use", "--isotropic"),
-    "a reflectance has no use between lumens and candelas": (
-        "lm", "cd", {"reflectance": "0.5"}, "--reflectance has no use", "--isotropic"),
-    "a distance has no use where isotropic lumens become candelas": (
-        "lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance has no use", "without"),
-    "a time has no use between metres and feet": (
-        "m", "ft", {"time": "1h"}, "--time has no use", "without --time"),
+    "a time does not apply between lumens and candelas": (
+        "lm", "cd", {"time": "1h"}, "--time does not apply", "--isotropic"),
+    "a reflectance does not apply between lumens and candelas": (
+        "lm", "cd", {"reflectance": "0.5"}, "--reflectance does not apply", "--isotropic"),
+    "a distance does not apply where isotropic lumens become candelas": (
+        "lm", "cd", {"isotropic": True, "distance": "2m"}, "--distance does not apply", "without"),
+    "a time does not apply between metres and feet": (
+        "m", "ft", {"time": "1h"}, "--time does not apply", "without --time"),
     "an incidence without a distance lacks the distance": (
         "cd", "lx", {"incidence": "45deg"}, "a distance is missing", "--distance"),
-    "an observer has no use between watts and photons": (
-        "W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer has no use",
+    "an observer does not apply between watts and photons": (
+        "W", "umol/s", {"wavelength": "500nm", "observer": "scotopic"}, "--observer does not apply",
         ""),
-    "an observer has no use beside an efficacy of photons": (
-        "W", "umol/s", {"efficacy": "2umol/J", "observer": "scotopic"}, "--observer has no use",
+    "an observer does not apply beside an efficacy of photons": (
+        "W", "umol/s", {"efficacy": "2umol/J", "observer": "scotopic"}, "--observer does not apply",
         ""),
     "an observer has an efficacy that no light exceeds": (
         "W", "lm", {"efficacy": "1701lm/W", "observer": "scotopic"},
         "no light gives more than 1700.06 lm/W", "1700lm/W"),
-    "isotropic light and a half angle contradict each other": (
-        "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "contradict each other", "one of"),
-    "a half angle and an apex angle contradict each other": (
-        "lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "contradict", "one of"),
-    "a wavelength and an efficacy contradict each other": (
-        "W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "contradict", "one of"),
-    "a radius and an area contradict each other": (
-        "lm", "lx", {"radius": "1m", "area": "3m2"}, "contradict", "one of"),
+    "isotropic light excludes a half angle": (
+        "lm", "cd", {"isotropic": True, "half-angle": "9deg"}, "cannot be used with", "one of"),
+    "a half angle excludes an apex angle": (
+        "lm", "cd", {"half-angle": "9deg", "apex-angle": "18deg"}, "cannot be used with", "one of"),
+    "a wavelength excludes an efficacy": (
+        "W", "lm", {"wavelength": "555nm", "efficacy": "93lm/W"}, "cannot be used with", "one of"),
+    "a radius excludes an area": (
+        "lm", "lx", {"radius": "1m", "area": "3m2"}, "cannot be used with", "one of"),
     "a reflectance and a hemisphere are more than enough": (
         "lx", "nit", {"reflectance": "0.5", "hemisphere": True}, "over-specified", "fewer"),
     "an area, and a distance in a solid angle, are more than enough": (
@@ -100,7 +100,7 @@ CONVERSIONS = {
     "an exponent gives no projected solid angle": (
         "nit", "lx", {"exponent": "1"}, "projected solid angle", "--hemisphere"),
     "a cone wider than the hemisphere has no projected solid angle": (
-        "nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is not possible", "90 deg"),
+        "nit", "lx", {"half-angle": "91deg"}, "--half-angle 91deg is out of range", "90 deg"),
     "an area nearer than five times its size is no small source": (
         "nit", "lx", {"area": "1m2", "distance": "5m"}, "five times the size", "--radius"),
     "a patch that may dip below the horizon is refused": (
@@ -114,28 +114,28 @@ CONVERSIONS = {
         "lx", "cd", {"distance": "2m", "incidence": "90deg"}, "no light arrives", "below 90"),
     "no light comes back from what is black": (
         "cd/m2", "lx", {"reflectance": "0"}, "no light arrives", "above 0"),
-    "a reflectance above 1 is not possible": (
-        "lx", "cd/m2", {"reflectance": "1.01"}, "not possible", "from 0 to 1"),
-    "a reflectance above 100 % is not possible": (
-        "lx", "cd/m2", {"reflectance": "101%"}, "not possible", "from 0 to 1"),
-    "an efficacy above 683 lm/W is not possible": (
-        "W", "lm", {"efficacy": "684lm/W"}, "not possible", "683lm/W"),
+    "a reflectance above 1 is out of range": (
+        "lx", "cd/m2", {"reflectance": "1.01"}, "out of range", "from 0 to 1"),
+    "a reflectance above 100 % is out of range": (
+        "lx", "cd/m2", {"reflectance": "101%"}, "out of range", "from 0 to 1"),
+    "an efficacy above 683 lm/W is out of range": (
+        "W", "lm", {"efficacy": "684lm/W"}, "out of range", "683lm/W"),
     "photons per joule do not link watts and lumens": (
         "W", "lm", {"efficacy": "2.1umol/J"}, "does not link radiant and luminous", "93lm/W"),
-    "a negative distance is not possible": (
-        "cd", "lx", {"distance": "-2m"}, "not possible", "more than 0"),
-    "a distance of 0 is not possible": (
-        "cd", "lx", {"distance": "0m"}, "not possible", "more than 0"),
-    "a negative area is not possible": (
-        "lm", "lx", {"area": "-1m2"}, "not possible", "more than 0"),
-    "a half angle beyond the whole sphere is not possible": (
-        "lm", "cd", {"half-angle": "181deg"}, "not possible", "at most 180 deg"),
-    "a solid angle beyond the whole sphere is not possible": (
-        "lm", "cd", {"solid-angle": "13sr"}, "not possible", "4pi sr"),
-    "a beam angle of 180 degrees is not possible": (
-        "lm", "cd", {"beam-angle": "180deg"}, "not possible", "180 deg"),
-    "a negative exponent is not possible": (
-        "lm", "cd", {"exponent": "-1"}, "not possible", "0 or more"),
+    "a negative distance is out of range": (
+        "cd", "lx", {"distance": "-2m"}, "out of range", "more than 0"),
+    "a distance of 0 is out of range": (
+        "cd", "lx", {"distance": "0m"}, "out of range", "more than 0"),
+    "a negative area is out of range": (
+        "lm", "lx", {"area": "-1m2"}, "out of range", "more than 0"),
+    "a half angle beyond the whole sphere is out of range": (
+        "lm", "cd", {"half-angle": "181deg"}, "out of range", "at most 180 deg"),
+    "a solid angle beyond the whole sphere is out of range": (
+        "lm", "cd", {"solid-angle": "13sr"}, "out of range", "4pi sr"),
+    "a beam angle of 180 degrees is out of range": (
+        "lm", "cd", {"beam-angle": "180deg"}, "out of range", "180 deg"),
+    "a negative exponent is out of range": (
+        "lm", "cd", {"exponent": "-1"}, "out of range", "0 or more"),
     "a distance without a unit is refused": (
         "cd", "lx", {"distance": "2"}, "--distance 2 has no unit", "2m"),
     "a wavelength without a unit is refused": (
@@ -149,11 +149,11 @@ CONVERSIONS = {
         "cd", "lm", {"radius": "1m", "distance": "9m", "incidence": "9deg"},
         "size of the receiver (2 m)", "more distance"),
     "an incidence turns no surface that a flux is spread over": (
-        "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence has no use", "without"),
+        "lm", "lx", {"area": "1m2", "incidence": "60deg"}, "--incidence does not apply", "without"),
     "an incidence turns no surface that shines": (
-        "radlux", "radlux", {"incidence": "60deg"}, "--incidence has no use", "without"),
+        "radlux", "radlux", {"incidence": "60deg"}, "--incidence does not apply", "without"),
     "a tilt turns no small source": (
-        "cd", "lx", {"distance": "1m", "tilt": "60deg"}, "--tilt has no use", "without"),
+        "cd", "lx", {"distance": "1m", "tilt": "60deg"}, "--tilt does not apply", "without"),
     "nothing leaves a surface along it": (
         "cd", "nit", {"area": "1m2", "tilt": "90deg"}, "no light arrives", "below 90"),
     "a wide solid angle has no one angle from the normal": (
@@ -161,30 +161,30 @@ CONVERSIONS = {
         "--half-angle 32.7705deg in place"),
     "a disc that is tilted and near has no far field": (
         "nit", "lx", {"radius": "1m", "distance": "2m", "tilt": "60deg"}, "five times", "more"),
-    "a radius has no use where lumens become lux at a distance": (
-        "lm", "lx", {"radius": "1m", "distance": "3m"}, "missing; --radius has no use",
+    "a radius does not apply where lumens become lux at a distance": (
+        "lm", "lx", {"radius": "1m", "distance": "3m"}, "missing; --radius does not apply",
         "--isotropic"),
     "a luminance becomes an intensity by an area or a reflectance only": (
         "nit", "cd", {"half-angle": "60deg", "distance": "1m"},
         "an area or a reflectance is missing", "--area"),
     "a luminance at a distance lacks the size of the source": (
         "nit", "lx", {"distance": "1m"}, "the size of the source is missing", "--radius"),
-    "a reflectance has no use for an exitance": (
-        "radlux", "cd/m2", {"reflectance": "0.5"}, "--reflectance has no use", "--hemisphere"),
-    "a distance has no use where an exitance becomes an intensity": (
-        "radlux", "cd", {"distance": "2m"}, "missing; --distance has no use", "--area"),
+    "a reflectance does not apply for an exitance": (
+        "radlux", "cd/m2", {"reflectance": "0.5"}, "--reflectance does not apply", "--hemisphere"),
+    "a distance does not apply where an exitance becomes an intensity": (
+        "radlux", "cd", {"distance": "2m"}, "missing; --distance does not apply", "--area"),
     "a patch of which half is below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "90deg"}, "horizon",
         "--radius 0.56419m in place"),
     "a patch of which most is below the horizon is refused": (
         "nit", "lx", {"area": "1m2", "distance": "10m", "incidence": "-94deg"}, "horizon",
         "--radius 0.56419m in place"),
-    "a wavelength has no use between hertz and kaysers": (
-        "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength has no use", "without"),
+    "a wavelength does not apply between hertz and kaysers": (
+        "W/Hz", "W/cm-1", {"wavelength": "555nm"}, "--wavelength does not apply", "without"),
     "no light gives 149 lumens for a micromole a second": (
-        "umol/s", "lm", {"efficacy": "149lm.s/umol"}, "not possible: no light gives more", "147"),
-    "a bandwidth of metres is not possible": (
-        "lm/m", "lm", {"bandwidth": "5m"}, "not possible", "1 mm"),
+        "umol/s", "lm", {"efficacy": "149lm.s/umol"}, "out of range: no light gives more", "147"),
+    "a bandwidth of metres is out of range": (
+        "lm/m", "lm", {"bandwidth": "5m"}, "out of range", "1 mm"),
     "a distance beyond all measure is refused": (
         "cd", "lx", {"distance": "1e200m"}, "beyond", "1e+100"),
     "a distance below all measure is refused": (
@@ -202,8 +202,8 @@ CONVERSIONS = {
     "a cone beside an area has two meanings between watts per area and per steradian": (
         "W/m2", "W/sr", {"area": "1m2", "half-angle": "30deg"}, "and the answers differ",
         "radcalc convert 1W/m2 W --area 1m2 and then --half-angle 30deg"),
-    "a negative wavelength is not possible": (
-        "W", "lm", {"wavelength": "-555nm"}, "not possible", "more than 0"),
+    "a negative wavelength is out of range": (
+        "W", "lm", {"wavelength": "-555nm"}, "out of range", "more than 0"),
 }  # fmt: skip
 
 
@@ -263,10 +263,10 @@ COMMANDS = {
         "lambertian disc --luminance 9cd/m2 --radius 1m -g irradiance:lx", "--distance"),
     "a film's speed alone exposes nothing": (
         "ev --iso 100", "--ev100, --luminance, --illuminance or --f-number"),
-    "an angle beside an illuminance alone has no use, and the angle is named": (
+    "an angle beside an illuminance alone does not apply, and the angle is named": (
         "point-source --illuminance 100lx --half-angle 30deg --time 1h",
         "nothing follows from --half-angle 30deg", "--flux"),
-    "a mass alone has no use": ("calorimeter --mass 10g", "--mass 10g", "with it, --specific-heat"),
+    "a mass alone is unused": ("calorimeter --mass 10g", "--mass 10g", "with it, --specific-heat"),
     # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
     "an illuminance that contradicts a flux at its distance is refused with the ratio": (
         "point-source --flux 800lm --distance 2m --illuminance 20lx", "--illuminance 20lx",
@@ -333,7 +333,7 @@ COMMANDS = {
     "watts and lux together want what links them": (
         "point-source --flux 5W --illuminance 20lx", "--wavelength, --spectrum or --efficacy"),
     "no light has so many lumens a watt": (
-        "lambertian --luminance 800cd/m2 --radiance 1W/m2/sr", "not possible together", "683"),
+        "lambertian --luminance 800cd/m2 --radiance 1W/m2/sr", "contradict each other", "683"),
     "two kinds of a quantity link them, and a wavelength as well": (
         "point-source --flux 5lm --radiant-flux 1W --wavelength 555nm", "linked twice"),
     "one quantity is in two kinds, not in three": (
@@ -361,7 +361,7 @@ COMMANDS = {
     "a Lambertian cube is not known": ("lambertian cube --luminance 9cd/m2", "cube"),
     "a disc has a radius or a diameter, not both": (
         "lambertian disc --luminance 9cd/m2 --radius 1m --diameter 2m --height 1m",
-        "--radius and --diameter"),
+        "--radius cannot be used with --diameter"),
     "a grid of more answers than anybody reads is refused": (
         "point-source --flux 1lm:101lm:1lm --distance 1m:101m:1m", "101 x 101 = 10201 answers"),
     "a long range stands behind the other lists": (
@@ -393,15 +393,15 @@ COMMANDS = {
     "an observer on a sphere is refused": (
         "solid-angle sphere --radius 1m --distance 1m", "on or inside the sphere"),
     "an observer in a disc's plane is refused": (
-        "solid-angle disc --radius 1m --height 0m", "not possible"),
+        "solid-angle disc --radius 1m --height 0m", "out of range"),
     "a half angle that is no number is refused": ("solid-angle cone --half-angle nandeg", "nan"),
     "a cone wider than the sphere is refused": (
-        "solid-angle cone --half-angle 181deg", "not possible"),
+        "solid-angle cone --half-angle 181deg", "out of range"),
     "a direction of two coordinates is refused": ("direction 1 1", "three coordinates"),
     "a direction of four coordinates is refused": ("direction 1 1 1 1", "three coordinates"),
     "a direction that is no number is refused": ("direction nan 0 1", "nan"),
     "the origin has no direction": ("direction 0 0 0", "no direction"),
-    "a numerical aperture above 1 is refused": ("etendue --area 1mm2 --na 1.5", "not possible"),
+    "a numerical aperture above 1 is refused": ("etendue --area 1mm2 --na 1.5", "out of range"),
     "an f-number below a half is refused": (
         "etendue --area 1mm2 --f-number 0.4", "0.5 or more, in air"),
     "patches at no distance are refused": (
@@ -416,15 +416,15 @@ COMMANDS = {
         "integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),
     "no number called nan stands in an expression": ("integrate nan --sphere", "nan"),
     # --check
-    "a tolerance has no use where nothing is checked": (
+    "a tolerance does not apply where nothing is checked": (
         "solid-angle cone --half-angle 25deg --tolerance 3sf",
-        "--tolerance has no use without --check"),
-    "a tolerance has no use in a conversion where nothing is checked": (
+        "--tolerance does not apply without --check"),
+    "a tolerance does not apply to a conversion where nothing is checked": (
         "convert 500 lx cd/m2 --reflectance 0.7 --tolerance 3sf",
-        "--tolerance has no use without --check"),
-    "an answer to check and a result to get contradict each other": (
+        "--tolerance does not apply without --check"),
+    "an answer to check excludes a result to get": (
         "solid-angle cone --half-angle 25deg --check 0.6sr -g solid-angle",
-        "--check and --get contradict each other"),
+        "--check cannot be used with --get"),
     "a list of angles has no one answer to check": (
         "solid-angle cone --half-angle 25deg,26deg --check 0.6sr", "--check takes one answer"),
     "a list of distances has no one answer to check": (
@@ -448,7 +448,7 @@ COMMANDS = {
     "a range of exposure values has no one answer to check": (
         "ev --ev100 1:40:1 --check 25lx", "--check takes one answer"),
     "a range that leaves the limits is refused before what is to be checked": (
-        "ev --ev100 1:400:1 --check 25lx", "--ev100 101 is not possible"),
+        "ev --ev100 1:400:1 --check 25lx", "--ev100 101 is out of range"),
     "a list of luminances has no one answer to check": (
         "mesopic --luminance 0.1cd/m2,1cd/m2 --sp-ratio 2 --check 1cd/m2", "--check takes one"),
     "a conversion to check needs a unit to convert to": (
@@ -468,20 +468,20 @@ COMMANDS = {
     "which has an azimuth as well": (
         "environment sky:clear --sun-elevation 40deg", "the sun's azimuth", "--sun-azimuth 180deg"),
     "an overcast sky hides the sun": (
-        "environment sky:overcast --sun-elevation 30deg", "--sun-elevation has no use"),
+        "environment sky:overcast --sun-elevation 30deg", "--sun-elevation does not apply"),
     "one value scales a sky": (
         "environment sky:5 --zenith-luminance 9cd/m2 --horizontal-illuminance 9lx",
-        "--zenith-luminance and --horizontal-illuminance contradict", "one of them"),
+        "--zenith-luminance cannot be used with", "one of them"),
     "a map that is not there is not read": (
         "environment none/lit.hdr --unit 1", "cannot read none/lit.hdr", "a Radiance (.hdr)"),
-    "a sky is no map": ("environment sky:5 --unit cd/m2", "--unit has no use with a sky"),
+    "a sky is no map": ("environment sky:5 --unit cd/m2", "--unit does not apply to a sky"),
     "an expression is no map": (
         "environment cos(theta/2) --projection angular --aim 0,0,1",
-        "--projection and --aim have no use with an expression"),
+        "--projection and --aim do not apply to an expression"),
     "an expression has no sun": (
-        "environment 2 --sun-elevation 30deg", "--sun-elevation has no use with an expression"),
+        "environment 2 --sun-elevation 30deg", "--sun-elevation does not apply to an expression"),
     "relative radiances are of no kind": (
-        "environment sky:overcast --spectrum D65", "--spectrum has no use with relative"),
+        "environment sky:overcast --spectrum D65", "--spectrum does not apply to relative"),
     # scales
     "a reading cannot be multiplied": (
         "convert 2*10 dBm W", "'2*10 dBm' multiplies", "20 dBm for one reading"),
@@ -509,15 +509,15 @@ COMMANDS = {
     "a gain is no density of a filter": ("convert 3 dB OD", "3 dB is more light", "-3 dB"),
     "dBu is a level of a voltage": ("convert 3 dBu W", "'dBu' is not accepted", "dBu(W)"),
     "a scale in small letters is told in its own": ("convert 10 dbm W", "unknown unit", "dBm"),
-    "a meter's constant has no use for the other light": (
-        "convert 15 EV lx --k 14cd.s/m2", "--k has no use from EV to lx", "without --k"),
-    "a meter's constant has no use between units": (
-        "convert 15 lx fc --c 320lx.s", "--c has no use", "without --c"),
+    "a meter's constant does not apply for the other light": (
+        "convert 15 EV lx --k 14cd.s/m2", "--k does not apply to the conversion of", "without --k"),
+    "a meter's constant does not apply between units": (
+        "convert 15 lx fc --c 320lx.s", "--c does not apply", "without --c"),
     "a magnitude is no power": ("convert 5 mag dBm", "illuminance (lx) to radiant flux", "--area"),
     "a range of readings has steps of the scale": (
         "point-source --flux 0dBm:10dBm:5mW --distance 2m", "mixes quantities", "one unit in"),
     "a reflectance is no gain": (
-        "lambertian --incident-irradiance 1lx --reflectance 3dB", "3dB is not possible", "0 to 1"),
+        "lambertian --incident-irradiance 1lx --reflectance 3dB", "3dB is out of range", "0 to 1"),
     "an absorptance is no density": (
         "calorimeter --mass 1kg --temperature-rise 2K --absorptance 0.3OD",
         "--absorptance takes a number from 0 to 1, not OD", "--absorptance 0.95"),
@@ -570,8 +570,8 @@ STREAMS = {
     "a column of a spectrum and the numbers are not both read from standard input": (
         ("lx", "W/m2", "--spectrum", "-:2"), "more than one -"),
     "a stream of lux becomes candelas at a distance only": (("lx", "cd"), "a distance is missing"),
-    "a distance has no use between lux and foot-candles": (
-        ("lx", "fc", "--distance", "1m"), "has no use"),
+    "a distance does not apply between lux and foot-candles": (
+        ("lx", "fc", "--distance", "1m"), "does not apply"),
     "a stream takes no list of conditions": (
         ("cd", "lx", "--distance", "1m,2m"), "a list of conditions"),
     "an unknown unit to convert to is refused": (("lx", "zork"), "unknown unit"),
@@ -581,18 +581,18 @@ STREAMS = {
     "a stream has no CSV": (("lx", "fc", "--format", "csv"), "--format csv is not for a stream"),
     "a stream has no table": (
         ("lx", "fc", "--format", "table"), "--format table is not for a stream"),
-    "there is no field 0": (("lx", "fc", "--field", "0"), "not possible"),
-    "there are no fields up to 0": (("lx", "fc", "--field", "-0"), "not possible"),
+    "there is no field 0": (("lx", "fc", "--field", "0"), "out of range"),
+    "there are no fields up to 0": (("lx", "fc", "--field", "-0"), "out of range"),
     "fields from 3 down to 2 are refused": (("lx", "fc", "--field", "3-2"), "decreasing"),
     "an empty field in a list of fields is refused": (
         ("lx", "fc", "--field", "1,,2"), "not a list of fields"),
     "a word is no list of fields": (("lx", "fc", "--field", "x"), "not a list of fields"),
-    "a field of 99 digits is refused": (("lx", "fc", "--field", "9" * 99), "not possible"),
+    "a field of 99 digits is refused": (("lx", "fc", "--field", "9" * 99), "out of range"),
     "two letters are no delimiter": (("lx", "fc", "-d", "ab"), "not one character"),
     "a quote is no delimiter": (("lx", "fc", "-d", '"'), "not one character"),
     "a newline is no delimiter": (("lx", "fc", "-d", "\n"), "not one character"),
-    "fields and a column contradict each other": (
-        ("lx", "fc", "--field", "1", "--column", "E"), "contradict"),
+    "fields exclude a column": (
+        ("lx", "fc", "--field", "1", "--column", "E"), "cannot be used with"),
     "a column that the header lacks is refused": (
         ("lx", "fc", "--column", "E"), "has no column 'E'"),
     "a field of lines with their own units needs a delimiter": (
@@ -600,7 +600,7 @@ STREAMS = {
     "a column between blanks without a unit needs one": (
         ("fc", "--column", "a"), "the header of stdin has no unit for 'a'"),
     "a column that is added and renamed is refused": (
-        ("lx", "fc", "--header", "--add", "b", "--rename", "c"), "contradict"),
+        ("lx", "fc", "--header", "--add", "b", "--rename", "c"), "cannot be used with"),
     "a title is for a column that has one": (
         ("lx", "fc", "--rename", "b"), "--rename needs a header"),
     "one title for two fields is refused": (
@@ -613,8 +613,8 @@ STREAMS = {
         ("lx", "fc", "--field", "1", "--add", "a b"), "blanks, at which the lines are cut"),
     "a column that becomes another quantity is refused": (
         ("lx", "W/m2", "--spectrum", "D65", "--header"), "under a header would become"),
-    "decimal commas and fields between commas contradict each other": (
-        ("lx", "fc", "-d", "comma", "--decimal", ","), "contradict"),
+    "decimal commas exclude fields between commas": (
+        ("lx", "fc", "-d", "comma", "--decimal", ","), "cannot be used with"),
     "a decimal mark is a point or a comma": (("lx", "fc", "--decimal", "x"), "--decimal"),
     "a header of no lines is refused": (("lx", "fc", "--header=0"), "--header"),
     "a header of a word is refused": (("lx", "fc", "--header=x"), "--header"),

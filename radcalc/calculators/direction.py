@@ -76,7 +76,7 @@ def task(words: Sequence[str], wants: Wants) -> Task:
         names = [name for name in given if name not in MIRRORS]
         if vector and names:
             what = option("mirror-ball") if "mirror-ball" in names else "angles"
-            raise ConditionError(f"a vector and {what} contradict each other", "one of them")
+            raise ConditionError(f"a vector cannot be used with {what}", "one of them")
         if not vector and not names:
             hint = mention("X Y Z, or {polar=45deg} {azimuth=30deg}")
             raise UsageError("a direction is missing", hint)

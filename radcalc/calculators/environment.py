@@ -160,7 +160,7 @@ def _refuse_others(settings: Inputs, takes: tuple[str, ...], what: str) -> None:
     """Refuse the settings of other sources."""
     foreign = [item.name for name, item in settings.items() if name not in takes]
     if foreign:
-        raise Unused(foreign, f"with {what}")
+        raise Unused(foreign, f"to {what}")
 
 
 def _sky(name: str, settings: Inputs, lit: kinds.LightInputs) -> "Environment":
@@ -249,7 +249,7 @@ class _Surroundings:
         self.assumptions, self.notes = [*environment.assumptions], [*environment.notes]
         if not self.kind:
             if links:
-                raise Unused(tuple(links), "with relative radiances")
+                raise Unused(tuple(links), "to relative radiances")
             self.assumptions.append(IS_RELATIVE)
         self.counts = bool(environment.efficacy) and not set(LINKS) & set(links)
         if self.counts:

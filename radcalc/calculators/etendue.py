@@ -78,7 +78,7 @@ def etendue(given: Inputs) -> Answer:
     has_receiver |= "distance" in given and not has_cone
     if has_receiver and has_cone:
         raise ConditionError(
-            "a receiver and a cone contradict each other: both limit the light", "one of them"
+            "a receiver cannot be used with a cone: both limit the light", "one of them"
         )
     takes = WITH_RECEIVER if has_receiver else WITH_CONE
     named = f"a source and a {'receiver' if has_receiver else 'cone'}"

@@ -116,9 +116,9 @@ def integrate(text: str, given: Inputs, of: Integrand = BARE) -> Answer:
     accuracy = given["accuracy"].value if "accuracy" in given else USUAL
     check_zone(*polar, azimuth[1] - azimuth[0])
     if not FINEST <= accuracy <= COARSEST:
-        raise ConditionError(
-            f"an accuracy of {accuracy:g} is not possible", f"from {FINEST:g} to {COARSEST:g}"
-        )
+        limit = f"from {FINEST:g} to {COARSEST:g}"
+        message = f"an accuracy of {accuracy:g} is out of range: it must be {limit}"
+        raise ConditionError(message, limit)
     expression = Expression(text)
     if expression.uses:
         integrated = over_directions(

@@ -86,7 +86,7 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
         if generic not in given:
             given[generic] = item
         elif given_in_two_kinds or kind_of(given[generic]) == kind_of(item):
-            raise Exclusive((given[generic].name, item.name), "are the same quantity")
+            raise Exclusive((given[generic].name, item.name), "they are the same quantity")
         else:
             given_in_two_kinds[generic] = item
     linking = [name for name in links if name in LINKS]
@@ -94,13 +94,13 @@ def read_light(typed: Inputs, links: Inputs, preferred: str = "") -> LightInputs
     for name, twin in given_in_two_kinds.items():
         if linking:
             names = (given[name].name, twin.name, linking[0])
-            raise Exclusive(names, "contradict each other: the kinds are linked twice", word=", ")
+            raise Exclusive(names, "the kinds are linked twice")
         ratio = Ratio.of(given[name], twin)
         links = {**links, "efficacy": ratio.link()}
         steps.append(ratio.step())
         _refuse_impossible(ratio, links)
     if len(linking) > 1:
-        raise Exclusive(linking[:2], "contradict each other: both link the kinds")
+        raise Exclusive(linking[:2], "both link the kinds")
     _refuse_idle_refinements(links)
     first = next(iter(given), "")
     kind = kind_of(given[first]) if first else preferred or RADIANT
@@ -222,7 +222,7 @@ def _refuse_impossible(ratio: Ratio, links: Inputs) -> None:
             option(quantity.name, quote(quantity.text)) for quantity in ratio[1:]
         )
         raise ConditionError(
-            f"{quantities} are not possible together: {error.because}",
+            f"{quantities} contradict each other: {error.because}",
             f"less of the one or more of the other: {error.limit}",
         ) from None
 
@@ -233,7 +233,8 @@ def _refuse_idle_refinements(links: Inputs) -> None:
         useful = LINKS if name == "observer" else ("spectrum",)
         if name in links and not set(useful) & set(links):
             raise ConditionError(
-                f"{option(name)} has no use", f"{options(useful)} with it, or neither"
+                f"{option(name)} does not apply without {options(useful)}",
+                f"{options(useful)} with it, or neither",
             )
 
 

@@ -540,12 +540,12 @@ def _refuse_idle(given: Inputs) -> None:
     """Refuse what has no use beside each other: places in two ways, turns without a place."""
     placed = next((name for name in ("height", *OFFSETS) if name in given), None)
     if "toward" in given and placed:
-        raise Exclusive(
-            ("toward", placed), "contradict each other: both tell where the receiver is"
-        )
+        raise Exclusive(("toward", placed), "both place the receiver")
     if "rotate" in given and not placed and "aim" not in given:
         raise Unused(
-            ("rotate",), "without a receiver aside", mention("{height=3m} and {offset=1m} with it")
+            ("rotate",),
+            "without a receiver off the axis",
+            mention("{height=3m} and {offset=1m} with it"),
         )
 
 

@@ -107,13 +107,11 @@ def spread(given: Inputs) -> str:
                 f"{option(first)} is of {OF[shape]}, {option(name)} of {OF[other]}", "one of them"
             )
         if name in FLAGS:
-            raise Exclusive([first, name], "contradict each other: both give the cone")
+            raise Exclusive([first, name], "both give the cone")
     if chosen not in (None, shape):
-        raise ConditionError(
-            f"{option(first)} is of {OF[shape]}, and contradicts "
-            f"{option('distribution', quote(given['distribution'].text))}",
-            "one of them",
-        )
+        distribution = option("distribution", quote(given["distribution"].text))
+        message = f"{option(first)} cannot be used with {distribution}: it is of {OF[shape]}"
+        raise ConditionError(message, "one of them")
     return shape
 
 

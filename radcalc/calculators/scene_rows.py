@@ -94,6 +94,11 @@ class Row(NamedTuple):
         place = f"{self.where}, {_title(self.titles, column)}"
         return ConditionError(f"{place}: {problem}", hint)
 
+    def both(self, first: str, second: str) -> ConditionError:
+        """Return the refusal of two columns that exclude each other."""
+        message = f"{self.where}: {typed(first)} cannot be used with {typed(second)}"
+        return ConditionError(message, "one of them")
+
 
 class Placed(NamedTuple):
     """A source of a scene, and what it is called in results."""
@@ -318,8 +323,7 @@ class Reader:
             item for item in given.values() if item.symbol.generic in (*STRENGTH, *SURFACE)
         ]
         if len(strengths) > 1:
-            names = " and ".join(typed(item.name) for item in strengths[:2])
-            raise ConditionError(f"{row.where}: {names} contradict each other", "one of them")
+            raise row.both(*(item.name for item in strengths[:2]))
         strength = strengths[0] if strengths else None
         label = f"'{quote(name)}' ({row.where})"
         if shape == LAMBERTIAN:
@@ -364,7 +368,7 @@ class Reader:
         aims = [names for names in (AIM, DIRECTION) if any(name in given for name in names)]
         if len(aims) > 1:
             raise ConditionError(
-                f"{row.where}: aim_x and direction_x contradict each other",
+                f"{row.where}: aim_x cannot be used with direction_x",
                 "a point to aim at, or a direction",
             )
         rotate = given["rotate"].value if "rotate" in given else 0.0
@@ -430,8 +434,7 @@ class Reader:
         """Return the one column of several that a shape takes."""
         matches = [name for name in names if name in given]
         if len(matches) > 1:
-            two_names = " and ".join(map(typed, matches[:2]))
-            raise ConditionError(f"{row.where}: {two_names} contradict each other", "one of them")
+            raise row.both(*matches[:2])
         if not matches:
             raise ConditionError(
                 f"{row.where}: a {shape} has no width", " or ".join(map(typed, names))
@@ -450,7 +453,7 @@ class Reader:
         idle = [n for n, item in given.items() if {n, item.symbol.generic}.isdisjoint(useful)]
         if idle:
             what = shape or "a file or an expression"
-            raise row.error(idle[0], f"has no use with {what}", "a blank cell there")
+            raise row.error(idle[0], f"does not apply to {what}", "a blank cell there")
 
     def factor(self, row: Row, distribution: Distribution, strength: Input | None) -> float:
         """Return what the intensities of a distribution are multiplied by, in the scene's kind."""

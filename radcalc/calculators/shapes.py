@@ -100,7 +100,7 @@ def _patch(sheet: Worksheet) -> Placed:
     else:
         turned = [name for name in ("incidence", "tilt") if name in given]
         if turned:
-            message = f"{option(turned[0])} has no use without a distance"
+            message = f"{option(turned[0])} does not apply without a distance"
             raise MissingInput(message, mention("{distance=2m} with it"))
     return placed
 
@@ -111,7 +111,7 @@ def _patch_above(given: Inputs, placed: Placed) -> None:
     if "height" not in given:
         raise _without_height(next(name for name in OFFSETS if name in given))
     if "tilt" in given:
-        raise Exclusive(("tilt", "height"), "contradict each other: both say how it is turned")
+        raise Exclusive(("tilt", "height"), "both turn the source")
     _centre(given, placed, height, offset_of(given), offset_of(given, "offset-y"))
     placed.laws += _small(given)
 
@@ -140,7 +140,7 @@ def _small(given: Inputs) -> list[AnyLaw]:
 
 def _without_height(name: str) -> MissingInput:
     """Return the refusal of a receiver's place without its height."""
-    message = f"{option(name)} has no use without a height"
+    message = f"{option(name)} does not apply without a height"
     return MissingInput(message, mention("{height=1.5m} with it"))
 
 
@@ -286,7 +286,7 @@ def _sphere(sheet: Worksheet) -> Placed:
         _note_horizon(placed, "sphere", up - within, up + within)
         return placed
     if "incidence" in given:
-        message = mention("{incidence} has no use without {radius} and {distance}")
+        message = mention("{incidence} does not apply without {radius} and {distance}")
         raise MissingInput(message, "both of them")
     placed.laws += [SPHERE_AT_DISTANCE, SPHERE_FLUX, SPHERE_ENERGY]
     return placed

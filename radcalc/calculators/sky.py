@@ -357,7 +357,7 @@ class _Sky:
         given, lit = self.given, self.lit
         for other in ("tilt", "azimuth"):
             if "normal" in given and other in given:
-                raise Exclusive(("normal", other), "contradict each other: both turn the plane")
+                raise Exclusive(("normal", other), "both turn the plane")
         if "azimuth" in given and "tilt" not in given:
             raise Unused(("azimuth",), "without a tilt", mention("{tilt=90deg} with it"))
         if "irradiance" in lit and not self.has_plane:

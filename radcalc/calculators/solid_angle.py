@@ -275,7 +275,7 @@ def _disc(sheet: Worksheet) -> Placed:
     if "solid-angle" in given:
         away = "height" if "height" in given else "distance"
         if is_aside:
-            raise Exclusive(("solid-angle", "offset"), "do not go together: it is for the axis")
+            raise Exclusive(("solid-angle", "offset"), "it is a solid angle on the axis")
         at_most_one(given, "the size of the source", *ROUND)
         if not {*ROUND, "height", "distance"} & set(given):
             raise _missing_input(sheet)
@@ -377,7 +377,7 @@ def _on_sphere(sheet: Worksheet) -> Placed:
     given = sheet.given
     one_of(given, "the size of the sphere", *ROUND)
     if foreign := [name for name in given if name not in ("area", *ROUND)]:
-        raise Unused(foreign, "with a patch of a sphere")
+        raise Unused(foreign, "to a patch of a sphere")
     plane = "a plane whose normal points to the patch, as if it were a round one"
     placed = _onto(plane, *round_sizes(given), ON_SPHERE)
     solved = solve(sheet, placed.laws)

@@ -13,7 +13,6 @@ from radcalc.derivation import coherent_unit_of, digits_apart, format_number, fo
 from radcalc.errors import (
     ConditionError,
     Contradiction,
-    Exclusive,
     option,
     options,
     quote,
@@ -101,8 +100,8 @@ class Solved(Remarks):
             if any_true((result < low) | (result > high)):
                 inputs = {**self.sheet.quantities, **self.lit.links}
                 raise ConditionError(
-                    f"{self.describe(name)} follows from the rest, and is not possible: "
-                    f"{because or f'it is {limits.said}'}",
+                    f"{self.describe(name)} follows from the rest and is out of range: "
+                    f"{because or f'it must be {limits.said}'}",
                     hint or f"another value of {options(item.name for item in inputs.values())}",
                 )
 
@@ -174,11 +173,12 @@ def contradiction(sheet: Worksheet, error: Disagreement, steps: dict[str, float]
     inputs = sheet.quantities
     names = [item.name for item in inputs.values()]
     if error.name in INNER:
-        return Exclusive(
-            names,
-            f"contradict each other, by the law '{error.law.name}'",
+        return Contradiction(
+            f"{options(names, ' and ')} contradict each other: see the law '{error.law.name}'",
             "fewer of them",
-            ", ",
+            error.name,
+            error.given,
+            error.implied,
         )
     unit = coherent_unit_of(error.name, sheet.lit.kind)
     digits = digits_apart(error.given, error.implied)

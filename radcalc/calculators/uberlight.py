@@ -191,7 +191,7 @@ def _refuse_useless(given: Inputs, is_omni: bool) -> None:
     useless = [name for name in OF_SPOTS if name in given]
     if is_omni and useless:
         raise Unused(
-            useless, "with a light that shines everywhere", mention("the same without {omni}")
+            useless, "to a light that shines everywhere", mention("the same without {omni}")
         )
     if "superellipse" not in given:
         useless = [name for name in ("roundness", "shear") if name in given]

@@ -306,8 +306,10 @@ class _Run:
         sides = [(sign, at(float(sign))) for sign in (-1, 1)]
         problem = ""
         if self.refused or not all(end for _, end in sides):
-            limit = f": {self.refused.limit}" if isinstance(self.refused, Impossible) else ""
-            problem = f"{named} reaches what is not possible{limit}"
+            limit = ""
+            if isinstance(self.refused, Impossible):
+                limit = f": it must be {self.refused.limit}"
+            problem = f"{named} goes out of range{limit}"
         bent = []
         for key, value in self.nominal.items():
             line = self.slopes[key] * rise

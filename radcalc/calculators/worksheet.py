@@ -192,7 +192,7 @@ def refuse_foreign(given: Inputs, takes: Sequence[str], title: str) -> None:
     """Refuse inputs that the case at hand does not take."""
     foreign = [name for name in given if name not in takes]
     if foreign:
-        raise Unused(foreign, f"with {title}")
+        raise Unused(foreign, f"to {title}")
 
 
 def _refuse_disparate(given: Inputs) -> None:

@@ -30,7 +30,7 @@ OPTIONS = (
 def refuse_idle(check: str | None, tolerance: str | None) -> None:
     """Refuse a tolerance of nothing."""
     if tolerance is not None and check is None:
-        raise UsageError("--tolerance has no use without --check", "--check VALUE with it")
+        raise UsageError("--tolerance does not apply without --check", "--check VALUE with it")
 
 
 def refuse_several(count: int) -> None:

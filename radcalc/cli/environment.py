@@ -70,7 +70,7 @@ def command(
             ("--size", typed.get("size"), "--irradiance-map"),
         ):
             if value:
-                raise UsageError(f"{name} has no use without {file}", f"{file} FILE with it")
+                raise UsageError(f"{name} does not apply without {file}", f"{file} FILE with it")
         all_cases = cases(typed, arrays=False)
 
         def work_out(given: Inputs) -> Answer:
@@ -80,23 +80,23 @@ def command(
         return run(all_cases, task, request, output)
     for name in ("normal", "toward"):
         if name in typed:
-            problem = f"--{name} has no use where a map is written"
+            problem = f"--{name} does not apply when a map is written"
             raise UsageError(problem, f"the same without --{name}")
     _refuse_source(path, operands["source"])
     given = one_case(typed, request)
     if irradiance_map:
         if reproject:
-            flags = "--irradiance-map and --reproject"
-            raise UsageError(f"{flags} contradict each other: each makes a file", "one of them")
+            message = "--irradiance-map cannot be used with --reproject: each makes a file"
+            raise UsageError(message, "one of them")
         if to:
-            raise UsageError("--to has no use with --irradiance-map", "the same without --to")
+            raise UsageError("--to does not apply to --irradiance-map", "the same without --to")
         make = partial(page.irradiance_map, source, given, 2 if order else None)
         inputs = texts_of({**operands, "irradiance-map": path, "order": order or ""})
         return write_map(
             path, "irradiance map", make, request, output, (*inputs, *shown_inputs(given))
         )
     if order:
-        raise UsageError("--order has no use with --reproject", "the same without --order")
+        raise UsageError("--order does not apply to --reproject", "the same without --order")
     if not to:
         ways = " or ".join(f"--to {name}" for name in PROJECTIONS)
         raise UsageError("the projection to write is missing", ways)

@@ -198,9 +198,9 @@ def decide(
 ) -> Output:
     """Choose the format from the options and from what standard output is."""
     if json_ and format_ not in (None, JSON):
-        raise UsageError(f"--json and --format {format_} contradict each other", "one of them")
+        raise UsageError(f"--json cannot be used with --format {format_}", "one of them")
     if number and (json_ or format_ not in (None, PLAIN)):
-        raise UsageError("--number is plain text, and contradicts another format", "-n alone")
+        raise UsageError("--number cannot be used with another format than plain", "-n alone")
     if number and auto:
         raise UsageError(
             "--number prints no unit, and --auto chooses one", "the same without --auto"
@@ -218,8 +218,8 @@ def decide(
 
 
 def refuse_number_options(output: Output, command: str) -> None:
-    """Refuse -n, --precision and --auto, which have no use with a list."""
+    """Refuse -n, --precision and --auto, which do not apply to a list."""
     bare, precision, auto = output.style.bare, output.style.precision, output.style.auto
     if bare or precision or auto:
         useless = "-n" if bare else "--precision" if precision else "--auto"
-        raise UsageError(f"{useless} has no use with {command}", f"radcalc {command}")
+        raise UsageError(f"{useless} does not apply to {command}", f"radcalc {command}")

@@ -30,7 +30,7 @@ class Request(NamedTuple):
             request = request._replace(lines=line_options.LineOptions(*line_values))
         check.refuse_idle(request.check, request.tolerance)
         if request.check is not None and request.wanted:
-            raise UsageError("--check and --get contradict each other", "--check NAME=VALUE")
+            raise UsageError("--check cannot be used with --get", "--check NAME=VALUE")
         return request
 
     def wants(self, name: str) -> bool:

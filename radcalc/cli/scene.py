@@ -275,7 +275,7 @@ def _points(at: tuple[str, ...], grid: Input | None) -> Points:
     from radcalc.distributions import scene
 
     if at and grid:
-        raise UsageError("--at and --grid contradict each other", "one of them")
+        raise UsageError("--at cannot be used with --grid", "one of them")
     if grid:
         axes = [scene.Axis(*axis) for axis in grid.value]
         size = math.prod(axis.size for axis in axes)

@@ -19,7 +19,7 @@ from radcalc.cli import group
 from radcalc.cli.cases import is_stream
 from radcalc.cli.help import COMMANDS
 from radcalc.cli.options import decide, defaults
-from radcalc.errors import RadcalcError, UsageError, listed, option, quote
+from radcalc.errors import RadcalcError, UsageError, ambiguous, listed, option, quote
 from radcalc.quantities.light import name_of
 from radcalc.quantities.symbols import (
     DIRECTION,
@@ -406,10 +406,8 @@ def _parted(head: str, last: str) -> list[str]:
         return [phrase]
     number = NUMBER_AT_END.search(head)
     other = f"{head[: number.start()]}({number[0]} {last})" if number else f"({phrase})"
-    raise UsageError(
-        f"'{quote(phrase)}' can be read in two ways",
-        f"{quote(head)} in {quote(last)}, or {quote(other)}",
-    )
+    readings = f"{quote(head)} in {quote(last)}, or {quote(other)}"
+    raise UsageError(ambiguous(phrase, readings), readings)
 
 
 def _read(text: str) -> Amount | None:

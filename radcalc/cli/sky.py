@@ -42,7 +42,7 @@ def command(
             save, "map", lambda progress: sky_map(name, given), request, output, inputs
         )
     if "size" in typed:
-        raise UsageError("--size has no use without --save", "--save FILE with it")
+        raise UsageError("--size does not apply without --save", "--save FILE with it")
     all_cases = cases(typed)
     operands = texts_of({"type": name})
     is_drawn = bool(request.plot)

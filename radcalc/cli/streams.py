@@ -384,7 +384,7 @@ class Layout(NamedTuple):
         mark = (options.decimal or ".").encode()
         if cut and cut.delimiter == mark != b".":
             raise UsageError(
-                "--decimal , and --delimiter , contradict each other", option("delimiter", "tab")
+                "--decimal , cannot be used with --delimiter ,", option("delimiter", "tab")
             )
         fields = Fields("1" if options.field is None else options.field)
         name = options.rename if options.add is None else options.add
@@ -417,9 +417,9 @@ class Layout(NamedTuple):
 def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> None:
     """Refuse options that exclude each other, or lack another one."""
     if options.field is not None and options.column is not None:
-        raise UsageError("--field and --column contradict each other", "one of them")
+        raise UsageError("--field cannot be used with --column", "one of them")
     if options.add is not None and options.rename is not None:
-        raise UsageError("--add and --rename contradict each other", "one of them")
+        raise UsageError("--add cannot be used with --rename", "one of them")
     if options.rename is not None and not lines:
         raise UsageError("--rename needs a header", "--header, or --column NAME")
     if not has_unit and options.delimiter is None and options.field is not None and not lines:

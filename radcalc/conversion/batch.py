@@ -31,7 +31,7 @@ def plans(requests: Sequence[Request]) -> list[Planned]:
         for refusal in refusals:
             if isinstance(refusal, Unused) and {*refusal.symbols} == {*idle}:
                 raise refusal
-        raise Unused(idle, "in any of these conversions")
+        raise Unused(idle, "to any of these conversions")
     return planned
 
 

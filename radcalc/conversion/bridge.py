@@ -97,8 +97,8 @@ class Bridge:
         if self.lacking:
             raise self._missing(unused)
         if unused:
-            between = f"in converting {describe(self.source)} to {describe(self.target)}"
-            raise Unused(unused, between, self._instead(unused))
+            where = f"to the conversion of {describe(self.source)} to {describe(self.target)}"
+            raise Unused(unused, where, self._instead(unused))
 
     def _instead(self, unused: Sequence[str]) -> str:
         """Return what is meant by a condition that has no use between two units of one quantity."""
@@ -130,7 +130,7 @@ class Bridge:
         )
         if unused:
             useless = options(unused, " and ")
-            message += f"; {useless} {'has' if len(unused) == 1 else 'have'} no use"
+            message += f"; {useless} {'does' if len(unused) == 1 else 'do'} not apply"
         hint = f"{'; and '.join(hints)} (see {manual('convert')})"
         return MissingCondition(message, hint, self.source.text, self.target.text, phrases)
 

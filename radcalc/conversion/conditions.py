@@ -72,7 +72,7 @@ class Conditions:
             slot = condition.name if about == REFINES else about
             if slot in self.given:
                 names = (self.given[slot].name, condition.name)
-                raise Exclusive(names, f"contradict each other: both supply the {slot}")
+                raise Exclusive(names, f"both supply the {slot}")
             self.given[slot] = condition
 
     def use(self, slot: str) -> Input | None:

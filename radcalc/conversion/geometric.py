@@ -123,7 +123,7 @@ def _half_angle_at_most_right(given: Input) -> Any:
     half = half_angle_of(given)
     most = "90" if given.name == "half-angle" else "180"
     within = not maths.any_true(half > math.pi / 2 * (1 + maths.SLACK))
-    require(given, within, f"at most {most} deg, where a radiance is concerned")
+    require(given, within, f"at most {most} deg, for a radiance")
     return half
 
 

@@ -112,7 +112,7 @@ def plan(source: Unit, target: Unit, given: Sequence[Input], number: str) -> Sca
             continue
         used = {unit.scale.constant for unit in (start, end) if isinstance(unit, ScaleUnit)}
         if idle := [name for name in constants if name not in used]:
-            raise Unused(idle, f"from {quote(source.text)} to {quote(target.text)}")
+            raise Unused(idle, f"to the conversion of {quote(source.text)} to {quote(target.text)}")
         planned = ScaledPlan(start, end, linear)
         assumptions = [text for name in constants for text in meter[name].assumptions]
         planned.assumptions = (*assumptions, *planned.assumptions)

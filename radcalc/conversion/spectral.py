@@ -331,7 +331,7 @@ def bandwidth(given: Input, of_kind: Input | None) -> Factor:
     axis = band_axis(given)
     width = given.value
     if axis == PER_WAVELENGTH:
-        require(given, not maths.any_true(width > 1e-3), "at most 1 mm: a band of wavelengths")
+        require(given, not maths.any_true(width > 1e-3), "at most 1 mm, for a band of wavelengths")
     assumption = f"constant over a band of {given.text}"
     if of_kind is not None and of_kind.name == "wavelength":
         assumption += f", in which everything is taken as at {of_kind.text}"

@@ -56,11 +56,11 @@ def refuse(bad: Any, message: str, hint: str) -> None:
     Examples
     --------
     >>> from radcalc.geometry.cones import refuse
-    >>> refuse(2.0 < 0, "a negative radius is not possible", "0 or more")
-    >>> refuse(-1.0 < 0, "a negative radius is not possible", "0 or more")
+    >>> refuse(2.0 < 0, "a negative radius is out of range", "0 or more")
+    >>> refuse(-1.0 < 0, "a negative radius is out of range", "0 or more")
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: a negative radius is not possible
+    radcalc.errors.ConditionError: a negative radius is out of range
     try: 0 or more
     """
     if any_true(bad):
@@ -166,7 +166,7 @@ def cone(half_angle: Number) -> Number:
     3.141592653589793e-18
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
-    refuse(bad, "a cone of that half angle is not possible", "from 0 to 180 deg")
+    refuse(bad, "a cone of that half angle is out of range", "from 0 to 180 deg")
     return FULL * square(sin(half_angle / 2))
 
 
@@ -214,7 +214,7 @@ def cone_of(solid_angle: Number) -> Number:
     """
     part = solid_angle / FULL
     bad = (part < 0) | (part > 1 + SLACK)
-    refuse(bad, "a cone of that solid angle is not possible", "from 0 to 4pi sr")
+    refuse(bad, "a cone of that solid angle is out of range", "from 0 to 4pi sr")
     return 2 * asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
 
 
@@ -293,7 +293,7 @@ def projected_cone_of(solid_angle: Number) -> Number:
     """
     part = solid_angle / math.pi
     bad = (part < 0) | (part > 1 + SLACK)
-    refuse(bad, "a cone of that projected solid angle is not possible", "from 0 to pi sr")
+    refuse(bad, "a cone of that projected solid angle is out of range", "from 0 to pi sr")
     return asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
 
 
@@ -317,10 +317,10 @@ def check_tilt(tilt: Number) -> None:
     >>> check_tilt(45.0)
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: that tilt is not possible
+    radcalc.errors.ConditionError: that tilt is out of range
     try: from 0 to 180 deg
     """
-    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is not possible", "from 0 to 180 deg")
+    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is out of range", "from 0 to 180 deg")
 
 
 def facing(tilt: Number) -> Number:

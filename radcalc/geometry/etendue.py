@@ -67,7 +67,7 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
         "a surface neither sends nor sees light past its horizon",
         "a half angle from 0 to 90 deg",
     )
-    refuse(area < 0, "a negative area is not possible", "0 or more")
+    refuse(area < 0, "a negative area is out of range", "0 or more")
     return area * projected.cone(half_angle)
 
 
@@ -124,7 +124,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     >>> round(math.pi**2 / 2 * (3 - math.sqrt(5)), 6)
     3.769853
     """
-    refuse((radius < 0) | (other < 0), "a negative radius is not possible", "0 or more")
+    refuse((radius < 0) | (other < 0), "a negative radius is out of range", "0 or more")
     refuse(distance <= 0, "the discs touch", "a distance above 0")
     scale = power_of_two(larger(larger(radius, other), distance))
     radius, other, distance = radius / scale, other / scale, distance / scale
@@ -216,7 +216,7 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
 
 def _part_of_discs(etendue: Number, radius: Number) -> Number:
     """G / pi^2, which must be less than the square of the smaller radius."""
-    refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    refuse(radius < 0, "a negative radius is out of range", "0 or more")
     part = etendue / math.pi**2
     refuse(
         (part <= 0) | (part >= square(radius)),

@@ -60,7 +60,7 @@ def size(area: Number, *sides: Number) -> Number:
     >>> round(far_field.size(1.0), 6), far_field.size(1.0, 4.0, 0.25)
     (1.128379, 4.0)
     """
-    refuse(area < 0, "a negative area is not possible", "0 or more")
+    refuse(area < 0, "a negative area is out of range", "0 or more")
     longest = 2 * power(area / math.pi, 0.5)
     for side in sides:
         longest = larger(longest, side)
@@ -244,7 +244,7 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
 
 
 def _check(reach: Number, distance: Number) -> None:
-    refuse(reach < 0, "a negative size is not possible", "0 or more")
+    refuse(reach < 0, "a negative size is out of range", "0 or more")
     refuse(distance <= 0, "the receiver is on the patch", "a distance above 0")
 
 

@@ -208,7 +208,7 @@ def part(exponent: Number, within: Number) -> Number:
     """
     _check_exponent(exponent)
     bad = (within < 0) | (within > math.pi * (1 + SLACK))
-    refuse(bad, "a part within that angle is not possible", "from 0 to 180 deg")
+    refuse(bad, "a part within that angle is out of range", "from 0 to 180 deg")
     return piecewise(
         within < math.pi / 2,
         lambda w, n: -expm1((n + 1) * ln_cos(w)),
@@ -258,4 +258,4 @@ def solid_angle(exponent: Number) -> Number:
 
 def _check_exponent(exponent: Number) -> None:
     bad = (exponent < 0) | (exponent == math.inf)
-    refuse(bad, "a lobe of that exponent is not possible", "0 or more, and finite")
+    refuse(bad, "a lobe of that exponent is out of range", "0 or more, and finite")

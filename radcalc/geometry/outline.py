@@ -124,7 +124,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     """
     if not 3 <= len(points) <= MOST:
         raise ConditionError(
-            f"a polygon of {len(points)} vertices is not possible", f"from 3 to {MOST}, as X,Y,Z"
+            f"a polygon cannot have {len(points)} vertices", f"from 3 to {MOST}, as X,Y,Z"
         )
     for k, point in enumerate(points):
         if point in points[:k]:

@@ -313,7 +313,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     >>> round(projected.disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
     (0.868315, 0.868315)
     """
-    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    cones.refuse(radius < 0, "a negative radius is out of range", "0 or more")
     solid.check_height(height)
     cones.check_tilt(tilt)
     scale = power_of_two(larger(larger(radius, height), abs(offset)))

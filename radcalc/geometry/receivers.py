@@ -291,10 +291,10 @@ def _unevenness(exponent: float, radius: float, distance: float, off_axis: float
 
 
 def _check(radius: Number, distance: Number, off_axis: Number = 0.0) -> None:
-    cones.refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    cones.refuse(radius < 0, "a negative radius is out of range", "0 or more")
     cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
     bad = (off_axis < 0) | (off_axis >= math.pi / 2)
-    cones.refuse(bad, "that angle off the axis is not possible", "from 0 to below 90 deg")
+    cones.refuse(bad, "that angle off the axis is out of range", "from 0 to below 90 deg")
 
 
 def _lies_across(off_axis: float, incidence: float) -> bool:

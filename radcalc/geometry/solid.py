@@ -135,13 +135,13 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
     """
     refuse(
         (lower < 0) | (upper > math.pi * (1 + SLACK)),
-        "a zone beyond the poles is not possible",
+        "a zone beyond the poles is out of range",
         "polar angles from 0 to 180 deg",
     )
     refuse(lower > upper, "the zone ends before it starts", "the smaller polar angle first")
     refuse(
         (azimuth < 0) | (azimuth > 2 * math.pi * (1 + SLACK)),
-        "a zone of that width in azimuth is not possible",
+        "a zone of that width in azimuth is out of range",
         "from 0 to 360 deg",
     )
 
@@ -243,7 +243,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     >>> round(solid.disc(1.0, 1e-9, 1.0) / math.pi, 6)
     1.0
     """
-    refuse(radius < 0, "a negative radius is not possible", "0 or more")
+    refuse(radius < 0, "a negative radius is out of range", "0 or more")
     check_height(height)
     offset = abs(offset)
     scale = power_of_two(larger(larger(radius, height), offset))
@@ -429,7 +429,7 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     >>> sides
     [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 4.0, 0.0), (0.0, 4.0, 0.0)]
     """
-    refuse((width < 0) | (length < 0), "a negative side is not possible", "0 or more")
+    refuse((width < 0) | (length < 0), "a negative side is out of range", "0 or more")
     check_height(height)
     far = larger(larger(width, length), larger(height, larger(abs(offset), abs(offset_y))))
     refuse(far == math.inf, "an infinite length has no corners", "a length that is finite")
@@ -549,12 +549,12 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
     >>> check_pyramid(-1.0, 0.5)
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: a pyramid of those angles is not possible
+    radcalc.errors.ConditionError: a pyramid of those angles is out of range
     try: from 0 to 180 deg, face to face
     """
     top = math.pi * (1 + SLACK)
     bad = (horizontal < 0) | (vertical < 0) | (horizontal > top) | (vertical > top)
-    refuse(bad, "a pyramid of those angles is not possible", "from 0 to 180 deg, face to face")
+    refuse(bad, "a pyramid of those angles is out of range", "from 0 to 180 deg, face to face")
 
 
 @bounded
@@ -603,7 +603,7 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     >>> round(solid.patch(math.pi, 10.0) / solid.disc(1.0, 10.0) - 1, 4)
     0.0075
     """
-    refuse(area < 0, "a negative area is not possible", "0 or more")
+    refuse(area < 0, "a negative area is out of range", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
     return area / square(distance) * facing(tilt)

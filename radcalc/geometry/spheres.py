@@ -53,7 +53,7 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     >>> round(60 * math.degrees(spheres.angular_radius(695_700e3, 149_597_870_700.0)), 2)
     15.99
     """
-    refuse((radius < 0), "a negative radius is not possible", "0 or more")
+    refuse((radius < 0), "a negative radius is out of range", "0 or more")
     refuse(
         distance <= radius,
         "the observer is on or inside the sphere",

@@ -300,7 +300,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     >>> round(beam(3**0.5, 0.0, 1.0, 2.0), 12), beam(0.0, 0.0, -1.0, 2.0)
     (0.25, 0.0)
     """
-    refuse(exponent < 0, "a negative beam exponent is not possible", "0 or more")
+    refuse(exponent < 0, "a negative beam exponent is out of range", "0 or more")
     return piecewise(
         z > 0,
         lambda z, off, n: exp(n * lobes.ln_cos(atan2(off, z))),
@@ -357,7 +357,7 @@ def falloff(
     3.0
     """
     refuse(distance <= 0, "a distance from the light is more than 0", "more than 0")
-    refuse(exponent < 0, "a negative fall-off is not possible", "0 or more")
+    refuse(exponent < 0, "a negative fall-off is out of range", "0 or more")
     refuse(reference <= 0, "a fall-off distance is more than 0", "more than 0")
     if maximum is None:
         return _power(distance, exponent, reference)

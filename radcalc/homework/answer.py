@@ -136,7 +136,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
     hint = f"{option('tolerance', '1%')}, 0.5lx (in the answer's unit) or 3sf (significant digits)"
     if text.endswith("sf"):
         if not (text[:-2].isascii() and text[:-2].isdecimal()) or not 1 <= int(text[:-2]) <= 15:
-            raise ConditionError(f"{typed} is not possible", hint)
+            raise ConditionError(f"{typed} is out of range", hint)
         count = int(text[:-2])
         digits = f"within half a unit of digit {count}"
         return Tolerance(digits, "digits", count)
@@ -148,7 +148,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
         name = option("tolerance")
         raise ConditionError(f"{name}: {error.message.removeprefix(f'{name}: ')}", hint) from None
     if given.value < 0:
-        raise ConditionError(f"{typed} is not possible", hint)
+        raise ConditionError(f"{typed} is out of range", hint)
     if given.unit is None and given.value >= 1:
         raise ConditionError(f"{typed} has no unit", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER

@@ -187,7 +187,7 @@ def at_most_one(inputs: Inputs, what: str, *names: str) -> Input | None:
     matches = [inputs[name] for name in names if name in inputs]
     if len(matches) > 1:
         given_names = [match.name for match in matches]
-        raise Exclusive(given_names, f"contradict each other: both give {what}")
+        raise Exclusive(given_names, f"both give {what}")
     return matches[0] if matches else None
 
 

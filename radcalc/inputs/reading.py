@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from radcalc.errors import ConditionError, MissingUnit, option, quote
+from radcalc.errors import ConditionError, MissingUnit, ambiguous, option, quote
 from radcalc.inputs.given import Input, runs_backwards
 from radcalc.inputs.quantities import MARKED, quantity_input, with_likely_unit
 from radcalc.quantities.symbols import (
@@ -63,7 +63,7 @@ def _refuse_mixed_shares(text: str) -> None:
     *first_parts, last = [part.strip() for part in text.split(mark)]
     if last.endswith("%") and not all(part.endswith("%") for part in first_parts):
         in_percent = mark.join(f"{part.removesuffix('%')}%" for part in (*first_parts, last))
-        problem = f"'{quote(text)}' can be read in two ways"
+        problem = ambiguous(text, "only the last value or all are in %")
         raise ConditionError(problem, f"{quote(in_percent)}, or numbers without %")
 
 

@@ -66,7 +66,7 @@ BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=
 FRACTION = PART._replace(without_low=True)
 REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # and used again
 LENS = Limits(0.5, said="0.5 or more, in air")  # where the sine of the half angle is 1
-OFF_AXIS = Limits(0.0, math.pi / 2, "from 0, less than 90 deg", without_high=True)
+OFF_AXIS = Limits(0.0, math.pi / 2, "from 0 to less than 90 deg", without_high=True)
 TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
 EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
 
@@ -373,7 +373,7 @@ _ROWS = (
         "Gaussian, with diameters where 1/e^2 of the peak is left (by default), or uniform.",
         PROFILES),
     _symbol(ANGLE, "divergence", "φ", "1mrad", "Full angle by which the beam spreads.",
-        Limits(0.0, 0.25, "less than 0.25 rad, as narrow beams are", True, True), unit="mrad"),
+        Limits(0.0, 0.25, "less than 0.25 rad, for a narrow beam", True, True), unit="mrad"),
     _length("spot-diameter", "D_s", "5mm", "Diameter of the spot at the distance.", unit="mm"),
     _length("hazard-distance", "d_h", "50m",
         "Distance beyond which the peak irradiance is below the limit."),
@@ -460,7 +460,7 @@ _ROWS = (
     _pair("size", "1024x512", "Width and height of a map, in pixels.",
         Limits(1, MOST_PIXELS, f"from 1 to {MOST_PIXELS} pixels each way")),
     _pair("pixel", "0,0", "COLUMN,ROW of a pixel of a map; 0,0 is at the top left.",
-        Limits(0, MOST_PIXELS - 1, f"columns and rows from 0 to {MOST_PIXELS - 1}")),
+        Limits(0, MOST_PIXELS - 1, f"from 0 to {MOST_PIXELS - 1} in column and row")),
     # Photons, spectra and what the eye makes of them.
     _symbol(FREQUENCY, "frequency", "ν", unit="THz"),
     _symbol(WAVENUMBER, "wavenumber", "σ", unit="cm-1"),

@@ -67,7 +67,7 @@ def spectrum(text: str, column: str = "") -> Spectrum:
     """
     text = text.strip()
     if column and (find_named(text) or (text.partition(":")[0].lower() in FORMS and ":" in text)):
-        raise ConditionError(f"{option('column')} has no use with {quote(text)}", "a file")
+        raise ConditionError(f"{option('column')} does not apply to {quote(text)}", "a file")
     kind, colon, parameters = text.partition(":")
     if colon and kind.lower() in FORMS:
         return _of_kind(kind.lower(), parameters, " ".join(text.split()))

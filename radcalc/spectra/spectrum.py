@@ -229,7 +229,8 @@ class BlackBody(Spectrum):
         """Hold the temperature."""
         if not 1 <= temperature <= 1e9:
             raise ConditionError(
-                f"a black body of {temperature:g} K is not possible here", "from 1K to 1e9K"
+                f"a black body of {temperature:g} K is out of range: it must be from 1 K to 1e9 K",
+                "from 1K to 1e9K",
             )
         super().__init__(f"a black body of {temperature:.6g} K", WHOLE)
         self.temperature = temperature

@@ -335,7 +335,7 @@ def clock_for(first: str, settings: TimeSettings) -> Clock:
     if settings.format:
         if settings.unit:
             raise ConditionError(
-                mention("{time-unit} and {time-format} contradict each other"), "one of them"
+                mention("{time-unit} cannot be used with {time-format}"), "one of them"
             )
         return Calendar(zone, pattern_of_format(settings.format), first, offset_in(settings.title))
     if columns.is_number(first, comma=True):
@@ -367,7 +367,7 @@ def _of_numbers(first: str, settings: TimeSettings, zone: tzinfo | None) -> Cloc
         return Unix(zone, ticks)
     if unit:
         if zone:
-            problem = f"{option('time-zone')} has no use: the times have no date"
+            problem = f"{option('time-zone')} does not apply: the times have no date"
             raise ConditionError(problem, "the same without it")
         return Elapsed(unit)
     if re.fullmatch(r"(?:19|20)\d{6}", first):

@@ -50,7 +50,7 @@ def _range(text: str, part: str) -> tuple[int, int]:
         raise UsageError(f"{option_text} is not a list of fields", FIELDS)
     low, high = (int(number[:9]) for number in numbers)
     if low == 0 or last == "0" or max(low, high) > MOST:
-        raise UsageError(f"{option_text} is not possible", f"fields are numbered from 1 to {MOST}")
+        raise UsageError(f"{option_text} is out of range", f"fields are numbered from 1 to {MOST}")
     if high and high < low:
         raise UsageError(f"{option_text} has a decreasing range", FIELDS)
     return low, high

@@ -203,7 +203,7 @@ class Calculator(Scanner):
 
     def two_ways(self, first: str, second: str) -> ExpressionError:
         ways = " or ".join(quote(" ".join(reading.split())) for reading in (first, second))
-        return self.wrong("can be read in two ways", ways)
+        return self.wrong(f"is ambiguous: {ways}", ways)
 
     def slice(self, start: int, end: int) -> str:
         return self.text[start:end].strip()

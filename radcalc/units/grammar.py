@@ -148,9 +148,8 @@ class Scanner:
         rest = self.text[self.at :].strip()
         if ")" in under and "(" not in under:  # inside a bracket that closes later
             under, rest = under.partition(")")[0], rest.partition(")")[0]
-        return self.error(
-            "can be read in two ways", f"{over}/({quote(under)}) or ({quote(first)}) {quote(rest)}"
-        )
+        readings = f"{over}/({quote(under)}) or ({quote(first)}) {quote(rest)}"
+        return self.error(f"is ambiguous: {readings}", readings)
 
     def factor(self, depth: int) -> list[Atom]:
         """Read a name, a 1 or a bracket, with its exponent."""

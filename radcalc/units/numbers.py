@@ -10,7 +10,7 @@ A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
 import math
 from sys import float_info
 
-from radcalc.errors import MINUS, NumberError, OutOfRange, quote
+from radcalc.errors import MINUS, NumberError, OutOfRange, ambiguous, quote
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
 if TYPE_CHECKING:
@@ -69,7 +69,8 @@ def read_number(text: str) -> tuple[float, int]:
     if operator == "/" and text[at : at + 1] in ("%", "‰"):
         over, _, under = text[:at].rpartition("/")
         ways = f"({over}/{under}){text[at:]}", f"{over}/({under}{text[at]}){text[at + 1 :]}"
-        raise NumberError(f"'{quote(text)}' can be read in two ways", " or ".join(map(quote, ways)))
+        readings = " or ".join(map(quote, ways))
+        raise NumberError(ambiguous(text, readings), readings)
     refuse_lookalikes(text, at)
     return (-value if text[0] in MINUSES else value), at
 
@@ -190,10 +191,8 @@ def _refuse_pi_below(text: str, bare: int) -> None:
         over, _, under = text[:bare].rpartition("/")
         above = f"{over}{'*pi' if over[-1] in 'iπ' else 'pi'}/{under}"
         rest = text[end:].rstrip()
-        raise NumberError(
-            f"'{quote(text)}' can be read in two ways",
-            f"{quote(above + rest)} or {quote(f'{over}/{under}/pi{rest}')}",
-        )
+        readings = f"{quote(above + rest)} or {quote(f'{over}/{under}/pi{rest}')}"
+        raise NumberError(ambiguous(text, readings), readings)
 
 
 def _too_large(number: str) -> OutOfRange:

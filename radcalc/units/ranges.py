@@ -5,7 +5,15 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise, product
 from typing import Any, TypeVar
 
-from radcalc.errors import ConditionError, NumberError, OutOfRange, RadcalcError, TooMany, quote
+from radcalc.errors import (
+    ConditionError,
+    NumberError,
+    OutOfRange,
+    RadcalcError,
+    TooMany,
+    ambiguous,
+    quote,
+)
 from radcalc.units.amounts import split_value
 from radcalc.units.numbers import DIGITS, SIGNS, SIGNS_OF_UNCERTAINTY, read_number, without_commas
 from radcalc.units.reading import read_amount, sides
@@ -120,7 +128,7 @@ def _cut_unit(text: str) -> tuple[str, str]:
         return text, ""
     if _is_part(last) and not all(map(_is_part, values)):
         bracketed = [f"({value.strip().rstrip(PERCENT).strip()})%" for value in (*values, last)]
-        problem = f"'{quote(text)}' can be read in two ways"
+        problem = ambiguous(text, "only the last value or all are in %")
         raise ConditionError(problem, quote(mark.join(bracketed)))
     unit = "" if any(map(_unit_in, values)) else _unit_in(last)
     if not unit or not last.endswith(unit):

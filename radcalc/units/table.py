@@ -5,7 +5,7 @@ The numbers come from `compiled.py`, which `compile.py` prints from what Pint sa
 is rounded once.
 """
 
-from radcalc.errors import RadcalcError, UnitError, command, nearest, quote
+from radcalc.errors import RadcalcError, UnitError, ambiguous, command, nearest, quote
 from radcalc.units.compiled import (
     NAMES,
     NOTES,
@@ -123,7 +123,7 @@ def _refuse_minus(text: str, spelling: str, unit: Unit) -> None:
     """Refuse m-1 m: the minus may be a subtraction or the sign of an exponent."""
     if len(unit.atoms) == 1 and text.startswith(f"{spelling}-") and " " in text:
         hint = f"blanks around a minus, or {quote(spelling)}^{unit.atoms[0][1]} for a power"
-        raise UnitError(f"'{quote(text)}' can be read in two ways", hint)
+        raise UnitError(ambiguous(text, "a subtraction or a power"), hint)
 
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:

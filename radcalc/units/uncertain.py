@@ -13,7 +13,7 @@ from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
-from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, quote
+from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, ambiguous, quote
 from radcalc.units.numbers import (
     DIGITS,
     SEPARATORS,
@@ -137,7 +137,7 @@ def _with_sign(text: str) -> Reading | None:
     if after == PERCENT:
         as_percents = f"({value_text}±{uncertainty_text[:-1].strip()})%"
         ways = f"{as_percents}, or {value_text}±{abs(value) * uncertainty / 100:.6g}"
-        raise NumberError(f"'{quote(text)}' can be read in two ways", quote(ways))
+        raise NumberError(ambiguous(text, quote(ways)), quote(ways))
     if after.startswith(PERCENT):
         unit = resolve_any(after[1:].strip())
         return Reading(value, unit, _part_of(text, value, uncertainty, unit))
@@ -153,10 +153,8 @@ def _of_quantity(
         raise UnitError(f"the uncertainty of '{quote(text)}' has no unit", quote(better))
     if unit_of_uncertainty == PERCENT and unit.text == PERCENT:
         as_percents = f"({value:.15g}±{number:.15g})%"
-        raise NumberError(
-            f"'{quote(text)}' can be read in two ways",
-            f"{as_percents}, or ({value:.15g}±{abs(value) * number / 100:.6g})%",
-        )
+        ways = f"{as_percents}, or ({value:.15g}±{abs(value) * number / 100:.6g})%"
+        raise NumberError(ambiguous(text, ways), ways)
     if unit_of_uncertainty == PERCENT:
         return Reading(value, unit, _part_of(text, value, number, unit))
     other_unit = resolve_any(unit_of_uncertainty)
@@ -332,7 +330,7 @@ def _meant(text: str) -> tuple[str, Dimension] | None:
         first = error.hint.partition(" or ")[0]
         return (
             _meant(first)
-            if "two ways" in error.message and first.count("(") > text.count("(")
+            if "is ambiguous" in error.message and first.count("(") > text.count("(")
             else None
         )
     return (text, reading.unit.dimension if reading.unit else NUMBER) if reading else None

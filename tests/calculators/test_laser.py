@@ -142,7 +142,7 @@ def test_less_spread_than_diffraction_is_noted():
         ("--flux 5mW --diameter 1mm --distance 10m", "nothing follows from"),
         ("--flux 5mW --diameter 2mm --spot-diameter 3mm", "nothing follows from --diameter 2mm"),
         ("--flux 5mW --diameter 1mm --irradiance 100W/m2", "nothing follows from --diameter 1mm"),
-        ("--flux 5mW --diameter 1mm --divergence 20deg", "not possible"),
+        ("--flux 5mW --diameter 1mm --divergence 20deg", "out of range"),
         ("--diameter 1mm --distance 10m --spot-diameter 0.5mm", "no beam becomes narrower"),
         ("--diameter 1mm --distance 1m --spot-diameter 1m", "a divergence of 999.9"),
         ("--flux 1mW --received-flux 2mW --diameter 1mm", "there is no option"),

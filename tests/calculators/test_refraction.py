@@ -75,8 +75,8 @@ def test_light_past_the_critical_angle_is_totally_reflected():
     [
         ("", "the index is missing"),
         ("--incidence 60deg", "nothing follows from --incidence 60deg alone"),
-        ("--index 1.52 --incidence 91deg", "not possible"),
-        ("--index 0 --incidence 10deg", "not possible"),
+        ("--index 1.52 --incidence 91deg", "out of range"),
+        ("--index 0 --incidence 10deg", "out of range"),
         ("--index 1.52 --incidence 60deg --refraction-angle 30deg", "contradicts the rest"),
         ("--index 0.5 --incidence 60deg --refraction-angle 30deg", "totally reflected"),
         ("--index 1.52 --refraction-angle 60deg", "no incidence gives"),

@@ -72,9 +72,9 @@ def test_what_is_not_given_is_assumed_and_said():
     [
         ("", "nothing is given"),
         ("--area 54m2 --luminaires 12.5 --flux 3klm --utilance 0.6", "no whole number"),
-        ("--area 54m2 --luminaires 12 --flux 3klm --utilance 60", "not possible"),
-        ("--area 54m2 --luminaires 12 --flux 3klm --utilance 0", "not possible"),
-        ("--area 54m2 --luminaires 12 --flux 3klm --maintenance 1.2", "not possible"),
+        ("--area 54m2 --luminaires 12 --flux 3klm --utilance 60", "out of range"),
+        ("--area 54m2 --luminaires 12 --flux 3klm --utilance 0", "out of range"),
+        ("--area 54m2 --luminaires 12 --flux 3klm --maintenance 1.2", "out of range"),
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx", "a utilance of 7.5 follows"),
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 900lx --utilance 0.9",
          "a maintenance factor of 1.5 follows"),

@@ -128,7 +128,7 @@ def test_what_is_not_given_is_assumed_and_said():
         (f"{LENS} --off-axis-angle -20deg", "try: from 0, less than 90 deg"),
         (f"{LENS} --field-angle 20deg", "try: --off-axis-angle"),
         ("--f-number 8 --working-f-number 4", "not below the lens's"),
-        (f"{LENS} --transmittance 1.2", "not possible"),
+        (f"{LENS} --transmittance 1.2", "out of range"),
         (f"{PIXEL} --responsivity 0.4A/W", "--responsivity 0.4A/W contradicts the rest"),
         ("--responsivity 0.6A/W --wavelength 400nm", "a quantum efficiency of 1.8"),
         ("--illuminance 5lx --pixel-pitch 3um --quantum-efficiency 0.5", "links the kinds"),

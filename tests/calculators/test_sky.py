@@ -173,9 +173,9 @@ def test_what_it_assumes_is_said():
         ("5 --sun-illuminance 1klx", "the sun's elevation is missing", "--sun-elevation"),
         ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "no use with the sky 3", "without"),
         ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "without --azimuth"),
-        ("clear --sun-elevation -1deg", "not possible", "above the horizon"),
-        ("clear --sun-elevation 91deg", "not possible", "90 deg"),
-        (f"clear {SUN} --zenith-luminance 1cd/m2", "--sun-azimuth has no use", "--tilt 90deg"),
+        ("clear --sun-elevation -1deg", "out of range", "above the horizon"),
+        ("clear --sun-elevation 91deg", "out of range", "90 deg"),
+        (f"clear {SUN} --zenith-luminance 1cd/m2", "--sun-azimuth does not apply", "--tilt 90deg"),
         (f"clear {SUN} --tilt 90deg", "the plane's azimuth is missing", "--azimuth 180deg"),
         ("clear --sun-elevation 9deg --tilt 9deg", "the sun's azimuth is missing", "--sun-azimuth"),
         (f"clear {SUN} --zenith-luminance 1cd/m2 --toward 60deg", "no azimuth", "60deg,90deg"),
@@ -257,4 +257,4 @@ def test_one_of_a_list_may_need_no_azimuth():
     assert (planes.stdout, places.stdout) == ("0\n90\n", "1\n1\n")
     useless = run("sky", "clear", *words)
     assert (useless.returncode, useless.stdout) == (2, "")
-    assert "--sun-azimuth has no use without a plane or a direction" in useless.stderr
+    assert "--sun-azimuth does not apply without a plane or a direction" in useless.stderr

@@ -9,7 +9,7 @@ def test_the_command_exits_2_where_nothing_is_found():
     assert done.stderr.splitlines()[1].startswith("try: luminance")
     done = run("quantities", "-n")
     assert done.returncode == 2
-    assert "-n has no use with quantities" in done.stderr
+    assert "-n does not apply to quantities" in done.stderr
 
 
 def test_the_command_puts_the_names_of_one_language_first():

@@ -222,7 +222,7 @@ TWO_WAYS = {
 @pytest.mark.parametrize("line", TWO_WAYS)
 def test_a_last_word_that_may_be_a_unit_or_the_target_is_refused_with_both(typed, line):
     message, hint = typed(line).splitlines()
-    assert "can be read in two ways" in message
+    assert "is ambiguous" in message
     first, second = TWO_WAYS[line]
     assert hint == f"try: {first}, or {second}"
     assert typed(first) != typed(second)

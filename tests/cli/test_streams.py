@@ -403,7 +403,7 @@ def test_a_refused_value_is_a_bad_line(mode, out, status, complaints):
     assert (done.stdout, done.returncode) == (out, status)
     said = done.stderr.decode().splitlines()
     assert len(said) == complaints
-    assert all("stdin, line 2: --distance -1m is not possible" in line for line in said[:1])
+    assert all("stdin, line 2: --distance -1m is out of range" in line for line in said[:1])
 
 
 def test_every_other_byte_of_a_line_stays():

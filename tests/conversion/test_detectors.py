@@ -50,10 +50,10 @@ def test_more_than_one_electron_for_a_photon_is_told(responsivity, is_told):
     [
         ("5 mW uA", "responsivity is missing"),
         ("1 lm A --responsivity 0.5A/W", "a wavelength, a spectrum or an efficacy is missing"),
-        ("1 mA uA --responsivity 0.4A/W", "--responsivity has no use"),
+        ("1 mA uA --responsivity 0.4A/W", "--responsivity does not apply"),
         ("5 W/m2 V/m", "peak or by its root mean square is missing"),
-        ("5 V/m kV/m --electric-field rms", "--electric-field has no use"),
-        ("5 lx W/m2 --wavelength 555nm --electric-field rms", "--electric-field has no use"),
+        ("5 V/m kV/m --electric-field rms", "--electric-field does not apply"),
+        ("5 lx W/m2 --wavelength 555nm --electric-field rms", "--electric-field does not apply"),
         ("-5 W/m2 V/m --electric-field rms", "negative"),
         ("1e300 V/m W/m2 --electric-field rms", "beyond what a number holds"),
         ("5 W/m2 V/m --field rms", "--field rms is for the fields of lines"),

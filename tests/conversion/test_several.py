@@ -88,9 +88,9 @@ def test_an_uncertain_condition_is_of_those_that_use_it():
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("100 lx fc,W/m2 --spectrum D65 --area 2m2", "--area has no use in"),
-        ("5 W/m2 W,kW --distance 1m --area 1m2", "--distance has no use in any"),
-        ("100lx,50lx fc,klx --spectrum D65 --area 2m2", "--spectrum and --area have no use"),
+        ("100 lx fc,W/m2 --spectrum D65 --area 2m2", "--area does not apply to"),
+        ("5 W/m2 W,kW --distance 1m --area 1m2", "--distance does not apply to any"),
+        ("100lx,50lx fc,klx --spectrum D65 --area 2m2", "--spectrum and --area do not apply"),
         ("100 lx fc,W/m2 --area 2m2", "a wavelength, a spectrum or an efficacy is missing"),
         ("100 lx fc,kg --area 2m2", "they are different quantities"),
     ],

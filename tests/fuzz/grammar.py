@@ -140,7 +140,7 @@ def unit(draw: random.Random) -> None:
         found = resolve(text)
     except RadcalcError as error:
         is_difference = re.fullmatch(r"(\w+)-\d \1", text)  # h-2 h, of an expression
-        told_of(error, text, "two ways" if is_difference else "a length that multiplies light")
+        told_of(error, text, "ambiguous" if is_difference else "a length that multiplies light")
         return
     assert Fraction(found.top, found.bottom) == factor, text
     right = NUMBER_ITSELF

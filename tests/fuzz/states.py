@@ -240,7 +240,7 @@ def surface(rng: random.Random) -> State:
     word = shape.split()[0]
 
     def fix(part: set[str], known: set[str]) -> set[str]:
-        """What goes without saying; where a patch is turned has no use without a distance."""
+        """What goes without saying; a turned patch needs a distance."""
         if shape == "patch" and not part & {"distance", "irradiance"}:
             return part | {"distance"}
         usual = {"disc aside": "offset", "hemisphere": "half-angle"}.get(shape)
