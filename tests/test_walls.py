@@ -63,6 +63,7 @@ LAYERS = [
     ["radcalc._version"],
 ]
 ROOMS = [room for row in LAYERS for room in row]
+IMPORTERS = ("import_module", "__import__")
 
 
 def statements(node: ast.AST) -> Iterator[ast.AST]:
@@ -93,6 +94,15 @@ def imports(name: str) -> set[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             found.add(node.module)
             found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found | named_modules(name)
+
+
+def named_modules(name: str) -> set[str]:
+    """The modules that a module imports by a name that is a text of its own."""
+    found = set()
+    for node in ast.walk(tree_of(name)):
+        if isinstance(node, ast.Call) and ast.unparse(node.func).endswith(IMPORTERS):
+            found |= {arg.value for arg in node.args[:1] if isinstance(arg, ast.Constant)}
     return found
 
 
@@ -107,7 +117,7 @@ def modules_of(name: str) -> set[str]:
             found |= inner & MODULES.keys()
             if inner - MODULES.keys():
                 found.add(node.module)  # a function or a constant of the module itself
-    return found & MODULES.keys()
+    return (found | named_modules(name)) & MODULES.keys()
 
 
 def room(name: str) -> int | None:

@@ -1,7 +1,7 @@
 """Print what the commands take and give as the table of completion.
 
 `python -m radcalc.cli.compile PATH` writes the module `completion/built.py` of a wheel: completing
-a word must not wait for the commands, nor for Click.
+a word must not wait for the commands, nor for Click.  Without a wheel `fill_table` makes the table.
 """
 
 import re
@@ -17,6 +17,7 @@ from radcalc.cli import check
 from radcalc.cli.command import GET, PLOT, SectionedCommand, SymbolOption
 from radcalc.cli.group import commands, context, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP
+from radcalc.completion import sources, table
 from radcalc.conversion.plan import target_of
 from radcalc.distributions.maps.pictures import WRITERS as MAPS
 from radcalc.errors import RadcalcError, UsageError
@@ -240,6 +241,13 @@ def _leaves(name: str) -> bool:
 
 def _lines(rows: Iterable[Row]) -> str:
     return "".join(f"        {row!r},\n" for row in rows)
+
+
+def fill_table() -> None:
+    """Make the table of completion of the sources, and keep it until these change."""
+    text = Compiler().text()
+    sources.keep(text)
+    table.fill(sources.values_of(text))
 
 
 def main() -> None:

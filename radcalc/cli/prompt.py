@@ -177,8 +177,13 @@ def _asking(session: Session) -> "PromptSession[str]":
 def completions(session: Session, line: str) -> tuple["list[Completion]", str]:
     """Return the words that may follow in a line, and what of them is typed already."""
     from radcalc.completion import completions as words_after
+    from radcalc.completion import table
     from radcalc.completion.line import Completion
 
+    if not table.COMMANDS:
+        from radcalc.cli.compile import fill_table
+
+        fill_table()
     assigned = ASSIGNMENT.fullmatch(line)
     expression = assigned[2] if assigned else line
     words = expression.split()

@@ -1,20 +1,35 @@
 """The table of completion: the commands with their options and results, units, names, spectra.
 
-A wheel brings it as the module `built`; sources make it.
+A wheel brings it as the module `built`.  Sources keep the one that `radcalc.cli.compile` made of
+them; after a change of the sources the table is empty until it is made again.
 """
+
+TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+COMMANDS: "dict[str, Any]" = {}
+RADCALC: "list[Any]" = []
+UNITS: "dict[str, Any]" = {}
+NAMES: "dict[str, Any]" = {}
+ENDINGS: "dict[str, Any]" = {}
+SPECTRA: "dict[str, Any]" = {}
+
+
+def fill(values: "Mapping[str, Any]") -> None:
+    """Fill the table, whose parts other modules have imported."""
+    RADCALC[:] = values["RADCALC"]
+    for name in ("COMMANDS", "UNITS", "NAMES", "ENDINGS", "SPECTRA"):
+        globals()[name].update(values[name])
+
 
 try:
     import radcalc.completion.built as built
 
-    _values = vars(built)
+    fill(vars(built))
 except ImportError:
-    from radcalc.completion.sources import made
+    from radcalc.completion.sources import kept
 
-    _values = made()
-
-COMMANDS = _values["COMMANDS"]
-RADCALC = _values["RADCALC"]
-UNITS = _values["UNITS"]
-NAMES = _values["NAMES"]
-ENDINGS = _values["ENDINGS"]
-SPECTRA = _values["SPECTRA"]
+    if values := kept():
+        fill(values)
