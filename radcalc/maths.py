@@ -1,7 +1,7 @@
-"""Elementary functions that serve floats with `math` and arrays with NumPy.
+"""Elementary functions of floats, by `math`, and of arrays, by NumPy.
 
-A scalar answer needs no NumPy: it is imported only when an argument is an array.  NumPy's functions
-may differ from those of `math` in the last bit; within `exactly` those of `math` serve arrays too.
+NumPy is imported only when an argument is an array.  Its functions may differ from those of `math`
+in the last bit; inside `exactly`, `math` computes the elements of arrays too.
 """
 
 import math
@@ -13,35 +13,35 @@ from sys import float_info
 from typing import Any
 
 SMALLEST = float_info.min  # below it a float loses digits
-# [1] By what part of it an upper limit may be exceeded: 12.566370614360 sr and 3.14159265359 rad,
-# as somebody types them, are still within the sphere.
+# [1] Relative tolerance of an upper limit: 12.566370614360 sr and 3.14159265359 rad, typed with
+# rounded digits, are within the sphere.
 SLACK = 1e-12
-# What is given is held to this size, and to 1 over it where it is not 0: then squares and ratios
-# stay within a float.
+# Inputs other than 0 must be between 1 / LARGEST and LARGEST, so that squares and ratios stay
+# within the range of a float.
 LARGEST = 1e100
-FAINTEST = 1e-300  # near the end of what a float holds, where it has fewer digits
+FAINTEST = 1e-300  # near the smallest float with full precision
 IS_EXACT = ContextVar("IS_EXACT", default=False)
-Number = Any  # a float, or anything that NumPy can work on element by element
+Number = Any  # a float, or anything with NumPy's elementwise operations
 
 
 def is_array(x: Any) -> bool:
-    """Check whether NumPy must serve x: neither a number nor a text, a flag or nothing."""
+    """Return whether x needs NumPy: not a plain number, a text, a flag or None."""
     return hasattr(x, "dtype") and not isinstance(x, float) and not is_uncertain(x)
 
 
 def is_uncertain(x: Any) -> bool:
-    """Check whether x is a number of the `uncertainties` package, which counts as no array."""
+    """Return whether x is a number of the `uncertainties` package (not an array)."""
     return hasattr(x, "error_components")
 
 
 def is_column(x: Any) -> bool:
-    """Check whether x is an array of elements, and no single number."""
+    """Return whether x is an array with at least one axis, not a single number."""
     return is_array(x) and x.ndim > 0
 
 
 @contextmanager
 def exactly() -> Iterator[None]:
-    """Give the elements of arrays the last bit that floats have, which takes longer."""
+    """Compute the elements of arrays to the same last bit as floats, which takes longer."""
     token = IS_EXACT.set(True)
     try:
         yield
@@ -52,7 +52,7 @@ def exactly() -> Iterator[None]:
 def each(function: Callable[..., float], *xs: Number) -> Number:
     """Apply a function of floats to every element of arrays that are broadcast together."""
     for x in xs:
-        if type(x) is not float and is_array(x):  # the type first, since nearly all are floats
+        if type(x) is not float and is_array(x):  # the type first: most arguments are floats
             return _mapped(function, xs)
     return function(*xs)
 
@@ -70,7 +70,7 @@ def _mapped(function: Callable[..., float], xs: tuple[Number, ...]) -> Number:
 
 
 def _call(name: str, *xs: Number) -> Number:
-    """Call a function of `math` or of NumPy, which alone has values outside the domain."""
+    """Call a function of `math`, or of NumPy, which returns nan or inf outside the domain."""
     function = getattr(math, name)
     for x in xs:
         if type(x) is not float and is_array(x):
@@ -84,7 +84,7 @@ def _call(name: str, *xs: Number) -> Number:
 
 
 def is_lost(value: Number, *of: Number) -> bool:
-    """Whether a product of factors that are not 0, or an element of it, is too small to be held."""
+    """Return whether a product of nonzero factors, or an element of it, underflows."""
     small = abs(value) < SMALLEST
     if small is False:
         return False
@@ -94,7 +94,7 @@ def is_lost(value: Number, *of: Number) -> bool:
 
 
 def product(a: Number, b: Number) -> tuple[Number, bool]:
-    """Return the product of arrays, and whether an element of it is beyond what a float holds."""
+    """Return the product of arrays, and whether any element of it overflows or underflows."""
     import numpy
 
     with numpy.errstate(all="ignore"):
@@ -140,12 +140,12 @@ def acos(x: Number) -> Number:
 
 
 def exp(x: Number) -> Number:
-    """e to the power of x."""
+    """Return e to the power of x."""
     return math.exp(x) if type(x) is float else _call("exp", x)
 
 
 def expm1(x: Number) -> Number:
-    """e to the power of x, less 1."""
+    """Return e to the power of x, minus 1."""
     return math.expm1(x) if type(x) is float else _call("expm1", x)
 
 
@@ -160,7 +160,7 @@ def log10(x: Number) -> Number:
 
 
 def sqrt(x: Number) -> Number:
-    """Return the square root of x, which NumPy rounds as `math` does."""
+    """Return the square root of x; NumPy rounds it as `math` does."""
     if type(x) is not float and is_array(x):
         import numpy
 
@@ -171,18 +171,18 @@ def sqrt(x: Number) -> Number:
 def power(x: Number, exponent: Number) -> Number:
     """Return x to a power."""
     if IS_EXACT.get() and (is_array(x) or is_array(exponent)):
-        with suppress(ZeroDivisionError, OverflowError, TypeError):  # the last of complex numbers
+        with suppress(ZeroDivisionError, OverflowError, TypeError):  # TypeError: complex results
             return _mapped(pow, (x, exponent))
     return x**exponent
 
 
 def square(x: Number) -> Number:
-    """Return x squared, by `power`."""
+    """Return x squared, computed by `power` for arrays."""
     return x**2 if type(x) is float else power(x, 2)
 
 
 def rounded(x: Number, digits: int) -> Number:
-    """Return x rounded to so many decimals."""
+    """Return x rounded to a number of decimals."""
     if not is_array(x):
         return round(x, digits)
     import numpy
@@ -208,7 +208,7 @@ def hypot(x: Number, y: Number) -> Number:
 
 
 def power_of_two(x: Number) -> Number:
-    """Return the power of two just above x: to divide by it rounds nothing."""
+    """Return the power of two just above x; dividing by it is exact."""
     if type(x) is not float and is_array(x):
         import numpy
 
@@ -217,12 +217,12 @@ def power_of_two(x: Number) -> Number:
 
 
 def any_true(condition: Any) -> bool:
-    """Whether a comparison holds anywhere: a bool as it is, an array if any element is true."""
+    """Return whether a comparison is true: a bool itself, an array if any element is true."""
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def chosen(x: Number, condition: Any) -> Number:
-    """Return the elements for which a condition holds; of a single one x itself."""
+    """Return the elements of x that satisfy a condition; a single x itself."""
     if isinstance(condition, bool):
         return x
     import numpy
@@ -246,9 +246,9 @@ def piecewise(
     otherwise: Callable[..., Number],
     *xs: Number,
 ) -> Number:
-    """`then(*xs)` where the condition holds, `otherwise(*xs)` elsewhere.
+    """Return `then(*xs)` where the condition is true and `otherwise(*xs)` elsewhere.
 
-    Each function sees only the elements it is meant for.
+    Each function is called only with its own elements.
     """
     if isinstance(condition, bool):
         return then(*xs) if condition else otherwise(*xs)
@@ -263,13 +263,13 @@ def piecewise(
     return result
 
 
-HALVINGS = 200  # at most; fewer than 70 find a limit that is not next to 0
+HALVINGS = 200  # at most; fewer than 70 find a limit that is not close to 0
 
 
 def limit(holds: Callable[[float], bool], outside: float, inside: float) -> float:
-    """The last number, from `inside` towards `outside`, at which a condition holds, by bisection.
+    """Return the last number, from `inside` towards `outside`, that satisfies a condition.
 
-    It holds inside and not outside, and changes once between them.
+    Bisection: `inside` satisfies it, `outside` does not, and it changes once between them.
     """
     for _ in range(HALVINGS):
         middle = (outside + inside) / 2
@@ -282,11 +282,11 @@ def limit(holds: Callable[[float], bool], outside: float, inside: float) -> floa
     return inside
 
 
-CHUNK = 16_384  # elements whose intermediate values fit a processor's cache
+CHUNK = 16_384  # elements; their intermediate values fit into a processor's cache
 
 
 def in_chunks(function: Callable[..., Number], *xs: Number) -> Number:
-    """`function(*xs)`; of long rows of one length a part at a time, which is faster."""
+    """Return `function(*xs)`, computed in parts for long rows, which is faster."""
     sizes = {len(x) if is_column(x) and x.ndim == 1 else 0 for x in xs}
     count = sizes.pop()
     if sizes or count <= CHUNK:

@@ -51,7 +51,7 @@ PROSE = (
     r"one of them", r"the same unit.*", r"terms of one quantity", r".* \* \(1 [+-] .*\)",
     r".* is read as .*", r"the polygon's vertices.*", r"from 3 .*", r"shorter lines",
     r"a line of \d+ fields", r"- once, and files",
-    r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K, of which .*",
+    r"a larger .*", r"a smaller .*", r"an intensity or a radiance: .*", r"K: a step .*",
     r"an intensity behind it, .*",
     r"a result between .*", r"a call for each (conversion|kind of line)", r"a comparison by .*",
     r"a product of comparisons .*", r"angles with their units, .*",

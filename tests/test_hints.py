@@ -68,7 +68,7 @@ MEANT = [
     ("convert 555 nm THz", "radcalc photon 555nm -g frequency:THz"),
     ("convert 2 eV nm", "radcalc photon 2eV -g wavelength:nm"),
     ("convert 30 deg sr", "radcalc solid-angle cone --half-angle 30deg"),
-    ("calorimeter --mass 1kg --specific-heat 385J/kg/°F --temperature-rise 2K", "K, of which"),
+    ("calorimeter --mass 1kg --specific-heat 385J/kg/°F --temperature-rise 2K", "K: a step"),
     ("convert 25 ℃ K", "25 °C is 298.15 K"),
     ("convert 77 degF K", "77 °F is 298.15 K"),
     ("screen --flux 1000lm --width 2m --aspect 16:9", "16/9"),

@@ -486,24 +486,24 @@ COMMANDS = {
     "a reading cannot be multiplied": (
         "convert 2*10 dBm W", "'2*10 dBm' multiplies", "20 dBm for one reading"),
     "a level is no part of a unit": (
-        "convert 10 dBm/m2 W/m2", "'dBm' is a scale, 10 lg(P / 1 mW), and no unit", "mW"),
+        "convert 10 dBm/m2 W/m2", "'dBm' is a scale, 10 lg(P / 1 mW), not a unit", "mW"),
     "no power has no level": ("convert 0 W dBm", "0 mW has no reading on dBm", "more than 0"),
     "a power below 0 has no level": ("convert -- -5 W dBm", "-5000 mW has no reading", "more than"),
     "no light has no magnitude": ("convert 0 lx mag", "0 lx has no reading on mag", "more than 0"),
     "no light is no exposure value": ("convert 0 cd/m2 EV", "0 cd/m2 has no reading", "more than"),
     "nothing that is left has no density": ("convert 0 % OD", "0 has no reading on OD", "more"),
-    "no reciprocal is of 0": ("convert 0 mired K", "0 mired is the reciprocal", "more than 0"),
+    "no reciprocal is of 0": ("convert 0 mired K", "0 mired is not the reciprocal", "more than 0"),
     "a shift of mireds is no temperature": (
-        "convert -- -100 mired K", "a difference, as filters have", "more than 0"),
+        "convert -- -100 mired K", "a difference, as of filters", "more than 0"),
     "the reading of a meter of the sky has a unit": (
         "convert 21.5 SQM cd/m2", "'SQM' is not accepted", "mag/arcsec2 for a reading"),
-    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "stands for"),
+    "levels are not added": ("convert 10 dBm + 3 dB in dBm", "calculates with dBm", "for the qu"),
     "words that are too many are told as they were typed": (
         "convert 10 dBm uW mW", "too many words: 'dBm uW mW'", "quotes"),
     "a level beyond numbers is refused": (
-        "convert 1e5 dBm W", "100000 dBm is beyond what a number holds", "less extreme"),
+        "convert 1e5 dBm W", "100000 dBm is out of range", "less extreme"),
     "a level of nothing but 0 is refused": (
-        "convert -- -1e5 dBm W", "-100000 dBm is beyond what a number holds", "less extreme"),
+        "convert -- -1e5 dBm W", "-100000 dBm is out of range", "less extreme"),
     "more light is no density of a filter": (
         "convert 3 stops OD", "3 stops is more light", "-3 stops, for a loss"),
     "a gain is no density of a filter": ("convert 3 dB OD", "3 dB is more light", "-3 dB"),
@@ -530,7 +530,7 @@ COMMANDS = {
     "a mark of a filter is shown as it was typed": (
         "ev --ev100 15 --iso 200 --f-number 16 --nd ND8x2stops", "'8x2stops'"),
     "a second uncertain parameter is told as one": (
-        "spectrum gaussian:530+-1nm,30+-1nm", "'30+-1nm' has an uncertainty, which is not taken",
+        "spectrum gaussian:530+-1nm,30+-1nm", "'30+-1nm' has an uncertainty, which cannot be used",
         "the value alone"),
     "an exposure value has no reading on a scale": (
         "ev --ev100 12 -g ev100:stops", "ev100 is not measured in stops", "ev100:1"),
@@ -564,7 +564,7 @@ STREAMS = {
     "two words that separate units are one too many": (
         ("lx", "to", "=", "fc"), "to and = both separate units"),
     "the word to stands once": (("a", "to", "b", "to", "c"), "more than once"),
-    "a second dash is refused": (("-", "fc"), "more than one -"),
+    "a second dash is refused": (("-", "fc"), "'-' is given more than once"),
     "a spectrum and the numbers are not both read from standard input": (
         ("lx", "W/m2", "--spectrum", "-"), "more than one -"),
     "a column of a spectrum and the numbers are not both read from standard input": (

@@ -136,7 +136,7 @@ class Bridge:
 
 
 def _is_plural(phrase: str) -> bool:
-    """Check whether it is `an area and a solid angle`, and nothing else would do."""
+    """Return whether it is `an area and a solid angle`, and nothing else would do."""
     return " and " in phrase and " or " not in phrase
 
 

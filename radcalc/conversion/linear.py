@@ -111,12 +111,12 @@ def _as_float(value: float) -> float:
 
 
 def are_reciprocal(source: Unit, target: Unit) -> bool:
-    """Check whether one is of temperatures, and the other of their reciprocals, as 1/MK is."""
+    """Return whether one is of temperatures, and the other of their reciprocals, as 1/MK is."""
     return {source.dimension, target.dimension} == RECIPROCALS
 
 
 def is_function(source: Unit, target: Unit) -> bool:
-    """Check whether no factor leads from one to the other, but a function that needs no scale."""
+    """Return whether no factor leads from one to the other, but a function that needs no scale."""
     dimensions = {source.dimension, target.dimension}
     return dimensions == RECIPROCALS or (FIELD_STRENGTH in dimensions and len(dimensions) > 1)
 

@@ -339,7 +339,7 @@ def bandwidth(given: Input, of_kind: Input | None) -> Factor:
 
 
 def band_axis(given: Input) -> str:
-    """Check whether a band's width is in wavelength, frequency or wavenumber."""
+    """Return whether a band's width is in wavelength, frequency or wavenumber."""
     return next(axis for axis in AXIS if axis != NONE and AXIS[axis] == given.dimension)
 
 

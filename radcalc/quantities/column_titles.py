@@ -92,7 +92,7 @@ class Title(NamedTuple):
 
     @property
     def in_brackets(self) -> bool:
-        """Check whether the unit stands in brackets."""
+        """Return whether the unit stands in brackets."""
         return BRACKETS.search(self.text, self.opening, self.start) is not None
 
     def with_unit(self, unit: str) -> str:
@@ -190,7 +190,7 @@ def other_quantity(name: str, unit: Unit) -> Quantity | None:
 
 
 def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
-    """Check whether the name of a quantity is also one of what a reading measures."""
+    """Return whether the name of a quantity is also one of what a reading measures."""
     usual = read(resolve(quantity.unit))
     if usual is None:
         return False
@@ -237,7 +237,7 @@ def _other_unit(text: str, unit: Unit) -> Unit | None:
 
 
 def is_same(first: Unit, second: Unit) -> bool:
-    """Check whether two units have the same numbers: lux, lx and lm/m2."""
+    """Return whether two units have the same numbers: lux, lx and lm/m2."""
     if first.is_scale or second.is_scale:
         return scale_of(first) == scale_of(second)
     return (
@@ -338,7 +338,7 @@ def _of_words(text: str) -> Unit | None:
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
-    """Check whether the unit measures what `like` does, or light that can be told without it."""
+    """Return whether the unit measures what `like` does, or light that can be told without it."""
     unit = title.unit
     if unit is None or like is None:
         return _contradicts(title, in_brackets, like) and unit is not None and _is_light(unit)
@@ -347,7 +347,7 @@ def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
 
 
 def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
-    """Check whether the unit is surely meant as one, whatever it measures."""
+    """Return whether the unit is surely meant as one, whatever it measures."""
     unit = title.unit
     if unit is None or in_brackets:
         return unit is not None

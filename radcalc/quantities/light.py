@@ -148,7 +148,7 @@ class Reading(NamedTuple):
 
     @property
     def is_radiance(self) -> bool:
-        """Check whether the quantity is per projected solid angle: radiance, luminance, troland."""
+        """Return whether it is per projected solid angle: a radiance, a luminance, a troland."""
         return bool(self.area and self.solid_angle)
 
     @property

@@ -161,7 +161,7 @@ def called(text: str) -> list[Found]:
 
 
 def _is_plain(quantity: Quantity) -> bool:
-    """Check whether it is light itself: no ratio of light, and no density along a spectrum."""
+    """Return whether it is light itself: no ratio of light, and no density along a spectrum."""
     reading = read(resolve(quantity.unit))
     return reading is not None and reading.axis == NONE
 

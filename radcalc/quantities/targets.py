@@ -57,7 +57,7 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
 
 def is_name(text: str) -> bool:
-    """Check whether a quantity, or several, are called that."""
+    """Return whether a quantity, or several, are called that."""
     return bool(_meanings(text, None)) or comparable(text) in index().names
 
 

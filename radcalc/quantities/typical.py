@@ -75,7 +75,7 @@ def _of_quantity(text: str) -> list[Typical]:
 
 
 def _is_alike(word: str, typed: str) -> bool:
-    """Check whether a word begins as the one typed does, but for the ending of a case."""
+    """Return whether a word begins as the one typed does, but for the ending of a case."""
     return len(typed) > STEM and word.startswith(typed[: max(STEM, len(typed) - ENDING)])
 
 
@@ -141,7 +141,7 @@ def _near(text: str) -> list[Typical]:
 
 
 def _is_named(value: Typical, amount: Amount) -> bool:
-    """Check whether a value has an amount in its name, as a bulb of 60 W has."""
+    """Return whether a value has an amount in its name, as a bulb of 60 W has."""
     typed = f"{amount.number:g} {amount.unit.text if amount.unit else ''}"
     return bool(matching(typed, (value,), lambda value: value.what, str.__eq__))
 

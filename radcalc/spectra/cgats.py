@@ -21,7 +21,7 @@ SHOWN = 5
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Check whether a file says the format of its data."""
+    """Return whether a file says the format of its data."""
     return any(line.strip() == FORMAT for line in lines[:SEARCHED])
 
 

@@ -85,7 +85,7 @@ RELATIVE_WATTS = Meaning("its values taken as relative watts per wavelength")
 
 
 def is_wavelength(title: str) -> bool:
-    """Check whether a plain title is that of wavelengths."""
+    """Return whether a plain title is that of wavelengths."""
     return bool(DECLARED.match(title)) or title.startswith(("wavelength", "nm ", "nm\t"))
 
 
@@ -210,19 +210,19 @@ def _with_short_units(text: str) -> str:
 
 
 def _is_spectral(facts: Reading) -> bool:
-    """Check whether it is power or photons per wavelength."""
+    """Return whether it is power or photons per wavelength."""
     return facts.axis == PER_WAVELENGTH and facts.kind != LUMINOUS and not facts.time
 
 
 def _is_word(unit: Unit, facts: Reading) -> bool:
-    """Check whether a unit is one that titles have as a word for their quantity: watts, mol."""
+    """Return whether a unit is one that titles have as a word for their quantity: watts, mol."""
     is_of_all = not (facts.axis or facts.area or facts.solid_angle or unit.is_scale)
     is_known = facts.kind == PHOTON or (facts.kind == RADIANT and not facts.time)
     return is_of_all and is_known and len(unit.atoms) == 1
 
 
 def _is_of_another(part: str) -> bool:
-    """Check whether what is in brackets is a unit of something else, or a ratio of unknown ones."""
+    """Return whether a bracketed text is a unit of no light, or a ratio of unknown units."""
     unit = unit_of(part)
     if unit:
         return unit.dimension != NUMBER
@@ -230,7 +230,7 @@ def _is_of_another(part: str) -> bool:
 
 
 def _is_of_a_detector(part: str) -> bool:
-    """Check whether a text is a unit of what a detector makes of light, as A/W is."""
+    """Return whether a text is a unit of what a detector makes of light, as A/W is."""
     unit = unit_of(part) if "/" in part or "-" in part or "⁻" in part else None
     return unit is not None and unit.dimension == RESPONSIVITY
 

@@ -489,7 +489,7 @@ def _are_titles(cells: Sequence[str], width: int) -> bool:
 
 
 def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
-    """Check whether the line over a table is a row of it that has no wavelength, and no titles.
+    """Return whether the line over a table is a row of it that has no wavelength, and no titles.
 
     Titles may be numbers behind the first; in a row, that has digits or stands below titles.
     """
@@ -503,7 +503,7 @@ def _is_bad_row(cells: Sequence[str], above: Sequence[str]) -> bool:
 
 
 def _is_of_units(cells: Sequence[str]) -> bool:
-    """Check whether cells have units alone, as a row below the titles has."""
+    """Return whether cells have units alone, as a row below the titles has."""
     inner = [cell[1:-1].strip() if BRACKETED.fullmatch(cell) else cell for cell in cells]
     return any(inner) and all(
         not text or cell != text or columns.plain(text) in column_titles.NANOMETRES or unit_of(text)

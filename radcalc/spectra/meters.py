@@ -43,7 +43,7 @@ ABSOLUTE = tuple(
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Check whether a file has wavelengths in the names of its rows, of more than one."""
+    """Return whether a file has wavelengths in the names of its rows, of more than one."""
     return sum(BAND.match(line) is not None for line in lines[:SEARCHED]) > 1
 
 

@@ -20,7 +20,7 @@ QUANTITIES = f"{', '.join(LIGHT)} or {RELATIVE}"
 
 
 def begins(lines: Sequence[str]) -> bool:
-    """Check whether a file is XML."""
+    """Return whether a file is XML."""
     first = next((line for line in lines if line.strip()), "")
     return first.lstrip().startswith("<")
 

@@ -105,7 +105,7 @@ class Spectrum:
 
     @property
     def counts_all_photons(self) -> bool:
-        """Check whether photons are counted wherever they are, not from 400 nm to 700 nm."""
+        """Return whether photons are counted wherever they are, not from 400 nm to 700 nm."""
         return False
 
 

@@ -10,13 +10,13 @@ if TYPE_CHECKING:
 
 
 class Amount:
-    """A number in a unit, as somebody typed it.
+    """A number in a unit, as the user typed it.
 
-    `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, and 0
-    where none was given; `assumptions` say how the text was read, where that takes a word.  A
-    `reading` on a `scale` is kept beside the number that it stands for.  `rounding` is how far an
-    expression may be off as typed, relative to it; None for what is none.  `parts` are what
-    follows of each uncertain number of an expression, or of the reading.
+    `unit` is None for a bare number; `uncertainty` is the standard uncertainty in the unit, 0 if
+    none was given; `assumptions` explain how the text was read, if that needs an explanation.  A
+    `reading` on a `scale` is kept together with the number that it represents.  `rounding` is the
+    relative rounding error of a typed expression, None for other texts.  `parts` are the
+    contributions of the uncertain numbers of an expression, or of the reading.
     """
 
     __slots__ = (
@@ -43,7 +43,7 @@ class Amount:
         rounding: float | None = None,
         parts: "tuple[Part, ...]" = (),
     ) -> None:
-        """Hold what `text` says."""
+        """Keep the reading of `text`."""
         self.text = text
         self.number = number
         self.unit = unit
@@ -61,7 +61,7 @@ class Amount:
 
     @property
     def is_uncertain(self) -> bool:
-        """Check whether it has an uncertainty, of which a flat expression may leave nothing."""
+        """Return whether it is uncertain, even if a flat expression reduces that to 0."""
         return bool(self.uncertainty or self.parts)
 
     @property

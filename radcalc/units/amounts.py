@@ -1,4 +1,4 @@
-"""Certain amounts: a number and its unit, an expression, a reading on a scale."""
+"""Amounts without uncertainties: a number and its unit, an expression, a reading on a scale."""
 
 from radcalc.errors import (
     MINUS,
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
 
     from radcalc.units.parts import Part
 
-NOT_UNITS = "^*+±×'.,0123456789"  # what follows a number only in a text that is none
-BEFORE_NUMBERS = tuple(" */(+×·")  # what a number in an expression may follow
+NOT_UNITS = "^*+±×'.,0123456789"  # characters that a unit cannot begin with
+BEFORE_NUMBERS = tuple(" */(+×·")  # characters before a number in an expression
 OPERATORS = ("+", "-", "*", "/", "·", "×", MINUS)
-ALSO_UNITS = ("in", "as")  # which separate them too, but may be inches and attoseconds
-UNCERTAIN = "±+("  # one of these stands in 100±3, 100+-3 and 100(3)
-LONGEST_SUM = 100  # characters of a text whose sum a hint tells
+ALSO_UNITS = ("in", "as")  # separators that may also be inches and attoseconds
+UNCERTAIN = "±+("  # marks of an uncertainty in 100±3, 100+-3 and 100(3)
+LONGEST_SUM = 100  # characters of a text for which a hint suggests a sum
 EXAMPLE = command("convert", "100", "lx", "fc")
 STREAM_EXAMPLE = f"{command('convert', '-', 'lx', 'fc')}, or "
 STREAM_EXAMPLE += f"{command('convert', '-', 'fc')} for lines with their own unit"
 
 
 def has_number(unit: str) -> bool:
-    """Check whether a number stands in a text of a unit, and not an exponent."""
+    """Return whether the text of a unit contains a number other than an exponent."""
     before = last = ""
     for c in unit:
         if c in DIGITS and last in BEFORE_NUMBERS and not before == last == "*":
@@ -41,7 +41,7 @@ def has_number(unit: str) -> bool:
 
 
 def read_sum(text: str) -> Amount | None:
-    """Read arithmetic with units; None for a text that is not an expression."""
+    """Read arithmetic with units; return None for a text that is not an expression."""
     from radcalc.units.expressions import read_expression
 
     result = read_expression(text)
@@ -49,10 +49,10 @@ def read_sum(text: str) -> Amount | None:
 
 
 def split_value(text: str) -> tuple[float, str]:
-    """Cut a value into its number and the text of its unit, '' where it is bare.
+    """Split a value into its number and the text of its unit, '' for a bare number.
 
-    An expression is read as `read_amount` does, but nothing that is uncertain; whether the unit
-    of a number is one is for others to say.
+    An expression is read as `read_amount` reads it, but must not contain uncertainties.  The unit
+    of a plain number is not checked.
     """
     problem: RadcalcError | None = None
     number, unit = 0.0, ""
@@ -68,7 +68,7 @@ def split_value(text: str) -> tuple[float, str]:
     except NumberError as error:
         problem = error
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
-        message = f"'{quote(text)}' has an uncertainty, which is not taken there"
+        message = f"'{quote(text)}' has an uncertainty, which cannot be used here"
         raise NumberError(message, "the value alone")
     from radcalc.units.expressions import read_expression
 
@@ -81,7 +81,7 @@ def split_value(text: str) -> tuple[float, str]:
 
 
 def read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimension]") -> Amount:
-    """A number, and what stands behind it as a unit."""
+    """Return the amount of a number and the text of its unit."""
     if unit and (
         unit[0] in NOT_UNITS
         or unit.lower().startswith("x10")
@@ -91,7 +91,7 @@ def read_plain(text: str, number: float, unit: str, dimensions: "Sequence[Dimens
             f"'{quote(text)}' is not a number and a unit", "a number such as 1000 or 1.5e3"
         )
     amount = amount_in(text, number, find_unit(text, unit) if unit else None, 0.0, dimensions)
-    if "+" in unit.replace("^+", "").replace("*+", ""):  # 5m+2 cm is a sum, and not m2 cm
+    if "+" in unit.replace("^+", "").replace("*+", ""):  # 5m+2 cm is a sum, not m2 cm
         raise NumberError(f"'{quote(text)}' is not a number and a unit", "m^2 for a power")
     return amount
 
@@ -118,7 +118,7 @@ def amount_in(
     dimensions: "Sequence[Dimension]" = (),
     parts: "tuple[Part, ...]" = (),
 ) -> Amount:
-    """A number in its unit, or what a reading on a scale stands for."""
+    """Return the amount of a number in its unit, or of a reading on a scale."""
     if unit is None or not unit.is_scale:
         return Amount(text, number, unit, uncertainty, parts=parts)
     from radcalc.units.scales import amount_on

@@ -1,10 +1,10 @@
-"""Dimensions: the exponents of the base quantities, and a name for each that is used."""
+"""Dimensions: exponents of the base quantities, and names for the dimensions in use."""
 
 from radcalc.units.unit import BASES, NUMBER, Dimension
 
 
 def powers(**exponents: int) -> Dimension:
-    """Write a dimension by the names of its bases."""
+    """Return a dimension from exponents of named base quantities."""
     dimension = list(NUMBER)
     for name, exponent in exponents.items():
         dimension[BASES.index(name)] = exponent
@@ -45,7 +45,7 @@ ILLUMINANCE = times(LUMINOUS_FLUX, AREA, -1)
 LUMINOUS_INTENSITY = times(LUMINOUS_FLUX, SOLID_ANGLE, -1)
 LUMINANCE = times(ILLUMINANCE, SOLID_ANGLE, -1)
 
-# The coherent unit of each, in which a derivation shows it.
+# The coherent unit of each dimension, in which derivations show values.
 COHERENT = {
     NUMBER: "1",
     LENGTH: "m",

@@ -1,4 +1,4 @@
-"""Strengths of an electric field, as what a plane wave in vacuum carries through a surface.
+"""Electric field strengths, read as the irradiance of a plane wave in vacuum.
 
     S = E_rms^2 / Z0 = E_peak^2 / (2 Z0)
 
@@ -18,29 +18,29 @@ PEAK, RMS = "peak", "rms"
 
 
 class ElectricField(Scale):
-    """The irradiance of a field: a reading of 1 stands for `size` W/m2."""
+    """The irradiance of a field: a field of 1 has an irradiance of `size` W/m2."""
 
     __slots__ = ()
 
     def of(self, quantity: str) -> str:
-        """Return the field that goes with an irradiance."""
+        """Return the formula of the field of an irradiance."""
         return f"sqrt({'2 ' if self.steps == PER_PEAK else ''}Z0 {quantity})"
 
     def inverse(self, reading: str = "n") -> str:
-        """Return the irradiance that goes with a field."""
+        """Return the formula of the irradiance of a field."""
         field = "E" if reading == "n" else f"({reading} {quote(self.name)})"
         return f"{self.letter} = {field}^2 / {'(2 Z0)' if self.steps == PER_PEAK else 'Z0'}"
 
     def quantity(self, reading: Any) -> Any:
-        """Return the irradiance [W/m2] of a reading."""
+        """Return the irradiance [W/m2] of a field."""
         return self.size * reading * reading
 
     def reading(self, quantity: Any) -> Any:
-        """Return the reading that goes with an irradiance [W/m2]."""
+        """Return the field of an irradiance [W/m2]."""
         return maths.sqrt(quantity / self.size)
 
     def slope(self, reading: Any) -> Any:
-        """By how much the irradiance grows with the reading."""
+        """Return the derivative of the irradiance with respect to the field."""
         return 2 * self.size * reading
 
 
@@ -48,17 +48,17 @@ PER_RMS, PER_PEAK = 1.0, 2.0  # the divisor of Z0
 
 
 class FieldUnit(ScaleUnit):
-    """A unit of field strength whose readings stand for irradiances; `plain` is the unit."""
+    """A unit of field strength whose readings are converted to irradiances; `plain` is the unit."""
 
     __slots__ = ("plain",)
 
     def __init__(self, plain: Unit, scale: Scale) -> None:
-        """Hold the unit, and what its readings stand for."""
+        """Keep the unit, and the scale of its readings."""
         super().__init__(plain.text, scale)
         self.plain = plain
 
     def describe(self, settable: bool = False) -> str:
-        """Return what is assumed in reading a field."""
+        """Return the assumptions in reading a field."""
         scale = self.scale
         return f"{scale.inverse()}, {scale.meaning}, Z0 = {IMPEDANCE:.6g} ohm"
 
@@ -69,22 +69,22 @@ class FieldUnit(ScaleUnit):
             field = (
                 f"{reading:.12g} {quote(self.text)}" if isinstance(reading, float) else "a field"
             )
-            raise NumberError(f"{field} is beyond what a number holds", "less extreme values")
+            raise NumberError(f"{field} is out of range", "less extreme values")
         return irradiance
 
     def reading(self, quantity: Any) -> Any:
-        """Return the field of an irradiance in `unit`, which is 0 or more."""
+        """Return the field of an irradiance in `unit`, 0 or more."""
         if maths.any_true(quantity < 0):
             raise ConversionError("a negative irradiance has no field strength", "0 or more")
         return self.scale.reading(quantity) + 0.0
 
     def with_constants(self, values: dict[str, float]) -> "FieldUnit":
-        """Return the same: a field has nothing to do with light meters."""
+        """Return the same unit: the constants of light meters do not affect fields."""
         return self
 
 
 def plane_wave(unit: Unit, kind: str) -> FieldUnit:
-    """A unit of field strength as the irradiances that a plane wave of such fields has."""
+    """Return a unit of field strength whose readings are irradiances of plane waves."""
     divisor = PER_PEAK if kind == PEAK else PER_RMS
     strength = unit.top / unit.bottom
     row = ElectricField(

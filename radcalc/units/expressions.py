@@ -1,14 +1,14 @@
 """Arithmetic with units: `500 lx * 20 m2 / (0.6*0.8)`, `1 m + 2 ft`, `10^3 lx`.
 
-One pass over the text, bounded in length, depth and size.  Numbers are ratios of whole numbers
-until the answer is rounded once, and pi is the ratio of the table of units.
+The text is read in one pass, bounded in length, depth and size.  Numbers are ratios of whole
+numbers, rounded once in the answer; pi is the ratio in the table of units.
 
     SUM     = [sign] PRODUCT { ("+" | "-") PRODUCT }
     PRODUCT = TERM { ("*" | "/") TERM }
     TERM    = (NUMBER | "(" SUM ")" | FUNCTION "(" SUM ")") [EXPONENT] { UNIT } | UNIT { UNIT }
 
-Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  What people read in two
-ways (`1/2 m` beside something else, `100 W / 5 W/m2`) is refused with both readings.
+Units belong to the number before them: `800 lm / 2 m2` is 400 lm/m2.  Ambiguous expressions
+(`1/2 m` in a product, `100 W / 5 W/m2`) are refused with both readings.
 """
 
 import math
@@ -43,18 +43,18 @@ from radcalc.units.table import PARTS, resolve
 from radcalc.units.unit import BASES, NUMBER, PI, Dimension, Unit, divide, lookup
 
 MAX_POWER = 1000  # of a number
-MAX_BITS = 40_000  # of a number's numerator or denominator: some 12 000 digits
+MAX_BITS = 40_000  # of a number's numerator or denominator: about 12 000 digits
 COHERENT = ("m", "kg", "s", "K", "rad", "cycle", "photon", "cd", "td", "A")  # as BASES
-KEPT = 1e-12  # how far a sum may be off by the digits that its terms took away from each other
+KEPT = 1e-12  # largest relative error of a sum by cancellation of digits
 HINT = "arithmetic such as '2 * 100 lx' or '500 lx * 20 m2 / 0.8'"
 
 
 class Value:
-    """A number top / bottom in coherent SI units, and the units it was typed in, with powers.
+    """A number top / bottom in coherent SI units, with the typed units and their powers.
 
-    `rounding` is how far it may be off as typed, relative to it, and `blur` how far by the digits
-    that functions were worked out to; `had_units` says that it was worked out of some, of which
-    none may be left: a ratio of two lengths is a number, and takes no unit.
+    `rounding` is the relative rounding error of the typed digits, and `blur` the relative error of
+    functions computed to a finite number of digits.  `had_units` is true if units entered the
+    value, even if they cancelled: a ratio of two lengths is a number that takes no unit.
     """
 
     __slots__ = ("blur", "bottom", "dimension", "had_units", "rounding", "top", "units")
@@ -69,7 +69,7 @@ class Value:
         had_units: bool = False,
         blur: float = 0.0,
     ) -> None:
-        """Hold the ratio in lowest terms."""
+        """Reduce the ratio to lowest terms."""
         common = math.gcd(top, bottom) or 1
         self.top = top // common
         self.bottom = bottom // common
@@ -82,7 +82,7 @@ class Value:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
 
     def times(self, other: "Value", power: int = 1) -> "Value":
-        """This value times a power of another."""
+        """Return this value times a power of another."""
         top, bottom = (other.top, other.bottom) if power > 0 else (other.bottom, other.top)
         if max(abs(top), bottom).bit_length() * abs(power) > MAX_BITS:
             raise ExpressionError("a number in the expression has too many digits", "fewer")
@@ -112,21 +112,21 @@ class Value:
             for part, value in ((a, self), (b, other)):
                 rounding += abs(divide(part, a + b)) * value.rounding if value.rounding else 0.0
                 blur += abs(divide(part, a + b)) * value.blur if value.blur else 0.0
-        if blur >= 1:  # sqrt(2)^2 - 2, which is 0 in all the digits that there are
+        if blur >= 1:  # sqrt(2)^2 - 2: 0 to all digits that are computed
             a, b, rounding, blur = 0, 0, 0.0, 0.0
         if blur > KEPT:
-            problem = "a difference in the expression has too few digits left of its terms"
+            problem = "a difference in the expression cancels too many digits of its terms"
             raise ExpressionError(problem, "terms that are less alike")
         had_units = self.had_units or other.had_units
         bottom = self.bottom * other.bottom
         return Value(a + b, bottom, self.dimension, self.units, rounding, had_units, blur)
 
     def is_bare(self) -> bool:
-        """Check whether it has no unit."""
+        """Return whether it has no unit."""
         return not self.units
 
     def unit(self) -> Unit | None:
-        """Return the unit that it is shown in; None for a bare number."""
+        """Return the unit for display, None for a bare number."""
         if self.dimension == NUMBER:
             (name, power), *more_units = self.units.items() or [("", 0)]
             if power == 1 and not more_units and _is_part(name):
@@ -137,7 +137,7 @@ class Value:
         try:
             return resolve(text)
         except UnitError as error:
-            if "multiplies light" not in error.message:  # as typed with a *, which is plain enough
+            if "multiplies light" not in error.message:  # the typed * makes it unambiguous
                 raise
             return resolve(f"({text})")
 
@@ -148,7 +148,7 @@ def _is_part(name: str) -> bool:
 
 
 def _unit_text(units: dict[str, int]) -> str:
-    """Units with their powers as one writes them: W.h/m2."""
+    """Return units with their powers in conventional notation: W.h/m2."""
 
     def factor(name: str, power: int) -> str:
         if power == 1:
@@ -164,18 +164,18 @@ def _unit_text(units: dict[str, int]) -> str:
 
 
 class Term:
-    """A term of a product: its value, where it stands, and how it was written."""
+    """A term of a product: its value, its place in the text and its form."""
 
     __slots__ = ("end", "has_number", "middle", "start", "units", "value")
 
     def __init__(
         self, value: Value, start: int, middle: int, end: int, has_number: bool, units: int
     ) -> None:
-        """Hold the value between `start` and `end`, of which the number ends at `middle`."""
+        """Keep the value of the text from `start` to `end`; the number ends at `middle`."""
         self.value = value
         self.start, self.middle, self.end = start, middle, end
         self.has_number = has_number
-        self.units = units  # how many stand behind the number
+        self.units = units  # count of units after the number
 
 
 Leaves = dict[int, tuple[int, Value]]
@@ -184,7 +184,7 @@ Leaves = dict[int, tuple[int, Value]]
 class Calculator(Scanner):
     """One pass over the text of an expression.
 
-    `leaves` are parts of the text that others have read: where each begins, its end, its value.
+    `leaves` are parts of the text that are already read: start, end and value.
     """
 
     divides = True
@@ -193,7 +193,7 @@ class Calculator(Scanner):
         super().__init__(text)
         self.leaves = leaves or {}
         self.depth = 0
-        self.is_arithmetic = False  # and not a number with a unit that nobody can read
+        self.is_arithmetic = False  # False also for a number with an unreadable unit
 
     def error(self, problem: str, hint: str = "") -> ExpressionError:
         return self.wrong(problem, hint or HINT)
@@ -229,7 +229,7 @@ class Calculator(Scanner):
         return self.wrong(f"cannot be read from '{quote(rest)}' on")
 
     def sum(self) -> Value:
-        """Read terms that are added, up to the end or a closing bracket."""
+        """Read a sum of terms, up to the end or a closing bracket."""
         self.skip_blanks()
         is_negative = self.peek() in MINUSES and bool(self.peek())
         if self.peek() and self.peek() in SIGNS:
@@ -262,7 +262,7 @@ class Calculator(Scanner):
     def refuse_unlike(
         self, value: Value, other: Value, sign: int, terms_before: str, term: str
     ) -> None:
-        """Refuse the sum of two quantities that are not the same."""
+        """Raise for the sum of two different quantities."""
         units = value.unit(), other.unit()
         (a, b) = [
             (unit.dimension, unit.is_exitance, unit.has_wavelength) if unit else None
@@ -294,7 +294,7 @@ class Calculator(Scanner):
     def refuse_share(
         self, value: Value, other: Value, sign: int, terms_before: str, term: str
     ) -> None:
-        """Refuse 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
+        """Raise for 100 + 10%, which is 110 on a pocket calculator and 100.1 in algebra."""
         if value.is_bare() and value.top != value.bottom and any(map(_is_part, other.units)):
             plus = "+" if sign > 0 else "-"
             number = f"{divide(other.top, other.bottom):.12g}"
@@ -303,10 +303,10 @@ class Calculator(Scanner):
             )
 
     def product(self, is_negative: bool = False) -> tuple[Value, bool]:
-        """Read terms that are multiplied and divided; whether a number is among them."""
+        """Return the product of terms, and whether it contains a number."""
         first = self.term(is_negative)
         value, has_number = first.value, first.has_number
-        solidus: Term | None = None  # what was divided by last
+        solidus: Term | None = None  # the last divisor
         while True:
             self.skip_blanks()
             sign_at = self.at
@@ -354,7 +354,7 @@ class Calculator(Scanner):
         return ""
 
     def refuse_two_ways(self, start: int, dividend: Value, solidus: int, term: Term) -> None:
-        """Refuse a divisor that people end at its number or at its unit: 1/2 m, 3/4pi, 1/m s."""
+        """Raise for a divisor that may end at its number or its unit: 1/2 m, 3/4pi, 1/m s."""
         over = self.slice(start, solidus)
         under = self.slice(term.start, term.end)
         number, units = self.slice(term.start, term.middle), self.slice(term.middle, term.end)
@@ -373,7 +373,7 @@ class Calculator(Scanner):
             raise self.wrong("divides by zero", "a number other than 0")
 
     def term(self, is_negative: bool = False) -> Term:
-        """Read a number, a bracket or a function with the units behind it, or units alone."""
+        """Read a number, a bracket or a function with the units after it, or units alone."""
         start = self.at
         value = self.number(is_negative)
         has_number = value is not None
@@ -393,7 +393,7 @@ class Calculator(Scanner):
             self.skip_blanks()
         if value is None:
             if not self.peek() or self.peek() == ")":
-                raise self.wrong("has nothing where a number is meant")
+                raise ExpressionError(f"a number is missing in '{quote(self.text)}'", HINT)
             raise self.unreadable()
         return Term(value, start, middle, self.at, has_number, count)
 
@@ -406,7 +406,7 @@ class Calculator(Scanner):
         return not (follows_number and self.is_times_ten())
 
     def begins_number(self) -> bool:
-        """Check whether a number, a bracket around one or a function stands here."""
+        """Return whether a number, a bracketed number or a function starts here."""
         if self.at in self.leaves:
             return True
         if self.peek() == "(":
@@ -428,19 +428,20 @@ class Calculator(Scanner):
         return is_factor
 
     def is_function(self) -> str:
-        """Return the name of the function that stands here, or ''."""
+        """Return the name of the function that starts here, or ''."""
         return next((f for f in FUNCTIONS if self.text.startswith(f"{f}(", self.at)), "")
 
     def refuse_other_functions(self) -> None:
-        """Refuse one that expressions do not have."""
+        """Raise for a function that expressions do not support."""
         for name in OTHER_FUNCTIONS:
             if self.text.startswith(f"{name}(", self.at):
                 self.is_arithmetic = True
                 hint = "log10 or ln" if name in ("log", "lg") else ", ".join(FUNCTIONS)
-                raise self.wrong(f"has {name}, which is no function of expressions", hint)
+                problem = f"unknown function '{name}' in '{quote(self.text)}'"
+                raise ExpressionError(problem, hint)
 
     def exponent(self) -> int:
-        """Read the exponent of a unit; the sign of 1m+2m, and of 5m-2m, begins another term."""
+        """Read the exponent of a unit; the sign in 1m+2m and 5m-2m begins another term."""
         if self.peek() and self.peek() in SIGNS:
             end = self.at + 1
             while self.text[end : end + 1] in tuple(DIGITS):
@@ -452,7 +453,7 @@ class Calculator(Scanner):
         return super().exponent()
 
     def unit(self, text: str, start: int = 0, number: Value | None = None) -> Value:
-        """Return what units beside each other are worth, in a term that begins at `start`."""
+        """Return the value of adjacent units, in a term that begins at `start`."""
         text = " ".join(text.split())
         joined = text.lower().replace(" ", "_")
         is_name = " " in text and joined in NAMES  # foot lambert
@@ -470,15 +471,15 @@ class Calculator(Scanner):
             hint = f"{'-' * self.text[:start].count('-')}{number_text} {quote(text)}"
             if other_terms:
                 hint = command("convert", number_text, quote(text), scale.unit.text)
-                hint += ", for what it stands for, and arithmetic with that"
-            problem = f"calculates with {quote(text)}, which is read through a function"
+                hint += ", for the quantity, and arithmetic with that"
+            problem = f"calculates with {quote(text)}, which is a scale, not a unit"
             raise self.wrong(problem, hint) from None
         atoms = parse_unit(joined if is_name else text)
         dimension = unit.dimension
         units: dict[str, int] = {}
         for name, power, _ in atoms:
             units[name] = units.get(name, 0) + power
-        if len(unit.atoms) > len(atoms):  # an inverse length alone, read as a wavenumber
+        if len(unit.atoms) > len(atoms):  # an inverse length alone is a wavenumber
             units = {f"{atoms[0][0]}-1": 1}
             cycle = BASES.index("cycle")
             dimension = (*dimension[:cycle], 0, *dimension[cycle + 1 :])
@@ -486,7 +487,7 @@ class Calculator(Scanner):
         return Value(unit.top, unit.bottom, dimension, units)
 
     def number(self, is_negative: bool) -> Value | None:
-        """Read a number, a bracket or a function with its exponent; None where a unit begins."""
+        """Read a number, a bracket or a function with its exponent; None at a unit."""
         start = self.at
         c = self.peek()
         self.refuse_other_functions()
@@ -520,7 +521,7 @@ class Calculator(Scanner):
         return Value(1).times(value, power) if power else Value(1, had_units=value.had_units)
 
     def leaf(self) -> Value | None:
-        """Return the part that others have read, if one begins here."""
+        """Return the part that begins here if it is already read, else None."""
         leaf = self.leaves.get(self.at)
         if leaf is None:
             return None
@@ -546,7 +547,7 @@ class Calculator(Scanner):
         return value
 
     def pi_ends(self) -> int:
-        """Where a pi that stands here ends, or this place: 40piW has one, 3 picometre none."""
+        """Return the end of a pi that starts here, or this place: 40piW has one."""
         end = self.at + (2 if self.text.startswith("pi", self.at) else 1)
         if not self.text.startswith(("pi", "π"), self.at):
             return self.at
@@ -560,7 +561,7 @@ class Calculator(Scanner):
         return self.at if is_unit else end
 
     def literal(self) -> Value:
-        """Read a decimal, with a pi behind it, or a pi."""
+        """Read a decimal, with or without a pi after it, or a pi alone."""
         if (leaf := self.leaf()) is not None:
             return leaf
         start = self.at
@@ -589,7 +590,7 @@ class Calculator(Scanner):
         return value
 
     def power(self) -> int | None:
-        """Read the exponent of a number or a bracket, a whole number; None where there is none."""
+        """Read the whole-number exponent of a number or a bracket; None if there is no exponent."""
         before = self.at
         self.skip_blanks()
         if self.text.startswith("**", self.at):
@@ -624,7 +625,7 @@ class Calculator(Scanner):
         return int(digits.replace("+", ""))
 
     def function(self, name: str, value: Value, start: int) -> Value:
-        """Return the value of a function of radians, of a bare number, or a root."""
+        """Return a function of an angle or a bare number, or a root."""
         self.is_arithmetic = True
         call = quote(self.slice(start, self.at))
         if name == "sqrt":
@@ -656,7 +657,7 @@ class Calculator(Scanner):
         return Value(top, bottom, blur=blur)
 
     def root(self, value: Value, call: str) -> Value:
-        """Return the square root, exact where it is a ratio of whole numbers."""
+        """Return the square root, exact if it is a ratio of whole numbers."""
         if value.top < 0 or any(power % 2 for power in value.dimension):
             raise self.wrong(f"has no value for {call}", "a square, such as 4 m2")
         from radcalc.units import functions
@@ -671,9 +672,9 @@ class Calculator(Scanner):
 
 
 def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
-    """Return the value of an expression; None where the text is a number and a unit, or neither.
+    """Return the value of an expression, None for a text that is not an expression.
 
-    Raises RadcalcError for arithmetic that has no value, or has two readings.
+    Raises RadcalcError for arithmetic that has no value or is ambiguous.
     """
     if len(text) > MAX_LENGTH:
         return None
@@ -694,9 +695,10 @@ def evaluate(text: str, leaves: Leaves | None = None) -> Value | None:
 def read_expression(
     text: str, leaves: Leaves | None = None
 ) -> tuple[float, Unit | None, float] | None:
-    """Return the number and the unit of an expression, and how far it may be off as typed.
+    """Return the number, the unit and the relative rounding error of an expression.
 
-    None where the text is none.  `leaves` are parts of a `plain` text that others have read.
+    None for a text that is not an expression.  `leaves` are parts of a `plain` text that are
+    already read.
     """
     value = evaluate(text, leaves)
     if value is None:

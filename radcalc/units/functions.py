@@ -1,7 +1,6 @@
-"""Functions of the numbers of expressions, to so many digits that what cancels later is right.
+"""Functions of the numbers of expressions, with digits to spare for later cancellation.
 
-A number is a ratio of whole numbers with its blur: how far it may be off, relative to it; 0 where
-it is exact.
+A number is a ratio of whole numbers with a blur: its relative error, 0 if it is exact.
 """
 
 import math
@@ -9,14 +8,14 @@ from decimal import Context, Decimal, Overflow, Underflow, getcontext, localcont
 
 from radcalc.units.unit import PI
 
-DIGITS = 50  # of a result, beyond those that tell its argument from its neighbours
+DIGITS = 50  # of a result, in addition to those that distinguish its argument from its neighbours
 MAX_DIGITS = 2000
-BITS = 170  # which are as many digits
+BITS = 170  # as many as DIGITS
 PI_BLUR = Decimal("1e-54")  # of PI
-LAST = Decimal(100)  # of the last digit: what the steps of a function round away, and more
-FINEST = 1e-300  # the least blur, for 0 is that of an exact number
+LAST = Decimal(100)  # units of the last digit: more than the rounding of a function's steps
+FINEST = 1e-300  # the least blur of a number that is not exact
 EXACT = (0, Decimal("0.5"), 1)
-LARGEST = 708  # and -LARGEST: whose exponential is a float still
+LARGEST = 708  # largest argument, of either sign, whose exponential is a float
 
 Ratio = tuple[int, int, float]  # top, bottom, blur
 
@@ -24,7 +23,7 @@ Ratio = tuple[int, int, float]  # top, bottom, blur
 def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
     """Return the exponential or a logarithm of a number.
 
-    Raises ArithmeticError or ValueError where it has none that a float holds.
+    Raises ArithmeticError or ValueError if the result does not exist or is not a float.
     """
     if name == "exp" and abs(top) > LARGEST * bottom:
         raise OverflowError
@@ -39,13 +38,13 @@ def of_number(name: str, top: int, bottom: int, blur: float) -> Ratio:
 
 
 def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
-    """The sine, cosine or tangent of top / bottom degrees, from which quarters are taken exactly.
+    """Return the sine, cosine or tangent of top / bottom degrees, exact at quarter turns.
 
-    Raises ValueError where it has none.
+    Raises ValueError if it does not exist.
     """
     quarters = (2 * top + 90 * bottom) // (180 * bottom)
     remainder = top - 90 * bottom * quarters
-    with localcontext(_context(remainder, bottom, blur, 2)):  # 1 less a cosine is as the square
+    with localcontext(_context(remainder, bottom, blur, 2)):  # 2: 1 - cos x is of second order
         x = Decimal(remainder * PI[0]) / Decimal(180 * bottom * PI[1])
         sine, cosine = _series(x, x, 1), _series(Decimal(1), x, 0)
         if abs(remainder) == 30 * bottom:
@@ -53,7 +52,7 @@ def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
         if abs(remainder) == 45 * bottom and name == "tan":
             cosine = abs(sine)
         off = abs(Decimal(top) / Decimal(bottom)) * Decimal(blur) + abs(x) * PI_BLUR
-        if quarters and bottom.bit_length() > BITS:  # radians, of which turns of pi are taken
+        if quarters and bottom.bit_length() > BITS:  # radians: the turns are multiples of pi
             off += abs(quarters) * PI_BLUR
         if name == "cos":
             quarters += 1
@@ -72,7 +71,7 @@ def of_angle(name: str, top: int, bottom: int, blur: float) -> Ratio:
 
 
 def root(top: int, bottom: int, blur: float) -> Ratio:
-    """Return the square root of a number that is not below 0, exact where it can be."""
+    """Return the square root of a number of 0 or more, exact if possible."""
     over, under = math.isqrt(top), math.isqrt(bottom)
     if over * over == top and under * under == bottom:
         return over, under, blur / 2
@@ -82,7 +81,7 @@ def root(top: int, bottom: int, blur: float) -> Ratio:
 
 
 def _bits(top: int, bottom: int, blur: float) -> int:
-    """How many binary digits tell a number from 1, and from another that is typed in as many."""
+    """Return the binary digits that distinguish a number from 1 and from neighbours as long."""
     over, under = top.bit_length(), bottom.bit_length()
     return abs(over - under) if blur else over + under
 
@@ -95,7 +94,7 @@ def _context(top: int, bottom: int, blur: float, power: int = 1) -> Context:
 
 
 def _series(term: Decimal, x: Decimal, place: int) -> Decimal:
-    """Return the alternating series of a sine or a cosine, from its first term on."""
+    """Return the alternating series of a sine or a cosine, starting with its first term."""
     total = Decimal(0)
     while total + term != total:
         total += term
@@ -105,5 +104,5 @@ def _series(term: Decimal, x: Decimal, place: int) -> Decimal:
 
 
 def _ratio(result: Decimal, blur: Decimal) -> Ratio:
-    """A result, with the blur of the last digits that are worked out."""
+    """Return a result, with the blur of the last computed digits added."""
     return (*result.as_integer_ratio(), float(blur + LAST.scaleb(-getcontext().prec)) + FINEST)

@@ -1,7 +1,7 @@
 """The grammar of units: a text to atoms.
 
-Nothing here knows what a unit means, and nothing is evaluated: one pass over the text, one
-character at a time, bounded in length, depth and exponent.
+The text is read in one pass, one character at a time, bounded in length, depth and exponent.
+The grammar does not know the units, and evaluates nothing.
 
     UNIT     = FACTOR { [product] FACTOR } { "/" FACTOR }
     FACTOR   = (NAME | "1" | "(" UNIT ")") [EXPONENT]
@@ -16,7 +16,7 @@ MAX_EXPONENT = 12
 
 PRODUCTS = "*.·⋅∙×"
 SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-", strict=True))
-# Characters with more than one code point, or that cannot be part of a Python identifier.
+# Characters with several code points, or that a Python identifier cannot contain.
 SAME = str.maketrans({
     "\u00b5": "u",  # micro sign
     "\u03bc": "u",  # Greek mu
@@ -35,16 +35,16 @@ Atom = tuple[str, int, bool]
 
 
 def plain(text: str) -> str:
-    """Return the text with one character for each that looks like it, and no blanks around it."""
+    """Return the text with each look-alike character normalised, and without outer blanks."""
     return text.translate(SAME).strip()
 
 
 def parse_unit(text: str) -> list[Atom]:
-    """Cut the text of a unit into atoms: (name, exponent, inverted).
+    """Split the text of a unit into atoms: (name, exponent, inverted).
 
-    `inverted` marks an atom written with the exponent -1 below a solidus, as in `W/m2/cm-1`:
-    there `cm-1` is a unit by itself.  A product after a solidus (`W/m2 sr`) is refused with
-    both its readings, as the SI brochure has it.
+    `inverted` marks an atom with the exponent -1 after a solidus, as in `W/m2/cm-1`: there `cm-1`
+    is itself a unit.  A product after a solidus (`W/m2 sr`) is ambiguous and refused with both
+    readings, as the SI Brochure requires.
     """
     if len(text) > MAX_LENGTH:
         raise UnitError(
@@ -65,7 +65,7 @@ def parse_unit(text: str) -> list[Atom]:
 class Scanner:
     """One pass over the text of a unit."""
 
-    divides = False  # whether a number may stand behind a solidus
+    divides = False  # whether a number may follow a solidus
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -85,12 +85,12 @@ class Scanner:
         return self.at > start
 
     def group(self, depth: int) -> list[Atom]:
-        """Read up to the end of the text or the bracket that closes this group."""
+        """Read to the end of the text or to the bracket that closes this group."""
         if depth > MAX_DEPTH:
             raise self.error("has too many brackets", f"at most {MAX_DEPTH}, one in the other")
         start, solidus = self.at, -1
         atoms: list[Atom] = []
-        pending = ""  # the operator that waits for its right side
+        pending = ""  # the operator without its right side yet
         while True:
             self.skip_blanks()
             if self.peek() in ("", ")"):
@@ -104,7 +104,7 @@ class Scanner:
                 pending = operator
                 continue
             if not self.starts_factor():
-                self.factor(depth)  # says what is wrong with it
+                self.factor(depth)  # raises for it
             if pending == "/":
                 solidus = self.at - 1 if solidus < 0 else solidus
             elif solidus >= 0:
@@ -141,12 +141,12 @@ class Scanner:
         return ""
 
     def ambiguous(self, start: int, solidus: int) -> RadcalcError:
-        """Refuse a product after a solidus, with both its readings."""
+        """Return the error for a product after a solidus, with both readings."""
         over = self.text[start:solidus].strip().removesuffix("per").strip() or "1"
         under = self.text[solidus + 1 :].strip().lstrip("/").strip()
         first = self.text[start : self.at].strip().rstrip(PRODUCTS).strip()
         rest = self.text[self.at :].strip()
-        if ")" in under and "(" not in under:  # inside a bracket that closes later
+        if ")" in under and "(" not in under:  # inside brackets
             under, rest = under.partition(")")[0], rest.partition(")")[0]
         readings = f"{over}/({quote(under)}) or ({quote(first)}) {quote(rest)}"
         return self.error(f"is ambiguous: {readings}", readings)
@@ -208,7 +208,7 @@ class Scanner:
         return self.text[start : self.at]
 
     def exponent(self) -> int:
-        """Read an exponent, 1 where there is none."""
+        """Read an exponent; return 1 if there is none."""
         if self.at == len(self.text):
             return 1
         caret = self.caret()
@@ -229,7 +229,7 @@ class Scanner:
         return self.bounded(sign * int(number))
 
     def caret(self) -> bool:
-        """Read the mark of an exponent, ^ or **, and blanks around it."""
+        """Read an exponent operator, ^ or **, and blanks around it."""
         before = self.at
         self.skip_blanks()
         mark = (
@@ -249,14 +249,14 @@ class Scanner:
         return True
 
     def has_fraction(self, number: str) -> bool:
-        """Check for the rest of a broken exponent, as in m^1/2; m^2/2 divides a number by 2."""
+        """Return whether a fractional exponent follows, as in m^1/2, but not a divisor, m^2/2."""
         mark = self.peek()
         if self.divides and mark == "/" and number != "1":
             return False
         return mark in (".", "/") and self.text[self.at + 1 : self.at + 2].isdigit()
 
     def refuse_after_exponent(self, number: str, caret: bool) -> None:
-        """Refuse an exponent that is too long, and what may not follow one."""
+        """Raise for an exponent that is too long, and for characters that cannot follow it."""
         if not caret and (self.peek().isalpha() or self.peek() == "("):
             raise self.error(
                 "runs two units together", "a space or a dot between them, and one number"
@@ -267,7 +267,7 @@ class Scanner:
             raise self.error("has an exponent on an exponent", "one exponent")
 
     def signed_digits(self) -> str:
-        """Read the digits of an exponent, with their sign; '' where none stand here."""
+        """Read the digits of an exponent, with their sign; '' if there are none."""
         start = end = self.at
         is_raised = self.text[start : start + 1] in SUPERSCRIPTS
         if not is_raised and self.text[start : start + 1] in tuple(SIGNS):

@@ -1,14 +1,14 @@
-"""The names of units in Czech and Russian, in the cases that stand behind numbers and `per`.
+"""Names of units in Czech and Russian, in the cases used after numbers and `per`.
 
-A text that is no unit as it stands is put into English word by word (`5 килолюксов`, `lumen na
-metr čtvereční`), and read as that.  Case and diacritics do not count.
+A text that is not a unit is translated into English word by word (`5 килолюксов`, `lumen na metr
+čtvereční`) and read again.  Case and diacritics do not matter.
 """
 
 import unicodedata
 
 from radcalc.errors import nearest
 
-# The endings of a declension, singular and plural; _ is none.
+# The endings of a declension, singular and plural; _ is an empty ending.
 CZECH_ENDINGS = {
     "m": "_ u e y ů em ům ech",  # lux, also metr
     "f": "a y u e ě ou _ ám ách ami",  # kandela
@@ -20,8 +20,8 @@ RUSSIAN_ENDINGS = {
     "f": "а ы у е ой _ ам ами ах",  # кандела
     "я": "я и ю е ей й ям ями ях",  # калория, without the stem's и
 }
-# The English name, the Czech ones and the Russian ones: a stem and its declension, or the forms.
-# An English name that has two values is here, too, so that it is refused with both.
+# English name, Czech names, Russian names: a stem and its declension, or all forms.  English names
+# with two values are included, so that their translations are refused with both values as well.
 NAMES = (
     ("metre", "metr m", "метр m"),
     ("gram", "gram m", "грамм m"),
@@ -96,18 +96,18 @@ SQUARE, CUBIC = ("ctverecn", "квадратн"), ("krychlov", "kubick", "куб
 
 
 def bare(text: str) -> str:
-    """A text without case and diacritics."""
+    """Return a text without case and diacritics."""
     parts = unicodedata.normalize("NFKD", text).casefold()
     return "".join([c for c in parts if not unicodedata.combining(c)])
 
 
 def comparable(word: str) -> str:
-    """A word as it is compared: no case, no diacritics, no hyphens."""
+    """Return a word without case, diacritics and hyphens, for comparison."""
     return bare(word).replace("-", "")
 
 
 def forms(names: str, endings: dict[str, str]) -> list[str]:
-    """Return every form of the names of a unit."""
+    """Return all forms of the names of a unit."""
     words = []
     for name in names.split(", "):
         stem, *unit_words = comparable(name).split()
@@ -121,7 +121,7 @@ def forms(names: str, endings: dict[str, str]) -> list[str]:
 
 
 def _words(place: int, endings: dict[str, str]) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the prefixes of a language, and the forms of its units, with the English ones."""
+    """Return the prefixes and the forms of the units of a language, with their English names."""
     prefixes = zip(map(comparable, PREFIXES[place].split()), PREFIXES[0].split(), strict=True)
     units = {form: row[0] for row in NAMES for form in forms(row[place], endings)}
     return dict(prefixes), units
@@ -131,12 +131,12 @@ LANGUAGES = (_words(1, CZECH_ENDINGS), _words(2, RUSSIAN_ENDINGS))
 
 
 def near(word: str) -> list[str]:
-    """Return the names, without diacritics, that are most like a word that is none."""
+    """Return the known names, without diacritics, that are most similar to an unknown word."""
     return nearest(comparable(word), [form for _, units in LANGUAGES for form in units], 2, 0.7)
 
 
 def in_english(text: str) -> str:
-    """Return the text of a unit with its Czech and Russian words in English; '' where none is."""
+    """Return a unit's text with its Czech and Russian words in English; '' if it has none."""
     text = unicodedata.normalize("NFC", text).replace("кв.", "квадратный ")
     pieces = _pieces(" ".join(text.split()))
     words: list[str] = []
@@ -145,7 +145,7 @@ def in_english(text: str) -> str:
             words.append(piece)
         elif power := _power(piece):
             before, behind = _has_unit(pieces, place, -1), _has_unit(pieces, place, 1)
-            if before and behind:  # it may belong to either
+            if before and behind:  # ambiguous: it may belong to either
                 return ""
             if before:  # metr čtvereční
                 words[-2:] = [power, " ", words[-2]]
@@ -159,7 +159,7 @@ def in_english(text: str) -> str:
 
 
 def _pieces(text: str) -> list[str]:
-    """Return the words of a text, and what is between them, one character each."""
+    """Split a text into its words and the single characters between them."""
     pieces: list[str] = []
     inside = False
     for c in text:
@@ -173,7 +173,7 @@ def _pieces(text: str) -> list[str]:
 
 
 def _unit(word: str) -> str:
-    """Return the English name of a unit; '' where the word is none."""
+    """Return the English name of a unit; '' if the word is not a unit."""
     word = comparable(word)
     for prefixes, units in LANGUAGES:
         if word in units:
@@ -190,7 +190,7 @@ def _power(word: str) -> str:
 
 
 def _has_unit(pieces: list[str], place: int, side: int) -> bool:
-    """Check whether a unit stands beside a word, parted from it by nothing but a blank."""
+    """Return whether a unit is next to a word, separated from it by one blank only."""
     at = place + 2 * side
     if not 0 <= at < len(pieces) or pieces[place + side] != " ":
         return False

@@ -1,10 +1,10 @@
 """The grammar of numbers: a text to a float.
 
-Nothing is evaluated: one pass over the text, one character at a time, bounded in length.
+The text is read in one pass, one character at a time, bounded in length; nothing is evaluated.
 
     NUMBER = [sign] TERM { ("*" | "/") TERM }        TERM = DECIMAL ["pi"] | "pi"
 
-A DECIMAL after a solidus has no pi behind it: `2/3pi` is read in two ways.
+A DECIMAL after a solidus cannot be followed by pi: `2/3pi` is ambiguous.
 """
 
 import math
@@ -21,13 +21,13 @@ SIGNS_OF_UNCERTAINTY = ("±", "+-", "+/-", "+" + MINUS)
 
 MAX_LENGTH = 1000
 INFINITE = float("inf")
-SMALLEST = float_info.min  # below it a float loses digits
+SMALLEST = float_info.min  # smallest float with full precision
 
-EXACT = 1e-9  # what the arithmetic may add to a number that is not rounded
-FEWEST_DIGITS = 3  # 2m is meant as 2.00 m
+EXACT = 1e-9  # relative error of arithmetic with exact numbers
+FEWEST_DIGITS = 3  # 2m is read as 2.00 m
 
 FUNCTIONS = ("sqrt", "sin", "cos", "tan", "exp", "ln", "log10")  # of expressions
-OTHER_FUNCTIONS = (  # which people type, and expressions do not have
+OTHER_FUNCTIONS = (  # common functions that expressions do not support
     *("asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh"),
     *("log", "lg", "log2", "lb", "pow", "abs", "min", "max", "sum", "mean", "round", "floor"),
 )
@@ -39,11 +39,10 @@ RUN = DIGITS + ",._"
 
 
 def read_number(text: str) -> tuple[float, int]:
-    """Read the number that `text` starts with; return it and where it ends.
+    """Read the number at the start of `text`; return it and its end.
 
-    Raises NumberError where no number starts, or where the number is one that people read
-    in two ways (`1,5`, `1,000`), that radcalc does not read (`1_000`, `0x10`, `nan`), or
-    that a float cannot hold.
+    Raises NumberError if the text does not start with a number, or if the number is ambiguous
+    (`1,5`, `1,000`), unsupported (`1_000`, `0x10`, `nan`) or outside the range of a float.
     """
     if len(text) > MAX_LENGTH:
         raise NumberError(
@@ -76,9 +75,9 @@ def read_number(text: str) -> tuple[float, int]:
 
 
 def is_sentence(words: list[str]) -> bool:
-    """Check whether a call begins with a value in place of a command: `100 lx fc`, `-pi/2 rad deg`.
+    """Return whether a call begins with a value, not a command: `100 lx fc`, `-pi/2 rad deg`.
 
-    It then is a conversion; so is one that begins with the `-` or `- UNIT` of a stream.
+    Such a call is a conversion; so is one that begins with the `-` or `- UNIT` of a stream.
     """
     first = words[0] if words else ""
     start = 1 if first[:1] and first[0] in SIGNS else 0
@@ -92,7 +91,7 @@ def is_sentence(words: list[str]) -> bool:
 
 
 def typed_digits(text: str) -> tuple[str, int] | None:
-    """Return the digits of the one decimal number that `text` is, and the power of ten of the last.
+    """Return the digits of a single decimal number, and the power of ten of its last digit.
 
     None for a fraction, a product or a multiple of pi, which are exact.
     """
@@ -113,7 +112,7 @@ def parse_number(text: str) -> float:
 
 
 def split_quantity(text: str) -> tuple[float, str]:
-    """Cut '100 lx' into its number and the text of its unit (which may be empty)."""
+    """Split '100 lx' into its number and the text of its unit, which may be empty."""
     text = text.strip()
     value, end = read_number(text)
     return value, text[end:].strip()
@@ -126,15 +125,15 @@ def _term_starts(text: str, at: int) -> bool:
 
 
 def _pi_ends(text: str, at: int) -> int:
-    """Return where a pi that starts at `at` ends, or `at` where none does."""
+    """Return the end of a pi that starts at `at`; `at` if none does."""
     end = at + 2 if text.startswith("pi", at) else at + 1 if text.startswith("π", at) else at
-    if text[end:] in ("sr", "rad"):  # 4pisr, as people write it
+    if text[end:] in ("sr", "rad"):  # 4pisr, a common spelling
         return end
     return at if end < len(text) and (text[end].isalnum() or text[end] == "_") else end
 
 
 def read_term(text: str, at: int) -> tuple[float, int, int]:
-    """Read a term: its value, where its decimal ends, and where it ends itself."""
+    """Read a term: its value, the end of its decimal, and its own end."""
     mantissa = _decimal_ends(text, at)
     if mantissa == at:
         end = _pi_ends(text, at)
@@ -156,14 +155,14 @@ def read_term(text: str, at: int) -> tuple[float, int, int]:
 
 
 def _digits_end(text: str, at: int) -> int:
-    """Return where the digits that start at `at` end."""
+    """Return the end of the digits that start at `at`."""
     while at < len(text) and text[at] in DIGITS:
         at += 1
     return at
 
 
 def _decimal_ends(text: str, at: int) -> int:
-    """Return where a decimal without its exponent ends, or `at` where none starts."""
+    """Return the end of a decimal without its exponent; `at` if none starts there."""
     point = _digits_end(text, at)
     if not text.startswith(".", point):
         return point
@@ -172,7 +171,7 @@ def _decimal_ends(text: str, at: int) -> int:
 
 
 def _exponent_ends(text: str, at: int) -> int:
-    """Return where the exponent of a decimal ends, as in e-5, or `at` where none starts."""
+    """Return the end of a decimal's exponent, as in e-5; `at` if none starts there."""
     if at + 1 < len(text) and text[at] in "eE":
         digits = at + 2 if text[at + 1] in SIGNS else at + 1
         end = _digits_end(text, digits)
@@ -182,7 +181,7 @@ def _exponent_ends(text: str, at: int) -> int:
 
 
 def _refuse_pi_below(text: str, bare: int) -> None:
-    """Refuse 1/2pi and 1/2 pi sr: a pi behind a divisor, a decimal that ends at `bare`."""
+    """Raise for 1/2pi and 1/2 pi sr: a pi after a divisor, a decimal that ends at `bare`."""
     start = bare
     while text[start : start + 1].isspace():
         start += 1
@@ -206,7 +205,7 @@ def _too_small(number: str) -> OutOfRange:
 def _not_a_number(text: str) -> NumberError:
     word = text.lstrip(SIGNS).lower()
     if word.startswith(("nan", "inf")):
-        return NumberError(f"'{quote(text)}' is not a number radcalc takes", "a finite number")
+        return NumberError(f"'{quote(text)}' is not a finite number", "a finite number")
     if not text.strip():
         return NumberError("a number is missing", "a number such as 1.5e3, 1/3 or 4pi")
     if word[:1].isnumeric() and not word[0].isascii():
@@ -215,7 +214,7 @@ def _not_a_number(text: str) -> NumberError:
 
 
 def refuse_lookalikes(text: str, at: int) -> None:
-    """Refuse what goes on, after the number, in a way that people read as a number."""
+    """Raise for characters after the number that look like its continuation."""
     rest = text[at : at + 2]
     if rest[:1] == "," and rest[1:] in tuple(DIGITS):
         raise _rewritten(text, at, "has a comma in its number", without_commas)
@@ -230,7 +229,7 @@ def refuse_lookalikes(text: str, at: int) -> None:
 def _rewritten(
     text: str, at: int, problem: str, readings: "Callable[[str], list[str]]"
 ) -> NumberError:
-    """What is wrong with the number around `at`, and the text with its readings in its place."""
+    """Return the error for the number around `at`; its hint is the text with each reading."""
     start = end = at
     while start and text[start - 1] in RUN:
         start -= 1
@@ -244,9 +243,9 @@ def _rewritten(
 
 
 def without_commas(run: str) -> list[str]:
-    """Return what people mean by digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
+    """Return the readings of digits with commas: 1,5 and 1,000 and 1,000.5 and 1.000,5."""
     first, *groups = run.split(",")
-    if "." in first:  # points part thousands, and the comma begins the decimals
+    if "." in first:  # points separate thousands, and the comma begins the decimals
         grouped = _are_thousands(first.split(".")) and len(groups) == 1 and "." not in groups[0]
         return [f"{first.replace('.', '')}.{groups[0]}"] if grouped else []
     last, *decimals = groups[-1].split(".")
@@ -263,16 +262,16 @@ def _are_thousands(groups: list[str]) -> bool:
 
 
 def rounding(text: str) -> float:
-    """Return how far a number may be off as typed: half a unit of its last digit, relative to it.
+    """Return the relative rounding error of a typed number: half a unit of its last digit.
 
-    A short number counts as three digits: 2m is meant as 2.00 m.  Products, fractions,
-    multiples of pi and 0 are exact, but for the rounding of the arithmetic.
+    Numbers with fewer digits count as three digits: 2m is read as 2.00 m.  Products, fractions,
+    multiples of pi and 0 are exact, except for the rounding of the arithmetic.
     """
     return relative_rounding(text[: read_number(text)[1]]) or EXACT
 
 
 def relative_rounding(number: str) -> float:
-    """Half a unit of the last digit of a decimal number, relative to it; 0 where it is none."""
+    """Return half a unit of a decimal's last digit, relative to it; 0 for other texts."""
     typed = typed_digits(number)
     digits = typed[0].lstrip("0") if typed else ""
     return 0.5 / float(digits.ljust(FEWEST_DIGITS, "0")) if digits else 0.0

@@ -1,4 +1,4 @@
-"""The share of an uncertain number in a value."""
+"""The contribution of an uncertain number to the uncertainty of a value."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -9,11 +9,11 @@ LEAST, MOST = 1e-150, 1e150  # uncertainties whose squares are numbers
 
 
 class Part(NamedTuple):
-    """What follows of an uncertain number of an expression, or of a reading on a scale.
+    """The contribution of an uncertain number in an expression, or of a reading on a scale.
 
-    Its text; what it adds to the uncertainty, with a sign; and a function that gives what the
-    whole comes to where the number is moved by so many of its uncertainties, from -1 to 1; None
-    where there is no such value.
+    `text` is the number as typed, `size` its signed contribution to the uncertainty, and `at`
+    returns the whole with the number shifted by a multiple (-1 to 1) of its uncertainty, or None
+    if that value does not exist.
     """
 
     text: str
@@ -22,8 +22,8 @@ class Part(NamedTuple):
 
 
 def check_uncertainty(off: float, text: str = "") -> None:
-    """Refuse an uncertainty, of a text or of a result, whose square is beyond what floats hold."""
+    """Raise for an uncertainty, of a text or of a result, whose square a float cannot hold."""
     if off and not LEAST <= off <= MOST:
         subject = f"'{quote(text)}'" if text else "a result"
-        problem = f"the uncertainty of {subject} is beyond what radcalc reckons with"
+        problem = f"the uncertainty of {subject} is out of range"
         raise NumberError(problem, f"an uncertainty from {LEAST:g} to {MOST:g}")

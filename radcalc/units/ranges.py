@@ -24,13 +24,13 @@ MOST = 10_000
 PERCENT = "%"
 GROUP = 3  # digits of thousands
 EXACT, EXACT_POWER = 2**53, 22  # whole numbers and powers of ten that a float holds
-LONG, MOST_IN_ARRAY = 1000, 10_000_000  # from where on a range is an array, and how far
+LONG, MOST_IN_ARRAY = 1000, 10_000_000  # longer ranges are arrays, up to the second length
 
 
 def read_series(text: str) -> list[str]:
-    """Cut a list or a range into its values, as texts; one value is a list of one.
+    """Split a list or a range into its values, as texts; a single value is a list of one.
 
-    A range includes its end where a whole number of steps leads there.
+    A range includes its end if a whole number of steps leads there.
     """
     if ":" in text:
         return _range(text)
@@ -39,11 +39,11 @@ def read_series(text: str) -> list[str]:
         raise TooMany(f"a list of {len(parts)} values is too long", f"at most {MOST}")
     if all(_has_unit(part) for part in parts) or _is_list_of_numbers(parts):
         return parts
-    return [text]  # 1,5 and 1,000: the grammar refuses them with its own words
+    return [text]  # 1,5 and 1,000: the grammar of numbers refuses them
 
 
 def _is_list_of_numbers(parts: list[str]) -> bool:
-    """Check whether bare numbers are a list, and neither 1,5 nor groups of thousands."""
+    """Return whether bare numbers are a list, not a decimal 1,5 or groups of thousands."""
     if all(any(sign in part for sign in SIGNS_OF_UNCERTAINTY) for part in parts):
         return True
     wholes = [part.partition(".")[0] for part in parts]
@@ -55,7 +55,7 @@ def _is_list_of_numbers(parts: list[str]) -> bool:
 
 
 def _is_one_number(whole: str, decimals: str) -> bool:
-    """Whether what stands round a comma may be a number: 1,5 and 1.000,5, not -3,-1 nor 1.5,2."""
+    """Return whether two parts round a comma may be one number: 1,5, 1.000,5; not -3,-1, 1.5,2."""
     whole = whole.lstrip(SIGNS)
     if not whole or whole.strip(DIGITS + ".") or decimals[:1] not in DIGITS:
         return False
@@ -63,10 +63,10 @@ def _is_one_number(whole: str, decimals: str) -> bool:
 
 
 def with_list(hint: str, text: str, unit: str = "") -> str:
-    """Return the hint for what has a comma in its number, with the list that might be meant.
+    """Return the hint for a number with a comma, with the list that may be meant.
 
-    The unit behind its last value, or in another word, is that of each; bare numbers are a list
-    where each has decimals.
+    A unit after the last value, or in another word, applies to each value; bare numbers are
+    written with decimals in the list.
     """
     *others, last = [part.strip() for part in text.split(",")]
     unit = unit or _unit_in(last)
@@ -88,24 +88,24 @@ def _is_number(text: str) -> bool:
 
 
 def _are_groups(parts: Sequence[str]) -> bool:
-    """Check whether all have three digits: 100,200 is a list, which might be 100200 as well."""
+    """Return whether all have three digits: 100,200 is a list, but may mean 100200."""
     return len(parts) > 1 and all(part.isdigit() and len(part) == GROUP for part in parts)
 
 
 def note_of(text: str) -> tuple[str, ...]:
-    """Return what is to be said of a list that might be one number with commas."""
+    """Return a note on a list that may be meant as one number with commas."""
     word = text.split()[0]
     word = word.removesuffix(_unit_in(word.rpartition(",")[2]))
     parts = word.split(",")
     if not _are_groups(parts):
         return ()
-    return (f"{quote(word)} is read as {len(parts)} values, and not as {quote(''.join(parts))}",)
+    return (f"{quote(word)} is read as {len(parts)} values, not as {quote(''.join(parts))}",)
 
 
 def read_values(text: str) -> list[str]:
-    """Cut a list or a range into values, each with the unit that stands behind all.
+    """Split a list or a range into values, each with the unit that follows the last one.
 
-    `100,200 lx` are 100 lx and 200 lx, as `100lx,200lx` are.
+    `100,200 lx` are 100 lx and 200 lx, like `100lx,200lx`.
     """
     values, unit = _cut_unit(text)
     series = read_series(values)
@@ -121,7 +121,7 @@ def read_values(text: str) -> list[str]:
 
 
 def _cut_unit(text: str) -> tuple[str, str]:
-    """Several values without the unit that stands behind all, and that, with a blank before it."""
+    """Split several values from their common unit at the end, kept with a blank before it."""
     mark = ":" if ":" in text else ","
     *values, last = text.strip().split(mark)
     if not values:
@@ -139,28 +139,28 @@ def _cut_unit(text: str) -> tuple[str, str]:
 
 
 def _is_part(text: str) -> bool:
-    """Check whether the uncertainty of a bare number is a part of it: 100±3%."""
+    """Return whether the uncertainty of a bare number is a percentage: 100±3%."""
     is_uncertain = any(sign in text for sign in SIGNS_OF_UNCERTAINTY)
     return is_uncertain and text.rstrip().endswith(PERCENT) and not _unit_in(text)
 
 
 def _unit_in(text: str) -> str:
-    """Return what stands behind the number that a text begins with; '' where none does."""
+    """Return the unit after the number at the start of a text; '' if there is none."""
     try:
         if any(sign in text for sign in (*SIGNS_OF_UNCERTAINTY, "(")):
             unit = read_amount(text).typed[1]
             return unit.text if unit else ""
         return split_value(text)[1]
-    except OutOfRange:  # which is what is wrong with the list
+    except OutOfRange:  # the error of the list
         raise
     except RadcalcError:
         return ""
 
 
 def read_lists(words: list[str]) -> list[list[list[str]]]:
-    """The words of each conversion that lists in VALUE and TARGET ask for: a list for each value.
+    """Return the words of each conversion that lists in VALUE and TARGET request, by value.
 
-    Raises RadcalcError where there are more than there may be.
+    Raises RadcalcError if there are more than the limit.
     """
     if not any(mark in word for word in words for mark in ",:"):
         return [[words]]
@@ -182,7 +182,7 @@ def read_lists(words: list[str]) -> list[list[list[str]]]:
 
 
 def _without_blank(word: str, behind: str) -> str:
-    """The list that is meant where a value, a target or the unit of all stands behind a comma."""
+    """Return the intended list if a blank after a comma splits off a value, target or unit."""
     numeric = tuple(f"{DIGITS}{SIGNS}.(")
     if behind.startswith(numeric) or not word.startswith(numeric):
         return word + behind
@@ -191,9 +191,9 @@ def _without_blank(word: str, behind: str) -> str:
 
 
 def _refuse_commas(text: str, values: Sequence[str], behind: str = "") -> None:
-    """Refuse a value with a comma that is no list, with the list that might be meant.
+    """Raise for a value with a comma that is not a list, with the list that may be meant.
 
-    Its unit may stand `behind` it, in another word.
+    Its unit may be in another word, `behind`.
     """
     if "," not in text or len(values) > 1:
         return
@@ -214,9 +214,9 @@ def _targets(text: str) -> list[str]:
 
 
 def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
-    """Return every case of lists of values, of which the last runs fastest.
+    """Return every combination of lists of values; the last list varies fastest.
 
-    One of the values may stand for `long` of them, as an array.
+    One of the values may represent `long` values, as an array.
     """
     sizes = [*map(len, given.values()), long]
     refuse_many(sizes, MOST if long == 1 else MOST_IN_ARRAY)
@@ -224,7 +224,7 @@ def grid(given: Mapping[str, Sequence[T]], long: int = 1) -> list[dict[str, T]]:
 
 
 def refuse_many(sizes: Sequence[int], most: int = MOST) -> None:
-    """Refuse lists of these sizes that make too many answers."""
+    """Raise for lists whose sizes multiply to too many answers."""
     if math.prod(sizes) > most:
         counted = " x ".join(str(size) for size in sizes if size > 1)
         raise TooMany(f"the lists make {counted} = {math.prod(sizes)} answers", f"at most {most}")
@@ -235,9 +235,9 @@ def _has_unit(part: str) -> bool:
 
 
 def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
-    """A range of more than `LONG` values as an array, its unit and text; else None.
+    """Return a range of more than `LONG` values as an array, its unit and text; else None.
 
-    What surely `has_unit` may have it behind the last number alone.
+    If a value must have a unit (`has_unit`), the unit may be after the last number only.
     """
     if text.count(":") != 2:
         return None
@@ -254,7 +254,7 @@ def read_array(text: str, has_unit: bool) -> tuple[Any, Unit, str] | None:
 
 
 def _decimals(start: float, step: float, counts: Any) -> Any:
-    """START + k STEP, rounded once: the third of 0.1, 0.2 ... is 0.3."""
+    """Return START + k STEP, rounded once: the third of 0.1, 0.2 ... is 0.3."""
     from decimal import Decimal
 
     ends = [Decimal(f"{number:.15g}") for number in (start, step)]
@@ -271,7 +271,7 @@ def _range(text: str) -> list[str]:
 
 
 def _steps(text: str, most: int) -> tuple[float, float, int, str]:
-    """Start, step and number of values of a range, in the unit of its start."""
+    """Return the start, the step and the number of values of a range, in the unit of its start."""
     parts = text.split(":")
     if len(parts) != 3:
         hint = "START:STOP:STEP, as in 1m:5m:1m"
@@ -279,7 +279,7 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
             hint = f"{quote('/'.join(parts))}, or {hint}"  # 16:9
         raise ConditionError(f"'{quote(text)}' is not a range", hint)
     if any(sign in text for sign in SIGNS_OF_UNCERTAINTY):
-        problem = f"'{quote(text)}' is a range, and has no uncertainties"
+        problem = f"'{quote(text)}' has an uncertainty, which a range cannot have"
         raise ConditionError(problem, "a list: 1.0+-0.1m,2.0+-0.1m")
     from radcalc.units.scales import resolve_given, scale_of
 
@@ -307,9 +307,9 @@ def _steps(text: str, most: int) -> tuple[float, float, int, str]:
 
 
 def real(value: Any, what: str, hint: str) -> Any:
-    """A number of Python's as it is; an array, or what makes one, as an array of floats.
+    """Return a Python number unchanged, or an array-like as an array of floats.
 
-    `what` is said where it is neither.
+    `what` names the argument in the error for other types.
     """
     problem = f"{what} takes real numbers, not '{quote(str(value))}'"
     try:
@@ -323,7 +323,7 @@ def real(value: Any, what: str, hint: str) -> Any:
             array = floats(value)
         refuse_masked(value, what)
     except OverflowError:
-        problem = f"{what} has a number that is beyond what radcalc reckons with"
+        problem = f"a number in {what} is out of range"
         raise NumberError(problem, hint) from None
     except (TypeError, ValueError, Warning):
         raise NumberError(problem, hint) from None
@@ -331,7 +331,7 @@ def real(value: Any, what: str, hint: str) -> Any:
 
 
 def floats(value: Any) -> Any:
-    """An array of floats; TypeError of dates, durations, and what is true or false."""
+    """Return an array of floats; raise TypeError for dates, durations and booleans."""
     import numpy
 
     array = numpy.asarray(value)
@@ -341,9 +341,9 @@ def floats(value: Any) -> Any:
 
 
 def refuse_masked(value: Any, what: str) -> None:
-    """Refuse a masked array of NumPy's that hides an element, which would count as it is.
+    """Raise for a NumPy masked array with masked elements, whose values would be used.
 
-    `what` is said to have it.
+    `what` names it in the message.
     """
     import numpy
 

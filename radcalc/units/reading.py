@@ -1,7 +1,7 @@
-"""Readers of what people type: a value with its unit, and the words of a conversion.
+"""Readers of values with their units, and of the words of a conversion.
 
-`read_amount` is the one reader of a value (`100 lx`, `1/3`, `4pi sr`), `read_operands` that of
-VALUE UNIT [to] TARGET.
+Every value (`100 lx`, `1/3`, `4pi sr`) is read by `read_amount`, and VALUE UNIT [to] TARGET by
+`read_operands`.
 """
 
 from radcalc.errors import (
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
 
 
 def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
-    """Read a value, with its unit or bare; a scale of several readings is read as one of them.
+    """Read a value, with a unit or bare; a spelling of several scales is read as one of them.
 
-    Raises RadcalcError where it is none, or has an unknown unit.
+    Raises RadcalcError for a text that is not a value, or has an unknown unit.
     """
     text = text.strip()
     problem: RadcalcError | None = None
@@ -69,7 +69,7 @@ def read_amount(text: str, dimensions: "Sequence[Dimension]" = ()) -> Amount:
 
 
 def sum_meant(text: str) -> str:
-    """`5 ft + 3 in` for `5 ft 3 in`: numbers with units of one quantity; '' for anything else."""
+    """Return `5 ft + 3 in` for `5 ft 3 in`, numbers with units of one quantity; else ''."""
     import re  # only when something is wrong already
 
     if len(text) > LONGEST_SUM:
@@ -84,9 +84,9 @@ def sum_meant(text: str) -> str:
 
 
 def with_unit(amount: Amount, unit: str) -> Amount:
-    """A bare number with the unit that stands in another word; arithmetic as it is in one."""
+    """Return a bare number with the unit from another word, or arithmetic times that unit."""
     text = f"{amount.text} {unit}"
-    if unit == "1":  # which multiplies nothing, so that 2 + 3 stays 5
+    if unit == "1":  # multiplies nothing, so that 2 + 3 remains 5
         return Amount(
             text,
             amount.number,
@@ -106,10 +106,10 @@ def with_unit(amount: Amount, unit: str) -> Amount:
 
 
 def read_operands(words: list[str]) -> tuple[Amount, str]:
-    """Return the value with its unit, and the text of the target ('' where none is).
+    """Return the value with its unit, and the text of the target ('' if there is none).
 
-    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; only around a separator
-    may a unit be several words.
+    `100lx fc`, `100 lx fc`, `100 lx to fc`, `'100 lx' fc` are the same; units of several words are
+    allowed only around a separator.
     """
     try:
         return _read_operands(words)
@@ -142,9 +142,9 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
     if amount.unit is None:
         is_plain = words[0].replace(".", "").isalnum()
         hint = EXAMPLE if is_plain else command("convert", quote(words[0]), "to", "1")
-        raise UsageError(f"{quote(words[0])} has no unit", hint)
+        raise UsageError(f"the unit of '{quote(words[0])}' is missing", hint)
     if rest and not rest[0].strip():
-        raise UsageError("the unit to convert to is empty", EXAMPLE)
+        raise UsageError("the unit to convert to is missing", EXAMPLE)
     if len(rest) > 1:
         _, typed = amount.typed
         raise _too_many(typed.text if typed else "", rest)
@@ -152,9 +152,9 @@ def _read_operands(words: list[str]) -> tuple[Amount, str]:
 
 
 def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
-    """Return the value, the separator behind it or '', and the words behind both.
+    """Return the value, the separator after it or '', and the words after both.
 
-    The unit of a bare number may be the first of these, where nothing separates it.
+    The first of these words may be the unit of a bare number, if there is no separator.
     """
     if any(mark in word for word in words for mark in SIGNS_OF_UNCERTAINTY):
         from radcalc.units.uncertain import join_words
@@ -167,9 +167,9 @@ def read_value(words: list[str]) -> tuple[Amount, str, list[str]]:
 
 
 def read_stream_operands(words: list[str]) -> tuple[str, str]:
-    """Return the units of `- UNIT [to] TARGET`; the first is '' where the lines carry their own."""
+    """Return the units of `- UNIT [to] TARGET`; the first is '' if lines have their own unit."""
     if words.count("-") > 1:
-        raise UsageError("there is more than one -, and one standard input", STREAM_EXAMPLE)
+        raise UsageError("'-' is given more than once: there is one standard input", STREAM_EXAMPLE)
     source, separator, target = sides(words[1:], is_stream=True)
     units = [source, target] if separator else words[1:]
     if not units or not all(unit.strip() for unit in units[bool(separator) :]):
@@ -180,10 +180,10 @@ def read_stream_operands(words: list[str]) -> tuple[str, str]:
 
 
 def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
-    """Cut the words at what separates source and target: the source, the separator, the target.
+    """Split the words at the separator: the source, the separator, the target.
 
-    All are '' where nothing does.  `in` and `as` do between a value with its unit and a target:
-    `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches alone.
+    All are '' if there is no separator.  `in` and `as` separate a value with its unit from a
+    target: `5 in in cm` has an inch and a separator, `100 in cm` and `100 cm in` have inches only.
     """
     parts = " ".join(words).split()
     places = [place for place, part in enumerate(parts) if part in SEPARATORS]
@@ -197,7 +197,7 @@ def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
     if others:
         again = parts[others[0]]
         raise UsageError(
-            f"the word {again} stands there more than once"
+            f"the word {again} is given more than once"
             if again == parts[at]
             else f"{parts[at]} and {again} both separate units",
             STREAM_EXAMPLE if is_stream else EXAMPLE,
@@ -206,7 +206,7 @@ def sides(words: list[str], is_stream: bool = False) -> tuple[str, str, str]:
 
 
 def _is_of_numbers(text: str) -> bool:
-    """Check whether a unit or a scale is of bare numbers: 1, % or dB."""
+    """Return whether a unit or a scale is of bare numbers: 1, % or dB."""
     unit = unit_of(text)
     if unit is None:
         from radcalc.units.scales import find
@@ -216,7 +216,7 @@ def _is_of_numbers(text: str) -> bool:
 
 
 def _has_unit(text: str) -> bool:
-    """Check whether a value has a unit, which may be one that nobody knows."""
+    """Return whether a value has a unit, which may be unknown."""
     try:
         return read_amount(text).unit is not None
     except RadcalcError as error:

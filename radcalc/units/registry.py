@@ -1,7 +1,7 @@
-"""Pint at the gates: the registry built from `light.txt`.
+"""The Pint registry of the Python API, built from `light.txt`.
 
-Only this module and `compile.py` import Pint.  Whatever text reaches the registry goes
-through radcalc's own grammar, never through Pint's parser.
+Only this module and `compile.py` import Pint.  Texts given to the registry are read by radcalc's
+own grammar, never by Pint's parser.
 """
 
 from collections.abc import Mapping
@@ -25,24 +25,24 @@ DEFINITIONS = Path(__file__).with_name("light.txt")
 if TYPE_CHECKING:
     Registry = pint.UnitRegistry[Any]
 else:
-    Registry = pint.UnitRegistry  # generic in some versions only
+    Registry = pint.UnitRegistry  # generic in some versions of Pint only
 
 
 class LightRegistry(Registry):
-    """A Pint registry of the units of light that reads text as `radcalc convert` does."""
+    """A Pint registry of units of light that reads texts as `radcalc convert` does."""
 
-    closed = False  # until its own definitions are read
+    closed = False  # True once its own definitions are read
 
     def container(self, unit: Unit) -> UnitsContainer:
-        """Turn a unit into Pint's dictionary of canonical names and powers."""
+        """Convert a unit to Pint's dictionary of canonical names and powers."""
         powers: dict[str, int] = {}
         for name, exponent in unit.atoms:
-            self.get_name(name)  # Pint defines a prefixed unit when it is first named
+            self.get_name(name)  # defines a prefixed unit in Pint
             powers[name] = powers.get(name, 0) + exponent
         return UnitsContainer({name: power for name, power in powers.items() if power})
 
     def parse_units_as_container(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
-        """Read the text of a unit with radcalc's grammar, into Pint's container."""
+        """Read the text of a unit with radcalc's grammar into Pint's container."""
         if not self.closed:
             return super().parse_units_as_container(input_string, *args, **kwargs)
         if not input_string:  # NumPy's functions ask Pint for the unit of a bare number
@@ -50,13 +50,13 @@ class LightRegistry(Registry):
         return self.container(table.resolve(input_string))
 
     def parse_expression(self, input_string: str, *args: Any, **kwargs: Any) -> Any:
-        """Read a number and a unit with radcalc's grammar; an uncertain one is a variable."""
+        """Read a number and a unit with radcalc's grammar; an uncertain number is a variable."""
         if not self.closed:
             return super().parse_expression(input_string, *args, **kwargs)
         amount = read_amount(input_string)
         if amount.scale and amount.scale.others:
             read = " or ".join(scale.unit.text for scale in (amount.scale, *amount.scale.others))
-            raise UnitError(f"'{quote(amount.text)}' may be a number of {read}", "one of them")
+            raise UnitError(f"'{quote(amount.text)}' is ambiguous: {read}", "one of them")
         value: Any = amount.number
         if amount.uncertainty:
             value = variable(value, amount.uncertainty, amount.text)
@@ -64,7 +64,7 @@ class LightRegistry(Registry):
 
 
 def from_container(units: Any) -> Unit:
-    """Turn Pint's units into a unit of the table."""
+    """Convert Pint's units to a unit of the table."""
     if any(power != int(power) for _, power in units.items()):
         raise UnitError(f"'{units}' has an exponent that is not a whole number", "whole powers")
     symbol = light_registry().get_symbol
@@ -77,19 +77,19 @@ def from_container(units: Any) -> Unit:
 
 @cache
 def light_registry() -> LightRegistry:
-    """Build the registry that the Python API takes and returns, once."""
+    """Return the registry of the Python API, built once."""
     registry = LightRegistry(
         str(DEFINITIONS), cache_folder=None, autoconvert_offset_to_baseunit=False
     )
     registry.closed = True
     for kind in (registry.Quantity, registry.Measurement, registry.Unit):
-        # Pint's own leads to the registry of the application
+        # Pint's own __reduce__ restores into the registry of the application
         kind.__reduce__ = _reduced  # type: ignore[method-assign]
     return registry
 
 
 def _reduced(measure: Any) -> tuple[Any, ...]:
-    """Return what pickle keeps of a quantity or a unit."""
+    """Return the pickled form of a quantity or a unit."""
     return _restored, (
         type(measure).__name__,
         getattr(measure, "magnitude", None),
@@ -98,14 +98,14 @@ def _reduced(measure: Any) -> tuple[Any, ...]:
 
 
 def _restored(kind: str, magnitude: Any, powers: Mapping[str, int]) -> Any:
-    """A quantity or a unit that pickle kept, in the registry of this process."""
+    """Return a pickled quantity or unit in the registry of this process."""
     registry = light_registry()
     for name in powers:
-        registry.get_name(name)  # which defines a prefixed unit
+        registry.get_name(name)  # defines a prefixed unit
     units = UnitsContainer(powers)
     return getattr(registry, kind)(*([] if magnitude is None else [magnitude]), units)
 
 
 def exact_registry() -> Registry:
-    """Build a registry whose factors are exact fractions, for the compiler and the tests."""
+    """Return a registry with exact fractions as factors, for the compiler and the tests."""
     return Registry(str(DEFINITIONS), non_int_type=Fraction, cache_folder=None)

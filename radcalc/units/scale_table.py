@@ -8,18 +8,18 @@ from radcalc.errors import RadcalcError, UnitError, mention, quote
 from radcalc.units.grammar import parse_unit
 from radcalc.units.unit import lookup
 
-K, C = 12.5, 250.0  # cd s/m2 and lx s: what most makers of light meters use
-CONSTANTS = {  # what is assumed of a light meter where nobody says it, and what others have
+K, C = 12.5, 250.0  # cd s/m2 and lx s: the constants of most makers of light meters
+CONSTANTS = {  # the assumed constants of a light meter, and values of other meters
     "k": ("K = 12.5 cd s/m2", "some makers have 14"),
     "c": ("C = 250 lx s", "320 to 340 with a dome"),
 }
 
 
 class Scale(NamedTuple):
-    """A scale: how it is spelled, its function, what is assumed in reading it, and says who.
+    """A scale: its spellings, its function, the assumption in reading it, and its source.
 
-    The reference is `size` times `unit`; `letter` is that of the quantity.  `constant` is the
-    symbol of the light meter's constant that gives the size.
+    The reference is `size` times `unit`; `letter` is the symbol of the quantity.  `constant` is
+    the symbol of the light meter's constant that determines the size.
     """
 
     spellings: tuple[str, ...]
@@ -45,11 +45,11 @@ class Scale(NamedTuple):
 
     @property
     def formula(self) -> str:
-        """The reading of a quantity."""
+        """The formula of a reading."""
         return self.of(self.letter)
 
     def of(self, quantity: str) -> str:
-        """Return the reading of a quantity that is written so."""
+        """Return the formula of a reading of a quantity with this symbol."""
         if not self.steps:
             return f"{self.reference} / {quantity}"
         inner = quantity if self.reference == "1" else f"{quantity} / {self.reference}"
@@ -58,7 +58,7 @@ class Scale(NamedTuple):
         return f"{self.zero:g} + {log}" if self.zero else log
 
     def inverse(self, reading: str = "n") -> str:
-        """Return the quantity of a reading."""
+        """Return the formula of the quantity of a reading."""
         if not self.steps:
             return f"{self.letter} = {self.reference} / {reading}"
         n = f"({reading})" if reading.startswith("-") and self.steps < 0 else reading
@@ -68,7 +68,7 @@ class Scale(NamedTuple):
         return f"{self.letter} = {head}{self.base}^{power if power.isalnum() else f'({power})'}"
 
     def quantity(self, reading: Any) -> Any:
-        """What a reading stands for, in the scale's unit: a float, or whatever has powers."""
+        """Return the quantity of a reading, in the scale's unit: a float or an array."""
         if not self.steps:
             return self.size / reading
         return self.size * maths.power(float(self.base), (reading - self.zero) / self.steps)
@@ -81,11 +81,11 @@ class Scale(NamedTuple):
         return self.zero + self.steps * log(quantity / self.size)
 
     def of_meter(self, constant: Any) -> "Scale":
-        """Return the scale of a light meter that has a constant of its own [SI]."""
+        """Return the scale of a light meter with its own constant [SI]."""
         return self._replace(size=constant / 100)
 
     def slope(self, reading: Any) -> Any:
-        """By how much the quantity grows with the reading, in the scale's unit."""
+        """Return the derivative of the quantity, in the scale's unit, over the reading."""
         if not self.steps:
             return -self.size / reading / reading
         return self.quantity(reading) * maths.log(float(self.base)) / self.steps
@@ -97,7 +97,7 @@ def _power(spellings: str, unit: str) -> Scale:
     )
 
 
-# The zero point of magnitudes stands once; per square second of arc it is 1.0806e5 cd/m2.
+# The zero point of magnitudes; per square second of arc it is 1.0806e5 cd/m2.
 MAGNITUDE = Scale(
     ("mag", "Vmag", "vmag", "magnitude", "magnitudes"), "E", "lx", 2.54e-6, 10, -2.5, 0,
     "V band, above the atmosphere; zero points in print differ by up to a third",
@@ -128,7 +128,7 @@ SCALES = (
     ),
     Scale(
         ("OD", "optical density"), "tau", "1", 1, 10, -1, 0,
-        "optical density, of the part of the light that is left",
+        "optical density, of the transmitted part of the light",
         "CIE S 017, transmittance optical density",
     ),
     Scale(
@@ -142,7 +142,7 @@ SCALES = (
     ),
     Scale(
         ("bril", "brils"), "L", "lambert", 1, 2, 1, 100,
-        "a step is twice the luminance; others call 1e-7 lambert or a sensation so",
+        "a step is twice the luminance; bril is also a name of 1e-7 lambert or of a sensation",
         "GNU units, bril",
     ),
 )  # fmt: skip
@@ -154,7 +154,7 @@ REFUSED = {
     "SQM": "mag/arcsec2 for a reading of a sky quality meter",
 }
 SIZES = {scale.constant: scale.size for scale in SCALES if scale.constant}
-# Symbols are as they are written, names of words in any case; several scales may have one.
+# Symbols match as written, names in any case; several scales may share a spelling.
 BY_SPELLING: dict[str, list[Scale]] = {}
 BY_NAME: dict[str, list[Scale]] = {}
 for _scale in SCALES:
@@ -165,13 +165,13 @@ for _scale in SCALES:
 
 
 def usual(constant: str, settable: bool = False) -> str:
-    """Return what is assumed of a light meter's constant, where it can be given with its symbol."""
+    """Return the assumed constant of a light meter, with its symbol if it can be given."""
     assumed, others = CONSTANTS[constant]
     return f"{assumed} ({others}{mention(f': {{{constant}}}') if settable else ''})"
 
 
 def named(text: str) -> list[Scale]:
-    """Return the rows of a spelling: symbols as they are written, names of words in any case."""
+    """Return the scales with a spelling: symbols match as written, names in any case."""
     bare, folded = text.replace(" ", ""), text.lower().replace("_", " ")
     rows = BY_SPELLING.get(bare) or BY_NAME.get(folded) or []
     if rows or "mag" not in text:
@@ -186,14 +186,14 @@ def named(text: str) -> list[Scale]:
 
 
 def refuse(spelling: str) -> UnitError | None:
-    """Return what to say of a spelling that is no unit, but a scale or nearly one."""
+    """Return the error for a spelling that is a scale, or nearly one, but not a unit."""
     name = quote(spelling)
     if spelling in REFUSED:
         return UnitError(f"'{name}' is not accepted as a scale", REFUSED[spelling])
     if rows := named(spelling):
         scale = rows[0]
         return UnitError(
-            f"'{name}' is a scale, {scale.formula}, and no unit that is multiplied or divided",
+            f"'{name}' is a scale, {scale.formula}, not a unit: it cannot be multiplied or divided",
             f"a number of {scale.unit}" if scale.unit != "1" else "the ratio as a number",
         )
     return None

@@ -1,11 +1,11 @@
-"""Scales: what is read through a function, such as dBm, and what a reading on one stands for.
+"""Units that are read through a function (scales), such as dBm, and the values of their readings.
 
-A scale is a row of `SCALES`.  With a reference x0 in its unit, a quantity x reads
+A scale is a row of `SCALES`.  With a reference x0 in its unit, the reading n of a quantity x is
 
-    n = zero + steps lg(x / x0)     with lb in place of lg where the base is 2
-    n = x0 / x                      where there are no steps: reciprocal
+    n = zero + steps lg(x / x0)     with lb instead of lg for base 2
+    n = x0 / x                      for steps = 0: reciprocal
 
-so that no reading can be multiplied by anything, nor added to another.
+so readings cannot be multiplied or added.
 """
 
 import math
@@ -25,16 +25,16 @@ RECIPROCAL = next(scale for scale in SCALES if not scale.steps)
 
 
 class ScaleUnit(Unit):
-    """A scale as a user wrote it, where a unit may stand: what its readings stand for is in `unit`.
+    """A scale as the user wrote it, used like a unit; the values of its readings are in `unit`.
 
-    It counts as its unit for everything but its numbers; `others` are other readings of the text.
+    Everything but its numbers is as in that unit; `others` are other scales with this spelling.
     """
 
     __slots__ = ("others", "scale", "unit")
     is_scale = True
 
     def __init__(self, text: str, scale: Scale, others: "tuple[ScaleUnit, ...]" = ()) -> None:
-        """Hold the reading of `text`."""
+        """Keep the text and its scale."""
         unit = resolve(scale.unit)
         super().__init__(text, unit.top, unit.bottom, unit.dimension, unit.atoms)
         self.unit = unit
@@ -43,11 +43,11 @@ class ScaleUnit(Unit):
 
     @property
     def assumption(self) -> str:
-        """Return how a reading is read, in one line."""
+        """Return the assumption in reading a value, in one line."""
         return self.describe()
 
     def describe(self, settable: bool = False) -> str:
-        """Return how a reading is read; a constant of light meters may be one that can be given."""
+        """Return the assumption in reading a value, with a light meter's constant."""
         scale = self.scale
         text = f"{quote(self.text)}: {scale.inverse()}, {scale.meaning}"
         if scale.constant and scale.size == SIZES[scale.constant]:
@@ -55,27 +55,25 @@ class ScaleUnit(Unit):
         return text
 
     def quantity(self, reading: Any) -> Any:
-        """Return what a reading stands for, in `unit`."""
+        """Return the value of a reading, in `unit`."""
         reading_text = f"{reading:.12g} " if isinstance(reading, float) else ""
         reading_text += quote(self.text)
         if not self.scale.steps and maths.any_true(reading <= 0):
             is_shift = isinstance(reading, float) and reading < 0
-            shift = "a difference, as filters have, and " if is_shift else ""
+            shift = "a difference, as of filters, and " if is_shift else ""
             raise NumberError(
-                f"{reading_text} is {shift}the reciprocal of no temperature", "more than 0"
+                f"{reading_text} is {shift}not the reciprocal of a temperature", "more than 0"
             )
         try:
             quantity = self.scale.quantity(reading)
         except (OverflowError, ZeroDivisionError):
             quantity = 0.0
         if maths.any_true((quantity < maths.SMALLEST) | (quantity - quantity != 0)):
-            raise NumberError(
-                f"{reading_text} is beyond what a number holds", "less extreme values"
-            )
+            raise NumberError(f"{reading_text} is out of range", "less extreme values")
         return quantity
 
     def reading(self, quantity: Any) -> Any:
-        """Return the reading of a quantity in `unit`, of which there is none for 0 and below."""
+        """Return the reading of a quantity above 0 in `unit`."""
         if maths.is_uncertain(quantity):
             reading = self.reading(quantity.nominal_value)
             return reading + (quantity - quantity.nominal_value) / self.slope(reading)
@@ -90,16 +88,16 @@ class ScaleUnit(Unit):
         return self.scale.reading(quantity) + 0.0
 
     def slope(self, reading: Any) -> Any:
-        """By how much the quantity in `unit` grows with the reading."""
+        """Return the derivative of the quantity in `unit` with respect to the reading."""
         return self.scale.slope(reading)
 
     def measures(self, dimensions: Iterable[Dimension]) -> "ScaleUnit":
-        """The reading of the text that measures one of the dimensions; this where none does."""
+        """Return the scale, of those with this spelling, of one of the dimensions; else this."""
         wanted = tuple(dimensions)
         return next((scale for scale in (self, *self.others) if scale.dimension in wanted), self)
 
     def with_constants(self, values: dict[str, float]) -> "ScaleUnit":
-        """Return the scale of a light meter with other constants than the usual ones [SI]."""
+        """Return the scale of a light meter with other constants [SI] than the usual ones."""
         others = tuple([other.with_constants(values) for other in self.others])
         scale = self.scale
         if scale.constant in values:
@@ -108,7 +106,7 @@ class ScaleUnit(Unit):
 
 
 def find(text: str) -> ScaleUnit | None:
-    """Read the text of a scale; None where it is none."""
+    """Return the scale of a text; None for another text."""
     text = " ".join(text.split())
     rows = named(plain(text))
     if not rows:
@@ -118,7 +116,7 @@ def find(text: str) -> ScaleUnit | None:
 
 
 def resolve_any(text: str) -> Unit:
-    """Read the text of a unit or of a scale.
+    """Return the unit or the scale of a text.
 
     Raises UnitError for a text that is neither.
     """
@@ -126,26 +124,26 @@ def resolve_any(text: str) -> Unit:
 
 
 def refuse_product(text: str, scale: str) -> None:
-    """Refuse 2*10 dBm, which people read in two ways."""
+    """Raise for 2*10 dBm, which is ambiguous."""
     if "*" not in text:
-        return  # nor has to begin with a number: (10±1) dBm
+        return  # a text without a product need not begin with a number: (10±1) dBm
     number, end = read_number(text)
     if "*" in text[:end]:
         raise NumberError(
-            f"'{quote(text)}' multiplies, and a reading of {quote(scale)} cannot be multiplied",
+            f"'{quote(text)}' multiplies a reading of {quote(scale)}, which is not possible",
             f"{number:.12g} {quote(scale)} for one reading",
         )
 
 
 def scale_of(unit: Unit) -> Scale | None:
-    """Return the scale that stands where a unit may; None for a unit."""
+    """Return the scale of a `ScaleUnit`; None for a unit."""
     return unit.scale if isinstance(unit, ScaleUnit) else None
 
 
 def amount_on(
     unit: Unit, text: str, reading: float, uncertainty: float, dimensions: Iterable[Dimension]
 ) -> Amount:
-    """Return what a reading stands for, with the uncertainty that its own leads to."""
+    """Return the amount of a reading, with the uncertainty that follows from its own."""
     assert isinstance(unit, ScaleUnit)
     scale = unit.measures(dimensions)
     quantity = scale.quantity(reading)
@@ -167,7 +165,7 @@ def amount_on(
 
 
 def reciprocal(unit: Unit) -> ScaleUnit:
-    """A unit such as 1/MK as the scale of temperatures that has the reciprocals."""
+    """Return a unit such as 1/MK as a scale of temperatures, read as their reciprocals."""
     return ScaleUnit(unit.text, RECIPROCAL._replace(size=unit.bottom / unit.top))
 
 
@@ -175,7 +173,7 @@ FAHRENHEIT = ("°f", "degf", "deg_f", "degree_fahrenheit", "degrees_fahrenheit",
 
 
 def degree(text: str) -> Unit | None:
-    """A degree Celsius or Fahrenheit, where a difference is meant; None for what is neither."""
+    """Return the unit of a temperature difference in degrees Celsius or Fahrenheit, else None."""
     name = plain(text).lower().replace("° ", "°")
     name = name.replace(" ", "_").replace("-", "_")
     if name in CELSIUS:
@@ -184,22 +182,22 @@ def degree(text: str) -> Unit | None:
 
 
 def resolve_given(text: str) -> Unit:
-    """Read the unit of what was given, in which a degree is that of a difference."""
+    """Return the unit of an input, with degrees as units of temperature differences."""
     return degree(text) or resolve_any(text)
 
 
 def in_which(text: str, dimensions: Iterable[Dimension]) -> Unit:
-    """Return the unit of what was typed as a reading, or in degrees that count a difference."""
+    """Return the unit for the value of an input that is a reading or in degrees."""
     if scale := find(text):
         return scale.measures(dimensions).unit
     return resolve("K" if degree(text) else text)
 
 
 def on(dimension: Dimension) -> list[Scale]:
-    """Return the scales on which a quantity is read."""
+    """Return the scales of a dimension."""
     return [scale for scale in SCALES if resolve(scale.unit).dimension == dimension]
 
 
 def names_of(dimension: Dimension) -> list[str]:
-    """Their names."""
+    """Return the names of the scales of a dimension."""
     return [scale.name for scale in on(dimension)]

@@ -1,4 +1,4 @@
-"""How numbers follow an uncertain one: their slopes, by differences, and how far they reach."""
+"""Slopes, by finite differences, and ranges of numbers that depend on an uncertain one."""
 
 import math
 from collections.abc import Callable, Hashable, Mapping
@@ -9,20 +9,20 @@ from radcalc.maths import limit
 
 Key = TypeVar("Key", bound=Hashable)
 
-STEP, LEAST_STEP = 2.0**-10, 2.0**-20  # of what is uncertain, relative to it
-OF_ZERO = 16  # steps in the uncertainty of what is 0
+STEP, LEAST_STEP = 2.0**-10, 2.0**-20  # relative to the uncertain number
+OF_ZERO = 16  # steps in the uncertainty of a number that is 0
 NARROWER = 2.0**-7  # of a step, next to a limit
-NOISE = 1e-14  # what the arithmetic adds to a number, relative to it
-FLAT = 1e-5  # of the changes within a step: what a slope beside an extremum may be off by
-SAME = 0.1  # by what part of it a slope next to a limit may grow in a narrower step
-DIGITS = 11  # that a slope is good for
-SAMPLES = 8  # on either side of the nominal value, between which a number turns at most once
+NOISE = 1e-14  # relative error of the arithmetic
+FLAT = 1e-5  # error of a slope next to an extremum, relative to the changes within a step
+SAME = 0.1  # largest relative growth of a slope next to a limit with a narrower step
+DIGITS = 11  # significant digits of a slope
+SAMPLES = 8  # on either side of the nominal value; at most one extremum between two of them
 GOLDEN = (math.sqrt(5) - 1) / 2
 NARROWINGS = 35  # of the interval with an extremum, to 5e-8 of it
-ZERO = 1e-12  # of the change towards the end: what the search leaves of an extremum of 0
-NEARER = (1e-2, 1e-4, 1e-6)  # of the way to where a number may have no bound
+ZERO = 1e-12  # of the change towards the end: the residual of an extremum of 0
+NEARER = (1e-2, 1e-4, 1e-6)  # of the way to a point where a number may be unbounded
 FAINT = 1e-6  # of the range of the samples
-ENDLESS = 0.7  # by what part of the last change it changes then, and more: a logarithm by 1
+ENDLESS = 0.7  # least ratio of successive changes of an unbounded number; 1 for a logarithm
 
 
 def slopes(
@@ -31,10 +31,11 @@ def slopes(
     size: float,
     off: float,
 ) -> dict[Key, float | None]:
-    """Return the slope of each number over one of a `size` that is uncertain by `off`.
+    """Return the slopes of numbers over a variable of a `size` with an uncertainty `off`.
 
-    `at` gives the numbers where that is moved by so much, and none where it cannot be.  Next to a
-    limit slopes are one-sided; None where there is none, or it grows as the step becomes narrower.
+    `at` returns the numbers for a shift of the variable, and none if the shift is impossible.  Next
+    to a limit slopes are one-sided.  A slope is None if it does not exist, or if it grows as the
+    step becomes narrower.
     """
     least = (size or off) * LEAST_STEP
     step = max(min(size * STEP or off / OF_ZERO, off / 2), least)
@@ -58,14 +59,14 @@ def slopes(
 def _points(
     at: Callable[[float], Mapping[Key, float]], step: float
 ) -> dict[int, Mapping[Key, float]]:
-    """Return the numbers at whole steps beside the nominal ones."""
+    """Return the numbers at whole steps from the nominal ones."""
     return {k: at(k * step) for k in (-2, -1, 1, 2)}
 
 
 def _slope(
     value: float, points: Mapping[int, Mapping[Key, float]], key: Key, step: float
 ) -> float | None:
-    """Return the slope of one number; None where there are too few points beside it."""
+    """Return the slope of one number; None if there are too few points around it."""
     at = {0: value, **{k: numbers[key] for k, numbers in points.items() if key in numbers}}
     if len(at) == 5:
         rise = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / 12
@@ -83,9 +84,10 @@ def _slope(
 
 
 def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
-    """The least and the greatest number that `at` gives from -1 to 1; infinite without a bound.
+    """Return the least and the greatest number that `at` gives from -1 to 1; infinite if unbounded.
 
-    None is what cannot be, and 0 can; the extrema are sought between samples by the golden section.
+    `at` returns None for an impossible shift, never at 0.  Extrema between samples are found by
+    golden-section search.
     """
     samples = [(k / SAMPLES, at(k / SAMPLES)) for k in range(-SAMPLES, SAMPLES + 1)]
     numbers = [value for _, value in samples if value is not None]
@@ -117,7 +119,7 @@ def reach(at: Callable[[float], float | None]) -> tuple[float, float]:
 def _peak(
     at: Callable[[float], float | None], sign: int, left: float, middle: float, right: float
 ) -> float:
-    """Where a number, or its negative, is greatest between two places, by the golden section."""
+    """Return where a number, or its negative, is greatest between two places (golden section)."""
 
     def height(t: float) -> float:
         value = at(t)
@@ -139,9 +141,9 @@ def _peak(
 def _trend(
     at: Callable[[float], float | None], end: float, start: float, least: float
 ) -> float | None:
-    """Return the infinity that a number tends to on the way to an end; None where it has a bound.
+    """Return the infinity that a number tends to on the way to an end; None if it is bounded.
 
-    Changes up to the `least` are the noise of an integration.
+    Changes up to `least` are noise of an integration.
     """
     a, b, c = (at(end + part * (start - end)) for part in NEARER)
     if a is None or b is None or c is None:

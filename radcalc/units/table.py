@@ -1,8 +1,8 @@
 """The compiled units at run time: text to a unit, spellings to suggestions.
 
-The numbers come from `compiled.py`, which `compile.py` prints from what Pint says of
-`light.txt`.  Factors are exact ratios of whole numbers, so the factor between any two units
-is rounded once.
+The numbers come from `compiled.py`, which `compile.py` generates from Pint's reading of
+`light.txt`.  Factors are exact ratios of whole numbers, so the factor between any two units is
+rounded once.
 """
 
 from radcalc.errors import RadcalcError, UnitError, ambiguous, command, nearest, quote
@@ -32,16 +32,16 @@ from radcalc.units.unit import (
     takes,
 )
 
-# A degree of a scale that has its 0 elsewhere, where a difference is meant.
+# Spellings of a degree of an offset scale, which is a kelvin in a product.
 CELSIUS = ("°c", "celsius", "centigrade", "degc", "deg_c", "degree_celsius", "degrees_celsius")
 COMMON_PREFIXES = "GMkcmun"
-# How scales are called, which are above and not looked for in other languages.
+# Names of scales; they are handled above and not looked up in other languages.
 SCALE_NAMES = ("dBm", "dBW", "dBu", "mag", "EV", "mired", "OD", "stops", "dB", "bril")
 PARTS = ("percent", "permille", "ppm", "ppb")
 
 
 def resolve(text: str) -> Unit:
-    """Read the text of a unit, as people write it.
+    """Return the unit of a text.
 
     Raises UnitError for a text that is not a unit, with the nearest names as the hint.
     """
@@ -52,7 +52,7 @@ def resolve(text: str) -> Unit:
 
 
 def unit_of(text: str) -> Unit | None:
-    """A text as a unit; None where it is none, at the cost of no suggestions."""
+    """Return the unit of a text, or None; cheaper than `resolve`, which computes suggestions."""
     try:
         unit = _read(text) if text else None
     except RadcalcError:
@@ -61,8 +61,8 @@ def unit_of(text: str) -> Unit | None:
 
 
 def _read(text: str) -> Unit | str:
-    """Return the unit of a text, or the spelling in it that is none; raise what else is wrong."""
-    text = " ".join(text.split())  # it is shown as typed, but for blanks that part lines
+    """Return the unit of a text, or the unknown spelling in it; raise for any other problem."""
+    text = " ".join(text.split())  # shown as typed, with single blanks
     if named := _named_in_words(text):
         return named
     try:
@@ -96,7 +96,7 @@ def _read(text: str) -> Unit | str:
 
 
 def _named_in_words(text: str) -> Unit | None:
-    """Read a name of several words, as foot lambert; None for other texts."""
+    """Return the unit of a name of several words, as foot lambert; None for other texts."""
     joined = text.lower().replace(" ", "_")
     if " " not in text or joined not in NAMES:
         return None
@@ -106,7 +106,7 @@ def _named_in_words(text: str) -> Unit | None:
 
 
 def _degree(spelling: str, unit: Unit) -> tuple[str, str] | None:
-    """Read a degree Celsius in a product as a kelvin; None for other spellings."""
+    """Return a kelvin for a degree Celsius in a product; None for other spellings."""
     if spelling.lower().replace("-", "_") not in CELSIUS:
         return None
     unit.notes += (f"{quote(spelling)} in a product counts a difference, in kelvins",)
@@ -114,20 +114,20 @@ def _degree(spelling: str, unit: Unit) -> tuple[str, str] | None:
 
 
 def _power_of_part(text: str, spelling: str) -> UnitError:
-    """Return the refusal of %2 and the like: the exponent may belong to the number as well."""
+    """Return the error for %2 and the like: the exponent may belong to the number as well."""
     hint = "brackets around the number with it, as in (50%)^2"
     return UnitError(f"'{quote(text)}' is a power of {quote(spelling)}", hint)
 
 
 def _refuse_minus(text: str, spelling: str, unit: Unit) -> None:
-    """Refuse m-1 m: the minus may be a subtraction or the sign of an exponent."""
+    """Raise for m-1 m: the minus may be a subtraction or the sign of an exponent."""
     if len(unit.atoms) == 1 and text.startswith(f"{spelling}-") and " " in text:
         hint = f"blanks around a minus, or {quote(spelling)}^{unit.atoms[0][1]} for a power"
         raise UnitError(ambiguous(text, "a subtraction or a power"), hint)
 
 
 def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
-    """Multiply a unit by the power of a named one; return the exponents of the latter."""
+    """Multiply a unit by the power of a named unit; return the exponents of the latter."""
     top, bottom, powers, _ = UNITS[name]
     if prefix:
         shift = PREFIX_NAMES[prefix]
@@ -145,12 +145,12 @@ def _multiply(unit: Unit, prefix: str, name: str, exponent: int) -> Dimension:
 
 
 def _counts_light(powers: Dimension) -> bool:
-    """Check whether a unit counts watts, lumens or photons."""
+    """Return whether a unit contains watts, lumens or photons."""
     return bool(powers[COUNT_AT] or powers[LUMINOSITY_AT] or (powers[MASS_AT] and powers[TIME_AT]))
 
 
 def _multiplied_by_length(text: str, length: str) -> UnitError:
-    """Return the refusal of W m and the like, where a blank may hide a divisor."""
+    """Return the error for W m and the like, where a blank may mean a division."""
     return UnitError(
         f"the unit '{quote(text)}' has a length that multiplies light",
         f"{_with(text, length, f'({length}-1)-1')} for a density per wavenumber, "
@@ -159,7 +159,7 @@ def _multiplied_by_length(text: str, length: str) -> UnitError:
 
 
 def _in_another_language(text: str) -> Unit | str:
-    """Read a unit that is none in English as Czech or Russian; '' where it is none there."""
+    """Return the unit of a Czech or Russian text; '' for another text."""
     from radcalc.units.languages import in_english
 
     english = in_english(text)
@@ -173,13 +173,13 @@ def _in_another_language(text: str) -> Unit | str:
 
 
 def _with(text: str, old: str, new: str) -> str:
-    """Return the text of a unit with its last `old` made new."""
+    """Return the text of a unit with the last `old` replaced."""
     before, _, after = text.rpartition(old)
     return quote(f"{before}{new}{after}")
 
 
 def _as_wavenumber(unit: Unit, inverted: int) -> Unit:
-    """Read an inverse length as a wavenumber where it stands alone or divides a light quantity."""
+    """Read an inverse length as a wavenumber if it is alone or divides a light quantity."""
     cycles = 0
     if unit.dimension == INVERSE_LENGTH and len(unit.atoms) == 1:
         cycles, read = 1, f"{quote(unit.text)} is read as a wavenumber, in cycles per length"
@@ -200,7 +200,7 @@ def spellings() -> list[str]:
 
 
 def _unknown(spelling: str) -> UnitError:
-    """Say that a spelling is unknown or refused, with the nearest names."""
+    """Return the error for an unknown or refused spelling, with the nearest names."""
     typed = quote(spelling)
     name = spelling.lower().replace("-", "_")
     if name in REFUSED:
@@ -234,7 +234,7 @@ def _unknown(spelling: str) -> UnitError:
 
 
 def _respelt(prefix: str, rest: str) -> str:
-    """Return the unit with its prefix in full, where it takes it, else without."""
+    """Return the unit with its prefix in full if it takes the prefix, else without."""
     name = NAMES.get(rest.lower(), "")
     if name and prefix in UNITS[name][3]:
         return prefix + rest.lower()
@@ -242,7 +242,7 @@ def _respelt(prefix: str, rest: str) -> str:
 
 
 def suggest(spelling: str, count: int = 3) -> list[str]:
-    """Return the known spellings nearest to one that is not."""
+    """Return the known spellings nearest to an unknown one."""
     spelling = spelling[:60]
     folded = spelling.lower()
     near = nearest(folded, NAMES, count, 0.7)
@@ -252,7 +252,7 @@ def suggest(spelling: str, count: int = 3) -> list[str]:
 
 
 def _prefixed() -> list[str]:
-    """Return the symbols, and those with a common prefix."""
+    """Return the symbols, with and without a common prefix."""
     symbols = list(SYMBOLS)
     for symbol in SYMBOLS:
         symbols += [prefix + symbol for prefix in COMMON_PREFIXES if takes(prefix, symbol)]

@@ -3,8 +3,8 @@
     VALUE ± UNCERTAINTY UNIT     (VALUE ± UNCERTAINTY) UNIT     VALUE UNIT ± UNCERTAINTY UNIT
     VALUE(DIGITS) UNIT           VALUE UNIT ± PERCENT%           numbers of an expression
 
-± may be typed as +- or +/-.  DIGITS are of the last digits of VALUE: 1.234(5) is 1.234±0.005; with
-a point they stand for themselves: 1.234(0.005).
+± may be typed as +- or +/-.  DIGITS apply to the last digits of VALUE: 1.234(5) is 1.234±0.005;
+with a point they are the uncertainty itself: 1.234(0.005).
 """
 
 import math
@@ -30,13 +30,13 @@ from radcalc.units.slopes import slopes
 from radcalc.units.unit import NUMBER, Dimension, Unit, divide
 
 SIGN = "±"
-TYPED = SIGNS_OF_UNCERTAINTY[1:]  # as people type the sign
+TYPED = SIGNS_OF_UNCERTAINTY[1:]  # other spellings of the sign
 PERCENT = "%"
 OPERATORS = tuple("*/^+-")
-MOST_TRIED = 3  # places for a bracket
+MOST_TRIED = 3  # possible places of a bracket
 MOST_DIGITS = 6  # of an exponent, with its sign
 DECIMAL = r"(?:\d+\.?\d*|\.\d+)"
-BEGIN = r"(?<![\w.])"  # of a number, and not of the end of one
+BEGIN = r"(?<![\w.])"  # of a number, not inside a number or a name
 LEAF = rf"(?:\([^()±]*±[^()±]*\)|{BEGIN}{DECIMAL}\({DECIMAL}\))(?:[eE][-+]?\d+(?!\w))?"
 OPERATOR = r"[*/×·⋅÷]|\s[-+]\s|(?<![eE^*])\+"
 ARITHMETIC = rf"(?:{OPERATOR})\s*[\d.(]"
@@ -45,9 +45,9 @@ HINT = "100±3 lx, 100(3) lx or 100 lx ± 3%"
 
 
 class Reading(NamedTuple):
-    """A number with its standard uncertainty, both in a unit, or bare.
+    """A number with its standard uncertainty, both in a unit or bare.
 
-    `parts` are those of the numbers of an expression.
+    `parts` are the contributions of the numbers of an expression.
     """
 
     number: float
@@ -58,24 +58,24 @@ class Reading(NamedTuple):
 
 
 class _Beside(NumberError):
-    """Arithmetic beside a ± that stands in no bracket of its own."""
+    """Error for a ± in arithmetic without brackets around its number."""
 
     def __init__(self, text: str) -> None:
-        super().__init__(f"'{quote(text)}' has a ± beside arithmetic without brackets", BRACKETS)
+        super().__init__(f"'{quote(text)}' has a ± in arithmetic without brackets", BRACKETS)
         self.text = text
 
 
 def signed(text: str) -> str:
-    """Return the text with ± for each way to type it."""
+    """Return the text with ± for each of its other spellings."""
     for typed in TYPED:
         text = text.replace(typed, SIGN)
     return text
 
 
 def read_uncertain(text: str) -> Reading | None:
-    """Read a value with its uncertainty; None where the text has not the form of one.
+    """Read a value with its uncertainty; None for a text without that form.
 
-    Raises RadcalcError where it has the form and a part of it is wrong, or is read in two ways.
+    Raises RadcalcError if the text has that form and part of it is wrong or ambiguous.
     """
     try:
         return _read(signed(text.strip()))
@@ -93,7 +93,7 @@ def _read(text: str) -> Reading | None:
     if reading is None:
         return _with_expression(text)
     if reading.uncertainty < 0:
-        raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
+        raise NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
     check_uncertainty(reading.uncertainty, text)
     head = text.lstrip("( ")
     unit = reading.unit.text if reading.unit else ""
@@ -101,12 +101,12 @@ def _read(text: str) -> Reading | None:
 
 
 def _with_one(text: str) -> Reading | None:
-    """Read a value with one uncertainty."""
+    """Read a value with a single uncertainty."""
     return _with_sign(text) if SIGN in text else _with_digits(text)
 
 
 def _is_product(text: str) -> bool:
-    """Check whether the number that a text begins with is more than one."""
+    """Return whether the number at the start of a text is a product or a quotient."""
     return not {"*", "/"}.isdisjoint(text[: read_number(text)[1]])
 
 
@@ -147,10 +147,10 @@ def _with_sign(text: str) -> Reading | None:
 def _of_quantity(
     text: str, value: float, unit: Unit, number: float, unit_of_uncertainty: str
 ) -> Reading:
-    """A value with its unit, beside an uncertainty with its own."""
+    """Return a value with its unit, from an uncertainty with its own unit."""
     if not unit_of_uncertainty:
         better = f"{value:.15g}±{number:.15g} {unit.text}"
-        raise UnitError(f"the uncertainty of '{quote(text)}' has no unit", quote(better))
+        raise UnitError(f"the unit of the uncertainty of '{quote(text)}' is missing", quote(better))
     if unit_of_uncertainty == PERCENT and unit.text == PERCENT:
         as_percents = f"({value:.15g}±{number:.15g})%"
         ways = f"{as_percents}, or ({value:.15g}±{abs(value) * number / 100:.6g})%"
@@ -160,7 +160,7 @@ def _of_quantity(
     other_unit = resolve_any(unit_of_uncertainty)
     if other_unit.dimension != unit.dimension or scale_of(other_unit) != scale_of(unit):
         raise UnitError(
-            f"'{quote(text)}' has an uncertainty in another quantity than its value",
+            f"the uncertainty of '{quote(text)}' is in a unit of another quantity than the value",
             f"an uncertainty in {quote(unit.text)}",
         )
     ratio = divide(other_unit.top * unit.bottom, other_unit.bottom * unit.top)
@@ -168,10 +168,10 @@ def _of_quantity(
 
 
 def _part_of(text: str, value: float, percent: float, unit: Unit) -> float:
-    """The uncertainty that is so many percent of a value, which no reading on a scale has."""
+    """Return a percentage of a value as its uncertainty; raise for readings on a scale."""
     if unit.is_scale:
         better = f"an uncertainty in {quote(unit.text)}"
-        raise UnitError(f"'{quote(text)}' has a part of a reading for its uncertainty", better)
+        raise UnitError(f"'{quote(text)}' has a percentage of a reading as uncertainty", better)
     part = abs(value) * percent / 100
     if value and percent and not part:
         check_uncertainty(math.nan, text)
@@ -196,9 +196,9 @@ def _with_digits(text: str) -> Reading | None:
 
 
 def _with_expression(text: str) -> Reading | None:
-    """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic, in which each number with a ± is a variable.
+    """Read `(100±3) lx * (2.0±0.1) m2`: arithmetic with each number with a ± as a variable.
 
-    The slope over each is that between two values beside its own.
+    The slopes over the variables are finite differences.
     """
     import re
 
@@ -206,7 +206,7 @@ def _with_expression(text: str) -> Reading | None:
     from radcalc.units.grammar import plain
 
     if "," in text:
-        return None  # a list, of which each value is read by itself
+        return None  # a list: its values are read separately
     text = plain(text)
     leaves = list(re.finditer(LEAF, text))
     other_text = re.sub(LEAF, "", text)
@@ -248,7 +248,7 @@ def _part(
     leaf: Reading,
     evaluate: Callable[[float], tuple[float, Unit | None]],
 ) -> Part:
-    """Return the share of a number; `evaluate` gives the expression with that number moved."""
+    """Return the contribution of a number; `evaluate` gives the expression with it shifted."""
     why = ""
 
     def at(shift: float) -> dict[str, float]:
@@ -263,19 +263,19 @@ def _part(
     slope = slopes(at, {"": number}, abs(leaf.number), off)[""]
     if slope is None:
         problem = (
-            f"the uncertainty of '{quote(leaf_text)}' cannot be carried through '{quote(text)}'"
+            f"the uncertainty of '{quote(leaf_text)}' cannot be propagated through '{quote(text)}'"
         )
         raise NumberError(f"{problem}{why}", "the same without it")
     return Part(leaf_text, float(f"{slope * off:.7g}"), lambda times: at(times * off).get(""))
 
 
 def _leaf(text: str) -> Reading:
-    """A number of an expression and its uncertainty: (100±3), (100±3 lx) or 100(3)."""
+    """Read a number of an expression and its uncertainty: (100±3), (100±3 lx) or 100(3)."""
     reading = _with_one(text)
     if reading is None:
         raise NumberError(f"'{quote(text)}' is not a number and its uncertainty", HINT)
     if reading.uncertainty < 0:
-        raise NumberError(f"'{quote(text)}' has an uncertainty below 0", HINT)
+        raise NumberError(f"'{quote(text)}' has a negative uncertainty", HINT)
     return reading
 
 
@@ -285,9 +285,9 @@ def _inside(text: str) -> str:
 
 
 def _ways(text: str) -> list[str]:
-    """How arithmetic beside a ± can be read: brackets around its numbers, and sizes of both sides.
+    """Return the readings of arithmetic with a ±: brackets around numbers, or sizes of both sides.
 
-    Those are left out that cannot be read themselves.
+    Readings that are themselves malformed are omitted.
     """
     import re
 
@@ -316,14 +316,14 @@ def _ways(text: str) -> list[str]:
             candidate = f"{text[:begin]}({inside.rstrip()}){after}"
             meant = _meant(candidate)
             if meant and as_sizes and meant[1] != as_sizes[1]:
-                continue  # 100 lx * 2 ± 3 lx is no product of two illuminances
+                continue  # 100 lx * 2 ± 3 lx is not a product of two illuminances
             if meant:
                 return [meaning[0] for meaning in (meant, as_sizes) if meaning]
     return [as_sizes[0]] if as_sizes else []
 
 
 def _meant(text: str) -> tuple[str, Dimension] | None:
-    """The text, or the first of its two readings, and what it measures; None where it has none."""
+    """Return the text, or the first of its two readings, and its dimension; None if unreadable."""
     try:
         reading = _read(text)
     except RadcalcError as error:
@@ -337,7 +337,7 @@ def _meant(text: str) -> tuple[str, Dimension] | None:
 
 
 def _times(number: str, power: int) -> float:
-    """A number times a power of ten, rounded once where it is a decimal."""
+    """Return a number times a power of ten, rounded once if the number is a decimal."""
     if not power:
         return parse_number(number)
     if typed_digits(number) is None or "e" in number.lower():
@@ -346,7 +346,7 @@ def _times(number: str, power: int) -> float:
 
 
 def _power_of_ten(text: str) -> tuple[int, str]:
-    """Return the power of ten that e6 behind a bracket is, and the rest of the text."""
+    """Return the power of ten of an e6 after a bracket, and the rest of the text."""
     end = 2 if text[1:2] in tuple(SIGNS) else 1
     first = end
     while text[end : end + 1] in tuple(DIGITS):
@@ -357,13 +357,13 @@ def _power_of_ten(text: str) -> tuple[int, str]:
 
 
 def join_words(words: list[str]) -> list[str]:
-    """Words of which those of a value and its uncertainty are one: `100 ± 3 lx fc`.
+    """Return the words, with those of a value and its uncertainty joined: `100 ± 3 lx fc`.
 
-    The unit that stands behind both remains a word of its own.
+    A unit after both remains a separate word.
     """
     marked = next(k for k, word in enumerate(words) if SIGN in signed(word))
     if any(word in SEPARATORS for word in words):
-        return words  # what stands before one is read as a whole
+        return words  # the part before a separator is read as a whole
     end = marked + 1
     if signed(words[marked]).endswith(SIGN):  # the number is the next word
         end += 1
@@ -381,14 +381,14 @@ def join_words(words: list[str]) -> list[str]:
     ):
         end += 1  # the unit of the uncertainty
     elif not has_unit and right.endswith(PERCENT) and next_words:
-        is_apart = left.lstrip().startswith("(")  # (100 ± 3)%
-        if not is_apart and (len(words) > end + 1 or not _is_ratio(next_words[0])):
+        has_brackets = left.lstrip().startswith("(")  # (100 ± 3)%
+        if not has_brackets and (len(words) > end + 1 or not _is_ratio(next_words[0])):
             end += 1  # the unit of 100 ± 3% lx
     return [" ".join(words[:end]), *words[end:]]
 
 
 def _has_unit(text: str) -> bool:
-    """Check whether a value has a unit, and no bracket around it."""
+    """Return whether a value has a unit, and is not in brackets."""
     try:
         return not text.startswith("(") and split_quantity(text)[1] != ""
     except NumberError:  # sqrt(4.0
@@ -396,7 +396,7 @@ def _has_unit(text: str) -> bool:
 
 
 def _is_ratio(text: str) -> bool:
-    """Check whether a text is a unit of ratios, which may be the target of (50 ± 5)%."""
+    """Return whether a text is a unit of ratios, which may be the target of (50 ± 5)%."""
     try:
         return resolve_any(text).dimension == NUMBER
     except UnitError:
@@ -404,7 +404,7 @@ def _is_ratio(text: str) -> bool:
 
 
 def variable(number: float, uncertainty: float, name: str = "") -> Any:
-    """A variable of the `uncertainties` package, independent of every other."""
+    """Return an independent variable of the `uncertainties` package."""
     from uncertainties import ufloat  # type: ignore[import-untyped]
 
     return ufloat(number, uncertainty, name or None)

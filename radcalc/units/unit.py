@@ -1,4 +1,4 @@
-"""Dimensions, and the units that have them."""
+"""Dimensions and units."""
 
 from radcalc.units.compiled import NAMES, PREFIX_NAMES, PREFIX_SYMBOLS, SYMBOLS, UNITS
 
@@ -21,7 +21,7 @@ BASES = (
     "retinal_illuminance",
     "current",
 )
-MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # where some stand in it
+MASS_AT, TIME_AT, CYCLE_AT, COUNT_AT, LUMINOSITY_AT = 1, 2, 5, 6, 7  # places in BASES
 Dimension = tuple[int, ...]
 NUMBER: Dimension = (0,) * len(BASES)
 LENGTH_ALONE: Dimension = (1, *NUMBER[1:])
@@ -29,7 +29,7 @@ INVERSE_LENGTH: Dimension = (-1, *NUMBER[1:])
 TEMPERATURE_ALONE: Dimension = (0, 0, 0, 1, *NUMBER[4:])
 INVERSE_TEMPERATURE: Dimension = (0, 0, 0, -1, *NUMBER[4:])
 FIELD_STRENGTH: Dimension = (1, 1, -3, *NUMBER[3:9], -1)  # V/m
-# The units that make a length below a light quantity a wavelength.
+# Units of length that are read as a wavelength in the divisor of a light quantity.
 WAVELENGTH_UNITS = ("nanometre", "micrometre", "picometre", "angstrom", "micron")
 EXITANCE_UNITS = ("radlux", "radphot")
 PI = UNITS["degree"][0] * 180, UNITS["degree"][1]  # as a ratio of whole numbers
@@ -37,14 +37,14 @@ LUMINOUS_AND_COUNTED = (MASS_AT, COUNT_AT, LUMINOSITY_AT)
 
 
 class Unit:
-    """A unit as a user wrote it, with what it is worth in coherent SI units.
+    """A unit as the user wrote it, with its value in coherent SI units.
 
     `top / bottom` is the exact factor; `dimension` has the exponents of `BASES`; `atoms` are
-    (canonical name, exponent); `notes` say what was assumed in reading it.
+    (canonical name, exponent); `notes` are the assumptions in reading it.
     """
 
     __slots__ = ("atoms", "bottom", "dimension", "notes", "text", "top")
-    is_scale = False  # which counts as a unit for everything but its numbers
+    is_scale = False  # True for a scale, which differs from its unit in its numbers only
 
     def __init__(
         self,
@@ -55,7 +55,7 @@ class Unit:
         atoms: tuple[tuple[str, int], ...],
         notes: tuple[str, ...] = (),
     ) -> None:
-        """Hold the reading of `text`."""
+        """Keep the reading of `text`."""
         self.text = text
         self.top = top
         self.bottom = bottom
@@ -68,50 +68,50 @@ class Unit:
         return f"Unit({self.text!r})"
 
     def quantity(self, reading: "Any") -> "Any":
-        """Return what a number in the unit stands for: itself, but on a scale."""
+        """Return the value of a number in the unit: the number itself, except on a scale."""
         return reading
 
     def slope(self, reading: "Any") -> "Any":
-        """Return by how much the quantity grows with the number: as much, but on a scale."""
+        """Return the derivative of the quantity over the number: 1, except on a scale."""
         return 1.0
 
     def of_class(self, kind: "type[Kind]", *notes: str) -> "Kind":
-        """Return the same unit as one of another class, with more notes."""
+        """Return the same unit in another class, with additional notes."""
         all_notes = (*self.notes, *notes)
         return kind(self.text, self.top, self.bottom, self.dimension, self.atoms, all_notes)
 
     @property
     def has_wavelength(self) -> bool:
-        """Check whether a length that is usual for wavelengths stands below."""
+        """Return whether it contains the inverse of a unit of wavelength."""
         return any(name in WAVELENGTH_UNITS and power == -1 for name, power in self.atoms)
 
     @property
     def is_light(self) -> bool:
-        """Check whether it counts watts, lumens or photons, or what has a mass."""
+        """Return whether it contains watts, lumens or photons, or has a mass."""
         return any(self.dimension[i] for i in LUMINOUS_AND_COUNTED)
 
     @property
     def is_exitance(self) -> bool:
-        """Check whether it counts what leaves a surface: the radlux and the radphot."""
+        """Return whether it counts light that leaves a surface: the radlux and the radphot."""
         return any(name in EXITANCE_UNITS for name, _ in self.atoms)
 
     @property
     def factor(self) -> float:
-        """The unit in coherent SI units, rounded once."""
+        """The value of the unit in coherent SI units, rounded once."""
         return divide(self.top, self.bottom)
 
 
 class Exitance(Unit):
-    """A unit of what leaves a surface, by the name of the quantity: lm/m2 is not lx then."""
+    """A unit of exitance, from the name of the quantity, which distinguishes lm/m2 from lx."""
 
     __slots__ = ()
     is_exitance = True
 
 
 class Photosynthetic(Unit):
-    """A unit of the photons from 400 nm to 700 nm alone, by the name of PPFD or PPF.
+    """A unit of photons from 400 nm to 700 nm only, from the name PPFD or PPF.
 
-    `name` is what was typed.
+    `name` is the typed name.
     """
 
     __slots__ = ("name",)
@@ -119,7 +119,7 @@ class Photosynthetic(Unit):
 
 
 def divide(over: int, under: int) -> float:
-    """The quotient of two whole numbers, rounded once; infinite where a float cannot hold it."""
+    """Return the quotient of two whole numbers, rounded once; infinite if out of range."""
     try:
         return over / under
     except OverflowError:
@@ -127,9 +127,9 @@ def divide(over: int, under: int) -> float:
 
 
 def lookup(spelling: str) -> tuple[str, str] | None:
-    """Find (prefix name, unit name) for one spelling; None where there is none.
+    """Return (prefix name, unit name) of a spelling; None if it is unknown.
 
-    Symbols are matched as written; full names in any case, with hyphens as underscores.
+    Symbols match as written; full names match in any case, with hyphens as underscores.
     """
     if spelling in SYMBOLS:
         return "", SYMBOLS[spelling]
@@ -151,11 +151,11 @@ def lookup(spelling: str) -> tuple[str, str] | None:
 
 
 def takes(prefix: str, symbol: str) -> bool:
-    """Check whether the prefix goes before this symbol: Cyrillic goes with Cyrillic."""
+    """Return whether the prefix goes before this symbol: Cyrillic goes with Cyrillic."""
     allowed = UNITS[SYMBOLS[symbol]][3]
     return prefix.isascii() == symbol.isascii() and PREFIX_SYMBOLS[prefix] in allowed
 
 
 def unit_behind(unit: str) -> str:
-    """A unit as it stands behind a number, with a blank: none is behind a plain number."""
+    """Return a unit as a suffix of a number, with a blank; '' for a plain number."""
     return "" if unit == "1" else f" {unit}"

@@ -51,7 +51,7 @@ def test_what_may_be_one_number_is_no_list(text):
 
 
 def test_what_is_both_is_said():
-    assert note_of("100,200 lx") == ("100,200 is read as 2 values, and not as 100200",)
+    assert note_of("100,200 lx") == ("100,200 is read as 2 values, not as 100200",)
     assert note_of("100,200lx") == note_of("100,200")
     for text in LISTS:
         assert bool(note_of(text)) == text.startswith("100")

@@ -78,11 +78,11 @@ def test_percents_and_fractions(text, number, uncertainty):
         ("80%±2%", "(80±2)%, or (80±1.6)%"),
         ("100 lx ± 3", "100±3 lx"),
         ("1 m ± 2 s", "another quantity"),
-        ("100+--3 lx", "below 0"),
+        ("100+--3 lx", "negative uncertainty"),
         ("1,5±0.1 lx", "comma"),
         ("100±3 foo", "unknown unit"),
         ("±3 lx", "a number is missing"),
-        ("100±nan lx", "not a number"),
+        ("100±nan lx", "not a finite number"),
         ("1±1e999 lx", "too large"),
         ("100(3", "not a number and a unit"),
         ("100(3)(2) lx", "two values together"),
@@ -144,12 +144,12 @@ def test_a_percentage_or_a_part_before_a_ratio_is_refused(words):
 
 @pytest.mark.parametrize("text", ["10±5% dBm", "10 dBm ± 5%", "0.30±5% OD"])
 def test_no_reading_on_a_scale_has_a_part_of_it_for_its_uncertainty(text):
-    with pytest.raises(RadcalcError, match="a part of a reading"):
+    with pytest.raises(RadcalcError, match="a percentage of a reading"):
         read_amount(text)
 
 
 def test_a_target_is_not_taken_for_the_unit_of_the_uncertainty():
-    with pytest.raises(RadcalcError, match="no unit"):
+    with pytest.raises(RadcalcError, match="unit of the uncertainty"):
         read_operands(["100", "lx", "±", "3", "fc"])
 
 
@@ -251,7 +251,7 @@ def test_each_number_of_an_expression_has_its_part():
     ],
 )
 def test_an_uncertainty_whose_square_is_no_number_is_refused(text):
-    with pytest.raises(RadcalcError, match="beyond what radcalc reckons with"):
+    with pytest.raises(RadcalcError, match="is out of range"):
         read_amount(text)
 
 
@@ -281,11 +281,11 @@ def test_the_parts_of_an_amount_have_their_ends(text, size, ends):
 
 
 def test_a_slope_without_limit_is_refused():
-    with pytest.raises(RadcalcError, match="cannot be carried through 'sqrt"):
+    with pytest.raises(RadcalcError, match="cannot be propagated through 'sqrt"):
         read_amount("sqrt(0±1)*1m")
 
 
 def test_a_reading_in_arithmetic_is_refused_with_its_number():
-    with pytest.raises(RadcalcError, match="read through a function") as refused:
+    with pytest.raises(RadcalcError, match="is a scale, not a unit") as refused:
         read_amount("2*(10±1 dBm)")
     assert "10" in refused.value.hint
