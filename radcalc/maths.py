@@ -241,10 +241,7 @@ def smaller(x: Number, y: Number) -> Number:
 
 
 def piecewise(
-    condition: Any,
-    then: Callable[..., Number],
-    otherwise: Callable[..., Number],
-    *xs: Number,
+    condition: Any, then: Callable[..., Number], otherwise: Callable[..., Number], *xs: Number
 ) -> Number:
     """Return `then(*xs)` where the condition is true and `otherwise(*xs)` elsewhere.
 

@@ -14,10 +14,7 @@ from radcalc.api import MODULES, keywords
 
 PATH = Path(radcalc.__file__).with_suffix(".pyi")
 HEAD = '"""The public names; written by `python -m radcalc.api.stub`, do not edit."""\n'
-STANDARD = {
-    "collections.abc": ("Iterable", "Mapping", "Sequence"),
-    "typing": ("Any", "Literal"),
-}
+STANDARD = {"collections.abc": ("Iterable", "Mapping", "Sequence"), "typing": ("Any", "Literal")}
 
 
 def text() -> str:

@@ -17,10 +17,7 @@ PAGE = Page(
     QUANTITIES,
     ("heat", *BODY, "absorptance", "time", "receiver-area"),
     about="Give the radiant flux that heats a body, or how warm a flux makes it.",
-    sections={
-        "Light": QUANTITIES,
-        "Body": (*BODY, "absorptance", "receiver-area", "time"),
-    },
+    sections={"Light": QUANTITIES, "Body": (*BODY, "absorptance", "receiver-area", "time")},
     texts={
         "receiver-area": "The area that the light falls on.",
         "time": "How long it is in the light.",
@@ -42,8 +39,7 @@ def calorimeter(given: Inputs) -> Answer:
     sheet, placed = worksheet(PAGE, given), Placed()
     if sheet.lit.kind != RADIANT or sheet.lit.links:
         raise ConditionError(
-            "a calorimeter measures watts and joules",
-            mention("{flux=5W}, {energy=10J}"),
+            "a calorimeter measures watts and joules", mention("{flux=5W}, {energy=10J}")
         )
     if not given:
         hint = mention("{mass}, {specific-heat} and {temperature-rise}")
@@ -52,8 +48,6 @@ def calorimeter(given: Inputs) -> Answer:
     placed.assume("no heat is lost")
     solved = solve(sheet, LAWS, placed)
     solved.refuse_impossible(
-        "absorptance",
-        because="the body gets more heat than light",
-        hint="more light, or less heat",
+        "absorptance", because="the body gets more heat than light", hint="more light, or less heat"
     )
     return solved.answer()

@@ -15,13 +15,7 @@ from radcalc.calculators.page import FILE, Operand, Page
 from radcalc.calculators.results import absent, value
 from radcalc.calculators.solved import solve
 from radcalc.calculators.worksheet import Placed, worksheet
-from radcalc.derivation import (
-    Formula,
-    coherent_unit_of,
-    format_number,
-    format_value,
-    letter_of,
-)
+from radcalc.derivation import Formula, coherent_unit_of, format_number, format_value, letter_of
 from radcalc.errors import ConditionError, NumberError, TooMany, mention, option
 from radcalc.files.text import ENDINGS
 from radcalc.inputs.given import Inputs
@@ -59,10 +53,7 @@ PAGE = Page(
     ("exposure", "energy", *MEANS, *PEAKS),
     about="Add up samples of light in time: exposure, energy, daily light integral.",
     operand=Operand("file", "FILE|-", FILE, ENDINGS),
-    sections={
-        "Times": ("max-gap",),
-        "Light": ("receiver-area", *LINKS, *REFINEMENTS),
-    },
+    sections={"Times": ("max-gap",), "Light": ("receiver-area", *LINKS, *REFINEMENTS)},
     takes_lines=False,
 )
 # What people read an exposure or an energy in, by the unit that is shown beside it.

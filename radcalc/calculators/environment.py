@@ -300,10 +300,7 @@ class _Surroundings:
             values.append(self._error(irradiance.error))
         steps = [*self._steps(normal, irradiance.value, mean), *results.steps]
         return Answer(
-            values,
-            (*self.assumptions, *results.assumptions),
-            (*self.notes, *results.notes),
-            steps,
+            values, (*self.assumptions, *results.assumptions), (*self.notes, *results.notes), steps
         )
 
     def irradiance_map(self, order: int | None, progress: "Progress | None") -> RenderedMap:
@@ -386,12 +383,7 @@ class _Surroundings:
         }
         results = self._show_light(ends)
         picture = Picture(
-            floats,
-            self.environment.channels,
-            self.environment.weights,
-            "",
-            unit,
-            projection,
+            floats, self.environment.channels, self.environment.weights, "", unit, projection
         )
         answer = Answer(
             [row for end in ends for row in results.values[end]],

@@ -8,14 +8,7 @@ from radcalc.calculators.results import known, value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import format_number
-from radcalc.errors import (
-    ConditionError,
-    HorizonCuts,
-    MissingInput,
-    NumberError,
-    TooNear,
-    mention,
-)
+from radcalc.errors import ConditionError, HorizonCuts, MissingInput, NumberError, TooNear, mention
 from radcalc.geometry import cones, far_field
 from radcalc.inputs.given import Inputs, angle_of, at_most_one, half_angle_of, one_of
 from radcalc.laws import etendue as laws_of
@@ -47,9 +40,7 @@ PAGE = Page(
         "Light": ("etendue", "radiance", "flux"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
-    texts={
-        "flux": "The flux of the beam.",
-    },
+    texts={"flux": "The flux of the beam."},
     examples=(
         "area=1mm2 half-angle=90deg",
         "diameter=200um na=0.22",

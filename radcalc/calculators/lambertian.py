@@ -80,9 +80,7 @@ PAGE = Page(
         ),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
-    texts={
-        "half-angle": "Half angle of the part of a hemisphere that shines, about its zenith.",
-    },
+    texts={"half-angle": "Half angle of the part of a hemisphere that shines, about its zenith."},
     draws=True,
     examples=(
         "radiance=2.0e7W/m2/sr",

@@ -22,9 +22,7 @@ PAGE = Page(
     "it.",
     operand=Operand("wavelength", "WAVELENGTH|FREQUENCY|WAVENUMBER|ENERGY", QUANTITY),
     sections={"Light": ("observer",)},
-    texts={
-        "observer": "Whose eyes the luminous efficiency is for.",
-    },
+    texts={"observer": "Whose eyes the luminous efficiency is for."},
     draws=True,
     examples=(
         "555nm",

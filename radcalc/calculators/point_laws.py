@@ -43,11 +43,7 @@ def require_height(solved: Solved) -> None:
 
 
 def solve_facing(
-    sheet: Worksheet,
-    laws: list[AnyLaw],
-    placed: Placed,
-    any_incidence: bool,
-    is_flat: bool,
+    sheet: Worksheet, laws: list[AnyLaw], placed: Placed, any_incidence: bool, is_flat: bool
 ) -> list[Solved]:
     """Return every solution; without an incidence light comes along the receiver's normal.
 

@@ -31,12 +31,7 @@ from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.task import Task, Wants
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, worksheet
 from radcalc.derivation import coherent_unit_of, format_number, format_value
-from radcalc.errors import (
-    ConditionError,
-    MissingInput,
-    RadcalcError,
-    mention,
-)
+from radcalc.errors import ConditionError, MissingInput, RadcalcError, mention
 from radcalc.geometry import cones
 from radcalc.inputs.given import Inputs, angle_of
 from radcalc.laws.law import AnyLaw

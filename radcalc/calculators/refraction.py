@@ -31,9 +31,7 @@ PAGE = Page(
     goal="index",
     about="Give angles, reflectances and transmittances at a surface between two media.",
     sections={"Media": ("index",), "Angles": ANGLES},
-    texts={
-        "incidence": ("60deg", "Angle between the incident light and the normal."),
-    },
+    texts={"incidence": ("60deg", "Angle between the incident light and the normal.")},
     examples=(
         "index=1.52 incidence=60deg",
         "index=1.52 incidence=0deg:80deg:10deg get=slab-transmittance:%",

@@ -23,9 +23,7 @@ PAGE = Page(
     about="Add up the light of many sources at points, or over a grid of them.",
     operand=Operand("file", "FILE.csv", FILE, ENDINGS),
     sections={"The points": ("grid", "normal"), "Kinds of light": (*LINKS, *REFINEMENTS)},
-    texts={
-        "normal": "Where the receivers face (0,0,1: up).",
-    },
+    texts={"normal": "Where the receivers face (0,0,1: up)."},
     draws=True,
     takes_lines=False,
 )

@@ -250,8 +250,7 @@ def _unit(name: str, title: str, where: str) -> Unit | None:
         ) from None
     if unit.dimension not in symbol.dimensions or unit.dimension == NUMBER:
         raise ConditionError(
-            f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}",
-            example,
+            f"{where}, column '{quote(title)}': takes {symbol.takes}, not {describe(unit)}", example
         )
     return unit if _name(matched.name) == name else None
 
@@ -508,13 +507,7 @@ class Reader:
         return float(factor.value)
 
     def patch(
-        self,
-        label: str,
-        row: Row,
-        given: Inputs,
-        strength: Input | None,
-        place: Vector,
-        pose: Pose,
+        self, label: str, row: Row, given: Inputs, strength: Input | None, place: Vector, pose: Pose
     ) -> Source:
         """A Lambertian patch: a rectangle, which is exact, or an area that is small."""
         sides = [given[name].value for name in ("width", "length") if name in given]

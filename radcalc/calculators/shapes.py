@@ -7,14 +7,7 @@ from typing import Any, NamedTuple
 
 from radcalc.calculators.worksheet import OFFSETS, Placed, Worksheet, refuse_slant_for_height
 from radcalc.derivation import Formula, format_number
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    HorizonCuts,
-    MissingInput,
-    mention,
-    option,
-)
+from radcalc.errors import ConditionError, Exclusive, HorizonCuts, MissingInput, mention, option
 from radcalc.geometry import cones, far_field, projected, solid, spheres
 from radcalc.inputs.given import Inputs, angle_of, half_angle_of, offset_of, one_of, radius_of
 from radcalc.laws.cones import CONE, PROJECTED_CONE

@@ -13,15 +13,7 @@ from radcalc.calculators.results import absent
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_angle, format_number
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    MissingInput,
-    Unused,
-    mention,
-    option,
-    quote,
-)
+from radcalc.errors import ConditionError, Exclusive, MissingInput, Unused, mention, option, quote
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.directions import UP, cartesian
 from radcalc.geometry.numerics.vectors import Vector, dot, unit
@@ -136,12 +128,7 @@ PAGE = Page(
     about="Give the light of the sky from a direction, on the ground and on a plane.",
     operand=OPERAND,
     sections={
-        "Light": (
-            "zenith-radiance",
-            "horizontal-irradiance",
-            "radiance-toward",
-            "irradiance",
-        ),
+        "Light": ("zenith-radiance", "horizontal-irradiance", "radiance-toward", "irradiance"),
         "Sun": (
             "sun-elevation",
             "sun-azimuth",

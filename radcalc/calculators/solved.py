@@ -10,13 +10,7 @@ from radcalc.calculators.missing import Search
 from radcalc.calculators.results import known, value
 from radcalc.calculators.worksheet import Placed, Remarks, Worksheet
 from radcalc.derivation import coherent_unit_of, digits_apart, format_number, format_value
-from radcalc.errors import (
-    ConditionError,
-    Contradiction,
-    option,
-    options,
-    quote,
-)
+from radcalc.errors import ConditionError, Contradiction, option, options, quote
 from radcalc.laws import solver
 from radcalc.laws.law import AnyLaw
 from radcalc.laws.solver import Derivation, Disagreement, Solution

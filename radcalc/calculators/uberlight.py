@@ -14,16 +14,7 @@ from radcalc.calculators.results import value
 from radcalc.calculators.solved import Solved, solve
 from radcalc.calculators.worksheet import FARTHEST, Placed, Worksheet, place, worksheet
 from radcalc.derivation import Formula, format_number, format_value
-from radcalc.errors import (
-    ConditionError,
-    Exclusive,
-    Idle,
-    Unused,
-    mention,
-    option,
-    options,
-    quote,
-)
+from radcalc.errors import ConditionError, Exclusive, Idle, Unused, mention, option, options, quote
 from radcalc.geometry import uberlight as attenuations
 from radcalc.geometry.numerics.vectors import cross, dot, length, times, unit
 from radcalc.inputs.given import Inputs, angle_of
@@ -63,13 +54,7 @@ PAGE = Page(
         *(*NUMBERS, "superellipse", "shear", "normal", "incidence"),
     ),
     ("intensity", "irradiance", "intensity-toward"),
-    (
-        "attenuation",
-        *(f"{part}-attenuation" for part in PARTS),
-        "distance",
-        "incidence",
-        *NUMBERS,
-    ),
+    ("attenuation", *(f"{part}-attenuation" for part in PARTS), "distance", "incidence", *NUMBERS),
     goal="attenuation",
     about='Give what a cinematographer\'s light ("uberlight") sends to points.',
     operand=Operand("point", "X,Y,Z ..."),
@@ -80,9 +65,7 @@ PAGE = Page(
         "Receiver": ("normal", "incidence"),
         "Kinds of light": (*LINKS, *REFINEMENTS),
     },
-    texts={
-        "normal": "Normal of the receiver (it faces the light).",
-    },
+    texts={"normal": "Normal of the receiver (it faces the light)."},
     takes_lines=False,
     examples=(
         "0,0,4 intensity=1000cd",
@@ -132,9 +115,7 @@ RECTANGLE = Formula(
 )
 BEAM = Formula("beam", "{beam-attenuation} = (z / {distance})^{beam-exponent}", BARZEL)
 FALLOFF = Formula(
-    "fall-off",
-    "{falloff-attenuation} = ({falloff-distance} / {distance})^{falloff}",
-    BARZEL,
+    "fall-off", "{falloff-attenuation} = ({falloff-distance} / {distance})^{falloff}", BARZEL
 )
 HELD = Formula(
     "fall-off, held to its maximum",

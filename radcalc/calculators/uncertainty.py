@@ -289,11 +289,7 @@ class _Run:
             yield from self._bend(numbers, where, shift, part.size * factor)
 
     def _bend(
-        self,
-        numbers: Numbers,
-        named: str,
-        shift: Callable[[float], float | None],
-        rise: float,
+        self, numbers: Numbers, named: str, shift: Callable[[float], float | None], rise: float
     ) -> Iterator[Bend]:
         """A bend where the input is shifted as a part of it is moved; it is taken to rise so."""
 

@@ -12,11 +12,7 @@ from radcalc import terminal
 from radcalc.cli.group import commands, protect_negatives
 from radcalc.cli.help import COMMANDS, HELP_NAMES
 from radcalc.cli.spelling import Shell
-from radcalc.errors import (
-    MissingUnit,
-    RadcalcError,
-    UsageError,
-)
+from radcalc.errors import MissingUnit, RadcalcError, UsageError
 from radcalc.errors import manual as mention_help
 
 TYPE_CHECKING = False  # typing.TYPE_CHECKING, without the cost of importing typing

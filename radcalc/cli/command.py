@@ -12,14 +12,7 @@ from radcalc.cli.help import Helped
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
 from radcalc.errors import UsageError, mention, quote
-from radcalc.quantities.symbols import (
-    CHOICE,
-    FLAG,
-    SPECIFIC,
-    Symbol,
-    light_unit,
-    names_of_kinds,
-)
+from radcalc.quantities.symbols import CHOICE, FLAG, SPECIFIC, Symbol, light_unit, names_of_kinds
 
 GET = click.Option(
     ["-g", "--get", "wanted"],
@@ -165,11 +158,7 @@ class SectionedCommand(Helped):
     """Options are listed under the titles of `sections`."""
 
     def __init__(
-        self,
-        *args: Any,
-        sections: dict[str, Sequence[click.Option]],
-        page: Page,
-        **kwargs: Any,
+        self, *args: Any, sections: dict[str, Sequence[click.Option]], page: Page, **kwargs: Any
     ) -> None:
         super().__init__(*args, **kwargs)
         self.sections = sections

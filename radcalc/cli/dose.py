@@ -66,9 +66,7 @@ TIME_FORMAT = click.Option(
     help="How dates are written, as strptime has it: %d/%m/%Y %H:%M.",
 )
 BY = click.Option(
-    ["--by"],
-    type=click.Choice(PERIODS),
-    help="An answer for each local day, or each hour.",
+    ["--by"], type=click.Choice(PERIODS), help="An answer for each local day, or each hour."
 )
 HELP = """\
 \b
@@ -227,9 +225,7 @@ def _summed(log: Log, longest: float, by: str) -> page.SummedLog:
     page.check_unit(log.layout.unit)
     top, bottom = clock.tick
     dose = page.Dose(
-        longest * bottom / top,
-        longest < inf,
-        (lambda time: clock.period(time, by)) if by else None,
+        longest * bottom / top, longest < inf, (lambda time: clock.period(time, by)) if by else None
     )
     for samples in log.samples():
         if samples:

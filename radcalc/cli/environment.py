@@ -42,10 +42,7 @@ TO = click.Option(
 @define(
     "environment",
     page.PAGE,
-    {
-        **page.PAGE.sections,
-        "Maps that are written": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size"),
-    },
+    {**page.PAGE.sections, "Maps that are written": (IRRADIANCE_MAP, ORDER, REPROJECT, TO, "size")},
 )
 def command(
     words: tuple[str, ...],

@@ -86,10 +86,7 @@ class Output(NamedTuple):
         """Write whether an answer is right; the listener hears the right one."""
         self.hear([Result((judgement.right,))])
         remarks = Result(
-            (),
-            tuple(judgement.assumptions),
-            tuple(judgement.notes),
-            judgement.verdict.steps,
+            (), tuple(judgement.assumptions), tuple(judgement.notes), judgement.verdict.steps
         ).spelled(spelled)
         judgement = judgement._replace(assumptions=remarks.assumptions, notes=remarks.notes)
         terminal.write(renderer(self.format).verdict(judgement, self._on_terminal()))

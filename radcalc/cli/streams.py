@@ -32,11 +32,7 @@ if TYPE_CHECKING:
 
 
 def convert(
-    words: list[str],
-    options: LineOptions,
-    cases: Sequence[Case],
-    steps: bool,
-    output: Output,
+    words: list[str], options: LineOptions, cases: Sequence[Case], steps: bool, output: Output
 ) -> int:
     """Convert standard input; return the exit status."""
     from radcalc.streams.readers import Numbers, Quantities, Texts

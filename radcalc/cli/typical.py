@@ -12,9 +12,7 @@ from radcalc.render.formats import CSV, JSON, Records
 
 
 @define(
-    "typical",
-    Page(operand=Operand("search", "[SEARCH]", CHOICE, searches())),
-    calculates=False,
+    "typical", Page(operand=Operand("search", "[SEARCH]", CHOICE, searches())), calculates=False
 )
 def command(words: tuple[str, ...], output: Output) -> None:
     """List typical values: sun, sky, rooms, lamps, screens, plants, with sources.

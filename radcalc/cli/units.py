@@ -10,10 +10,7 @@ from radcalc.render.formats import Records
 
 
 @define("units", Page(operand=Operand("search", "[SEARCH]", SEARCH)), calculates=False)
-def command(
-    words: tuple[str, ...],
-    output: Output,
-) -> None:
+def command(words: tuple[str, ...], output: Output) -> None:
     """List the units, with their definitions and sources.
 
     \b

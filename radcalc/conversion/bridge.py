@@ -41,10 +41,7 @@ WANTED = {
     PUPIL: ("the pupil's diameter", option("pupil", "DIAMETER")),
     RESPONSIVITY: ("the detector's responsivity", option("responsivity", "S")),
     AREA: ("an area", option("area", "A")),
-    CONE: (
-        "a solid angle",
-        f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}",
-    ),
+    CONE: ("a solid angle", f"{option('isotropic')}, {_CONE} or {option('solid-angle', 'OMEGA')}"),
     PROJECTED: ("a projected solid angle", f"{_CONE} or {option('hemisphere')}"),
     DISTANCE: ("a distance", option("distance", "D")),
     REFLECTANCE: ("a reflectance", option("reflectance", "RHO")),

@@ -27,11 +27,7 @@ class Plan:
     is_linear = True  # which a plan between scales is not
 
     def __init__(
-        self,
-        source: Unit,
-        target: Unit,
-        factor: "Any",
-        links: "Sequence[tuple[Factor, int]]" = (),
+        self, source: Unit, target: Unit, factor: "Any", links: "Sequence[tuple[Factor, int]]" = ()
     ) -> None:
         """Hold the plan; the notes are those of the units and of the conditions."""
         self.source = source

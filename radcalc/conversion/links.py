@@ -54,13 +54,7 @@ from radcalc.quantities.light import (
     is_incident,
     read,
 )
-from radcalc.units.dimensions import (
-    ANGLE,
-    CHARGE,
-    CURRENT,
-    PER_TIME,
-    SOLID_ANGLE,
-)
+from radcalc.units.dimensions import ANGLE, CHARGE, CURRENT, PER_TIME, SOLID_ANGLE
 from radcalc.units.unit import Unit
 
 # ---------------------------------------------------------------------------------------------

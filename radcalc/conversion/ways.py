@@ -78,14 +78,8 @@ FLUX, INTENSITY, IRRADIANCE, RADIANCE = (0, 0), (0, 1), (1, 0), (1, 1)
 # From the first geometry (powers of 1/area and 1/solid angle) to the second; back, the powers
 # change their sign.  Of the ways that begin with what is given, the first two are suggested.
 WAYS = {
-    (FLUX, INTENSITY): (
-        Way({CONE: -1}, PLAIN),
-        Way({AREA: -1, DISTANCE: -1}, RECEIVED, False),
-    ),
-    (FLUX, IRRADIANCE): (
-        Way({AREA: -1}, PLAIN),
-        Way({CONE: -1, DISTANCE: 1}, PLAIN),
-    ),
+    (FLUX, INTENSITY): (Way({CONE: -1}, PLAIN), Way({AREA: -1, DISTANCE: -1}, RECEIVED, False)),
+    (FLUX, IRRADIANCE): (Way({AREA: -1}, PLAIN), Way({CONE: -1, DISTANCE: 1}, PLAIN)),
     (FLUX, RADIANCE): (
         Way({AREA: -1, REFLECTANCE: 1}, PLAIN),
         Way({AREA: -1, CONE: -1}, AT_RADIANCE),

@@ -6,13 +6,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import (
-    ALL_AZIMUTHS,
-    ALL_POLAR,
-    Interval,
-    Peak,
-    integrated,
-)
+from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak, integrated
 from radcalc.errors import ConditionError, quote
 from radcalc.geometry.directions import TURN, cartesian
 from radcalc.geometry.numerics.cubature import Integral, Steps, narrowest

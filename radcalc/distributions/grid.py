@@ -5,13 +5,7 @@ from typing import Any
 
 import numpy
 
-from radcalc.distributions.distribution import (
-    ALL_AZIMUTHS,
-    ALL_POLAR,
-    Interval,
-    Peak,
-    integrated,
-)
+from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Interval, Peak, integrated
 from radcalc.errors import ConditionError
 from radcalc.geometry.directions import TURN, cartesian, spherical
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral

@@ -7,13 +7,7 @@ import math
 
 import numpy
 
-from radcalc.distributions.distribution import (
-    ALL_AZIMUTHS,
-    ALL_POLAR,
-    Distribution,
-    Interval,
-    Peak,
-)
+from radcalc.distributions.distribution import ALL_AZIMUTHS, ALL_POLAR, Distribution, Interval, Peak
 from radcalc.geometry import cones, lobes
 from radcalc.geometry.numerics.cubature import ROUNDING, Integral
 from radcalc.geometry.solid import zone

@@ -52,11 +52,7 @@ class Sky:
     coverage = 0.5
 
     def __init__(
-        self,
-        name: str,
-        sun: tuple[float, float] | None = None,
-        zenith: float = 1.0,
-        kind: str = "",
+        self, name: str, sun: tuple[float, float] | None = None, zenith: float = 1.0, kind: str = ""
     ) -> None:
         self.type = geometry.sky_type(name)
         if self.type.follows_sun and sun is None:

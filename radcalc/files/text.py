@@ -72,11 +72,7 @@ class Text:
     """The text of a file: UTF-8, UTF-16 with a byte order mark, or what is neither as Latin-1."""
 
     def __init__(
-        self,
-        name: str,
-        read: Callable[[int], bytes],
-        row: str,
-        largest: float = MOST_BYTES,
+        self, name: str, read: Callable[[int], bytes], row: str, largest: float = MOST_BYTES
     ) -> None:
         """Hold what reads so many bytes of the file, none at its end.
 

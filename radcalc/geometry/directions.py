@@ -13,16 +13,7 @@ import math
 from radcalc.errors import ConditionError, option
 from radcalc.geometry.cones import refuse
 from radcalc.geometry.numerics.vectors import Vector, dot, length, minus, plus, scaled, times, unit
-from radcalc.maths import (
-    SLACK,
-    Number,
-    any_true,
-    atan2,
-    cos,
-    hypot,
-    piecewise,
-    sin,
-)
+from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise, sin
 
 TURN = 2 * math.pi  # [rad]
 UP: Vector = (0.0, 0.0, 1.0)

@@ -21,14 +21,7 @@ tests hold them to a relative 1e-12 of references that are computed with 80 digi
 import math
 from typing import Any
 
-from radcalc.geometry.cones import (
-    HEMISPHERE,
-    bounded,
-    check_tilt,
-    cone_of,
-    facing,
-    refuse,
-)
+from radcalc.geometry.cones import HEMISPHERE, bounded, check_tilt, cone_of, facing, refuse
 from radcalc.geometry.numerics.special import cel
 from radcalc.maths import (
     SLACK,
@@ -328,11 +321,7 @@ def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
 
 @bounded
 def rectangle(
-    width: Number,
-    length: Number,
-    height: Number,
-    offset: Number = 0.0,
-    offset_y: Number = 0.0,
+    width: Number, length: Number, height: Number, offset: Number = 0.0, offset_y: Number = 0.0
 ) -> Number:
     """Solid angle of a rectangle, from a point on its axis or off it.
 

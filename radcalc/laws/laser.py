@@ -155,11 +155,7 @@ PEAKS = {
     ],
     UNIFORM: [
         law("peak of a uniform beam", "{peak-irradiance} = 4 {flux} / (pi {spot-diameter}^2)"),
-        law(
-            "limit of a uniform beam",
-            "{limit} = 4 {flux} / (pi {limit-diameter}^2)",
-            RANGE,
-        ),
+        law("limit of a uniform beam", "{limit} = 4 {flux} / (pi {limit-diameter}^2)", RANGE),
     ],
 }
 SPREAD = {profile: _spread(profile, "spot-diameter", DISTANCE) for profile in SPREADS}

@@ -252,9 +252,7 @@ def _disc_heights(at: At) -> Any:
     refuse_arrays("heights", half, rest)
     within = square(half) - rest
     cones.refuse(
-        within < 0 or (half <= 0 <= rest),
-        "more irradiance than at any height there",
-        TOO_MUCH[1],
+        within < 0 or (half <= 0 <= rest), "more irradiance than at any height there", TOO_MUCH[1]
     )
     far = half + sqrt(within) if half > 0 else -rest / (sqrt(within) - half)
     return Several((rest / far, far)) if rest > 0 and rest < far * far else far

@@ -95,10 +95,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     dot = outer / (radius - 1)
     top = 5 if is_half else 2 * rows
     sheet = Sheet(
-        columns,
-        rows,
-        (-columns * dot, columns * dot),
-        ((top - 4 * rows) * dot, top * dot),
+        columns, rows, (-columns * dot, columns * dot), ((top - 4 * rows) * dot, top * dot)
     )
     grid = sheet.layer(DIM, BEHIND)
     reach = RIGHT if is_half else 180.0
@@ -127,11 +124,7 @@ def _polar(polar: Polar, style: Style) -> list[str]:
     indent = " " * ((style.width - columns) // 2)
     caption_text = f"{polar.radius.title}, circles every {names[0]}"
     lines = [*heading(polar.title, style), *(indent + line for line in sheet.lines(style))]
-    return [
-        *lines,
-        *caption(caption_text, 0, style.width),
-        *legend(entries, style),
-    ]
+    return [*lines, *caption(caption_text, 0, style.width), *legend(entries, style)]
 
 
 def _turned(size: float, angle: float) -> Point:
@@ -255,11 +248,7 @@ def _on_ramp(k: int, count: int) -> str:
 
 
 def _name_contour(
-    sheet: Sheet,
-    places: list[Point],
-    name: str,
-    color: str,
-    taken: list[tuple[int, int]],
+    sheet: Sheet, places: list[Point], name: str, color: str, taken: list[tuple[int, int]]
 ) -> None:
     """Write a contour's number where it is farthest from those of others and from the edges."""
     half = len(name) // 2
@@ -341,10 +330,7 @@ def _chart(chart: Chart, style: Style) -> list[str]:
     columns = style.width - margin - 1
     x_ends, x_ticks = _ends(chart.x, places, max(columns // 10, 2), is_round=False)
     sheet = Sheet.between(
-        columns,
-        rows,
-        (x_of(x_ends[0]), x_of(x_ends[1])),
-        (y_of(y_ends[0]), y_of(y_ends[1])),
+        columns, rows, (x_of(x_ends[0]), x_of(x_ends[1])), (y_of(y_ends[0]), y_of(y_ends[1]))
     )
     for label, place in chart.marks:
         _upright(sheet, x_of(place), label)

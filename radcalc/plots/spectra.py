@@ -107,10 +107,7 @@ def _ends(places: Sequence[Sequence[float]], limits: Range) -> Range:
     """The wavelengths to be shown: those of the spectra, and all that is seen."""
     if limits != WHOLE and limits[1] < math.inf:
         return limits
-    return (
-        min(VISIBLE[0], *(x[0] for x in places)),
-        max(VISIBLE[1], *(x[-1] for x in places)),
-    )
+    return (min(VISIBLE[0], *(x[0] for x in places)), max(VISIBLE[1], *(x[-1] for x in places)))
 
 
 def _thermal(bodies: Sequence[BlackBody], limits: Range) -> Range:

@@ -64,12 +64,7 @@ LUMENS = re.compile(WORD.format("(?:lux|lx|lumens?|lm|candelas?|(?:il)?luminance
 SHORT = {"Watt": "W", "Mol": "mol"}
 KNOWN = "values in W/m2/nm, umol/m2/s/nm or the like"
 # The radiant quantity by the powers of 1/area and 1/solid angle.
-QUANTITIES = {
-    (0, 0): "flux",
-    (0, 1): "intensity",
-    (1, 0): "irradiance",
-    (1, 1): "radiance",
-}
+QUANTITIES = {(0, 0): "flux", (0, 1): "intensity", (1, 0): "irradiance", (1, 1): "radiance"}
 
 
 class Meaning(NamedTuple):

@@ -20,10 +20,7 @@ def clip(grid: Grid, values: Grid, low: float, high: float) -> tuple[list[float]
         return [], []
     first, last = bisect_right(grid, low), bisect_left(grid, high)
     inner, inner_values = list(grid[first:last]), list(values[first:last])
-    return (
-        [low, *inner, high],
-        [at(grid, values, low), *inner_values, at(grid, values, high)],
-    )
+    return ([low, *inner, high], [at(grid, values, low), *inner_values, at(grid, values, high)])
 
 
 def at(grid: Grid, values: Grid, place: float) -> float:

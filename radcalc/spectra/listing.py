@@ -100,8 +100,7 @@ def search(text: str = "") -> list[Named]:
     words = {word for spectrum in spectra for word in comparable(spectrum.words).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
-        f"no named spectrum is '{quote(text)}'",
-        ", ".join(near) or command("spectrum", list=""),
+        f"no named spectrum is '{quote(text)}'", ", ".join(near) or command("spectrum", list="")
     )
 
 

@@ -160,8 +160,7 @@ class Header:
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
                 raise UsageError(
-                    f"{WHERE} has no unit for '{quote(titles[0].text)}'",
-                    self.call("UNIT"),
+                    f"{WHERE} has no unit for '{quote(titles[0].text)}'", self.call("UNIT")
                 )
             if not self.is_known:
                 problem = f"{WHERE} tells no unit for the results"

@@ -1,13 +1,6 @@
 """Amounts without uncertainties: a number and its unit, an expression, a reading on a scale."""
 
-from radcalc.errors import (
-    MINUS,
-    NumberError,
-    RadcalcError,
-    UnitError,
-    command,
-    quote,
-)
+from radcalc.errors import MINUS, NumberError, RadcalcError, UnitError, command, quote
 from radcalc.units.amount import Amount
 from radcalc.units.numbers import DIGITS, SIGNS_OF_UNCERTAINTY, split_quantity
 from radcalc.units.table import resolve, unit_of

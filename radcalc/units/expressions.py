@@ -16,14 +16,7 @@ import math
 from radcalc.errors import ExpressionError, NumberError, UnitError, command, measured, quote
 from radcalc.units.compiled import NAMES
 from radcalc.units.dimensions import ANGLE
-from radcalc.units.grammar import (
-    MAX_DEPTH,
-    NAMED,
-    SUPERSCRIPTS,
-    Scanner,
-    parse_unit,
-    plain,
-)
+from radcalc.units.grammar import MAX_DEPTH, NAMED, SUPERSCRIPTS, Scanner, parse_unit, plain
 from radcalc.units.numbers import (
     CALLS,
     DIGITS,
@@ -287,8 +280,7 @@ class Calculator(Scanner):
         if sign < 0:
             named.reverse()
         raise ExpressionError(
-            f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}",
-            hint,
+            f"cannot {'add' if sign > 0 else 'subtract'} {link.join(named)}", hint
         )
 
     def refuse_share(
