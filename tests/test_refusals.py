@@ -411,10 +411,10 @@ COMMANDS = {
     "an expression that has no value is refused": ("integrate 1/(x-x) --sphere", "no value"),
     "what is not per solid angle is not integrated over it": (
         "integrate z --sphere --unit lx", "illuminance (lx) is nothing per solid angle"),
-    "an attribute cannot stand in an expression": ("integrate x.real --sphere", "cannot stand"),
-    "a long chain of attributes cannot stand in an expression": (
-        "integrate " + "x" + ".a" * 490 + " --sphere", "cannot stand"),
-    "no number called nan stands in an expression": ("integrate nan --sphere", "nan"),
+    "an attribute is not allowed in an expression": ("integrate x.real --sphere", "is not allowed"),
+    "a long chain of attributes is not allowed in an expression": (
+        "integrate " + "x" + ".a" * 490 + " --sphere", "is not allowed"),
+    "the name nan is not allowed in an expression": ("integrate nan --sphere", "nan"),
     # --check
     "a tolerance does not apply where nothing is checked": (
         "solid-angle cone --half-angle 25deg --tolerance 3sf",
@@ -463,7 +463,7 @@ COMMANDS = {
     "an intensity comes from no direction": (
         "environment cos(theta/2) cd", "not a radiance", "'cos(theta/2) cd/m2'"),
     "there are fifteen types of sky and some names": (
-        "environment sky:cloudy", "'cloudy' is no sky", "overcast"),
+        "environment sky:cloudy", "unknown sky 'cloudy'", "overcast"),
     "a clear sky is bright about the sun": ("environment sky:clear", "--sun-elevation 40deg"),
     "which has an azimuth as well": (
         "environment sky:clear --sun-elevation 40deg", "the sun's azimuth", "--sun-azimuth 180deg"),

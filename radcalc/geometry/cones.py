@@ -1,7 +1,7 @@
-"""Cones [sr], which is how a sphere is seen, and the cosine of the light on a surface.
+"""Cones [sr], the cosine of the light on a surface, and range checks.
 
-Angles in radians; every argument is a float or an array, and arrays are broadcast together.
-These are the parts of the geometry that a conversion needs; the other shapes are in `solid` and
+Angles are in radians; every argument is a float or an array, and arrays are broadcast together.
+A conversion needs only these parts of the geometry; the other shapes are in `solid` and
 `projected`.
 """
 
@@ -27,16 +27,14 @@ from radcalc.maths import (
 
 FULL = 4 * math.pi  # [sr] all directions
 HEMISPHERE = 2 * math.pi  # [sr] all directions on one side of a plane
-# Arguments that are held to a least size besides the largest.
+# Names of arguments that have a lower limit as well as an upper one.
 SIZES = {"radius", "other", "distance", "height", "width", "length", "area", "reach"}
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 def refuse(bad: Any, message: str, hint: str) -> None:
-    """Raise a `ConditionError` where a comparison holds.
-
-    All range checks of this package go through here, for floats and arrays alike.
+    """Raise a `ConditionError` if a comparison holds for any element.
 
     Parameters
     ----------
@@ -44,9 +42,9 @@ def refuse(bad: Any, message: str, hint: str) -> None:
         The comparison that must not hold, such as ``radius < 0``.  A comparison with NaN is
         false, so NaN passes.
     message : str
-        What is wrong.
+        Message of the error.
     hint : str
-        What would be right, shown after ``try:``.
+        Valid values, shown after ``try:``.
 
     Raises
     ------
@@ -56,11 +54,11 @@ def refuse(bad: Any, message: str, hint: str) -> None:
     Examples
     --------
     >>> from radcalc.geometry.cones import refuse
-    >>> refuse(2.0 < 0, "a negative radius is out of range", "0 or more")
-    >>> refuse(-1.0 < 0, "a negative radius is out of range", "0 or more")
+    >>> refuse(2.0 < 0, "the radius is out of range", "0 or more")
+    >>> refuse(-1.0 < 0, "the radius is out of range", "0 or more")
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: a negative radius is out of range
+    radcalc.errors.ConditionError: the radius is out of range
     try: 0 or more
     """
     if any_true(bad):
@@ -68,22 +66,22 @@ def refuse(bad: Any, message: str, hint: str) -> None:
 
 
 def bounded(function: F) -> F:
-    """Hold what a function of sizes and angles is given to what floats reckon with.
+    """Make a function refuse sizes and angles too large or too small for its formulas.
 
     Parameters
     ----------
     function : callable
-        Takes floats and arrays, and perhaps None or a tuple, which is let through.
+        Takes floats and arrays; None and tuples among its arguments are not checked.
 
     Returns
     -------
     callable
-        The same function; of a NaN it gives NaN.
+        The same function; NaN gives NaN.
 
     Raises
     ------
     ConditionError
-        When that is called with what is above 1e100, or a size that is below 1e-100 and not 0.
+        If it is called with a value above 1e100, or a size below 1e-100 that is not 0.
 
     Examples
     --------
@@ -91,7 +89,7 @@ def bounded(function: F) -> F:
     >>> solid.disc(1.0, float("inf"))
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: a size of inf is beyond what radcalc reckons with
+    radcalc.errors.ConditionError: a size of inf is out of range
     try: sizes from 1e-100 to 1e+100
     """
 
@@ -107,7 +105,7 @@ def bounded(function: F) -> F:
             if any_true((far > LARGEST) | ((far < least) & (far > 0))):
                 size_text = f"a size of {size}" if isinstance(size, float) else "one of the sizes"
                 raise ConditionError(
-                    f"{size_text} is beyond what radcalc reckons with",
+                    f"{size_text} is out of range",
                     f"sizes from {1 / LARGEST:g} to {LARGEST:g}",
                 )
             if isinstance(size, float) and size != size:
@@ -118,7 +116,7 @@ def bounded(function: F) -> F:
 
 
 def cone(half_angle: Number) -> Number:
-    """Solid angle of a circular cone, which is that of the spherical cap it cuts out.
+    """Return the solid angle of a circular cone.
 
     Parameters
     ----------
@@ -142,9 +140,9 @@ def cone(half_angle: Number) -> Number:
 
         Omega = 2 pi (1 - cos(alpha)) = 4 pi sin^2(alpha/2)
 
-    Exact for every half angle.  The second form is the one computed: for a narrow cone cos(alpha)
-    rounds to 1 and the difference loses its digits (below 1e-8 rad all of them).  The flux of a
-    source of uniform intensity I within the cone is I Omega.
+    Exact for every half angle.  The second form is computed: for a narrow cone cos(alpha) rounds
+    to 1 and the difference loses its digits (below 1e-8 rad all of them).  A source of uniform
+    intensity I sends the flux I Omega into the cone.
 
     References
     ----------
@@ -166,12 +164,12 @@ def cone(half_angle: Number) -> Number:
     3.141592653589793e-18
     """
     bad = (half_angle < 0) | (half_angle > math.pi * (1 + SLACK))
-    refuse(bad, "a cone of that half angle is out of range", "from 0 to 180 deg")
+    refuse(bad, "the half angle of the cone is out of range", "from 0 to 180 deg")
     return FULL * square(sin(half_angle / 2))
 
 
 def cone_of(solid_angle: Number) -> Number:
-    """Half angle of the circular cone of a given solid angle; the inverse of `cone`.
+    """Return the half angle of the circular cone with a given solid angle; the inverse of `cone`.
 
     Parameters
     ----------
@@ -186,8 +184,8 @@ def cone_of(solid_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If a solid angle is negative or above 4 pi.  A relative excess of 1e-12 is taken as
-        4 pi, so that 12.566370614360 sr, as somebody types it, is accepted.
+        If a solid angle is negative or above 4 pi by more than a relative 1e-12: a typed
+        12.566370614360 sr is accepted as 4 pi.
 
     Notes
     -----
@@ -195,9 +193,9 @@ def cone_of(solid_angle: Number) -> Number:
 
         alpha = 2 arcsin(sqrt(Omega / (4 pi)))
 
-    Exact.  Small solid angles keep their digits.  Close to 4 pi the problem itself is badly
-    conditioned: the angle of the cone left out is as the square root of the solid angle left out,
-    so a rounding of 1e-16 in Omega is 1e-8 rad in alpha.
+    Exact.  Small solid angles keep their digits.  Close to 4 pi the problem is badly conditioned:
+    pi - alpha grows as the square root of 4 pi - Omega, so a relative rounding of 1e-16 in Omega
+    becomes 1e-8 rad in alpha.
 
     References
     ----------
@@ -214,27 +212,27 @@ def cone_of(solid_angle: Number) -> Number:
     """
     part = solid_angle / FULL
     bad = (part < 0) | (part > 1 + SLACK)
-    refuse(bad, "a cone of that solid angle is out of range", "from 0 to 4pi sr")
+    refuse(bad, "the solid angle of the cone is out of range", "from 0 to 4pi sr")
     return 2 * asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
 
 
 def projected_cone(half_angle: Number) -> Number:
-    """Projected solid angle of a cone, onto the plane across its axis.
+    """Return the projected solid angle of a cone onto the plane perpendicular to its axis.
 
     Parameters
     ----------
     half_angle : float or ndarray [rad]
-        From the axis to the edge, from 0 to pi; what is behind the plane does not count.
+        From the axis to the edge, from 0 to pi; only directions in front of the plane count.
 
     Returns
     -------
     float or ndarray [sr]
-        From 0 to pi, which it is from a half angle of pi/2 on.
+        From 0 to pi; pi for half angles from pi/2 on.
 
     Raises
     ------
     ConditionError
-        A half angle outside 0 to pi.
+        If a half angle is outside 0 to pi.
 
     Notes
     -----
@@ -242,8 +240,8 @@ def projected_cone(half_angle: Number) -> Number:
 
         Omega_p = pi sin^2(alpha)
 
-    The integral of cos(theta) over the cone: what a uniform radiance is multiplied by to give the
-    irradiance on that plane (ISO 80000-7, radiance and irradiance).
+    The integral of cos(theta) over the cone: the irradiance on that plane over the uniform radiance
+    of the cone (ISO 80000-7, radiance and irradiance).
 
     Examples
     --------
@@ -254,19 +252,19 @@ def projected_cone(half_angle: Number) -> Number:
     >>> round(cones.projected_cone(math.radians(30)) / math.pi, 12)
     0.25
     """
-    cone(half_angle)  # refuses what is no cone
+    cone(half_angle)  # checks the half angle
     return math.pi * piecewise(
         half_angle < math.pi / 2, lambda a: square(sin(a)), lambda a: 1.0 + 0 * a, half_angle
     )
 
 
 def projected_cone_of(solid_angle: Number) -> Number:
-    """Half angle of the cone of a projected solid angle, up to a hemisphere.
+    """Return the half angle of the cone with a projected solid angle, up to a hemisphere.
 
     Parameters
     ----------
     solid_angle : float or ndarray [sr]
-        Projected onto the plane across the axis, from 0 to pi.
+        Projected onto the plane perpendicular to the axis, from 0 to pi.
 
     Returns
     -------
@@ -276,7 +274,7 @@ def projected_cone_of(solid_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        A projected solid angle outside 0 to pi.
+        If a projected solid angle is outside 0 to pi.
 
     Notes
     -----
@@ -293,22 +291,22 @@ def projected_cone_of(solid_angle: Number) -> Number:
     """
     part = solid_angle / math.pi
     bad = (part < 0) | (part > 1 + SLACK)
-    refuse(bad, "a cone of that projected solid angle is out of range", "from 0 to pi sr")
+    refuse(bad, "the projected solid angle of the cone is out of range", "from 0 to pi sr")
     return asin(sqrt(piecewise(part > 1, lambda p: 1.0 + 0 * p, lambda p: p, part)))
 
 
 def check_tilt(tilt: Number) -> None:
-    """Refuse an angle that is too large to be one from a normal.
+    """Refuse a tilt outside -pi to pi.
 
     Parameters
     ----------
     tilt : float or ndarray [rad]
-        Angle from a normal, to be from -pi to pi.
+        Angle from a normal.
 
     Raises
     ------
     ConditionError
-        If the size of an angle is above pi, as when degrees are taken for radians.
+        If an angle is below -pi or above pi, as when degrees are taken for radians.
 
     Examples
     --------
@@ -317,19 +315,19 @@ def check_tilt(tilt: Number) -> None:
     >>> check_tilt(45.0)
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: that tilt is out of range
+    radcalc.errors.ConditionError: the tilt is out of range
     try: from 0 to 180 deg
     """
-    refuse(abs(tilt) > math.pi * (1 + SLACK), "that tilt is out of range", "from 0 to 180 deg")
+    refuse(abs(tilt) > math.pi * (1 + SLACK), "the tilt is out of range", "from 0 to 180 deg")
 
 
 def facing(tilt: Number) -> Number:
-    """Cosine factor of a flat surface: the cosine of the incidence, 0 for light from behind.
+    """Return the cosine of the incidence on a flat surface, 0 for light on its back.
 
     Parameters
     ----------
     tilt : float or ndarray [rad]
-        Angle theta between the surface's normal and the light; the sign does not matter.
+        Angle theta between the surface's normal and the light; its sign does not matter.
 
     Returns
     -------
@@ -342,8 +340,8 @@ def facing(tilt: Number) -> Number:
 
         max(cos(theta), 0)
 
-    The projected area of a surface, over its area.  It is 0 at exactly pi/2, where the rounded
-    cosine would be 6e-17.
+    The ratio of the projected area to the area.  At exactly pi/2 it is 0, not the rounded cosine
+    6e-17.
 
     Examples
     --------

@@ -2,10 +2,11 @@
 
 As in ISO 80000-2, the polar angle theta is counted from +z, from 0 to pi, and the azimuth phi
 from +x towards +y, from 0 to 2 pi.  Elevation (altitude over the plane z = 0) is pi/2 - theta,
-and is not used here.  Angles are in radians; floats or NumPy arrays, broadcast together.
+and is not used here.  Angles are in radians; arguments are floats or NumPy arrays, broadcast
+together.
 
-Where a mirror reflects, both directions and its normal point away from it: to where the light
-comes from, and to where it goes.
+At a mirror, the normal and both directions point away from the mirror: one direction to where the
+light comes from, the other to where it goes.
 """
 
 import math
@@ -17,14 +18,17 @@ from radcalc.maths import SLACK, Number, any_true, atan2, cos, hypot, piecewise,
 
 TURN = 2 * math.pi  # [rad]
 UP: Vector = (0.0, 0.0, 1.0)
-FORWARD: Vector = (1.0, 0.0, 0.0)  # what the middle of an image shows, unless it is aimed
+FORWARD: Vector = (1.0, 0.0, 0.0)  # default direction of the middle of an image
 NO_DIRECTION = "0,0,0 has no direction", "a vector that is not zero"
 NO_NORMAL = "a normal of length 0 has no direction", option("normal", "0,0,1")
-OPPOSITE = "opposite directions are reflected by every mirror along them", "another direction"
+OPPOSITE = (
+    "opposite directions have no single mirror: any parallel to them will do",
+    "another direction",
+)
 
 
 def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
-    """Spherical coordinates of a vector: polar angle, azimuth and length.
+    """Return the spherical coordinates of a vector: polar angle, azimuth and length.
 
     Parameters
     ----------
@@ -36,15 +40,14 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     polar : float or ndarray [rad]
         Angle theta from +z, from 0 to pi.
     azimuth : float or ndarray [rad]
-        Angle phi from +x towards +y, from 0 to below 2 pi; 0 on the z axis, where every azimuth
-        would do.
+        Angle phi from +x towards +y, from 0 to below 2 pi; 0 on the z axis.
     length : float or ndarray
         Length r of the vector, in the unit of its components.
 
     Raises
     ------
     ConditionError
-        If a vector has the length 0, and so no direction.
+        If the length of a vector is 0.
 
     Notes
     -----
@@ -52,8 +55,8 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
 
         theta = arccos(z / r),  phi = atan2(y, x),  r = sqrt(x^2 + y^2 + z^2)
 
-    The polar angle is computed as atan2(sqrt(x^2 + y^2), z): next to the z axis the arccosine
-    loses half of the digits.  The lengths are taken with hypot, which does not overflow.
+    The polar angle is computed as atan2(sqrt(x^2 + y^2), z), because the arccosine loses half of
+    the digits close to the z axis.  The lengths are computed by hypot, which does not overflow.
 
     References
     ----------
@@ -74,13 +77,13 @@ def spherical(x: Number, y: Number, z: Number) -> tuple[Number, Number, Number]:
     refuse(size == 0, *NO_DIRECTION)
     azimuth = atan2(y, x)
     azimuth = piecewise(azimuth < 0, lambda a: a + TURN, lambda a: a + 0.0, azimuth)
-    # a hair below 0 would be rounded to a whole turn
+    # a tiny negative azimuth plus a turn is rounded to a whole turn
     azimuth = piecewise((azimuth >= TURN) | (across == 0), lambda a: 0.0 * a, lambda a: a, azimuth)
     return atan2(across, z), azimuth, size
 
 
 def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
-    """Unit vector of a direction that is given by its polar angle and azimuth.
+    """Return the unit vector of a direction with a given polar angle and azimuth.
 
     Parameters
     ----------
@@ -121,36 +124,37 @@ def cartesian(polar: Number, azimuth: Number) -> tuple[Number, Number, Number]:
     """
     if any_true((polar < 0) | (polar > math.pi * (1 + SLACK))):
         raise ConditionError(
-            "a polar angle is from 0 to 180 deg", "an elevation is from -90 to 90 deg"
+            "the polar angle is out of range: it must be from 0 to 180 deg",
+            "an elevation is from -90 to 90 deg",
         )
     if any_true(abs(azimuth) == math.inf):
-        raise ConditionError("an endless azimuth is no direction", "any number of turns")
+        raise ConditionError("the azimuth is infinite", "any number of turns")
     across = sin(polar)
     return across * cos(azimuth), across * sin(azimuth), cos(polar)
 
 
 def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
-    """Axes of what faces in a direction and stands upright, as somebody who looks there.
+    """Return the axes of an upright observer (or map) that faces in a direction.
 
     Parameters
     ----------
     direction : tuple of 3 floats
-        Where it faces, a vector of any length but 0.
+        Direction of view, a vector of any length except 0.
 
     Returns
     -------
     forward, left, up : tuple of 3 floats [1]
-        Unit vectors at right angles: the direction, the horizontal one to the left of it, and the
-        one that is as near to +z as can be.  Straight up or down, left is +y.
+        Unit vectors at right angles: the direction, the horizontal vector to its left, and the
+        vector closest to +z.  For a direction straight up or down, left is +y.
 
     Raises
     ------
     ConditionError
-        If the vector has the length 0.
+        If the length of the vector is 0.
 
     Examples
     --------
-    Who faces +x has +y to the left:
+    An observer who faces +x has +y to the left:
 
     >>> from radcalc.geometry.directions import facing
     >>> facing((2.0, 0.0, 0.0))
@@ -165,25 +169,24 @@ def facing(direction: Vector) -> tuple[Vector, Vector, Vector]:
 
 
 def reflected(direction: Vector, normal: Vector) -> Vector:
-    """Reflection of a direction at a mirror.
+    """Return the reflection of a direction at a mirror.
 
     Parameters
     ----------
     direction : tuple of 3 floats or ndarrays
         A vector d of any length, away from the mirror.
     normal : tuple of 3 floats or ndarrays
-        The mirror's normal n, of any length but 0.
+        The mirror's normal n, of any length except 0.
 
     Returns
     -------
     tuple of 3 floats or ndarrays
-        The vector r, as long as d, away from the mirror too.  On the mirror's back it is on the
-        back as well.
+        The vector r, as long as d, also away from the mirror and on the same side of it as d.
 
     Raises
     ------
     ConditionError
-        If a normal has the length 0, and so no direction.
+        If the length of a normal is 0.
 
     Notes
     -----
@@ -191,7 +194,7 @@ def reflected(direction: Vector, normal: Vector) -> Vector:
 
         r = 2 (n . d) / (n . n) n - d
 
-    Renderers often count d towards the mirror; their d - 2 (n . d) n is the same reflection.
+    Renderers often let d point towards the mirror; their d - 2 (n . d) n is the same reflection.
 
     Examples
     --------
@@ -208,23 +211,23 @@ def reflected(direction: Vector, normal: Vector) -> Vector:
 
 
 def mirror_normal(direction: Vector, reflection: Vector) -> Vector:
-    """Normal of the mirror that reflects one direction into another.
+    """Return the normal of the mirror that reflects one direction into another.
 
     Parameters
     ----------
     direction, reflection : tuple of 3 floats or ndarrays
-        Vectors d and r of any lengths but 0, away from the mirror.
+        Vectors d and r of any length except 0, away from the mirror.
 
     Returns
     -------
     tuple of 3 floats or ndarrays
-        The normal, of length 1: the bisector of the two.
+        The normal, of length 1: the bisector of the two directions.
 
     Raises
     ------
     ConditionError
-        If a vector has the length 0, or the two are opposite to each other, to 1e-12: then every
-        mirror along them would do.
+        If the length of a vector is 0, or the two are opposite to a relative 1e-12: then every
+        mirror parallel to them reflects one into the other.
 
     Notes
     -----

@@ -5,11 +5,11 @@ The etendue of a beam is the integral of its cross-section over solid angle::
     G = integral of  dA1 cos(theta1) dA2 cos(theta2) / r^2  =  integral of  dA cos(theta) dOmega
 
 A uniform radiance (or luminance) L sends the flux Phi = L G.  For a small patch, G is its area
-times the projected solid angle of what it sees (`radcalc.geometry.projected`).
+times the projected solid angle of the other surface (`radcalc.geometry.projected`).
 
-Lengths are in metres, areas in square metres, angles in radians, and any other unit of length
-gives G in its square times sr.  Arguments are floats or NumPy arrays, broadcast together.  All
-beams are in a medium of refractive index 1 (in another, n^2 G is what refraction conserves).
+Lengths are in metres and angles in radians; lengths in another unit give G in its square times sr.
+Arguments are floats or NumPy arrays, broadcast together.  All beams are in a medium of refractive
+index 1 (refraction conserves n^2 G).
 """
 
 import math
@@ -21,7 +21,7 @@ from radcalc.maths import SLACK, Number, hypot, larger, power_of_two, smaller, s
 
 @bounded
 def patch_and_cone(area: Number, half_angle: Number) -> Number:
-    """Etendue of a flat patch and a circular cone of directions about its normal.
+    """Return the etendue of a flat patch and a circular cone of directions about its normal.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an area is negative, or a half angle is outside 0 to pi/2: a surface neither sends nor
-        receives light past its horizon.
+        If an area is negative, or a half angle is outside 0 to pi/2: a surface neither emits nor
+        receives light below its horizon.
 
     Notes
     -----
@@ -47,7 +47,7 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
 
         G = pi A sin^2(alpha)
 
-    Exact for every half angle, if every point of the patch has the same cone.
+    Exact for every half angle, if the cone is the same at every point of the patch.
 
     References
     ----------
@@ -64,16 +64,16 @@ def patch_and_cone(area: Number, half_angle: Number) -> Number:
     """
     refuse(
         (half_angle < 0) | (half_angle > math.pi / 2 * (1 + SLACK)),
-        "a surface neither sends nor sees light past its horizon",
+        "the half angle is out of range: a surface has no light below its horizon",
         "a half angle from 0 to 90 deg",
     )
-    refuse(area < 0, "a negative area is out of range", "0 or more")
+    refuse(area < 0, "the area is out of range", "0 or more")
     return area * projected.cone(half_angle)
 
 
 @bounded
 def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
-    """Etendue of two parallel discs on one axis, at any distance.
+    """Return the etendue of two parallel discs on one axis, at any distance.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     Returns
     -------
     float or ndarray [m^2 sr]
-        Geometric extent G; the same from either disc.
+        Geometric extent G, the same in both directions.
 
     Raises
     ------
@@ -98,9 +98,9 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
 
         G = (pi^2 / 2) (S - sqrt(S^2 - 4 r1^2 r2^2)),  S = r1^2 + r2^2 + d^2
 
-    Exact.  It is computed as 2 pi^2 r1^2 r2^2 / (S + root), as the difference loses the digits of
-    small discs, and with root = sqrt(d^2 + (r1 - r2)^2) sqrt(d^2 + (r1 + r2)^2), as its radicand
-    does those of close discs.  The form factor from the first disc to the second is G/(pi A1).
+    Exact.  It is computed as 2 pi^2 r1^2 r2^2 / (S + root), because the difference loses the digits
+    of small discs, with root = sqrt(d^2 + (r1 - r2)^2) sqrt(d^2 + (r1 + r2)^2), because S^2 -
+    4 r1^2 r2^2 loses those of close discs.  The form factor from disc 1 to disc 2 is G/(pi A1).
 
     References
     ----------
@@ -124,7 +124,7 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
     >>> round(math.pi**2 / 2 * (3 - math.sqrt(5)), 6)
     3.769853
     """
-    refuse((radius < 0) | (other < 0), "a negative radius is out of range", "0 or more")
+    refuse((radius < 0) | (other < 0), "the radius is out of range", "0 or more")
     refuse(distance <= 0, "the discs touch", "a distance above 0")
     scale = power_of_two(larger(larger(radius, other), distance))
     radius, other, distance = radius / scale, other / scale, distance / scale
@@ -135,24 +135,24 @@ def coaxial_discs(radius: Number, other: Number, distance: Number) -> Number:
 
 @bounded
 def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
-    """Distance of two discs that face each other on one axis, from their etendue.
+    """Return the distance of two parallel discs on one axis from their etendue.
 
     Parameters
     ----------
     radius, other : float or ndarray [m]
         Radii of the two discs, above 0.
     etendue : float or ndarray [m2 sr]
-        Above 0; discs that touched would have pi times the area of the smaller one.
+        Above 0 and below pi times the area of the smaller disc.
 
     Returns
     -------
     float or ndarray [m]
-        The distance of their planes.
+        Distance of their planes.
 
     Raises
     ------
     ConditionError
-        An etendue that discs of these radii do not have at any distance.
+        If discs of these radii do not have such an etendue at any distance.
 
     Notes
     -----
@@ -174,7 +174,7 @@ def discs_distance(radius: Number, other: Number, etendue: Number) -> Number:
 
 @bounded
 def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
-    """Radius of one of two discs that face each other on one axis, from their etendue.
+    """Return the radius of one of two parallel discs on one axis from their etendue.
 
     Parameters
     ----------
@@ -188,12 +188,12 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
     Returns
     -------
     float or ndarray [m]
-        The radius.
+        Radius of the disc.
 
     Raises
     ------
     ConditionError
-        An etendue that the other disc does not have with any disc at that distance.
+        If no disc at that distance gives such an etendue.
 
     Notes
     -----
@@ -215,12 +215,12 @@ def discs_radius(other: Number, distance: Number, etendue: Number) -> Number:
 
 
 def _part_of_discs(etendue: Number, radius: Number) -> Number:
-    """G / pi^2, which must be less than the square of the smaller radius."""
-    refuse(radius < 0, "a negative radius is out of range", "0 or more")
+    """Return G / pi^2, which must be less than the square of the smaller radius."""
+    refuse(radius < 0, "the radius is out of range", "0 or more")
     part = etendue / math.pi**2
     refuse(
         (part <= 0) | (part >= square(radius)),
-        "discs of these sizes have no such etendue at any distance",
+        "the etendue is out of range for discs of these radii",
         "an etendue above 0 and below pi times the area of the smaller disc",
     )
     return part

@@ -1,11 +1,11 @@
-"""How good A cos(theta_s) cos(theta) / d^2 is, for patches that are small beside their distance.
+"""Limits of the far field A cos(theta_s) cos(theta) / d^2 for patches small against their distance.
 
 - `error`: a bound of its relative error
-- `is_cut`: whether a receiver's plane may cut the patch, so that it does not hold at all;
-  `steepest` is the incidence up to which it does not
-- `is_near`: whether the distance is less than five times the size, which is the least; `nearer`
-  says of which elements
-- `size`, `reach`: how large a patch counts
+- `is_cut`: whether a receiver's plane may cut the patch, so that the formula does not hold;
+  `steepest`: the largest incidence at which the plane does not
+- `is_near`: whether the distance is less than five times the size, the least allowed; `nearer`
+  does it element by element
+- `size`, `reach`: size of a patch, and distance of its farthest point from its centre
 
 A patch is a disc or a rectangle.  Lengths are in any one unit, angles in radians;
 arguments are floats or arrays that are broadcast together.
@@ -28,26 +28,26 @@ from radcalc.maths import (
     square,
 )
 
-MORE_ROOM = "more distance, or less area"  # the hint where a patch is too near
+MORE_ROOM = "more distance, or less area"  # the hint if a patch is too near
 FAR = 5  # [1] the least distance over the size
 REACH = 0.64  # [1] half the diagonal of a rectangle over its size is 0.636 at most
 
 
 @bounded
 def size(area: Number, *sides: Number) -> Number:
-    """How large a patch counts beside its distance.
+    """Return the size of a patch that its distance is compared with.
 
     Parameters
     ----------
     area : float or ndarray [m^2]
         Its area, 0 or more.
     sides : float or ndarray [m]
-        Its sides, where it is known to be a rectangle.
+        Its sides, if it is known to be a rectangle.
 
     Returns
     -------
     float or ndarray [m]
-        The diameter of a circle of that area, or a side that is longer.
+        The diameter of a circle of that area, or the longest side if that is longer.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def size(area: Number, *sides: Number) -> Number:
     >>> round(far_field.size(1.0), 6), far_field.size(1.0, 4.0, 0.25)
     (1.128379, 4.0)
     """
-    refuse(area < 0, "a negative area is out of range", "0 or more")
+    refuse(area < 0, "the area is out of range", "0 or more")
     longest = 2 * power(area / math.pi, 0.5)
     for side in sides:
         longest = larger(longest, side)
@@ -68,14 +68,14 @@ def size(area: Number, *sides: Number) -> Number:
 
 
 def reach(area: Number, *sides: Number) -> Number:
-    """How far a patch reaches from its centre, at most, if it is no longer than its `size`.
+    """Return a bound of the distance of a patch's points from its centre, by its `size`.
 
     Parameters
     ----------
     area : float or ndarray [m^2]
         Its area, 0 or more.
     sides : float or ndarray [m]
-        Its sides, where it is known to be a rectangle.
+        Its sides, if it is known to be a rectangle.
 
     Returns
     -------
@@ -97,7 +97,7 @@ def reach(area: Number, *sides: Number) -> Number:
 
 
 def is_near(distance: Number, extent: Number) -> bool:
-    """Whether a distance is under five times a size, by more than a relative 1e-9.
+    """Return whether any distance is under five times a size, by more than a relative 1e-9.
 
     Parameters
     ----------
@@ -107,7 +107,6 @@ def is_near(distance: Number, extent: Number) -> bool:
     Returns
     -------
     bool
-        Whether one of the distances is.
 
     Examples
     --------
@@ -119,7 +118,7 @@ def is_near(distance: Number, extent: Number) -> bool:
 
 
 def nearer(distance: Number, extent: Number) -> Any:
-    """Which distances are under five times a size, by more than a relative 1e-9.
+    """Return which distances are under five times a size, by more than a relative 1e-9.
 
     Parameters
     ----------
@@ -148,7 +147,7 @@ def error(
     incidence: Number = 0.0,
     is_long: bool = False,
 ) -> Number:
-    """Bound of the relative error of the far field, as far as one patch's size makes it.
+    """Return a bound of the relative error of the far field that is due to the size of one patch.
 
     Parameters
     ----------
@@ -157,12 +156,12 @@ def error(
     distance : float or ndarray [m]
         From its centre to the receiver, five times the size or more.
     tilt : float or ndarray [rad], optional
-        Angle between its normal and the line of sight; 0 by default.
+        Angle between its normal and the line to the receiver; 0 by default.
     incidence : float or ndarray [rad], optional
-        Angle between that line and the receiver's normal, whichever way that is turned about the
-        line; 0 by default.  The receiver's plane must not cut the patch.
+        Angle between that line and the receiver's normal, which may be turned about the line;
+        0 by default.  The receiver's plane must not cut the patch.
     is_long : bool, optional
-        Whether the patch may be a rectangle of any sides, and not a disc or a square.
+        Whether the patch may be a rectangle of any sides, not only a disc or a square.
 
     Returns
     -------
@@ -176,16 +175,16 @@ def error(
 
     Notes
     -----
-    To the second order in p = size/(2 d), a disc has 1 - p^2 cos(2 tilt) times the far field, give
-    or take p^2 sin(2 tilt) tan(incidence) / 2, and a square 1.05 times those terms.  A thin
-    rectangle has twice the first where it is seen along its length, and 4/3 p^2 sin(tilt)
-    tan(incidence).  The rest is left for higher orders::
+    To the second order in p = size/(2 d), a disc has 1 - p^2 cos(2 tilt) times the far field, plus
+    or minus p^2 sin(2 tilt) tan(incidence) / 2; for a square these terms are 1.05 times as large.
+    A thin rectangle has twice the first term if it is seen along its length, and 4/3 p^2 sin(tilt)
+    tan(incidence).  The bounds have a margin for higher orders::
 
         1.15 p^2 (1.05 + 0.53 |sin(2 tilt)| tan(incidence))                       disc, square
         1.15 p^2 (1.08 + 0.92 sin^2(tilt) + 4/3 |sin(tilt)| tan(incidence))        any rectangle
 
-    Of the solid angle the 1.05 are 0.8 where the patch faces the receiver, and 1.18, which the rest
-    covers, where it is seen from its edge.
+    For the solid angle the 1.05 would be 0.8 for a patch that faces the receiver, and 1.18, within
+    the margin, for a patch seen edge-on.
 
     Examples
     --------
@@ -208,12 +207,12 @@ def error(
 
 @bounded
 def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
-    """Whether a receiver's plane may cut a patch.
+    """Return whether a receiver's plane may cut a patch.
 
     Parameters
     ----------
     reach : float or ndarray [m]
-        Distance of the patch's outermost point from its centre.
+        Distance of the patch's farthest point from its centre.
     distance : float or ndarray [m]
         From the receiver to the patch's centre, above 0.
     incidence : float or ndarray [rad]
@@ -222,7 +221,7 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
     Returns
     -------
     bool or ndarray of bool
-        False where all of the patch is above the receiver's horizon, or all of it below.
+        False if the whole patch is above the receiver's horizon, or the whole patch below it.
 
     Raises
     ------
@@ -231,7 +230,7 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
 
     Examples
     --------
-    A disc of 1 m radius 10 m away is seen within 5.74 degrees:
+    A disc of 1 m radius at 10 m reaches 5.74 degrees from its centre:
 
     >>> import math
     >>> from radcalc.geometry import far_field
@@ -244,18 +243,18 @@ def is_cut(reach: Number, distance: Number, incidence: Number) -> Any:
 
 
 def _check(reach: Number, distance: Number) -> None:
-    refuse(reach < 0, "a negative size is out of range", "0 or more")
+    refuse(reach < 0, "the size is out of range", "0 or more")
     refuse(distance <= 0, "the receiver is on the patch", "a distance above 0")
 
 
 @bounded
 def steepest(reach: Number, distance: Number) -> str:
-    """The incidence up to which a receiver's plane cuts nothing off a patch, for a message.
+    """Return the largest incidence at which a receiver's plane does not cut a patch, as a text.
 
     Parameters
     ----------
     reach, distance : float or ndarray [m]
-        As of `is_cut`; of arrays the least of the angles counts.
+        As in `is_cut`; for arrays the smallest of the angles counts.
 
     Returns
     -------
@@ -281,17 +280,17 @@ def steepest(reach: Number, distance: Number) -> str:
 
 
 def percent(bound: Number) -> str:
-    """A bound of an error, as a text.
+    """Return a bound of an error as a text.
 
     Parameters
     ----------
     bound : float or ndarray [1]
-        The bound; of an array the largest counts.
+        The bound; the largest of an array counts.
 
     Returns
     -------
     str
-        In percent, to two digits.
+        In per cent, to two digits.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""Light vectors of the parts of an image: the integral of direction over what each part shows.
+"""Light vectors of the parts of an image: integrals of the unit direction over their solid angles.
 
-A receiver with the normal n gets, of a part of radiance L that is wholly above its horizon, the
-irradiance L n . V, where V is the part's vector.  An image is cut here into rectangles by rising
-u (to the right) and falling v (downwards) of their edges; `projections` has the coordinates.
+A part of radiance L wholly above the horizon of a receiver with the normal n gives it the
+irradiance L n . V, where V is the part's light vector.  Here an image is cut into rectangles by
+edges of rising u (to the right) and falling v (downwards); `projections` defines the coordinates.
 """
 
 import math
@@ -17,7 +17,7 @@ from radcalc.quantities.symbols import LATLONG, MIRROR_BALL
 
 
 def light_vectors(projection: str, u: Any, v: Any) -> Any:
-    """Integral of the unit vector of direction over the solid angle of rectangles of an image.
+    """Return the light vectors of the rectangles of an image.
 
     Parameters
     ----------
@@ -30,12 +30,12 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
     Returns
     -------
     ndarray of shape (3, ..., m, n) [sr]
-        In the map's own axes; 0 outside of the circle of a mirror ball or an angular map.
+        In the map's own axes; 0 outside the circle of a mirror ball or an angular map.
 
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Notes
     -----
@@ -45,14 +45,14 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
                      z: integral of sin(t) cos(t) dt times the width in a
         mirror-ball  4 times the integrals of (2 n^2 - 1, 2 n u, 2 n v) du dv
 
-    Those of a mirror ball are differences, at the corners, of functions that have the circle in
-    them; they lose about 1e-15 sr.  Of an angular map the density pi sin(pi r) / r is integrated
-    by two Gauss-Legendre points each way; a rectangle that the circle cuts has the mean direction
-    of those that are inside, and the exact solid angle.
+    Those of a mirror ball are differences, between corners, of antiderivatives that include the
+    circle; their error is about 1e-15 sr.  For an angular map the density pi sin(pi r) / r is
+    integrated by two Gauss-Legendre points each way; a rectangle that the circle cuts has the mean
+    direction of the points inside, and the exact solid angle.
 
     Examples
     --------
-    Half of a latlong map, the upper one, has the vector (0, 0, pi):
+    The upper half of a latlong map has the vector (0, 0, pi):
 
     >>> edges = numpy.array([-1.0, 1.0]), numpy.array([1.0, 0.0])
     >>> (light_vectors("latlong", *edges).ravel().round(12) + 0).tolist()
@@ -68,23 +68,23 @@ def light_vectors(projection: str, u: Any, v: Any) -> Any:
 
 
 def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
-    """How far the directions of rectangles of an image reach from their middles.
+    """Return the vectors from the middles of rectangles of an image to their edges.
 
     Parameters
     ----------
     projection, u, v
-        As of `light_vectors`.
+        As in `light_vectors`.
 
     Returns
     -------
     along, down : ndarray of shape (3, ..., m, n) [rad]
-        Vectors to the middle of the right and of the lower edge, as the four corners have them.
-        What is outside of the circle counts as the nearest place on it.
+        Vectors to the middle of the right and of the lower edge, from the directions of the four
+        corners.  A corner outside the circle counts as the nearest place on it.
 
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Examples
     --------
@@ -104,7 +104,7 @@ def half_edges(projection: str, u: Any, v: Any) -> tuple[Any, Any]:
 
 
 def shown_directions(projection: str, u: Any, v: Any) -> Vector:
-    """Directions that an image shows at places; outside of the circle, at the nearest place on it.
+    """Return the directions at places of an image; outside the circle, at the nearest place on it.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def shown_directions(projection: str, u: Any, v: Any) -> Vector:
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Examples
     --------
@@ -134,12 +134,12 @@ def shown_directions(projection: str, u: Any, v: Any) -> Vector:
 
 
 def is_shown(projection: str, u: Any, v: Any) -> Any:
-    """Whether there is anything of an image in rectangles: whether they reach into the circle.
+    """Return whether rectangles show any part of an image: whether they reach into the circle.
 
     Parameters
     ----------
     projection, u, v
-        As of `light_vectors`.
+        As in `light_vectors`.
 
     Returns
     -------
@@ -157,7 +157,7 @@ def is_shown(projection: str, u: Any, v: Any) -> Any:
 
 
 def _latlong(u: Any, v: Any) -> Any:
-    """As differences of sines, in products, which keep their digits."""
+    """Return the light vectors of a latlong map, as products, which keep their digits."""
     t = (1 - v) * (math.pi / 2)
     half, middle = numpy.diff(t) / 2, (t[..., 1:] + t[..., :-1]) / 2
     sine = numpy.sin(2 * half) / 2
@@ -171,14 +171,14 @@ def _latlong(u: Any, v: Any) -> Any:
 
 
 def _corners(function: Any, across: Any, down: Any) -> Any:
-    """Integral over rectangles, by the differences at their corners of what has its derivative."""
+    """Return the integral over rectangles, by differences of an antiderivative at their corners."""
     values = function(across, down)
     values = values[..., :-1, :] - values[..., 1:, :]
     return values[..., 1:] - values[..., :-1]
 
 
 def _cubed(u: Any, v: Any) -> Any:
-    """Integral of n^3 over the second variable, from 0; of n u over u it is -n^3 / 3."""
+    """Return the integral of n^3 over v from 0; that of n u over u is -n^3 / 3."""
     wide = numpy.maximum(1 - u * u, 0.0)
     reach = numpy.sqrt(wide)
     t = numpy.clip(v, -reach, reach)
@@ -187,7 +187,7 @@ def _cubed(u: Any, v: Any) -> Any:
 
 
 def _forward(u: Any, v: Any) -> Any:
-    """Integral of 2 n^2 - 1 over the rectangle from 0 to (u, v), as far as it is in the circle."""
+    """Return the integral of 2 n^2 - 1 over the part in the circle of the rectangle 0 to (u, v)."""
     reach = numpy.sqrt(numpy.maximum(1 - u * u, 0.0))
     t = numpy.clip(v, -reach, reach)
     inside = u * t * (1 - 2 / 3 * (u * u + t * t))
@@ -195,13 +195,13 @@ def _forward(u: Any, v: Any) -> Any:
 
 
 def _strip(v: Any) -> Any:
-    """The same from u = 0 to the circle, over v from 0: of 4/3 c^3 - c, with c = sqrt(1 - v^2)."""
+    """Return that from u = 0 to the circle, over v from 0: of 4/3 c^3 - c, c = sqrt(1 - v^2)."""
     c = numpy.sqrt((1 - v) * (1 + v))
     return v * c * c * c / 3
 
 
 def _angular(across: Any, down: Any) -> Any:
-    """Four points of each rectangle; where the circle cuts it, times the solid angle inside."""
+    """Return the light vectors of an angular map, by four points of each rectangle."""
     x, wide = (across[..., 1:] + across[..., :-1]) / 2, numpy.diff(across) / 2
     y, high = (down[..., :-1, :] + down[..., 1:, :]) / 2, -numpy.diff(down, axis=-2) / 2
     points = gauss(2)[0]
@@ -221,6 +221,6 @@ def _angular(across: Any, down: Any) -> Any:
         inside = solid_angles_in_circle("angular", x, wide, y, high)
         has_points = solid_angle[cut] > 0
         mean = total[:, cut] / numpy.where(has_points, solid_angle[cut], 1.0)
-        mean[0, ~has_points] = -1.0  # of a corner that has none of the points
+        mean[0, ~has_points] = -1.0  # if only a corner, without a point, is in the circle
         total[:, cut] = mean * inside
     return total

@@ -1,10 +1,10 @@
 """Lobes: intensity distributions that fall off as a power of the cosine from their axis.
 
 A lobe of exponent n has the intensity I(theta) = I0 cos^n(theta) up to 90 degrees from its axis
-and none beyond.  n = 1 is a Lambertian surface, n = 0 a uniform hemisphere; a spotlight with a
-beam angle of 30 degrees has n = 20.  Its flux is 2 pi I0 / (n + 1).
+and 0 beyond.  n = 1 is a Lambertian surface, n = 0 a uniform hemisphere; a spotlight with a
+beam angle of 30 degrees has n = 20.  The flux is 2 pi I0 / (n + 1).
 
-`exponent` and `angle` turn a beam angle (share 1/2 of the peak) or a field angle (share 1/10)
+`exponent` and `angle` convert a beam angle (share 1/2 of the peak) or a field angle (share 1/10)
 into n and back; `part` is the share of the flux within an angle from the axis.
 
 Angles are in radians; arguments are floats or NumPy arrays, which are broadcast together.
@@ -15,11 +15,11 @@ import math
 from radcalc.geometry.cones import refuse
 from radcalc.maths import SLACK, Number, asin, expm1, log1p, piecewise, power, sin, square
 
-SMALLEST = 1e-150  # [rad] of a full angle, whose square a float can hold
+SMALLEST = 1e-150  # [rad] full angle whose square a float can hold
 
 
 def ln_cos(angle: Number) -> Number:
-    """Natural logarithm of the cosine of an angle.
+    """Return the natural logarithm of the cosine of an angle.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def ln_cos(angle: Number) -> Number:
     Raises
     ------
     ConditionError
-        If an angle is beyond a right one.
+        If an angle is below -pi/2 or above pi/2.
 
     Notes
     -----
@@ -42,8 +42,8 @@ def ln_cos(angle: Number) -> Number:
 
         ln cos(x) = log1p(-2 sin^2(x/2))
 
-    The cosine of a small angle rounds to 1, and its logarithm would have no digits left.  Next to
-    pi/2 it is no more exact than the logarithm of the cosine.
+    The cosine of a small angle rounds to 1, and its logarithm would lose all digits.  Close to
+    pi/2 the result is as exact as the logarithm of the cosine.
 
     Examples
     --------
@@ -59,15 +59,15 @@ def ln_cos(angle: Number) -> Number:
 
 
 def exponent(full_angle: Number, share: float) -> Number:
-    """Exponent of the lobe that is down to a share of its peak at a given full angle.
+    """Return the exponent of the lobe that falls to a share of its peak at a given full angle.
 
     Parameters
     ----------
     full_angle : float or ndarray [rad]
-        Full angle between the two directions of that share, above 0 and below pi: the beam angle
-        where `share` is 1/2.
+        Full angle between the two directions with that share, above 0 and below pi: for a
+        `share` of 1/2 the beam angle.
     share : float [1]
-        Share of the peak intensity that is left there, above 0 and below 1.
+        Share of the peak intensity in those directions, above 0 and below 1.
 
     Returns
     -------
@@ -77,7 +77,7 @@ def exponent(full_angle: Number, share: float) -> Number:
     Raises
     ------
     ConditionError
-        If an angle is not between 0 and pi, or the share not between 0 and 1.
+        If an angle is not between 0 and pi, or the share is not between 0 and 1.
 
     Notes
     -----
@@ -93,7 +93,7 @@ def exponent(full_angle: Number, share: float) -> Number:
 
     Examples
     --------
-    A Lambertian surface, n = 1, is down to cos(60 deg) = 1/2 at a full angle of 120 degrees:
+    A Lambertian surface, n = 1, falls to cos(60 deg) = 1/2 at a full angle of 120 degrees:
 
     >>> import math
     >>> from radcalc.geometry import lobes
@@ -108,17 +108,17 @@ def exponent(full_angle: Number, share: float) -> Number:
     """
     _check_share(share)
     bad = (full_angle <= SMALLEST) | (full_angle >= math.pi)
-    refuse(bad, "no lobe has that full angle", "more than 0 and less than 180 deg")
+    refuse(bad, "the full angle is out of range", "more than 0 and less than 180 deg")
     return math.log(share) / ln_cos(full_angle / 2)
 
 
 def _check_share(share: float) -> None:
     bad = (share <= 0) | (share >= 1)
-    refuse(bad, "no lobe has that share of its peak at an angle", "more than 0 and less than 1")
+    refuse(bad, "the share of the peak is out of range", "more than 0 and less than 1")
 
 
 def angle(exponent: Number, share: float) -> Number:
-    """Full angle at whose edge a lobe is down to a share of its peak; the inverse of `exponent`.
+    """Return the full angle at which a lobe falls to a share of its peak; inverse of `exponent`.
 
     Parameters
     ----------
@@ -130,8 +130,7 @@ def angle(exponent: Number, share: float) -> Number:
     Returns
     -------
     float or ndarray [rad]
-        From 0 to pi, which is the answer for n = 0: the intensity is uniform up to the edge of
-        the hemisphere.
+        From 0 to pi; pi for n = 0, whose intensity is uniform up to the edge of the hemisphere.
 
     Raises
     ------
@@ -144,7 +143,7 @@ def angle(exponent: Number, share: float) -> Number:
 
         full_angle = 2 arccos(share^(1/n)) = 4 arcsin(sqrt((1 - share^(1/n)) / 2))
 
-    The second form, with expm1 for the difference, keeps the digits of narrow lobes.
+    The second form is computed, with expm1 for the difference: it keeps the digits of narrow lobes.
 
     References
     ----------
@@ -168,7 +167,7 @@ def angle(exponent: Number, share: float) -> Number:
 
 
 def part(exponent: Number, within: Number) -> Number:
-    """Part of a lobe's flux within an angle from its axis.
+    """Return the share of a lobe's flux within an angle from its axis.
 
     Parameters
     ----------
@@ -180,7 +179,7 @@ def part(exponent: Number, within: Number) -> Number:
     Returns
     -------
     float or ndarray [1]
-        From 0 to 1; 1 from pi/2 on.
+        From 0 to 1; 1 for angles from pi/2 on.
 
     Raises
     ------
@@ -208,7 +207,7 @@ def part(exponent: Number, within: Number) -> Number:
     """
     _check_exponent(exponent)
     bad = (within < 0) | (within > math.pi * (1 + SLACK))
-    refuse(bad, "a part within that angle is out of range", "from 0 to 180 deg")
+    refuse(bad, "the angle from the axis is out of range", "from 0 to 180 deg")
     return piecewise(
         within < math.pi / 2,
         lambda w, n: -expm1((n + 1) * ln_cos(w)),
@@ -219,7 +218,7 @@ def part(exponent: Number, within: Number) -> Number:
 
 
 def solid_angle(exponent: Number) -> Number:
-    """Solid angle that, filled with a lobe's peak intensity, holds all of its flux.
+    """Return the solid angle that a lobe's whole flux would fill with its peak intensity.
 
     Parameters
     ----------
@@ -258,4 +257,4 @@ def solid_angle(exponent: Number) -> Number:
 
 def _check_exponent(exponent: Number) -> None:
     bad = (exponent < 0) | (exponent == math.inf)
-    refuse(bad, "a lobe of that exponent is out of range", "0 or more, and finite")
+    refuse(bad, "the exponent of the lobe is out of range", "0 or more, and finite")

@@ -1,8 +1,9 @@
-"""Polygons as somebody typed them: checked, and taken from the observer.
+"""Checks of polygons that a user typed.
 
-`read` refuses what is no plane polygon (too few vertices, sides that cross, vertices off one
-plane, a viewpoint in that plane) and gives an `Outline` that `radcalc.geometry.polygons` and
-`radcalc.geometry.projected` can work on.  Lengths are in any one unit; floats only.
+`read` refuses vertices that are not those of a plane polygon (too few, sides that cross, vertices
+off one plane) or a viewpoint in its plane, and returns an `Outline` for
+`radcalc.geometry.polygons` and `radcalc.geometry.projected`.  Lengths are in any one unit; floats
+only.
 """
 
 import math
@@ -14,24 +15,23 @@ from radcalc.geometry.numerics.vectors import cross, dot, length, minus, plus, t
 from radcalc.maths import power_of_two
 
 Point = tuple[float, float, float]
-FLAT = 1e-6  # [1] of the polygon's size: how far a vertex, as typed, may be off the plane
-NOTED = 1e-12  # [1] of the polygon's size: how far off it may be without a note
+FLAT = 1e-6  # [1] of the polygon's size: largest distance of a vertex from the plane
+NOTED = 1e-12  # [1] of the polygon's size: largest such distance without a note
 MOST = 1000  # vertices; every side is checked against every other one
 
 
 class Outline:
-    """A plane polygon seen from a viewpoint, as `read` found it to be.
+    """A plane polygon seen from a viewpoint, checked by `read`.
 
     Parameters
     ----------
     vertices : list of tuples of 3 floats
-        Vertices in their order, from the observer.  `read` gives them in a unit that is a power
-        of two times the typed one, so that no square of a length overflows: good for solid
-        angles, not for lengths.
+        Vertices in order, from the observer.  `read` scales them by a power of two so that no
+        square of a length overflows: they serve for solid angles, not for lengths.
     normal : tuple of 3 floats [1]
         Normal of the polygon's plane, of length 1, on the side away from the observer.
     notes : list of str
-        What the user should know, such as that the vertices are not quite in one plane.
+        Notes for the user, such as that the vertices are not exactly in one plane.
 
     Attributes
     ----------
@@ -53,7 +53,7 @@ class Outline:
         self.notes = notes
 
     def dips_below(self, normal: Point) -> bool:
-        """Whether a vertex is below the horizon of a receiver.
+        """Return whether a vertex is below the horizon of a receiver.
 
         Parameters
         ----------
@@ -63,8 +63,7 @@ class Outline:
         Returns
         -------
         bool
-            True if any vertex is on the side that the normal points away from; a vertex on the
-            horizon is not below it.
+            A vertex on the horizon is not below it.
 
         Examples
         --------
@@ -77,21 +76,21 @@ class Outline:
 
 
 def read(points: Sequence[Point], viewpoint: Point) -> Outline:
-    """Check the vertices of a polygon, and take them from a viewpoint.
+    """Check the vertices of a polygon, and return them relative to a viewpoint.
 
     Parameters
     ----------
     points : sequence of tuples of 3 floats [m]
-        The vertices in their order round the polygon, from 3 to 1000, without the first one
-        again at the end; in any one unit of length.
+        The vertices in order round the polygon, from 3 to 1000, without the first one again at
+        the end; in any one unit of length.
     viewpoint : tuple of 3 floats [m]
-        Where the observer is, in the same coordinates.
+        Position of the observer, in the same coordinates.
 
     Returns
     -------
     Outline
         Vertices and normal, seen from the viewpoint, with a note if the vertices are off one
-        plane by more than the rounding.
+        plane by more than rounding errors.
 
     Raises
     ------
@@ -103,7 +102,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     Notes
     -----
     The normal is Newell's: the sum of the vector products of successive vertices, which is twice
-    the vector area and takes all vertices alike.
+    the vector area and depends on all vertices equally.
 
     References
     ----------
@@ -131,7 +130,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
             raise ConditionError(
                 f"the vertex {_write(point)} is given twice", "each once, and no closing one"
             )
-    # Only directions matter: in a unit in which no square leaves the floats.
+    # Only directions matter, so lengths are scaled so that no square overflows.
     scale = 1 / power_of_two(max(abs(x) for point in (*points, viewpoint) for x in point) or 1.0)
     points, viewpoint = [times(point, scale) for point in points], times(viewpoint, scale)
     first = points[0]
@@ -160,7 +159,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
     height = dot(unit, away)
     if abs(height) <= 1e-12 * max(size, length(away)):
         raise ConditionError(
-            "the viewpoint lies in the polygon's plane", "a viewpoint off that plane"
+            "the viewpoint is in the polygon's plane", "a viewpoint off that plane"
         )
     notes = []
     if off > NOTED * size:
@@ -170,7 +169,7 @@ def read(points: Sequence[Point], viewpoint: Point) -> Outline:
 
 
 def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
-    """Refuse a bow tie, whose halves would be taken from each other."""
+    """Refuse sides that cross: the two halves of a bow tie would be subtracted."""
     axis = max(range(3), key=lambda k: abs(unit[k]))
     flat = [tuple(x for k, x in enumerate(side) if k != axis) for side in sides]
     count = len(flat)
@@ -188,10 +187,10 @@ def _refuse_crossing(sides: Sequence[Point], unit: Point) -> None:
 
 
 def _crossing() -> ConditionError:
-    """The refusal of sides that cross; of two places, as a bow tie may also have no vector area."""
+    """Return the error for sides that cross; also for a bow tie without vector area."""
     return ConditionError("the polygon's sides cross or touch", "the vertices in order round it")
 
 
 def _write(point: Point) -> str:
-    """A point as the user would type it."""
+    """Return a point as the user would type it."""
     return ",".join(f"{x:g}" for x in point)

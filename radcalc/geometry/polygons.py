@@ -1,17 +1,17 @@
-"""Solid angles of triangles and polygons, and what of them lies above a horizon.
+"""Solid angles of triangles and polygons, and their parts above a horizon.
 
-`triangle` and `polygon` give solid angles [sr] from vertices; `projected` weights each direction
-by its cosine to a normal; `above` cuts away what is below a receiver's horizon.  They are what
-`radcalc.geometry.solid` and `radcalc.geometry.projected` offer for rectangles and polygons.
+`triangle` and `polygon` compute solid angles [sr] from vertices; `projected` weights each direction
+by its cosine to a normal; `above` cuts off the part below a receiver's horizon.
+`radcalc.geometry.solid` and `radcalc.geometry.projected` use them for rectangles and polygons.
 
-A point is a triple of coordinates: a tuple of floats, of arrays, or the last axis of an array.
-All points are seen from the observer, who is at the origin, and in any one unit of length.
-`split` turns a list of vertices into the form that the other functions here work on: the first
-vertex, and all vertices *from that one* (the first of these is zero).  Of a small polygon far
-away, the vertices agree in most of their digits, and only these differences keep them all.
+A point is a triple of coordinates: a tuple of floats or arrays, or the last axis of an array.
+All points are relative to the observer, in any one unit of length.  `split` turns a list of
+vertices into the form that the other functions take: the first vertex, and all vertices *from that
+one* (the first of these is zero).  The vertices of a small polygon far away agree in most of their
+digits, and only these differences keep all digits.
 
-The observer must not be in the polygon's plane; `radcalc.geometry.outline.read` refuses that,
-the functions here do not look for it.
+The observer must not be in the polygon's plane; `radcalc.geometry.outline.read` checks this, the
+functions here do not.
 """
 
 from collections.abc import Sequence
@@ -40,7 +40,7 @@ POOR = 1e-2  # [1] of the terms' sizes: a sum below it has lost too many digits
 
 
 def triangle(a: Any, b: Any, c: Any) -> Number:
-    """Signed solid angle of a plane triangle, by Van Oosterom and Strackee's formula.
+    """Return the signed solid angle of a plane triangle, by Van Oosterom and Strackee's formula.
 
     Parameters
     ----------
@@ -50,13 +50,14 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
     Returns
     -------
     float or ndarray of shape (...) [sr]
-        From -2 pi to 2 pi, with the sign of the triple product [a b c]: positive where a, b, c
-        are clockwise as the observer sees them, which is anticlockwise from the far side.
+        From -2 pi to 2 pi, with the sign of the triple product [a b c]: positive if a, b, c are
+        clockwise for the observer, and so anticlockwise from the far side.
 
     Raises
     ------
     ConditionError
-        If a vertex has not three coordinates, or the integral of a splinter does not converge.
+        If a vertex does not have three coordinates, or the integral of a splinter does not
+        converge.
 
     Notes
     -----
@@ -64,10 +65,10 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
 
         tan(Omega/2) = [a b c] / (|a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
 
-    with [a b c] = a . (b x c).  Exact.  It is solved with atan2, as the denominator is negative of
-    triangles that fill more than pi sr, where arctan would give a wrong branch.  The triple
-    product is taken from the differences b - a and c - a.  Of a splinter seen from close by the
-    denominator itself is a small difference; these triangles are integrated strip by strip
+    with [a b c] = a . (b x c).  Exact.  It is solved with atan2, because the denominator is
+    negative for triangles of more than pi sr, for which arctan would give a wrong branch.  The
+    triple product is computed from the differences b - a and c - a.  For a splinter seen from close
+    by, the denominator is itself a small difference; these triangles are integrated strip by strip
     (`radcalc.geometry.numerics.strips`).
 
     References
@@ -92,19 +93,19 @@ def triangle(a: Any, b: Any, c: Any) -> Number:
 
 
 def _from_vertices(*xs: Number) -> Number:
-    """The triangle of nine coordinates, as `in_chunks` hands them over."""
+    """Return the solid angle of a triangle from nine coordinates, as `in_chunks` passes them."""
     a, b, c = xs[:3], xs[3:6], xs[6:]
     return _triangle(a, b, c, minus(b, a), minus(c, a))
 
 
 def _triangle(a: Vector, b: Vector, c: Vector, ab: Vector, ac: Vector) -> Number:
-    """The triangle of `triangle`, where the sides from a are known with all their digits."""
+    """Return the solid angle of a triangle whose sides from a are known with all their digits."""
     la, lb, lc = length(a), length(b), length(c)
     whole = la * lb * lc
     under = whole + dot(a, b) * lc + dot(a, c) * lb + dot(b, c) * la
     triple = dot(a, cross(ab, ac))
     angle = 2 * atan2(triple, under)
-    # Of a splinter seen from near, `under` is a small difference of large terms.
+    # For a splinter seen from close by, `under` is a small difference of large terms.
     size = abs(under)
     off = (whole * abs(triple) > 1e3 * abs(angle) * (triple * triple + size * size)) | (
         size < 1e-13 * whole
@@ -133,14 +134,14 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
     Returns
     -------
     first : tuple of 3 floats or ndarrays [1]
-        The first vertex in the new unit, in which no coordinate reaches 1.
+        The first vertex in the new unit; every coordinate is below 1.
     sides : list of such tuples [1]
         All vertices from the first one, in that unit.
 
     Notes
     -----
-    The unit is the power of two above the largest coordinate: a division by it rounds nothing.
-    Solid angles depend on directions only, so they stay the same.
+    The unit is the power of two above the largest coordinate: a division by it is exact.
+    Solid angles depend only on directions, so they do not change.
 
     Examples
     --------
@@ -156,20 +157,19 @@ def scaled(first: Vector, sides: Sequence[Vector]) -> tuple[Vector, list[Vector]
 
 
 def fan(first: Vector, sides: Sequence[Vector]) -> Number:
-    """Signed solid angle of a plane polygon, as the sum of the triangles from its first vertex.
+    """Return the signed solid angle of a polygon, the sum of the triangles from its first vertex.
 
     Parameters
     ----------
     first : tuple of 3 floats or ndarrays [m]
         The first vertex, from the observer, in any one unit of length.
     sides : sequence of such tuples [m]
-        All vertices in their order round the polygon, from the first one; the first of these is
-        zero.
+        All vertices in order round the polygon, from the first one; the first of these is zero.
 
     Returns
     -------
     float or ndarray [sr]
-        From -2 pi to 2 pi; positive where the vertices are clockwise as the observer sees them.
+        From -2 pi to 2 pi; positive if the vertices are clockwise for the observer.
 
     Raises
     ------
@@ -178,7 +178,7 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
 
     Notes
     -----
-    Exact for convex and concave polygons: triangles that reach out of a notch are counted once
+    Exact for convex and concave polygons: parts of triangles outside the polygon are counted once
     positively and once negatively.
 
     Examples
@@ -200,24 +200,24 @@ def fan(first: Vector, sides: Sequence[Vector]) -> Number:
 
 
 def split(vertices: Any) -> tuple[Vector, list[Vector]]:
-    """First vertex of a polygon, and every vertex from there.
+    """Return the first vertex of a polygon, and all vertices relative to it.
 
     Parameters
     ----------
     vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
-        At least three vertices, in their order round the polygon, from the observer.
+        At least three vertices, in order round the polygon, from the observer.
 
     Returns
     -------
     first : tuple of 3 floats or ndarrays [m]
         The first vertex.
     sides : list of n such tuples [m]
-        Every vertex less the first one; the first of these is zero.
+        Every vertex minus the first one; the first of these is zero.
 
     Raises
     ------
     ConditionError
-        If there are fewer than three vertices, or one has not three coordinates.
+        If there are fewer than three vertices, or one does not have three coordinates.
 
     Examples
     --------
@@ -235,30 +235,30 @@ def split(vertices: Any) -> tuple[Vector, list[Vector]]:
 
 
 def polygon(vertices: Any) -> Number:
-    """Signed solid angle of a plane polygon.
+    """Return the signed solid angle of a plane polygon.
 
     Parameters
     ----------
     vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
-        At least three vertices in one plane, in their order round the polygon, from the observer
-        and in any one unit of length.  The polygon may be concave; its sides must not cross.
+        At least three vertices in one plane, in order round the polygon, from the observer and in
+        any one unit of length.  The polygon may be concave; its sides must not cross.
 
     Returns
     -------
     float or ndarray of shape (...) [sr]
-        From -2 pi to 2 pi; positive where the vertices are clockwise as the observer sees them,
-        which is anticlockwise from the far side.
+        From -2 pi to 2 pi; positive if the vertices are clockwise for the observer, and so
+        anticlockwise from the far side.
 
     Raises
     ------
     ConditionError
-        If there are fewer than three vertices, one has not three coordinates, or the integral of
-        a splinter does not converge.
+        If there are fewer than three vertices, one does not have three coordinates, or the integral
+        of a splinter does not converge.
 
     Notes
     -----
-    The sum of the triangles from the first vertex, each by `triangle`.  Exact.  Whether the
-    vertices are in one plane is not tested here but in `radcalc.geometry.outline.read`.
+    The sum of the triangles from the first vertex, each by `triangle`.  Exact.
+    `radcalc.geometry.outline.read`, not this function, checks that the vertices are in one plane.
 
     Examples
     --------
@@ -274,23 +274,22 @@ def polygon(vertices: Any) -> Number:
 
 
 def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
-    """Signed projected solid angle of a polygon, by Lambert's contour formula.
+    """Return the signed projected solid angle of a polygon, by Lambert's contour formula.
 
     Parameters
     ----------
     first : tuple of 3 floats or ndarrays [m]
         The first vertex, from the observer, in any one unit of length.
     sides : sequence of such tuples [m]
-        All vertices in their order round the polygon, from the first one; the first of these is
-        zero.
+        All vertices in order round the polygon, from the first one; the first of these is zero.
     normal : tuple of 3 floats or ndarrays [1]
-        The receiver's normal, of length 1.  The whole polygon must be above its horizon: `above`
-        cuts away the rest.
+        The receiver's normal, of length 1.  The whole polygon must be above the receiver's horizon:
+        `above` cuts off the rest.
 
     Returns
     -------
     float or ndarray [sr]
-        From -pi to pi; positive where the vertices are clockwise as the observer sees them.
+        From -pi to pi; positive if the vertices are clockwise for the observer.
 
     Raises
     ------
@@ -304,11 +303,11 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
 
         Omega_p = 1/2 sum over the sides of  beta n . (p x q) / |p x q|
 
-    where the side from p to q is seen under the angle beta.  Exact.  Of a small polygon the terms
-    all but cancel.  Therefore the vector area of the polygon whose vertices are the unit vectors
-    p/|p| is summed first, from differences that keep their digits, and the sides add only what
-    their arcs have beyond their chords, beta/sin(beta) - 1.  Where even that cancels (a splinter,
-    or a polygon along the horizon) the triangles are integrated strip by strip.
+    where the side from p to q subtends the angle beta.  Exact.  The terms of a small polygon nearly
+    cancel.  Therefore the vector area of the polygon whose vertices are the unit vectors p/|p| is
+    computed first, from differences that keep their digits, and each side adds only the excess of
+    its arc over its chord, beta/sin(beta) - 1.  If these also cancel (a splinter, or a polygon
+    along the horizon) the triangles are integrated strip by strip.
 
     References
     ----------
@@ -368,7 +367,7 @@ def projected(first: Vector, sides: Sequence[Vector], normal: Vector) -> Number:
 
 
 def _move(first: Vector, far: Number, side: Vector, point: Vector, size: Number) -> Vector:
-    """p/|p| - p0/|p0|; of a short side from p0 to p without the loss of its digits."""
+    """Return p/|p| - p0/|p0|, without loss of digits for a short side from p0 to p."""
     longer = dot(side, plus(point, first)) / (size + far)
     small = plus(times(side, 1 / size), first, -longer / (size * far))
     large = minus(times(point, 1 / size), times(first, 1 / far))
@@ -381,39 +380,37 @@ def _move(first: Vector, far: Number, side: Vector, point: Vector, size: Number)
 
 
 def _wide(sine: Number, cosine: Number) -> Number:
-    """beta/sin(beta) - 1, for an angle that is not small."""
+    """Return beta/sin(beta) - 1, for an angle that is not small."""
     if any_true(sine == 0):
         raise ConditionError("the observer is on an edge of the polygon", "another viewpoint")
     return atan2(sine, cosine) / sine - 1
 
 
 def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vector, list[Vector]]:
-    """Part of a polygon that is above the horizon of a normal, its crossings with it included.
+    """Return the part of a polygon above the horizon of a normal, with its crossings.
 
     Parameters
     ----------
     first : tuple of 3 floats [m]
-        The first vertex, from the observer, in any one unit of length.  Floats only: of an array
-        each element would keep another number of vertices.
+        The first vertex, from the observer, in any one unit of length.  Floats only: the number
+        of vertices kept would differ between the elements of an array.
     sides : sequence of such tuples [m]
-        All vertices in their order round the polygon, from the first one; the first of these is
-        zero.
+        All vertices in order round the polygon, from the first one; the first of these is zero.
     normal : tuple of 3 floats [1]
-        The receiver's normal; its horizon is the plane through the observer at right angles to
-        it.
+        The receiver's normal; its horizon is the plane through the observer perpendicular to it.
 
     Returns
     -------
     first : tuple of 3 floats [m]
-        The first vertex of what is left.
+        The first vertex of the part.
     sides : list of such tuples [m]
-        All vertices of what is left, from its first one; empty where nothing is.
+        All vertices of the part, from its first one; empty if the whole polygon is below.
 
     Notes
     -----
-    One step of Sutherland and Hodgman's clipping: vertices above the plane are kept, and where a
-    side crosses it, the point of crossing is added.  What is left of a concave polygon may have
-    edges along the horizon that are passed there and back, which cancel.
+    One step of Sutherland and Hodgman's clipping: vertices above the plane are kept, and the points
+    where sides cross it are added.  The part of a concave polygon may have edges along the horizon
+    that run there and back, which cancel.
 
     References
     ----------
@@ -422,7 +419,7 @@ def above(first: Vector, sides: Sequence[Vector], normal: Vector) -> tuple[Vecto
 
     Examples
     --------
-    A square in the plane x = 1, of which half is above z = 0:
+    A square in the plane x = 1, half of it above z = 0:
 
     >>> from radcalc.geometry.polygons import above, split
     >>> square = split([(1.0, -1.0, -1.0), (1.0, 1.0, -1.0), (1.0, 1.0, 1.0), (1.0, -1.0, 1.0)])

@@ -1,18 +1,18 @@
 """Projected solid angles [sr] of shapes, seen from a point on a receiving surface.
 
-The projected solid angle weights each direction by the cosine of its angle to the receiver's
-normal, and counts only what is above the receiver's horizon::
+The projected solid angle weights each direction above the receiver's horizon by the cosine of its
+angle to the receiver's normal::
 
     Omega_p = integral of cos(theta) dOmega,  theta < pi/2
 
-The whole hemisphere has pi sr, not 2 pi.  A uniform radiance (or luminance) L gives the
+It is pi sr for the whole hemisphere, not 2 pi.  A uniform radiance (or luminance) L gives the
 irradiance (illuminance) E = L Omega_p.  Omega_p / pi is the configuration factor from the
 surface element to the shape (CIE e-ILV 17-29-093), also called view factor.
 
 The arguments are those of `radcalc.geometry.solid`: angles in radians, the lengths of one call
-in any one unit, floats or NumPy arrays that are broadcast together.  In addition a `tilt` turns
-the receiver away from the shape, or a `normal` says where it faces.  What the horizon cuts is
-computed element by element, which is slower for arrays than the closed forms.
+in any one unit, floats or NumPy arrays that are broadcast together.  In addition, a `tilt` turns
+the receiver away from the shape, or a `normal` gives its direction.  Shapes that the horizon cuts
+are computed element by element, which is slower for arrays than the closed forms.
 
 J. R. Howell's Catalog of Radiation Heat Transfer Configuration Factors has most of the formulas
 in forms that lose their digits for small shapes; the forms here keep them.
@@ -43,20 +43,20 @@ from radcalc.maths import (
     square,
 )
 
-HEMISPHERE = math.pi  # [sr] and of all directions too: a surface sees one half of them
+HEMISPHERE = math.pi  # [sr] also that of all directions: a surface sees half of them
 RIGHT = math.pi / 2  # [rad] a right angle
 
 
 @cones.bounded
 def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
-    """Projected solid angle of a circular cone whose axis is tilted from the receiver's normal.
+    """Return the projected solid angle of a circular cone tilted from the receiver's normal.
 
     Parameters
     ----------
     half_angle : float or ndarray [rad]
         Half angle alpha of the cone, from 0 to pi.
     tilt : float or ndarray [rad], optional
-        Angle t between the cone's axis and the receiver's normal, from -pi to pi; the sign does
+        Angle t between the cone's axis and the receiver's normal, from -pi to pi; its sign does
         not matter.  0 by default.
 
     Returns
@@ -67,24 +67,24 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If a half angle is outside 0 to pi, or a tilt beyond pi.
+        If a half angle is outside 0 to pi, or a tilt outside -pi to pi.
 
     Notes
     -----
-    While all of it is above the horizon, alpha + t <= pi/2::
+    If the whole cone is above the horizon, alpha + t <= pi/2::
 
         Omega_p = pi sin^2(alpha) cos(t)
 
-    Where the horizon cuts it, with u = cos(t)/sin(alpha), from 1 (all above) to -1 (all below)::
+    If the horizon cuts it, with u = cos(t)/sin(alpha), from 1 (all above) to -1 (all below)::
 
         Omega_p = arctan(w) - w cos^2(alpha) + sin^2(alpha) cos(t) arccos(-u cos(alpha)/sin(t))
         w = tan(alpha) sqrt(1 - u^2)
 
-    Both are exact.  Of a narrow cone arctan(w) - w cos^2(alpha) is taken as w sin^2(alpha) less
-    w - arctan(w), which has a function of its own.  Where hardly anything is left above the
-    horizon (u below -0.9) all terms cancel and the rest is integrated numerically, zone by zone.
-    A cone wider than a hemisphere is what the cone about the opposite direction leaves of the
-    receiver's pi.
+    Both are exact.  For a narrow cone, arctan(w) - w cos^2(alpha) is computed as w sin^2(alpha)
+    minus w - arctan(w), for which there is a separate function.  If almost all of the cone is below
+    the horizon (u below -0.9) all terms cancel, and the rest is integrated numerically, zone by
+    zone.  For a cone wider than a hemisphere, the cone about the opposite direction is subtracted
+    from the receiver's pi.
 
     Examples
     --------
@@ -102,13 +102,13 @@ def cone(half_angle: Number, tilt: Number = 0.0) -> Number:
     >>> round(projected.cone(math.pi / 2, math.radians(60)) / math.pi, 12)
     0.75
     """
-    cones.cone(half_angle)  # refuses what is no cone
+    cones.cone(half_angle)  # checks the half angle
     cones.check_tilt(tilt)
     return each(_cone, half_angle, abs(tilt))
 
 
 def _cone(half_angle: float, tilt: float) -> Number:
-    """The closed forms for one cone; `tilt` is not negative."""
+    """Return the projected solid angle of one cone; `tilt` is not negative."""
     if half_angle > RIGHT:
         return math.pi - _cone(math.pi - half_angle, math.pi - tilt)
     sine, cosine = math.sin(half_angle), math.cos(tilt)
@@ -118,7 +118,7 @@ def _cone(half_angle: float, tilt: float) -> Number:
         return 0.0
     if cosine < -0.9 * sine:
         return _crescent(half_angle, tilt)
-    # How high it stands, from -1 (below the horizon) to 1 (above).
+    # u: from -1 (the whole cone is below the horizon) to 1 (above)
     u = cosine / sine
     root, level = math.sqrt((1 - u) * (1 + u)), math.cos(half_angle)
     turn = math.acos(max(-1.0, -u * level / math.sin(tilt)))
@@ -131,13 +131,13 @@ def _cone(half_angle: float, tilt: float) -> Number:
 
 
 def _crescent(half_angle: float, tilt: float) -> float:
-    """What is left above the horizon of a cone that all but disappears, zone by zone below its top.
+    """Integrate a cone that is almost wholly below the horizon, zone by zone below its top.
 
-    The zones' heights grow as the square of the variable, which takes the square root at the top
-    out of the integrand.
+    The zones' depth below the top grows as the square of the variable, which removes the square
+    root at the top from the integrand.
     """
     # From the cosine: pi/2 - tilt would lose the digits of a small angle.
-    highest = math.asin(math.cos(tilt)) + half_angle  # of its rim, above the horizon
+    highest = math.asin(math.cos(tilt)) + half_angle  # elevation of the cone's highest point
 
     def zone(s: float) -> float:  # below the highest point by highest * s^2
         below = highest * s * s
@@ -151,15 +151,15 @@ def _crescent(half_angle: float, tilt: float) -> float:
 
 @cones.bounded
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
-    """Projected solid angle of a spherical zone about the receiver's normal, or of a part of it.
+    """Return the projected solid angle of a spherical zone about the normal, or of a part of it.
 
     Parameters
     ----------
     lower, upper : float or ndarray [rad]
-        Polar angles t0 and t1, from the receiver's normal, 0 <= t0 <= t1 <= pi.  What is past
-        pi/2 is below the horizon and does not count.
+        Polar angles t0 and t1, from the receiver's normal, 0 <= t0 <= t1 <= pi.  Directions past
+        pi/2 are below the horizon and do not count.
     azimuth : float or ndarray [rad], optional
-        Width dphi in azimuth, from 0 to 2 pi; the whole turn by default.
+        Width dphi in azimuth, from 0 to 2 pi; a full turn by default.
 
     Returns
     -------
@@ -178,12 +178,12 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
         Omega_p = dphi (sin^2(t1) - sin^2(t0)) / 2 = (dphi/2) sin(t0 + t1) sin(t1 - t0)
 
-    with t0 and t1 at most pi/2.  Exact; the product is computed, as the difference of squares loses
-    the digits of narrow zones.
+    with t0 and t1 at most pi/2.  Exact; the product is computed, because the difference of squares
+    loses the digits of narrow zones.
 
     Examples
     --------
-    The zones from 0 to 45 and from 45 to 90 degrees send the same illuminance from a uniform sky:
+    The zones from 0 to 45 and from 45 to 90 degrees of a uniform sky give the same illuminance:
 
     >>> import math
     >>> from radcalc.geometry import projected
@@ -200,7 +200,7 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
 @cones.bounded
 def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
-    """Projected solid angle of a sphere, seen from a receiver outside it.
+    """Return the projected solid angle of a sphere, seen from a receiver outside it.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
         Distance D from the receiver to the *centre* of the sphere, above `radius`.
     tilt : float or ndarray [rad], optional
         Angle t between the receiver's normal and the direction of the centre, from -pi to pi;
-        0, facing the sphere, by default.
+        0 (facing the sphere) by default.
 
     Returns
     -------
@@ -220,17 +220,17 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
     Raises
     ------
     ConditionError
-        If a radius is negative, the receiver is on the sphere or inside it, or a tilt is beyond
-        pi.
+        If a radius is negative, the receiver is on the sphere or inside it, or a tilt is outside
+        -pi to pi.
 
     Notes
     -----
-    While the sphere is wholly above the horizon::
+    If the sphere is wholly above the horizon::
 
         Omega_p = pi (R/D)^2 cos(t)
 
     Exact at every distance: the inverse square law holds for a uniform sphere as for a point.
-    Where the horizon cuts the sphere, the formula of `cone` for sin(alpha) = R/D.
+    If the horizon cuts the sphere, the formula of `cone` holds, with sin(alpha) = R/D.
 
     Examples
     --------
@@ -253,7 +253,7 @@ def sphere(radius: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
 @cones.bounded
 def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.0) -> Number:
-    """Projected solid angle of a circular disc, for a receiver parallel to it or tilted.
+    """Return the projected solid angle of a circular disc, for a receiver parallel to it or tilted.
 
     Parameters
     ----------
@@ -262,11 +262,10 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     height : float or ndarray [m]
         Distance h of the receiver from the disc's *plane*, above 0.
     offset : float or ndarray [m], optional
-        Distance x of the receiver from the disc's axis; the sign does not matter.  0 by default.
+        Distance x of the receiver from the disc's axis; its sign does not matter.  0 by default.
     tilt : float or ndarray [rad], optional
-        Angle t, from -pi to pi, by which the receiver is turned in the plane of the offset, from
-        facing the disc's plane: positive towards the disc's axis, negative away from it.  0,
-        parallel to the disc, by default.
+        Rotation t of the receiver in the plane of the offset, from -pi to pi: 0 (the default)
+        parallel to the disc, positive towards the disc's axis, negative away from it.
 
     Returns
     -------
@@ -276,12 +275,12 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     Raises
     ------
     ConditionError
-        If a radius is negative, a height is not above 0, a tilt is beyond pi, or the integral of
-        a disc that the horizon cuts does not converge.
+        If a radius is negative, a height is not above 0, a tilt is outside -pi to pi, or the
+        integral of a disc that the horizon cuts does not converge.
 
     Notes
     -----
-    On the axis, while the disc is wholly above the horizon::
+    On the axis, if the disc is wholly above the horizon::
 
         Omega_p = pi R^2 / (R^2 + h^2) cos(t)
 
@@ -289,10 +288,10 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
 
         Omega_p = (pi/2) (1 - (Z - 2 R^2) / sqrt(Z^2 - 4 R^2 x^2))
 
-    Both are exact.  The second is computed without its differences.  A tilted receiver above whose
-    horizon the whole disc is takes cos(t) times that and sin(t) times the component of the light
-    vector towards the axis, for which there is a closed form as well.  A disc that the horizon
-    cuts is integrated numerically, strip by strip.
+    Both are exact.  The second is computed without its differences.  If the whole disc is above a
+    tilted receiver's horizon, the sum of cos(t) times that and sin(t) times the component of the
+    light vector towards the axis holds, for which there is also a closed form.  A disc that the
+    horizon cuts is integrated numerically, strip by strip.
 
     References
     ----------
@@ -313,7 +312,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
     >>> round(projected.disc(1.0, 1.0, 1.0), 6), round(math.pi / 2 * (1 - 1 / math.sqrt(5)), 6)
     (0.868315, 0.868315)
     """
-    cones.refuse(radius < 0, "a negative radius is out of range", "0 or more")
+    cones.refuse(radius < 0, "the radius is out of range", "0 or more")
     solid.check_height(height)
     cones.check_tilt(tilt)
     scale = power_of_two(larger(larger(radius, height), abs(offset)))
@@ -324,7 +323,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0, tilt: Number = 0.
 
 
 def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number, Number]:
-    """Light vector of a whole disc: its components towards the disc's axis, and along it."""
+    """Return the light vector of a whole disc: components towards the disc's axis and along it."""
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
     both, away = nearest * farthest, square(height) + square(offset)
     more = square(height) + (offset - radius) * (offset + radius)
@@ -342,29 +341,29 @@ def _facing_disc(radius: Number, height: Number, offset: Number) -> tuple[Number
 
 
 def _tilted_disc(radius: float, height: float, offset: float, tilt: float) -> Number:
-    """One disc, from the receiver: whole, below the horizon, or cut by it."""
+    """Return the projected solid angle of one disc: above, below or cut by the horizon."""
     sine, cosine = math.sin(tilt), math.cos(tilt)
     centre = sine * offset + cosine * height  # the heights above the receiver's plane
     if centre >= abs(sine) * radius:
         across, along = _facing_disc(radius, height, offset)
         return sine * across + cosine * along
-    if centre <= -abs(sine) * radius * (1 - SLACK):  # what rounding leaves has no integral
+    if centre <= -abs(sine) * radius * (1 - SLACK):  # a part due to rounding has no integral
         return 0.0
     return _cut_disc(radius, height, offset, sine, cosine)
 
 
 def _cut_disc(radius: float, height: float, offset: float, sine: float, cosine: float) -> float:
-    """What the receiver's horizon leaves of a disc, strip by strip along the horizon.
+    """Integrate the part of a disc above the receiver's horizon, in strips parallel to the horizon.
 
-    The strip at the angle t of the rim lies at x = offset + R cos t, and reaches R sin t to
-    either side.  Angles are counted from the strip nearest the observer, over whom a low disc's
-    share is sharply peaked.
+    The strip at the angle t of the rim is at x = offset + R cos t, and R sin t long to either side.
+    Angles are counted from the strip nearest the observer, where the integrand of a low disc has a
+    sharp peak.
     """
-    horizon = -height * cosine / sine  # the x of the strip on it
+    horizon = -height * cosine / sine  # the x of the strip on the horizon
     cut = math.acos(max(-1.0, min(1.0, (horizon - offset) / radius)))
     nearest = math.acos(max(-1.0, -offset / radius))
     x0 = max(0.0, offset - radius)
-    # The sine of the nearest strip's angle, without the digits that pi - t would lose.
+    # The sine of the nearest strip's angle; pi - t would lose its digits.
     side = max(0.0, radius - offset) * (radius + offset)
     up, on = math.sqrt(side) / radius, max(-1.0, -offset / radius)
 
@@ -393,7 +392,7 @@ def rectangle(
     offset_y: Number = 0.0,
     normal: Any = UP,
 ) -> Number:
-    """Projected solid angle of a rectangle, for a receiver that faces its plane or any direction.
+    """Return the projected solid angle of a rectangle, for a receiver facing in any direction.
 
     Parameters
     ----------
@@ -402,12 +401,10 @@ def rectangle(
     height : float or ndarray [m]
         Distance h of the receiver from the rectangle's *plane*, above 0.
     offset, offset_y : float or ndarray [m], optional
-        How far aside of the rectangle's axis the receiver is, along x and along y; 0 by
-        default.
+        Sideways distance of the receiver from the rectangle's axis, along x and y; 0 by default.
     normal : tuple of 3 floats or ndarrays, optional
-        The direction the receiver faces: its components along the width, along the length and
-        towards the rectangle's plane, of any length but 0.  (0, 0, 1), facing the plane, by
-        default.
+        The receiver's normal: components along the width, along the length and towards the
+        rectangle's plane, of any length except 0.  (0, 0, 1), facing the plane, by default.
 
     Returns
     -------
@@ -417,8 +414,8 @@ def rectangle(
     Raises
     ------
     ConditionError
-        If a side is negative, a height is not above 0, or the normal is zero or has not three
-        components.
+        If a side is negative, a height is not above 0, or the normal is zero or does not have
+        three components.
 
     Notes
     -----
@@ -427,8 +424,8 @@ def rectangle(
         Omega_p = 1/2 (X / sqrt(1 + X^2) arctan(Y / sqrt(1 + X^2))
                        + Y / sqrt(1 + Y^2) arctan(X / sqrt(1 + Y^2)))
 
-    Exact everywhere.  Computed as a polygon, by Lambert's contour formula (see `polygon`), for
-    every place and normal; the textbooks' sum over four corners cancels for distant rectangles.
+    Exact everywhere.  Every rectangle is computed as a polygon, by Lambert's contour formula (see
+    `polygon`); the textbooks' sum over four corners cancels for distant rectangles.
 
     References
     ----------
@@ -447,8 +444,8 @@ def rectangle(
     >>> round(4 * math.atan(1 / math.sqrt(2)) / math.sqrt(2), 6)
     1.74084
 
-    A wide ceiling fills the hemisphere of a receiver that looks up, and half of that of one that
-    looks sideways:
+    A wide ceiling fills the hemisphere of a receiver that faces up, and half of that of a receiver
+    that faces sideways:
 
     >>> round(projected.rectangle(1e9, 1e9, 1.0) / math.pi, 6)
     1.0
@@ -460,7 +457,7 @@ def rectangle(
 
 
 def pyramid(horizontal: Number, vertical: Number) -> Number:
-    """Projected solid angle of a right rectangular pyramid about the receiver's normal.
+    """Return the projected solid angle of a right rectangular pyramid about the receiver's normal.
 
     Parameters
     ----------
@@ -483,13 +480,13 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
         Omega_p = 2 (sin(a/2) arctan(tan(b/2) cos(a/2)) + sin(b/2) arctan(tan(a/2) cos(b/2)))
 
-    Exact; it is Lambert's contour formula for the four faces.  The arctangents are taken with
-    atan2, as the tangents have poles at pi.
+    Exact; Lambert's contour formula for the four faces.  The arctangents are computed by atan2,
+    because the tangents have poles at pi.
 
     Examples
     --------
-    The pyramid of 90 by 90 degrees is a square at a height of half its side; both angles open, it
-    is the hemisphere:
+    The pyramid of 90 by 90 degrees is a square at a height of half its side; the pyramid of 180 by
+    180 degrees is the hemisphere:
 
     >>> import math
     >>> from radcalc.geometry import projected
@@ -505,15 +502,15 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
 
 def polygon(vertices: Any, normal: Any) -> Number:
-    """Projected solid angle of a plane polygon: of what is above the horizon of a normal.
+    """Return the projected solid angle of the part of a polygon above a receiver's horizon.
 
     Parameters
     ----------
     vertices : sequence of points, or ndarray of shape (..., n, 3) [m]
-        At least three vertices in one plane, in their order round the polygon, from the receiver
-        and in any one unit of length.
+        At least three vertices in one plane, in order round the polygon, from the receiver and in
+        any one unit of length.
     normal : tuple of 3 floats or ndarrays, or ndarray of shape (..., 3)
-        The direction the receiver faces, of any length but 0.
+        The receiver's normal, of any length except 0.
 
     Returns
     -------
@@ -523,20 +520,20 @@ def polygon(vertices: Any, normal: Any) -> Number:
     Raises
     ------
     ConditionError
-        If there are fewer than three vertices, one has not three coordinates, the normal is zero,
-        or the receiver is on a side of the polygon.
+        If there are fewer than three vertices, one does not have three coordinates, the normal is
+        zero, or the receiver is on a side of the polygon.
 
     Notes
     -----
-    What is below the horizon is cut away; the rest is given by Lambert's contour formula, half the
-    sum over the sides of the angle that a side subtends times the cosine between the normal and
-    that of the plane through the side and the receiver.  Exact.  See
+    The part below the horizon is cut off; the rest is computed by Lambert's contour formula: half
+    the sum, over the sides, of the angle that a side subtends times the cosine between the
+    receiver's normal and that of the plane through the side and the receiver.  Exact.  See
     `radcalc.geometry.polygons.above` and `radcalc.geometry.polygons.projected`.
 
     Examples
     --------
-    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, pi/4 sr.  Of its mirror image
-    below the horizon nothing counts:
+    The octant x, y, z > 0 is a quarter of the hemisphere above z = 0, pi/4 sr.  Its mirror image
+    below the horizon does not count:
 
     >>> import math
     >>> from radcalc.geometry import projected
@@ -553,10 +550,10 @@ def polygon(vertices: Any, normal: Any) -> Number:
 
 
 def _clipped(first: Any, sides: Any, normal: Any) -> Number:
-    """A polygon above the horizon of a normal that is scaled to length 1 first.
+    """Return the projected solid angle of the part of a polygon above the horizon of a normal.
 
-    Of arrays those that are wholly above it are done at once; others one by one, as each keeps
-    another number of vertices.
+    In arrays, polygons wholly above the horizon are computed at once; the others one by one, since
+    they keep different numbers of vertices.
     """
     from radcalc.geometry.polygons import above, projected
 

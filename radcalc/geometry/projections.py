@@ -2,20 +2,20 @@
 
 A place in an image has the coordinates u (to the right) and v (up), both from -1 to 1 over the
 whole image; the pixel of column 0 and row 0 is at the top left.  A direction has the coordinates
-x, y, z in the map's own axes: x is what the middle of the image shows, z is up in the image, and
-y is to the left of whoever looks along +x.
+x, y, z in the map's own axes: x is the direction of the middle of the image, z is up in the image,
+and y is to the left of an observer who looks along +x.
 
-- "latlong": azimuth -pi u and elevation v pi/2.  The top and the bottom edge are the poles.
-- "mirror-ball": a ball, mirroring, in front of a camera that is far away; u^2 + v^2 <= 1.  The
-  ball shows what it reflects, so right and left are exchanged: +y is at the right.  The middle
-  shows the camera's own direction, the rim what is behind the ball.
-- "angular" (the light probe): the distance from the middle is in proportion to the angle from +x,
-  and is 1 at 180 degrees.
+- "latlong": azimuth -pi u and elevation v pi/2.  The top and bottom edges are the poles.
+- "mirror-ball": a mirroring ball in front of a distant camera; u^2 + v^2 <= 1.  The reflection
+  exchanges right and left: +y is at the right.  The middle shows the direction of the camera, the
+  rim the opposite direction.
+- "angular" (light probe): the distance from the middle is proportional to the angle from +x, and 1
+  at 180 degrees.
 
 These are the axes of OpenEXR's latitude-longitude maps [1]_ (whose z, x and y are x, y and z
-here), but for where the pixels are: there the centres of the first and of the last row are the
-poles, here the edges are.  Places and directions are floats or NumPy arrays, which are broadcast
-together; of floats nothing needs NumPy.
+here), except for the pixels: there the poles are at the centres of the first and last row, here at
+the edges.  Places and directions are floats or NumPy arrays, which are broadcast together; floats
+do not need NumPy.
 
 References
 ----------
@@ -48,14 +48,14 @@ from radcalc.maths import (
 )
 from radcalc.quantities.symbols import ANGULAR, LATLONG, MIRROR_BALL, PROJECTIONS
 
-FEW, MANY = 4, 16  # points of a rule each way over a pixel that is small beside the image, or not
-INSIDE = 1 - 1e-9  # of half a side: less is rounding
-USUAL_SIZE = (1024, 512)  # of a latlong map that is made [pixels]
-SMALL = 1 / 64  # of the image: by then 4 points leave 1e-16
+FEW, MANY = 4, 16  # points of a rule each way, over a small and a large pixel
+INSIDE = 1 - 1e-9  # of half a side: the rest is rounding
+USUAL_SIZE = (1024, 512)  # default size of a new latlong map [pixels]
+SMALL = 1 / 64  # of the image: with 4 points the error of such a pixel is 1e-16
 
 
 def is_outside(projection: str, u: Number, v: Number) -> Any:
-    """Whether an image shows nothing at a place: outside of it, or of the circle in it.
+    """Return whether a place is outside an image, or outside the circle in it.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def is_outside(projection: str, u: Number, v: Number) -> Any:
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Examples
     --------
@@ -85,13 +85,15 @@ def is_outside(projection: str, u: Number, v: Number) -> Any:
 
 
 def _is_latlong(projection: str) -> bool:
-    """Whether it is the one projection that has no circle, if it is one at all."""
-    refuse(projection not in PROJECTIONS, "that is no projection", ", ".join(PROJECTIONS))
+    """Return whether a projection is latlong, which has no circle; refuse an unknown one."""
+    refuse(
+        projection not in PROJECTIONS, f"unknown projection '{projection}'", ", ".join(PROJECTIONS)
+    )
     return projection == LATLONG
 
 
 def name_of_map(projection: str) -> str:
-    """What texts call an image, with its article.
+    """Return the name of a map for texts, with its article.
 
     Parameters
     ----------
@@ -111,7 +113,7 @@ def name_of_map(projection: str) -> str:
 
 
 def has_shape(projection: str, width: int, height: int) -> bool:
-    """Whether an image of a size can be a whole map in a projection.
+    """Return whether an image of a size can be a whole map in a projection.
 
     Parameters
     ----------
@@ -134,7 +136,7 @@ def has_shape(projection: str, width: int, height: int) -> bool:
 
 
 def direction_at(projection: str, u: Number, v: Number) -> Vector:
-    """Direction that an image shows at a place.
+    """Return the direction that an image shows at a place.
 
     Parameters
     ----------
@@ -145,13 +147,12 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     Returns
     -------
     x, y, z : float or ndarray [1]
-        A vector of length 1.  In arrays, places that are outside (`is_outside`) have NaN in all
-        three.
+        A vector of length 1.  In arrays, places outside (`is_outside`) have NaN in all three.
 
     Raises
     ------
     ConditionError
-        If there is no such projection, or a place that is no array is outside.
+        If the projection is unknown, or a place given by floats is outside.
 
     Notes
     -----
@@ -161,17 +162,17 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
         mirror-ball  (2 n^2 - 1, 2 n u, 2 n v),  n = sqrt(1 - u^2 - v^2)
         angular      (cos(pi r), -sin(pi r) u / r, sin(pi r) v / r),  r = sqrt(u^2 + v^2)
 
-    (n, u, v) is the normal of the mirror ball, at which its camera's direction, +x, is reflected.
+    (n, u, v) is the normal of the mirror ball, at which the camera's direction, +x, is reflected.
 
     Examples
     --------
-    A quarter of the image to the left of the middle of a latlong map is +y:
+    A quarter of the width to the left of the middle, a latlong map shows +y:
 
     >>> from radcalc.geometry.projections import direction_at
     >>> [round(x, 12) for x in direction_at("latlong", -0.5, 0.0)]
     [0.0, 1.0, 0.0]
 
-    Where the normal of a mirror ball is (0.8, 0.6, 0), it shows (0.28, 0.96, 0):
+    At the normal (0.8, 0.6, 0) a mirror ball shows (0.28, 0.96, 0):
 
     >>> [round(x, 12) for x in direction_at("mirror-ball", 0.6, 0.0)]
     [0.28, 0.96, 0.0]
@@ -180,7 +181,7 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
     if any_true(outside):
         if not (is_array(u) or is_array(v)):
             limit = "u and v from -1 to 1" if projection == LATLONG else "u^2 + v^2 of at most 1"
-            raise ConditionError("there is no image at that place", limit)
+            raise ConditionError("the place is outside the image", limit)
         u, v = (
             piecewise(outside, lambda a: a * math.nan, lambda a: a, coordinate)
             for coordinate in (u, v)
@@ -198,7 +199,7 @@ def direction_at(projection: str, u: Number, v: Number) -> Vector:
 
 
 def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, Number]:
-    """Place at which an image shows a direction: the inverse of `direction_at`.
+    """Return the place at which an image shows a direction; the inverse of `direction_at`.
 
     Parameters
     ----------
@@ -209,25 +210,25 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
     Returns
     -------
     u, v : float or ndarray [1]
-        Where there are many places, one of them: of -x the left edge (-1, 0) of a latlong map,
-        and (1, 0) of the rim of the others; of a pole the middle of the edge, u = 0.
+        If there are many places, one of them: for -x the place (-1, 0) on the left edge of a
+        latlong map, and (1, 0) on the rim of the others; for a pole the middle of the edge, u = 0.
 
     Raises
     ------
     ConditionError
-        If there is no such projection, or a vector has the length 0, and so no direction.
+        If the projection is unknown, or the length of a vector is 0.
 
     Notes
     -----
     ::
 
         latlong      u = -atan2(y, x) / pi,  v = atan2(z, sqrt(x^2 + y^2)) 2 / pi
-        the others   (u, v) = r (+-y, z) / sqrt(y^2 + z^2),  + of a mirror ball
+        the others   (u, v) = r (+-y, z) / sqrt(y^2 + z^2),  + for a mirror ball
         mirror-ball  r = sin(theta/2),  theta = atan2(sqrt(y^2 + z^2), x)
         angular      r = theta / pi
 
-    The arctangents keep their digits in all directions; the place of a mirror ball is as sharp as
-    the direction, also at its rim.
+    The arctangents keep their digits in all directions; on a mirror ball the place is as exact as
+    the direction, also at the rim.
 
     Examples
     --------
@@ -240,7 +241,7 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
     zero = (x == 0) & (y == 0) & (z == 0)
     refuse(zero, *NO_DIRECTION)
     if _is_latlong(projection):
-        azimuth = atan2(y + 0.0, x + 0.0)  # no -0, which would be half a turn away
+        azimuth = atan2(y + 0.0, x + 0.0)  # + 0.0 because -0.0 would give the other edge
         return 0.0 - azimuth / math.pi, atan2(z, hypot(x, y)) * (2 / math.pi)
     across = hypot(y, z)
     theta = atan2(across, x)
@@ -252,7 +253,7 @@ def place_of(projection: str, x: Number, y: Number, z: Number) -> tuple[Number, 
 
 
 def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
-    """Place of the middle of a pixel.
+    """Return the place of the middle of a pixel.
 
     Parameters
     ----------
@@ -275,14 +276,14 @@ def middle_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any
 
 
 def corner_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any, Any]:
-    """Place of the corner of a pixel that is at its upper left.
+    """Return the place of the upper left corner of a pixel.
 
     Parameters
     ----------
     width, height : int
         Size of the image [pixels].
     column, row : int or ndarray of int
-        Counted from 0 at the top left; those after the last have the right and the lower edge.
+        Counted from 0 at the top left; the width and the height give the right and the lower edge.
 
     Returns
     -------
@@ -298,7 +299,7 @@ def corner_of_pixel(width: int, height: int, column: Any, row: Any) -> tuple[Any
 
 
 def pixel_solid_angle(projection: str, width: int, height: int, column: int, row: int) -> float:
-    """Solid angle of what one pixel of an image shows.
+    """Return the solid angle that one pixel of an image shows.
 
     Parameters
     ----------
@@ -311,13 +312,13 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
     Returns
     -------
     float [sr]
-        0 for a pixel that is outside the circle of a mirror ball or an angular map; of one that
-        the circle cuts, of the part inside.
+        0 for a pixel outside the circle of a mirror ball or an angular map; that of the part inside
+        for a pixel that the circle cuts.
 
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Notes
     -----
@@ -327,14 +328,15 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
         mirror-ball  d omega = 4 du dv
         angular      d omega = pi sin(pi r) / r du dv
 
-    That of a latlong map is the difference of two cosines as a product, which keeps its digits.
+    For a latlong map, the difference of two cosines is written as a product, which keeps its
+    digits.
     Over a pixel of the others the density is integrated by Gauss-Legendre rules, which are exact
-    to rounding: over the rectangle, or where the circle cuts it over the part in which all of its
-    width is inside, and over the rest up to the arc, whose angle is the variable.
+    to rounding: over the whole rectangle, or, if the circle cuts it, over the part whose whole
+    width is inside, and over the rest up to the arc, with the angle along the arc as the variable.
 
     Examples
     --------
-    A pixel of 1024 x 512 at the equator, and one that a mirror ball's circle cuts:
+    A pixel at the equator of 1024 x 512 pixels, and a pixel that a mirror ball's circle cuts:
 
     >>> from radcalc.geometry.projections import pixel_solid_angle
     >>> f"{pixel_solid_angle('latlong', 1024, 512, 0, 255):.6e}"
@@ -349,7 +351,7 @@ def pixel_solid_angle(projection: str, width: int, height: int, column: int, row
 
 
 def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = slice(None)) -> Any:
-    """Solid angles of what the pixels of an image show: `pixel_solid_angle` of all.
+    """Return the solid angles that the pixels of an image show: `pixel_solid_angle` of all.
 
     Parameters
     ----------
@@ -357,18 +359,18 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     width, height : int
         Size of the image [pixels], 1 or more.
     rows : slice, optional
-        Of which rows; of all by default.
+        The rows to compute; all by default.
 
     Returns
     -------
     ndarray [sr]
-        Of shape (rows, 1) for a latlong map, in which those of a row are equal, and of shape
-        (rows, width) for the others.  Over all pixels the sum is 4 pi.
+        Of shape (rows, 1) for a latlong map, where all pixels of a row are equal, and of shape
+        (rows, width) for the others.  The sum over all pixels is 4 pi.
 
     Raises
     ------
     ConditionError
-        If there is no such projection.
+        If the projection is unknown.
 
     Examples
     --------
@@ -382,8 +384,7 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
     row = numpy.arange(height)[rows]
     if _is_latlong(projection):
         return _latlong(width, height, row[:, None])
-    # Left and right, top and bottom are mirror images: what is right of the middle and below it
-    # serves all.
+    # Left and right, top and bottom are mirror images, so the lower right quadrant is enough.
     below, down = numpy.unique(abs(2 * row + 1 - height) // 2, return_inverse=True)
     high = (bound[:, None] for bound in _span(height // 2 + below, height))
     across = _span(numpy.arange(width // 2, width), width)
@@ -392,7 +393,7 @@ def pixel_solid_angles(projection: str, width: int, height: int, rows: slice = s
 
 
 def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any) -> Any:
-    """Solid angles of what the circle of an image leaves of rectangles.
+    """Return the solid angles of the parts of rectangles inside the circle of an image.
 
     Parameters
     ----------
@@ -400,7 +401,7 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
     u, v : ndarray [1]
         Middles of the rectangles.
     wide, high : ndarray [1]
-        Halves of their sides.  An axis (u = 0 or v = 0) may be beside a rectangle, or along its
+        Halves of their sides.  An axis (u = 0 or v = 0) may be outside a rectangle or along its
         middle.
 
     Returns
@@ -409,7 +410,7 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
 
     Examples
     --------
-    A corner of the square about the circle, a quarter of it:
+    A quarter of the square around the circle:
 
     >>> import numpy
     >>> from radcalc.geometry.projections import solid_angles_in_circle
@@ -419,7 +420,7 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
     """
 
     def side(middle: Any, half: Any) -> tuple[Any, Any, Any]:
-        within = abs(middle) < half * INSIDE  # it counts as two halves
+        within = abs(middle) < half * INSIDE  # the axis is in the middle: two halves
         parts = 1.0 + within
         return (
             piecewise(within, lambda _, h: h / 2, lambda m, _: abs(m), middle, half),
@@ -431,16 +432,16 @@ def solid_angles_in_circle(projection: str, u: Any, wide: Any, v: Any, high: Any
 
 
 def _latlong(width: int, height: int, row: Any) -> Any:
-    """Solid angle of a pixel of a latlong map, by its row."""
-    row = smaller(row, height - 1 - row)  # a sine next to pi would lose digits
+    """Return the solid angle of a pixel of a latlong map, by its row."""
+    row = smaller(row, height - 1 - row)  # the sine of an angle close to pi would lose digits
     middle = math.pi * (row + 0.5) / height
     return 4 * math.pi / width * sin(middle) * sin(math.pi / (2 * height))
 
 
 def _span(pixel: Any, count: int) -> tuple[Any, Any, Any]:
-    """Middle and half width of a row's pixel on the positive side, and how many such it has.
+    """Return middle and half width of a pixel mirrored to the positive side, and its parts.
 
-    The pixel in the middle of an odd number counts as two halves.
+    The middle pixel of an odd number counts as two halves, any other as one whole.
     """
     middle = abs(2 * pixel + 1 - count)
     half = piecewise(middle == 0, lambda m: 0.5 + m, lambda m: 1.0 + 0 * m, middle)
@@ -450,7 +451,7 @@ def _span(pixel: Any, count: int) -> tuple[Any, Any, Any]:
 def _in_quadrant(
     ball: bool, x: Number, wide: Number, halves: Number, y: Number, high: Number, parts: Number
 ) -> Number:
-    """Solid angle of a pixel of positive u and v, times how often it counts."""
+    """Return the solid angle of a pixel of positive u and v, times the number of its parts."""
 
     def uncut(x: Number, wide: Number, y: Number, high: Number) -> Number:
         return _rectangle(ball, x, wide, y, high)
@@ -467,7 +468,7 @@ def _in_quadrant(
 
 
 def _rectangle(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
-    """Solid angle of a rectangle within the circle, by its middle and half its sides."""
+    """Return the solid angle of a rectangle within the circle, by its middle and half its sides."""
     rule = zip(*gauss(_points(wide, high)), strict=True)
     return high * sum(weight * _line(ball, x, wide, y + b * high) for b, weight in rule)
 
@@ -477,9 +478,9 @@ def _points(wide: Number, high: Number) -> int:
 
 
 def _cut(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number:
-    """Solid angle of what the circle leaves of a rectangle."""
+    """Return the solid angle of the part of a rectangle inside the circle."""
     left, right, low, top = x - wide, x + wide, y - high, y + high
-    # up to here the circle is right of the rectangle; beyond the end it is left of it
+    # up to `full` the circle is right of the rectangle; beyond `end` it is left of it
     full = smaller(top, larger(low, sqrt(larger(0.0, (1 - right) * (1 + right)))))
     end = larger(full, smaller(top, sqrt((1 - left) * (1 + left))))
     total = _rectangle(ball, x, wide, (full + low) / 2, (full - low) / 2)
@@ -487,14 +488,14 @@ def _cut(ball: bool, x: Number, wide: Number, y: Number, high: Number) -> Number
     points = gauss(_points(wide, high))
     for a, weight in zip(*points, strict=True):
         angle = (first + last) / 2 + a * (last - first) / 2
-        strip = weight * cos(angle) * (last - first) / 2  # its height
+        strip = weight * cos(angle) * (last - first) / 2  # height of the strip
         half = (cos(angle) - left) / 2
         total = total + strip * _line(ball, left + half, half, sin(angle))
     return total
 
 
 def _line(ball: bool, x: Number, half: Number, y: Number) -> Number:
-    """Integral of the density along u, by the middle and half the length."""
+    """Return the integral of the density along u, by the middle and half the length."""
     if ball:
         return 8 * half
     total = 0.0 * x

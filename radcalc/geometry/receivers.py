@@ -1,13 +1,13 @@
-"""What a round receiver gets of a point source: the part of its directions that end on a disc.
+"""Light of a point source on a round receiver (a disc) of any size.
 
-Each function gives a solid angle [sr] that is weighted with the source's intensity relative to
-that on its axis, f(gamma): times the intensity on the axis it is the flux on the disc.
+Each function returns a solid angle [sr] weighted with f(gamma), the source's intensity relative to
+that on its axis: times the intensity on the axis it is the flux on the disc.
 
 - `isotropic`: f = 1
 - `cone`: f = 1 within a half angle, 0 outside
-- `lobe`: f = cos^n(gamma) up to 90 degrees; `unevenness` bounds how f varies over a turned disc
+- `lobe`: f = cos^n(gamma) up to 90 degrees; `unevenness` bounds the variation of f over a disc
 
-A disc *lies across* the source's axis where its plane is at right angles to it.  Lengths are in
+A disc *lies across* the source's axis if its plane is perpendicular to it.  Lengths are in
 any one unit, angles in radians; arguments are floats or arrays that are broadcast together.
 """
 
@@ -19,16 +19,16 @@ from radcalc.geometry import cones, lobes, solid
 from radcalc.geometry.numerics.quadrature import adaptive
 from radcalc.maths import Number, each
 
-UNEVEN = 0.01  # [1] the most by which a lobe may vary over a receiver that is turned
-TURNED = mention(  # the hint where nothing tells about which axis a receiver is turned
+UNEVEN = 0.01  # [1] largest variation of a lobe over a tilted receiver
+TURNED = mention(  # hint if the axis of a receiver's tilt would matter
     "the same without {incidence}: a receiver in a plane across the axis, or a smaller one"
 )
-FAINT = 1e-18  # [1] what is left of a lobe where no more of it is integrated
+FAINT = 1e-18  # [1] relative intensity of a lobe below which it is not integrated
 
 
 @cones.bounded
 def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Number:
-    """Solid angle of a disc seen from a point, by the distance of its centre and its turn.
+    """Return the solid angle of a disc, from the distance of its centre and the incidence on it.
 
     Parameters
     ----------
@@ -37,12 +37,12 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
     distance : float or ndarray [m]
         Distance d of its centre from the source, above 0.
     incidence : float or ndarray [rad], optional
-        Angle theta between the disc's normal and the line to the source; 0, facing it, by default.
+        Angle theta between the disc's normal and the line to the source; 0 by default.
 
     Returns
     -------
     float or ndarray [sr]
-        From 0 to 2 pi; 0 from pi/2 on, where the disc shows its edge or its back.
+        From 0 to 2 pi; 0 for incidences from pi/2 on.
 
     Raises
     ------
@@ -55,7 +55,8 @@ def isotropic(radius: Number, distance: Number, incidence: Number = 0.0) -> Numb
 
     Examples
     --------
-    A disc whose rim is seen at 60 degrees fills pi sr; turned by 60 degrees, far away, half:
+    A disc with its rim at 60 degrees fills pi sr; an incidence of 60 degrees halves the solid angle
+    of a distant disc:
 
     >>> import math
     >>> from radcalc.geometry import receivers
@@ -83,19 +84,19 @@ def cone(
     off_axis: Number = 0.0,
     incidence: Number | None = None,
 ) -> Number:
-    """Solid angle of that part of a disc that a uniform cone lights.
+    """Return the solid angle of the part of a disc that a uniform cone lights.
 
     Parameters
     ----------
     half_angle : float or ndarray [rad]
         Half angle alpha of the cone, from 0 to pi.
     radius, distance : float or ndarray [m]
-        As of `isotropic`.
+        As in `isotropic`.
     off_axis : float or ndarray [rad], optional
         Angle gamma of the disc's centre from the cone's axis, from 0 to below pi/2; 0 by default.
     incidence : float or ndarray [rad], optional
-        Angle between the disc's normal and the line to the source; without it the disc lies across
-        the cone's axis.
+        Angle between the disc's normal and the line to the source; if it is missing, the disc lies
+        across the cone's axis.
 
     Returns
     -------
@@ -105,17 +106,17 @@ def cone(
     Raises
     ------
     ConditionError
-        If a radius is negative, a distance is not above 0, an angle is out of its range, or the
-        cone's edge may cross a disc that is turned: an incidence does not say about which axis.
+        If a radius is negative, a distance is not above 0, an angle is out of range, or the cone's
+        edge may cross a tilted disc: an incidence does not give the axis of the tilt.
 
     Notes
     -----
-    The smaller of the two solid angles on the axis; elsewhere an integral over the circles about
-    the axis, of which an arc is on the disc.  Exact.
+    On the axis, the smaller of the two solid angles; elsewhere an integral over the circles about
+    the axis that have an arc on the disc.  Exact.
 
     Examples
     --------
-    A disc that is larger than the light's footprint gets all of the cone:
+    A disc larger than the light's footprint receives the whole cone:
 
     >>> import math
     >>> from radcalc.geometry import cones, receivers
@@ -123,7 +124,7 @@ def cone(
     >>> receivers.cone(half, 0.4, 5.0) == cones.cone(half)
     True
     """
-    cones.cone(half_angle)  # refuses what is no cone
+    cones.cone(half_angle)  # checks the half angle
     _check(radius, distance, off_axis)
 
     def of_floats(half: float, size: float, away: float, off: float, turn: float) -> Number:
@@ -132,9 +133,7 @@ def cone(
             if turn >= math.pi / 2 or off - reach >= half:
                 return 0.0
             if off + reach > half:
-                raise ConditionError(
-                    "the cone's edge may cross the receiver, which is turned", TURNED
-                )
+                raise ConditionError("the cone's edge may cross the tilted receiver", TURNED)
             return _isotropic(size, away, turn)
         height, aside = away * math.cos(off), away * math.sin(off)
         if math.atan2(aside + size, height) <= half:
@@ -153,31 +152,31 @@ def lobe(
     off_axis: Number = 0.0,
     incidence: Number | None = None,
 ) -> Number:
-    """Solid angle of a disc, weighted with a cosine-power lobe.
+    """Return the solid angle of a disc, weighted with a cosine-power lobe.
 
     Parameters
     ----------
     exponent : float or ndarray [1]
         Exponent n of the lobe, 0 or more.
     radius, distance : float or ndarray [m]
-        As of `isotropic`.
+        As in `isotropic`.
     off_axis : float or ndarray [rad], optional
         Angle gamma of the disc's centre from the lobe's axis, from 0 to below pi/2; 0 by default.
     incidence : float or ndarray [rad], optional
-        Angle between the disc's normal and the line to the source; without it the disc lies across
-        the lobe's axis.
+        Angle between the disc's normal and the line to the source; if it is missing, the disc lies
+        across the lobe's axis.
 
     Returns
     -------
     float or ndarray [sr]
-        From 0 to 2 pi/(n + 1), which all of the lobe has.
+        From 0 to 2 pi/(n + 1), the value for the whole lobe.
 
     Raises
     ------
     ConditionError
         If a radius or an exponent is negative, a distance is not above 0, an angle off the axis is
-        out of its range, or the lobe varies by more than 1 %
-        over a disc that is turned: an incidence does not say about which axis.
+        out of range, or the lobe varies by more than 1 % over a tilted disc: an incidence does not
+        give the axis of the tilt.
 
     Notes
     -----
@@ -185,13 +184,13 @@ def lobe(
 
         2 pi (1 - cos^(n+1)(beta)) / (n + 1)
 
-    Off the axis an integral over the circles about it, of which an arc is on the disc.  Both are
-    exact.  Of a disc that is turned it is the solid angle times cos^n(gamma), which is off by no
-    more than `unevenness`.
+    Off the axis, an integral over the circles about the axis that have an arc on the disc.  Both
+    are exact.  For a tilted disc, the solid angle times cos^n(gamma); `unevenness` bounds the
+    relative error.
 
     Examples
     --------
-    A large disc gets all of a lobe; one whose rim is at 60 degrees three quarters of a Lambertian:
+    A disc with its rim at 60 degrees receives three quarters of the flux of a Lambertian source:
 
     >>> import math
     >>> from radcalc.geometry import lobes, receivers
@@ -199,7 +198,7 @@ def lobe(
     0.75
     """
     _check(radius, distance, off_axis)
-    lobes.solid_angle(exponent)  # refuses what is no lobe
+    lobes.solid_angle(exponent)  # checks the exponent
 
     def of_floats(n: float, size: float, away: float, off: float, turn: float) -> Number:
         if not _lies_across(off, turn):
@@ -207,14 +206,14 @@ def lobe(
                 return 0.0
             cones.refuse(
                 _unevenness(n, size, away, off) > UNEVEN,
-                "the lobe varies by more than 1 % over the receiver, which is turned",
+                "the lobe varies by more than 1 % over the tilted receiver",
                 TURNED,
             )
             return _isotropic(size, away, turn) * math.exp(n * lobes.ln_cos(off))
         height, aside = away * math.cos(off), away * math.sin(off)
         nearest = max(0.0, math.atan2(aside - size, height))
         edge = math.pi / 2
-        if n > 0:  # the rest is as nothing beside what the nearest part of the disc gets
+        if n > 0:  # the rest is negligible against the flux on the nearest part of the disc
             fall = lobes.ln_cos(nearest) + math.log(FAINT) / n
             edge = 2 * math.asin(math.sqrt(-math.expm1(fall) / 2))
         return _across(
@@ -234,7 +233,7 @@ def lobe(
 def unevenness(
     exponent: Number, radius: Number, distance: Number, off_axis: Number = 0.0
 ) -> Number:
-    """By how much a lobe's intensity differs at most, on a disc, from that towards its centre.
+    """Return a bound of the difference between a lobe's intensity on a disc and at its centre.
 
     Parameters
     ----------
@@ -248,33 +247,33 @@ def unevenness(
     Returns
     -------
     float or ndarray [1]
-        Relative to the intensity towards the centre; infinite where the disc may reach the edge of
+        Relative to the intensity towards the centre; infinite if the disc may reach the edge of
         the lobe, or the source.
 
     Raises
     ------
     ConditionError
         If a radius or an exponent is negative, a distance is not above 0, or an angle off the axis
-        is out of its range.
+        is out of range.
 
     Notes
     -----
-    However the disc is turned, it is seen within the angle d = asin(R/distance) from its centre::
+    At any incidence the disc is seen within the angle d = asin(R/distance) from its centre::
 
         max(cos^n(gamma - d) / cos^n(gamma) - 1, 1 - cos^n(gamma + d) / cos^n(gamma))
 
-    where gamma - d counts as 0 if it is negative.
+    with gamma - d replaced by 0 if it is negative.
 
     Examples
     --------
-    A spot of 10 degrees (n = 181) over a disc of 1 cm radius 1 m away, on its axis:
+    A spot of 10 degrees (n = 181) and a disc of 1 cm radius on its axis, 1 m away:
 
     >>> from radcalc.geometry import receivers
     >>> round(receivers.unevenness(181.0, 0.01, 1.0), 5)
     0.00901
     """
     _check(radius, distance, off_axis)
-    lobes.solid_angle(exponent)  # refuses what is no lobe
+    lobes.solid_angle(exponent)  # checks the exponent
     return each(_unevenness, exponent, radius, distance, off_axis)
 
 
@@ -291,14 +290,14 @@ def _unevenness(exponent: float, radius: float, distance: float, off_axis: float
 
 
 def _check(radius: Number, distance: Number, off_axis: Number = 0.0) -> None:
-    cones.refuse(radius < 0, "a negative radius is out of range", "0 or more")
+    cones.refuse(radius < 0, "the radius is out of range", "0 or more")
     cones.refuse(distance <= 0, "the source is on the receiver", "a distance above 0")
     bad = (off_axis < 0) | (off_axis >= math.pi / 2)
-    cones.refuse(bad, "that angle off the axis is out of range", "from 0 to below 90 deg")
+    cones.refuse(bad, "the angle off the axis is out of range", "from 0 to below 90 deg")
 
 
 def _lies_across(off_axis: float, incidence: float) -> bool:
-    """Whether the plane of a disc is at right angles to the axis; NaN stands for no incidence."""
+    """Return whether a disc lies across the axis; an incidence of NaN means none was given."""
     return math.isnan(incidence) or (incidence == 0 and off_axis == 0)
 
 
@@ -310,11 +309,11 @@ def _across(
     height: float,
     offset: float,
 ) -> Number:
-    """The solid angle, weighted with `share`, of a disc that lies across the axis.
+    """Return the solid angle, weighted with `share`, of a disc that lies across the axis.
 
-    `within` is that of all directions up to an angle from the axis; nothing counts past `edge`.
-    Circles about the axis are on the disc wholly up to the radius R - x, and with an arc from
-    |R - x| to R + x.  Those radii are m + a cos(t), which leaves no root in the integrand.
+    `within` is that of all directions up to an angle from the axis; directions past `edge` do not
+    count.  Circles about the axis are wholly on the disc up to the radius R - x, and have an arc on
+    it from |R - x| to R + x.  With these radii as m + a cos(t), the integrand has no root.
     """
     large, small = max(radius, offset), min(radius, offset)
     whole = within(min(edge, math.atan2(radius - offset, height))) if radius > offset else 0.0

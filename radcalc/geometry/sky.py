@@ -1,8 +1,8 @@
-"""The luminance of the sky by direction, relative to its zenith, and what a plane receives of it.
+"""Luminance of the sky by direction, relative to its zenith, and irradiance of a plane.
 
 The 15 types of the CIE standard general sky, and the traditional overcast sky.  Polar angles are
-counted from the zenith, azimuths from any one direction, in radians.  Below the horizon is
-nothing.  For floats no NumPy is imported.
+counted from the zenith, azimuths from any one direction, in radians.  The luminance below the
+horizon is 0.  Floats do not import NumPy.
 """
 
 import math
@@ -20,32 +20,31 @@ from radcalc.maths import Number, asin, cos, exp, limit, sin, smaller, sqrt, squ
 
 CIE = "CIE S 011:2003 (ISO 15469:2004)"
 HALF_PI = math.pi / 2
-# Points across and around of rules that get finer, of which each is checked by the one before.
+# Points across and around of ever finer rules; each is compared with the one before.
 POINTS = (24, 36), (48, 64), (96, 128), (144, 192)
-ACCURACY = 1e-9  # [1] at which to stop; what is left is a hundredth of it
+ACCURACY = 1e-9  # [1] difference at which to stop; the error is then a hundredth of it
 ROUNDING = 1e-13  # [1] error of the sums, relative to the integral
-FAINT = 1e-300  # keeps exp(b / 0) from a division by 0
+FAINT = 1e-300  # avoids a division by 0 in exp(b / 0)
 NO_WIDTH = 1e-15  # [rad]
-LOW = 1e-3  # [1] cosine below which exp(b / cosine) is nothing
-SAMPLES = 721  # of the meridian on which the peak is looked for
+LOW = 1e-3  # [1] cosine below which exp(b / cosine) is negligible
+SAMPLES = 721  # of the meridian on which the peak is searched
 
 
 class SkyType(NamedTuple):
-    """How the luminance of a sky is distributed.
+    """The luminance distribution of a sky.
 
     Attributes
     ----------
     name : str
-        What the standard calls it.
+        Name in the standard.
     number : int
-        Of its type in the standard; 0 of the traditional overcast sky.
+        Type in the standard; 0 for the traditional overcast sky.
     a, b : float [1]
-        Of the gradation from zenith to horizon.
+        Parameters of the gradation from zenith to horizon.
     c, d, e : float [1]
-        Of the indicatrix, which brightens it about the sun.
+        Parameters of the indicatrix, which brightens the sky about the sun.
     is_linear : bool
-        Whether the gradation is that of the traditional overcast sky in their place, which is
-        linear in the cosine.
+        Whether the gradation is instead that of the traditional overcast sky, linear in the cosine.
 
     Examples
     --------
@@ -64,7 +63,7 @@ class SkyType(NamedTuple):
 
     @property
     def follows_sun(self) -> bool:
-        """Whether it matters where the sun is.
+        """Return whether the luminance depends on the sun's position.
 
         Examples
         --------
@@ -74,7 +73,7 @@ class SkyType(NamedTuple):
         return self.c != 0
 
     def gradation(self, height: Number) -> Number:
-        """How bright the sky is at a height, apart from the sun's influence.
+        """Return the luminance at a height relative to the horizon, without the sun's influence.
 
         Parameters
         ----------
@@ -84,7 +83,7 @@ class SkyType(NamedTuple):
         Returns
         -------
         float or ndarray [1]
-            phi(Z) = 1 + a exp(b / cos(Z)); of the linear one 1 + 2 cos(Z).  1 at the horizon.
+            phi(Z) = 1 + a exp(b / cos(Z)), or 1 + 2 cos(Z) if linear; 1 at the horizon.
 
         Examples
         --------
@@ -96,7 +95,7 @@ class SkyType(NamedTuple):
         return 1 + self.a * exp(self.b / (height + FAINT))
 
     def indicatrix(self, away: Number) -> Number:
-        """How the sun brightens the sky at an angle from it.
+        """Return the factor by which the sun brightens the sky at an angle from it.
 
         Parameters
         ----------
@@ -121,7 +120,7 @@ class SkyType(NamedTuple):
 
 
 OVERCAST = SkyType("traditional overcast sky (Moon and Spencer)", is_linear=True)
-# a, b, c, d, e of the types 1 to 15, and what they are
+# a, b, c, d, e of the types 1 to 15, and their descriptions
 _TABLE = (
     (4.0, -0.70, 0, -1.0, 0.00, "CIE standard overcast sky"),
     (4.0, -0.70, 2, -1.5, 0.15, "overcast, steeply graded, slightly brighter towards the sun"),
@@ -144,17 +143,17 @@ TYPES = {
     **{str(k): SkyType(row[-1], k, *row[:-1]) for k, row in enumerate(_TABLE, start=1)},
 }
 
-# What is said where a sky, or the light of its sun, depends on the sun's place.
+# Errors if a sky, or the light of its sun, depends on the sun's position.
 MISSING_SUN = "the sun's elevation is missing", mention("{sun-elevation=40deg}")
 MISSING_AZIMUTH = "the sun's azimuth is missing", mention("{sun-azimuth=180deg}")
 IS_EVEN = "to the sky {}, which is the same at every azimuth"  # of its name
-# Other names of some of them.
+# Other names of some types.
 ALSO = {"uniform": "5", "intermediate": "7", "clear": "12", "turbid": "13"}
 NAMES = ("overcast", *ALSO, *(name for name in TYPES if name != "overcast"))
 
 
 def sky_type(name: str) -> SkyType:
-    """A sky by its name or number.
+    """Return a sky by its name or number.
 
     Parameters
     ----------
@@ -169,7 +168,7 @@ def sky_type(name: str) -> SkyType:
     Raises
     ------
     ConditionError
-        If there is no such sky.
+        If the sky is unknown.
 
     Examples
     --------
@@ -179,14 +178,14 @@ def sky_type(name: str) -> SkyType:
     if name not in NAMES:
         close = [] if name[:1].isdigit() else nearest(name, NAMES)
         raise ConditionError(
-            f"'{quote(name)}' is no sky",
+            f"unknown sky '{quote(name)}'",
             " or ".join(close) or f"overcast, {', '.join(ALSO)}, 1 to 15",
         )
     return TYPES[ALSO.get(name, name)]
 
 
 def angle_between(polar: Number, azimuth: Number, sun: tuple[Number, Number]) -> Number:
-    """Angle between directions and the sun.
+    """Return the angle between directions and the sun.
 
     Parameters
     ----------
@@ -198,7 +197,7 @@ def angle_between(polar: Number, azimuth: Number, sun: tuple[Number, Number]) ->
     Returns
     -------
     float or ndarray [rad]
-        From 0 to pi, with all its digits next to the sun.
+        From 0 to pi, with all digits close to the sun.
 
     Examples
     --------
@@ -215,14 +214,14 @@ def angle_between(polar: Number, azimuth: Number, sun: tuple[Number, Number]) ->
 def relative_luminance(
     sky: SkyType, polar: Number, azimuth: Number, sun: tuple[Number, Number] | None = None
 ) -> Number:
-    """Luminance of the sky over that of its zenith.
+    """Return the luminance of the sky relative to its zenith.
 
     Parameters
     ----------
     sky : SkyType
         One of `TYPES`.
     polar, azimuth : float or ndarray [rad]
-        Where it is seen; broadcast together.
+        Direction; broadcast together.
     sun : tuple of 2 floats [rad], optional
         Polar angle and azimuth of the sun, for a sky that follows it.
 
@@ -252,40 +251,41 @@ def relative_luminance(
 def projected_sky(
     sky: SkyType, normal: Vector, sun: tuple[float, float] | None = None
 ) -> tuple[float, float]:
-    """Irradiance of a plane over the radiance of the zenith: the sky's weighted solid angle.
+    """Return the irradiance of a plane over the radiance of the zenith: a weighted solid angle.
 
     Parameters
     ----------
     sky : SkyType
         One of `TYPES`.
     normal : tuple of 3 floats
-        Where the plane faces; of any length but 0.
+        Normal of the plane, of any length except 0.
     sun : tuple of 2 floats [rad], optional
         Polar angle and azimuth of the sun, for a sky that follows it.
 
     Returns
     -------
     value, error : float [sr]
-        The integral of L / Lz times the cosine to the normal, over what is above both the horizon
-        and the plane, and an estimate of its error: mostly below 1e-12 of it, seldom above 1e-9.
+        The integral of L / Lz times the cosine to the normal, over the directions above both the
+        horizon and the plane, and an estimate of its error: mostly below a relative 1e-12, seldom
+        above 1e-9.
 
     Raises
     ------
     ConditionError
-        If the normal has no direction.
+        If the length of the normal is 0.
 
     Notes
     -----
     With the tilt T of the plane from the horizontal, a uniform sky gives pi (1 + cos(T)) / 2, the
-    traditional overcast one a third of that and 4/9 ((pi - T) cos(T) + sin(T)) more.
+    traditional overcast sky a third of that plus 4/9 ((pi - T) cos(T) + sin(T)).
 
-    The others are integrated in polar coordinates about the sun, as the luminance has a peak with
-    a kink there: for each angle from the sun along the one or two arcs of its circle that are above
-    both horizons.  The angles are cut where these arcs come and go.
+    The others are integrated in polar coordinates about the sun, where the luminance has a peak
+    with a kink: for each angle from the sun, along the one or two arcs of that circle above both
+    horizons.  The range of angles is split where these arcs begin and end.
 
     Examples
     --------
-    The ground, and a wall, under the traditional overcast sky, 7 pi / 9 and pi / 6 + 4 / 9:
+    The ground and a wall under the traditional overcast sky, 7 pi / 9 and pi / 6 + 4 / 9:
 
     >>> [round(projected_sky(OVERCAST, normal)[0], 6) for normal in ((0, 0, 1), (1, 0, 0))]
     [2.443461, 0.968043]
@@ -293,7 +293,7 @@ def projected_sky(
     refuse(not any(normal), *NO_NORMAL)
     facing = unit(normal)
     across = math.hypot(facing[0], facing[1])
-    if 1 + facing[2] < ROUNDING:  # it faces the ground
+    if 1 + facing[2] < ROUNDING:  # the plane faces the ground
         return 0.0, 0.0
     if not sky.follows_sun and not sky.a:
         even = HALF_PI * (1 + facing[2])
@@ -306,7 +306,7 @@ def projected_sky(
 
 
 def mean_sky(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[float, float]:
-    """Mean luminance of the sky, by solid angle, over that of its zenith.
+    """Return the mean luminance of the sky, by solid angle, relative to its zenith.
 
     Parameters
     ----------
@@ -332,7 +332,7 @@ def mean_sky(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[floa
 
 
 def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[float, float, float]:
-    """The greatest luminance of the sky over that of its zenith, and where it is.
+    """Return the greatest luminance of the sky relative to its zenith, and its direction.
 
     Parameters
     ----------
@@ -346,7 +346,7 @@ def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[flo
     value : float [1]
         The greatest L / Lz.
     polar, azimuth : float [rad]
-        A direction that has it: on the sun's meridian.
+        A direction with that luminance, on the sun's meridian.
 
     Examples
     --------
@@ -356,7 +356,7 @@ def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[flo
     height, bearing = sun if sun and sky.follows_sun else (0.0, 0.0)
 
     def along(angle: float) -> float:
-        """Luminance on the meridian, by the angle from the zenith towards the sun."""
+        """Return the luminance on the meridian, by the angle from the zenith towards the sun."""
         return float(sky.gradation(cos(angle)) * sky.indicatrix(abs(angle - height)))
 
     places = [HALF_PI * (2 * k / (SAMPLES - 1) - 1) for k in range(SAMPLES)]
@@ -373,7 +373,7 @@ def brightest(sky: SkyType, sun: tuple[float, float] | None = None) -> tuple[flo
 def _integrals(
     sky: SkyType, sun: tuple[float, float] | None, facing: Vector | None
 ) -> tuple[float, float]:
-    """The integral of the luminance over that of the zenith, and an estimate of its error."""
+    """Return the integral of the relative luminance, and an estimate of its error."""
     polar, azimuth = sun if sun and sky.follows_sun else (0.0, 0.0)
     turned = None
     if facing:
@@ -394,10 +394,11 @@ def _integrals(
 
 
 def _integral(sky: SkyType, polar: float, facing: Vector | None, across: int, around: int) -> float:
-    """The integral of gradation and indicatrix, times the cosine to a normal if there is one.
+    """Return the integral of gradation times indicatrix, times the cosine to any normal.
 
-    The sun is at the azimuth 0.  At an angle chi from it, along psi from the direction of the
-    zenith, a cosine is that of its axis with the sun, times cos(chi), and more along psi.
+    The sun is at the azimuth 0.  A direction has the angle chi from the sun and the azimuth psi
+    about it, from the direction of the zenith.  Its cosine to an axis is (cosine of the axis to the
+    sun) cos(chi) + (sine of the axis to the sun) sin(chi) cos(psi - psi of the axis).
     """
     sun = (math.sin(polar), 0.0, math.cos(polar))
     upward, aside = (-sun[2], 0.0, sun[0]), (0.0, 1.0, 0.0)
@@ -439,9 +440,9 @@ def _integral(sky: SkyType, polar: float, facing: Vector | None, across: int, ar
 def _graded(
     b: float, bearing: float, arcs: Sequence[Sequence[float]], rule: Sequence[tuple[float, float]]
 ) -> float:
-    """The sum over arcs of exp(b / height), times the cosine to the normal.
+    """Return the integral over arcs of exp(b / height) times the cosine to the normal.
 
-    Where NumPy is loaded, as it is for lists, it works out all points at once.
+    If NumPy is loaded, as for lists, it computes all points at once.
     """
     numpy = sys.modules.get("numpy")
     if numpy is None:
@@ -455,7 +456,7 @@ def _graded(
 
 
 def _at(functions: Any, b: float, bearing: float, arc: Sequence[Any], place: Number) -> Number:
-    """exp(b / height) times the cosine to the normal, by the functions of `math` or NumPy."""
+    """Return exp(b / height) times the cosine to the normal, with functions of `math` or NumPy."""
     rise, lift, level, turn, start, width, size = arc
     psi = start + width * place
     height = rise + lift * functions.cos(psi)
@@ -464,14 +465,14 @@ def _at(functions: Any, b: float, bearing: float, arc: Sequence[Any], place: Num
 
 
 def _half_arc(level: float, swing: float) -> float:
-    """How far from its top a circle is above a horizon [rad]."""
+    """Return half the arc of a circle that is above a horizon [rad]."""
     if abs(level) >= swing:
         return math.pi if level > 0 else 0.0
     return math.acos(-level / swing)
 
 
 def _arcs(half: float, other: float, bearing: float) -> list[tuple[float, float]]:
-    """The arcs that are within `half` of 0 and within `other` of `bearing`."""
+    """Return the arcs within `half` of 0 and within `other` of `bearing`."""
     if half == math.pi:
         return [(bearing - other, bearing + other)] if other else []
     arcs = []
@@ -490,9 +491,9 @@ _RULES: dict[int, list[tuple[float, float]]] = {}
 
 
 def _rule(n: int) -> list[tuple[float, float]]:
-    """Places and weights on [0, 1], of Gauss and Legendre, drawn to the ends by a cubic.
+    """Return places and weights of a Gauss-Legendre rule on [0, 1], mapped by a cubic.
 
-    A square root at an end becomes smooth by it, and what is flat there is seen closer.
+    The cubic makes a square root at an end smooth, and puts more points close to the ends.
     """
     if n not in _RULES:
         _RULES[n] = [

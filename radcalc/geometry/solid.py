@@ -2,20 +2,20 @@
 
 The solid angle of a shape is the area that the shape covers on the unit sphere round the
 observer (CIE e-ILV 17-21-109).  All directions together are 4 pi sr, those above a plane
-2 pi sr.  It is what an intensity is multiplied by to give a flux; what a radiance is
-multiplied by to give an irradiance is the *projected* solid angle of `radcalc.geometry.projected`.
+2 pi sr.  An intensity times a solid angle is a flux; a radiance times the *projected* solid angle
+of `radcalc.geometry.projected` is an irradiance.
 
-Shapes: `zone`, `disc`, `rectangle`, `pyramid`, `patch`; those of `cones`, `spheres` and `polygons`
-are in the modules of these names.  The functions whose names start with `check` refuse arguments
-out of range, for this module and for `projected`.
+Shapes: `zone`, `disc`, `rectangle`, `pyramid`, `patch`; others are in `cones`, `spheres` and
+`polygons`.  The functions whose names start with `check` refuse arguments out of range, for this
+module and for `projected`.
 
 Units: angles are in radians, solid angles in steradians.  The lengths of one call are in any
-one unit, as only their ratios matter.  Every argument is a float or a NumPy array; arrays are
-broadcast together, and the result has their shape.  A NaN is not refused: it gives NaN.
+one unit, because only their ratios matter.  Every argument is a float or a NumPy array; arrays are
+broadcast together, and the result has their shape.  NaN gives NaN.
 
-Precision: the closed forms are written so that no digits are lost where two nearly equal
-numbers would be subtracted (narrow cones, distant discs, spheres seen from close by).  The
-tests hold them to a relative 1e-12 of references that are computed with 80 digits.
+Precision: the closed forms avoid differences of nearly equal numbers, which would lose digits
+(narrow cones, distant discs, spheres seen from close by).  In the tests they agree to a relative
+1e-12 with references computed with 80 digits.
 """
 
 import math
@@ -42,16 +42,16 @@ from radcalc.maths import (
 
 @bounded
 def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
-    """Solid angle of a spherical zone between two polar angles, or of a part of it in azimuth.
+    """Return the solid angle of a spherical zone between two polar angles, or of a part of it.
 
-    With a part in azimuth it is a patch between two circles of latitude and two meridians.
+    A part in azimuth is a patch between two circles of latitude and two meridians.
 
     Parameters
     ----------
     lower, upper : float or ndarray [rad]
         Polar angles t0 and t1, from the zone's axis (not elevations), 0 <= t0 <= t1 <= pi.
     azimuth : float or ndarray [rad], optional
-        Width dphi in azimuth, from 0 to 2 pi; the whole turn by default.
+        Width dphi in azimuth, from 0 to 2 pi; a full turn by default.
 
     Returns
     -------
@@ -70,9 +70,9 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
 
         Omega = dphi (cos(t0) - cos(t1)) = 2 dphi sin((t0 + t1)/2) sin((t1 - t0)/2)
 
-    Exact.  The product is computed, not the difference of cosines, which loses digits in narrow
-    zones and next to the poles.  The sine of the mean angle is expanded into the sines and cosines
-    of t0/2 and t1/2, because rounding the sum t0 + t1 would cost digits next to the pole at pi.
+    Exact.  The product is computed, because the difference of cosines loses digits in narrow zones
+    and next to the poles.  The sine of the mean angle is expanded into the sines and cosines of
+    t0/2 and t1/2, because rounding the sum t0 + t1 would cost digits next to the pole at pi.
 
     References
     ----------
@@ -88,27 +88,27 @@ def zone(lower: Number, upper: Number, azimuth: Number = 2 * math.pi) -> Number:
     >>> round(band / (math.pi * (math.sqrt(3) - 1)), 12)
     1.0
 
-    One degree by one degree at the equator is close to the square degree, (pi/180)^2 sr:
+    One degree by one degree at the equator is close to a square degree, (pi/180)^2 sr:
 
     >>> cell = solid.zone(math.radians(89.5), math.radians(90.5), math.radians(1))
     >>> f"{cell:.6e}", f"{math.radians(1) ** 2:.6e}"
     ('3.046136e-04', '3.046174e-04')
     """
     check_zone(lower, upper, azimuth)
-    # sin((t0 + t1)/2), from halves: no digit is lost near either pole
+    # sin((t0 + t1)/2), from halves: exact near both poles
     middle = sin(lower / 2) * cos(upper / 2) + cos(lower / 2) * sin(upper / 2)
     return 2 * azimuth * middle * sin((upper - lower) / 2)
 
 
 def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
-    """Refuse polar angles and azimuths that bound no zone.
+    """Refuse polar angles and azimuths that do not bound a zone.
 
     Parameters
     ----------
     lower, upper : float or ndarray [rad]
-        Polar angles, to be 0 <= lower <= upper <= pi.
+        Polar angles: 0 <= lower <= upper <= pi.
     azimuth : float or ndarray [rad]
-        Width in azimuth, to be from 0 to 2 pi.
+        Width in azimuth, from 0 to 2 pi.
 
     Raises
     ------
@@ -128,30 +128,30 @@ def check_zone(lower: Number, upper: Number, azimuth: Number) -> None:
     """
     refuse(
         (lower < 0) | (upper > math.pi * (1 + SLACK)),
-        "a zone beyond the poles is out of range",
+        "the polar angle of the zone is out of range",
         "polar angles from 0 to 180 deg",
     )
     refuse(lower > upper, "the zone ends before it starts", "the smaller polar angle first")
     refuse(
         (azimuth < 0) | (azimuth > 2 * math.pi * (1 + SLACK)),
-        "a zone of that width in azimuth is out of range",
+        "the width of the zone in azimuth is out of range",
         "from 0 to 360 deg",
     )
 
 
 def check_height(height: Number) -> None:
-    """Refuse an observer in or behind the plane of a flat shape.
+    """Refuse an observer who is not in front of the plane of a flat shape.
 
     Parameters
     ----------
     height : float or ndarray
-        Distance of the observer from the shape's plane, in any unit, to be above 0.
+        Distance of the observer from the shape's plane, in any unit.
 
     Raises
     ------
     ConditionError
-        If a height is 0 or negative.  From its own plane a flat shape is seen edge-on, and from
-        a point on the shape the solid angle jumps between 2 pi and 0.
+        If a height is 0 or negative.  At a height of 0 the shape is seen edge-on, or, from a point
+        on it, its solid angle jumps between 2 pi and 0.
 
     Examples
     --------
@@ -172,7 +172,7 @@ def check_height(height: Number) -> None:
 
 @bounded
 def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
-    """Solid angle of a circular disc, from a point on its axis or off it.
+    """Return the solid angle of a circular disc, from a point on its axis or off it.
 
     Parameters
     ----------
@@ -181,8 +181,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     height : float or ndarray [m]
         Distance h of the observer from the disc's *plane*, above 0.
     offset : float or ndarray [m], optional
-        Distance x of the observer from the disc's axis; the sign does not matter.  0, on the
-        axis, by default.
+        Distance x of the observer from the disc's axis; its sign does not matter.  0 by default.
 
     Returns
     -------
@@ -200,20 +199,20 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
 
         Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) = 4 pi sin^2(alpha/2),  tan(alpha) = R/h
 
-    Off the axis it is a sum of complete elliptic integrals of the first and third kind [1]_; with
+    Off the axis it is a sum of complete elliptic integrals of the first and third kind [1]_.  With
     r1 and r2 the distances to the nearest and the farthest point of the rim::
 
         Omega = turn - 4 (h / r2) cel(r1/r2, p, a, b)
         p = ((R - x) / (R + x))^2,  a = R / (R + x),  b = a (R - x) / (R + x)
 
-    `cel` is Bulirsch's integral [2]_, and turn is how far the rim turns about the foot of the
+    `cel` is Bulirsch's integral [2]_, and turn is the angle of the rim about the foot of the
     observer's perpendicular: 2 pi for x < R, pi for x = R and 0 for x > R.  For x = R, where p and
     b are 0, the integral is that of p = 1 and b = a.
 
-    Beyond four radii from the centre that is a difference of nearly equal numbers.  There the mean
-    of a positive function over 32 points of the rim is taken instead: the function is smooth and
-    periodic, so the trapezoidal rule converges geometrically, and 26 points would give every digit.
-    Both are exact but for rounding.
+    Beyond four radii from the centre this is a difference of nearly equal numbers.  There it is
+    replaced by the mean of a positive function over 32 points of the rim: the function is smooth
+    and periodic, so the trapezoidal rule converges geometrically, and 26 points give every digit.
+    Both are exact except for rounding.
 
     References
     ----------
@@ -224,7 +223,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
 
     Examples
     --------
-    On the axis, where the rim is seen at 60 degrees, the disc fills the cone of 60 degrees, pi sr:
+    On the axis, with its rim at 60 degrees, the disc fills the cone of 60 degrees, pi sr:
 
     >>> import math
     >>> from radcalc.geometry import solid
@@ -236,7 +235,7 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
     >>> round(solid.disc(1.0, 1e-9, 1.0) / math.pi, 6)
     1.0
     """
-    refuse(radius < 0, "a negative radius is out of range", "0 or more")
+    refuse(radius < 0, "the radius is out of range", "0 or more")
     check_height(height)
     offset = abs(offset)
     scale = power_of_two(larger(larger(radius, height), offset))
@@ -246,30 +245,30 @@ def disc(radius: Number, height: Number, offset: Number = 0.0) -> Number:
 
 
 def rim_of(solid_angle: Number) -> Number:
-    """Angle of a disc's rim from its axis, seen from a place on the axis.
+    """Return the angle between a disc's axis and its rim, seen from a point on the axis.
 
     Parameters
     ----------
     solid_angle : float or ndarray [sr]
-        Of the disc, above 0 and below 2 pi.
+        Solid angle of the disc, above 0 and below 2 pi.
 
     Returns
     -------
     float or ndarray [rad]
-        The half angle of the cone that the rim fills, whose tangent is R/h.
+        The half angle of the cone that the disc fills; its tangent is R/h.
 
     Raises
     ------
     ConditionError
-        A solid angle that no disc fills.
+        If no disc fills the solid angle.
 
     Notes
     -----
-    The rim of a disc on its axis fills a cone, so this is `cone_of` below a hemisphere.
+    A disc seen from its axis fills a cone, so this is `cone_of` below a hemisphere.
 
     Examples
     --------
-    A disc as far away as its radius, 2 pi (1 - 1/sqrt 2) sr, has its rim at 45 degrees:
+    A disc at the distance of its radius fills 2 pi (1 - 1/sqrt 2) sr, with its rim at 45 degrees:
 
     >>> import math
     >>> from radcalc.geometry import solid
@@ -278,17 +277,17 @@ def rim_of(solid_angle: Number) -> Number:
     """
     refuse(
         (solid_angle <= 0) | (solid_angle >= HEMISPHERE),
-        "no disc seen from its axis fills that solid angle",
+        "the solid angle is out of range for a disc seen from its axis",
         "more than 0 and less than 2pi sr",
     )
     return cone_of(solid_angle)
 
 
-RIM = 32  # points on a disc's rim; from four radii on, 26 give every digit
+RIM = 32  # points on a disc's rim; beyond four radii, 26 give every digit
 
 
 def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
-    """Far from the disc: the mean over the rim of a positive function, by the trapezoidal rule.
+    """Integrate a distant disc: the mean of a function over its rim, by the trapezoidal rule.
 
     The function is the solid angle per turn about the line from the observer to the disc's centre.
     """
@@ -302,15 +301,15 @@ def _disc_from_afar(radius: Number, height: Number, offset: Number) -> Number:
 
 
 def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
-    """Near the disc: the rim's turn about the axis, less an elliptic integral.
+    """Return the solid angle of a near disc: the turn of its rim, minus an elliptic integral.
 
-    In polar coordinates about the observer's perpendicular, the disc is the integral of
+    In polar coordinates about the observer's perpendicular, the solid angle is the integral of
     1 - cos(polar angle of the rim) over the azimuth; the turn is the integral of the 1.
     """
     nearest, farthest = hypot(height, offset - radius), hypot(height, offset + radius)
     inside, outside = radius - offset, radius + offset
-    # The rim's turn about the observer's foot is all of it, half of it or none; on the rim
-    # itself the integral has no pole left, and is of the first kind.
+    # The rim turns by 2 pi, pi or 0 about the observer's foot; on the rim itself the integral has
+    # no pole, and is of the first kind.
     turn = math.pi * (1.0 * (inside >= 0) + 1.0 * (inside > 0))
     rim = inside == 0
     p = piecewise(rim, lambda x: 1.0 + x, lambda x: x * x, inside / outside)
@@ -323,7 +322,7 @@ def _disc_from_near(radius: Number, height: Number, offset: Number) -> Number:
 def rectangle(
     width: Number, length: Number, height: Number, offset: Number = 0.0, offset_y: Number = 0.0
 ) -> Number:
-    """Solid angle of a rectangle, from a point on its axis or off it.
+    """Return the solid angle of a rectangle, from a point on its axis or off it.
 
     Parameters
     ----------
@@ -332,8 +331,8 @@ def rectangle(
     height : float or ndarray [m]
         Distance h of the observer from the rectangle's *plane*, above 0.
     offset, offset_y : float or ndarray [m], optional
-        How far aside of the rectangle's axis the observer is, along x and along y; 0 by
-        default.  Half a side each puts the observer above a corner.
+        Sideways distance of the observer from the rectangle's axis, along x and y; 0 by default.
+        With half a side each, the observer is above a corner.
 
     Returns
     -------
@@ -351,9 +350,9 @@ def rectangle(
 
         Omega = 4 arctan(a b / (h sqrt(a^2 + b^2 + h^2)))
 
-    Exact everywhere.  Off the axis the rectangle is the sum of its two triangles (see
-    `radcalc.geometry.polygons.triangle`); the textbook's four rectangles that meet below the
-    observer are added and subtracted, and of a distant rectangle all digits would cancel.
+    Exact everywhere.  Computed as the sum of two triangles (see
+    `radcalc.geometry.polygons.triangle`); the textbooks add and subtract four rectangles that meet
+    below the observer, and lose all digits of a distant rectangle.
 
     References
     ----------
@@ -381,7 +380,7 @@ def rectangle(
 
 
 def corners(width: Number, length: Number, height: Number, offset: Number, offset_y: Number) -> Any:
-    """Corners of a rectangle as `radcalc.geometry.polygons` takes them: a point, and sides from it.
+    """Return the corners of a rectangle in the form that `radcalc.geometry.polygons` takes.
 
     Parameters
     ----------
@@ -390,14 +389,14 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     height : float or ndarray [m]
         Distance of the observer from the rectangle's plane, which is at z = height; above 0.
     offset, offset_y : float or ndarray [m]
-        How far aside of the rectangle's axis the observer is, along x and along y.
+        Sideways distance of the observer from the rectangle's axis, along x and y.
 
     Returns
     -------
     first : tuple of 3 floats or ndarrays [m]
-        The corner of the smallest x and y, from the observer.
+        The corner with the smallest x and y, from the observer.
     sides : list of 4 such tuples [m]
-        All four corners from that one, counted from +x to +y; the first is zero.
+        All four corners relative to it, in order from +x to +y; the first is zero.
 
     Raises
     ------
@@ -406,8 +405,8 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
 
     Notes
     -----
-    The corners are handed over as differences from the first one, because these are known exactly
-    while the corners of a small and distant rectangle agree in most of their digits.
+    The differences from the first corner are known exactly, while the corners of a small and
+    distant rectangle agree in most of their digits.
 
     Examples
     --------
@@ -418,16 +417,16 @@ def corners(width: Number, length: Number, height: Number, offset: Number, offse
     >>> sides
     [(0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (2.0, 4.0, 0.0), (0.0, 4.0, 0.0)]
     """
-    refuse((width < 0) | (length < 0), "a negative side is out of range", "0 or more")
+    refuse((width < 0) | (length < 0), "the side is out of range", "0 or more")
     check_height(height)
     far = larger(larger(width, length), larger(height, larger(abs(offset), abs(offset_y))))
-    refuse(far == math.inf, "an infinite length has no corners", "a length that is finite")
+    refuse(far == math.inf, "a length of the rectangle is infinite", "a length that is finite")
     corner = (-offset - width / 2, -offset_y - length / 2, height)
     return corner, [(0.0, 0.0, 0.0), (width, 0.0, 0.0), (width, length, 0.0), (0.0, length, 0.0)]
 
 
 def pyramid(horizontal: Number, vertical: Number) -> Number:
-    """Solid angle of a right rectangular pyramid, from its two apex angles.
+    """Return the solid angle of a right rectangular pyramid from its two apex angles.
 
     Parameters
     ----------
@@ -451,9 +450,9 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
         Omega = 4 arcsin(sin(a/2) sin(b/2))
 
-    Exact.  The arcsine loses digits where its argument is next to 1; the arctangent of the same
-    angle keeps them, atan2(sin(a/2) sin(b/2), sqrt(cos^2(a/2) + sin^2(a/2) cos^2(b/2))).  The
-    angles between opposite *edges* would be smaller, and have another formula.
+    Exact.  The arcsine loses digits if its argument is close to 1; the arctangent of the same
+    angle keeps them: atan2(sin(a/2) sin(b/2), sqrt(cos^2(a/2) + sin^2(a/2) cos^2(b/2))).  The
+    angles between opposite *edges* are smaller and have another formula.
 
     Examples
     --------
@@ -464,7 +463,7 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
     >>> round(solid.pyramid(math.pi / 2, math.pi / 2) / (4 * math.pi / 6), 12)
     1.0
 
-    With one angle open to 180 degrees it is a wedge, whose solid angle is twice the other angle:
+    With one angle of 180 degrees it is a wedge, whose solid angle is twice the other angle:
 
     >>> round(solid.pyramid(0.5, math.pi), 12)
     1.0
@@ -475,14 +474,14 @@ def pyramid(horizontal: Number, vertical: Number) -> Number:
 
 
 def pyramid_side(solid_angle: Number, other: Number) -> Number:
-    """Full apex angle of a right rectangular pyramid, from its solid angle and the other one.
+    """Return one full apex angle of a right rectangular pyramid from the other and its solid angle.
 
     Parameters
     ----------
     solid_angle : float or ndarray [sr]
-        Of the pyramid.
+        Solid angle of the pyramid.
     other : float or ndarray [rad]
-        The known full angle, face to face, above 0 and at most pi.
+        The other full apex angle, face to face, above 0 and at most pi.
 
     Returns
     -------
@@ -492,7 +491,7 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
     Raises
     ------
     ConditionError
-        A solid angle that is too large for that angle, or an angle that no pyramid has.
+        If a solid angle is negative or too large for that angle, or an angle is outside 0 to pi.
 
     Notes
     -----
@@ -511,7 +510,7 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
     40.0
     """
     check_pyramid(other, other)
-    text = "no pyramid of that angle fills that solid angle"
+    text = "the solid angle is out of range for a pyramid of that angle"
     refuse((solid_angle < 0) | (solid_angle > HEMISPHERE), text, "from 0 to 2pi sr")
     sine, widest = sin(solid_angle / 4), sin(other / 2)
     refuse((sine > widest * (1 + SLACK)) | (widest == 0), text, "a smaller solid angle")
@@ -519,12 +518,12 @@ def pyramid_side(solid_angle: Number, other: Number) -> Number:
 
 
 def check_pyramid(horizontal: Number, vertical: Number) -> None:
-    """Refuse apex angles that no pyramid has.
+    """Refuse apex angles outside 0 to pi.
 
     Parameters
     ----------
     horizontal, vertical : float or ndarray [rad]
-        Full apex angles, to be from 0 to pi.
+        Full apex angles.
 
     Raises
     ------
@@ -538,17 +537,17 @@ def check_pyramid(horizontal: Number, vertical: Number) -> None:
     >>> check_pyramid(-1.0, 0.5)
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: a pyramid of those angles is out of range
+    radcalc.errors.ConditionError: the angle of the pyramid is out of range
     try: from 0 to 180 deg, face to face
     """
     top = math.pi * (1 + SLACK)
     bad = (horizontal < 0) | (vertical < 0) | (horizontal > top) | (vertical > top)
-    refuse(bad, "a pyramid of those angles is out of range", "from 0 to 180 deg, face to face")
+    refuse(bad, "the angle of the pyramid is out of range", "from 0 to 180 deg, face to face")
 
 
 @bounded
 def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
-    """Solid angle of a small flat patch of any outline, to first order in its size.
+    """Return the solid angle of a small flat patch of any outline, to first order in its size.
 
     Parameters
     ----------
@@ -557,18 +556,18 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     distance : float or ndarray [m]
         Distance d from the observer to the patch, above 0.
     tilt : float or ndarray [rad], optional
-        Angle theta between the patch's normal and the line of sight, from -pi to pi; 0, facing
-        the observer, by default.
+        Angle theta between the patch's normal and the line to the observer, from -pi to pi;
+        0 (facing the observer) by default.
 
     Returns
     -------
     float or ndarray [sr]
-        0 or more; 0 from pi/2 on, where the patch is seen edge-on or from behind.
+        0 or more; 0 for tilts from pi/2 on, at which the patch is edge-on or turned away.
 
     Raises
     ------
     ConditionError
-        If an area is negative, a distance is not above 0, or a tilt is beyond pi.
+        If an area is negative, a distance is not above 0, or a tilt is outside -pi to pi.
 
     Notes
     -----
@@ -576,9 +575,9 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
 
         Omega = A cos(theta) / d^2
 
-    It is the first term of a series in size over distance, and no bound: close to a patch it
-    exceeds 2 pi.  Of a disc of radius R that faces the observer it is too large by the relative
-    3/4 (R/d)^2, which is 0.75 % at a distance of five diameters.
+    The first term of a series in size over distance, not a bound: close to a patch it exceeds 2 pi.
+    For a disc of radius R that faces the observer it is too large by a relative 3/4 (R/d)^2, which
+    is 0.75 % at a distance of five diameters.
 
     Examples
     --------
@@ -587,12 +586,12 @@ def patch(area: Number, distance: Number, tilt: Number = 0.0) -> Number:
     >>> round(solid.patch(2.0, 10.0, math.radians(60)), 12)
     0.01
 
-    A disc of radius 1 m from 10 m, against the exact solid angle:
+    A disc of radius 1 m at 10 m, compared with the exact solid angle:
 
     >>> round(solid.patch(math.pi, 10.0) / solid.disc(1.0, 10.0) - 1, 4)
     0.0075
     """
-    refuse(area < 0, "a negative area is out of range", "0 or more")
+    refuse(area < 0, "the area is out of range", "0 or more")
     refuse(distance <= 0, "the observer is on the patch", "a distance above 0")
     check_tilt(tilt)
     return area / square(distance) * facing(tilt)

@@ -1,4 +1,4 @@
-"""Spheres, seen from outside: their angular radius [rad] and solid angle [sr], and back.
+"""Spheres seen from outside: angular radius [rad], solid angle [sr] and their inverses.
 
 A sphere fills the cone that touches it.  Units and arguments are those of `radcalc.geometry.solid`.
 """
@@ -9,7 +9,7 @@ from radcalc.maths import Number, atan2, sqrt
 
 @bounded
 def angular_radius(radius: Number, distance: Number) -> Number:
-    """Angular radius of a sphere: the half angle of the cone that touches it.
+    """Return the angular radius of a sphere: the half angle of the cone that touches it.
 
     Parameters
     ----------
@@ -34,10 +34,10 @@ def angular_radius(radius: Number, distance: Number) -> Number:
 
         sin(alpha) = R / D,  computed as  alpha = atan2(R, sqrt((D - R)(D + R)))
 
-    Exact.  It is the sine, not the tangent: the line of sight touches the sphere at a right angle
-    to the radius there, in front of the centre.  (A flat disc of the same radius and distance has
-    tan(alpha) = R/D.)  Close to the surface the arcsine of a number next to 1 would lose half of
-    the digits; D - R, and with it the arctangent, keeps them.
+    Exact.  The sine, not the tangent: the line of sight touches the sphere in front of the centre,
+    at a right angle to the radius there.  (A flat disc of the same radius and distance has
+    tan(alpha) = R/D.)  Close to the surface the arcsine of a number close to 1 would lose half of
+    the digits; the arctangent with D - R keeps them.
 
     Examples
     --------
@@ -53,18 +53,18 @@ def angular_radius(radius: Number, distance: Number) -> Number:
     >>> round(60 * math.degrees(spheres.angular_radius(695_700e3, 149_597_870_700.0)), 2)
     15.99
     """
-    refuse((radius < 0), "a negative radius is out of range", "0 or more")
+    refuse((radius < 0), "the radius is out of range", "0 or more")
     refuse(
         distance <= radius,
         "the observer is on or inside the sphere",
         "a distance to the centre above the radius (on the surface a sphere fills 2pi sr)",
     )
-    # R / sqrt(D^2 - R^2), whose digits last up to the surface
+    # R / sqrt(D^2 - R^2), which keeps its digits up to the surface
     return atan2(radius, sqrt(distance - radius) * sqrt(distance + radius))
 
 
 def solid_angle(radius: Number, distance: Number) -> Number:
-    """Solid angle of a sphere, seen from outside.
+    """Return the solid angle of a sphere seen from outside.
 
     Parameters
     ----------
@@ -89,9 +89,9 @@ def solid_angle(radius: Number, distance: Number) -> Number:
 
         Omega = 2 pi (1 - sqrt(1 - (R/D)^2)) = 4 pi sin^2(alpha/2),  sin(alpha) = R/D
 
-    Exact; the second form is computed, through `angular_radius` and `cone`, as the first one loses
-    the digits of small and distant spheres.  Far away it tends to pi R^2/D^2; at the surface to
-    2 pi, half of all directions.
+    Exact; the second form is computed, by `angular_radius` and `cone`, because the first loses the
+    digits of small and distant spheres.  Far away it tends to pi R^2/D^2; at the surface to 2 pi,
+    half of all directions.
 
     Examples
     --------
@@ -111,15 +111,14 @@ def solid_angle(radius: Number, distance: Number) -> Number:
 
 
 def _sine(solid_angle: Number) -> Number:
-    """Sine of the half angle of a sphere's cone, from its solid angle.
+    """Return the sine of the half angle of a sphere's cone, from its solid angle.
 
-    With p = Omega/(4 pi) = sin^2(alpha/2) it is sin(alpha) = 2 sqrt(p (1 - p)), which needs no
-    inverse function.
+    With p = Omega/(4 pi) = sin^2(alpha/2), sin(alpha) = 2 sqrt(p (1 - p)).
     """
     part = solid_angle / FULL
     refuse(
         (part <= 0) | (part >= 0.5),
-        "no sphere seen from outside fills that solid angle",
+        "the solid angle is out of range for a sphere seen from outside",
         "more than 0 and less than 2pi sr",
     )
     return 2 * sqrt(part) * sqrt(1 - part)
@@ -127,15 +126,15 @@ def _sine(solid_angle: Number) -> Number:
 
 @bounded
 def distance_of(radius: Number, solid_angle: Number) -> Number:
-    """Distance of the centre of a sphere that fills a given solid angle.
+    """Return the distance of the centre of a sphere that fills a given solid angle.
 
     Parameters
     ----------
     radius : float or ndarray [m]
         Radius R of the sphere (or any other unit of length).
     solid_angle : float or ndarray [sr]
-        Solid angle Omega that it fills, above 0 and below 2 pi: a sphere seen from outside
-        fills less than half of all directions.
+        Solid angle Omega of the sphere, above 0 and below 2 pi: seen from outside, it fills less
+        than half of all directions.
 
     Returns
     -------
@@ -169,14 +168,14 @@ def distance_of(radius: Number, solid_angle: Number) -> Number:
 
 @bounded
 def radius_of(distance: Number, solid_angle: Number) -> Number:
-    """Radius of a sphere at a given distance that fills a given solid angle.
+    """Return the radius of a sphere that fills a given solid angle at a given distance.
 
     Parameters
     ----------
     distance : float or ndarray [m]
         Distance D from the observer to the *centre* of the sphere (or any other unit of length).
     solid_angle : float or ndarray [sr]
-        Solid angle Omega that it fills, above 0 and below 2 pi.
+        Solid angle Omega of the sphere, above 0 and below 2 pi.
 
     Returns
     -------

@@ -1,15 +1,15 @@
 """Attenuations of the cinematographer's light, by depth, cross-section, direction and distance.
 
-The light stands at the origin and a spot shines along +z; an omni shines everywhere.  What
-reaches a point is multiplied by four attenuations:
+The light is at the origin; a spot shines along +z, an omni in all directions.  The light at a
+point is multiplied by four attenuations:
 
-- `depth_clip`: none before a near and behind a far limit, each with a soft edge
-- `superellipse_clip`: none outside a cross-section between a rectangle and an ellipse, which
+- `depth_clip`: 0 before a near and after a far limit, each with a soft edge
+- `superellipse_clip`: 0 outside a cross-section between a rectangle and an ellipse, which
   widens in proportion to z
 - `beam`: a power of the cosine of the angle off the axis
-- `falloff`: a power of the distance, held to a maximum next to the light
+- `falloff`: a power of the distance, limited to a maximum close to the light
 
-These are those of Barzel's paper [1]_ as Gritz's shader [2]_ has them.  Lengths are in one unit;
+They follow Barzel's paper [1]_ in the version of Gritz's shader [2]_.  Lengths are in one unit;
 arguments are floats or NumPy arrays, which are broadcast together.
 
 References
@@ -24,30 +24,30 @@ from radcalc.geometry import lobes
 from radcalc.geometry.cones import refuse
 from radcalc.maths import Number, atan2, exp, expm1, hypot, larger, log, piecewise, power, smaller
 
-MOST = 690.0  # of a logarithm, whose exponential a float holds
-OUTSIDE = 1e150  # of every cross-section
+MOST = 690.0  # largest logarithm whose exponential a float holds
+OUTSIDE = 1e150  # outside every cross-section
 
 
 def smoothstep(low: Number, high: Number, x: Number) -> Number:
-    """Smooth step from 0 at one limit to 1 at another.
+    """Return the smooth step from 0 at one limit to 1 at another.
 
     Parameters
     ----------
     low, high : float or ndarray
         The limits, low <= high, in any one unit.
     x : float or ndarray
-        Where, in the same unit.
+        The position, in the same unit.
 
     Returns
     -------
     float or ndarray [1]
-        From 0 to 1; where the limits are equal, 0 below them and 1 from them on.
+        From 0 to 1; if the limits are equal, 0 below them, else 1.
 
     Notes
     -----
     ::
 
-        t^2 (3 - 2 t),  t = (x - low) / (high - low), held to 0 .. 1
+        t^2 (3 - 2 t),  t = (x - low) / (high - low), limited to 0 .. 1
 
     Its slope is 0 at both limits.
 
@@ -73,21 +73,21 @@ def depth_clip(
     near: tuple[Number, Number] | None = None,
     far: tuple[Number, Number] | None = None,
 ) -> Number:
-    """Attenuation by the depth of a point: none before a near, and behind a far limit.
+    """Return the attenuation by the depth of a point: 0 before a near and after a far limit.
 
     Parameters
     ----------
     depth : float or ndarray
-        z of the point for a spot, its distance from the light for an omni.
+        z of the point for a spot; its distance from the light for an omni.
     near : tuple of 2 floats or ndarrays, optional
-        Where the light begins, and from where on it is full.
+        Depths at which the light begins, and at which it becomes full.
     far : tuple of 2 floats or ndarrays, optional
-        Up to where the light is full, and where it ends.
+        Depths up to which the light is full, and at which it ends.
 
     Returns
     -------
     float or ndarray [1]
-        From 0 to 1; 0 where the depth is 0 or less.
+        From 0 to 1; 0 for a depth of 0 or less.
 
     Notes
     -----
@@ -112,20 +112,20 @@ def depth_clip(
 def cross_section(
     x: Number, y: Number, z: Number, shear: tuple[Number, Number] = (0.0, 0.0)
 ) -> tuple[Number, Number]:
-    """Point of the plane z = 1 through which the light reaches a point, from the beam's centre.
+    """Return where the light to a point crosses the plane z = 1, from the beam's centre.
 
     Parameters
     ----------
     x, y, z : float or ndarray
         The point.
     shear : tuple of 2 floats or ndarrays, optional
-        Where the centre of the beam is in that plane; 0, 0 by default.
+        Centre of the beam in that plane; 0, 0 by default.
 
     Returns
     -------
     tuple of 2 floats or ndarrays [1]
-        Distances along x and y; 1e150, which is outside every cross-section, where the point is
-        behind the light or as good as beside it.
+        Distances along x and y; 1e150, outside every cross-section, for z of 0 or less or too small
+        for the quotients.
 
     Notes
     -----
@@ -156,21 +156,21 @@ def cross_section(
 def superellipse_scale(
     x: Number, y: Number, width: Number, height: Number, roundness: Number
 ) -> Number:
-    """Factor by which a superellipse must grow to pass through a point of its plane.
+    """Return the factor that scales a superellipse so that it passes through a point.
 
     Parameters
     ----------
     x, y : float or ndarray
-        The point; only its distances from the axes count.
+        The point; only its distances from the axes matter.
     width, height : float or ndarray
         Half axes along x and y, above 0, in the unit of the point.
     roundness : float or ndarray [1]
-        Above 0, up to 1, an ellipse; towards 0 it becomes a rectangle.
+        From above 0 to 1: 1 is an ellipse; towards 0 it becomes a rectangle.
 
     Returns
     -------
     float or ndarray [1]
-        Below 1 inside, above 1 outside.
+        Below 1 for a point inside, above 1 outside.
 
     Notes
     -----
@@ -178,7 +178,7 @@ def superellipse_scale(
 
         ((|x| / a)^(2/R) + (|y| / b)^(2/R))^(R/2)
 
-    Computed with the larger term taken out, so that no power overflows.
+    Computed with the larger term factored out, so that no power overflows.
 
     Examples
     --------
@@ -199,18 +199,18 @@ def superellipse_clip(
     outer: tuple[float, float],
     roundness: Number = 1.0,
 ) -> Number:
-    """Attenuation by the cross-section of a spot: full inside, none outside, soft between.
+    """Return the attenuation by a spot's cross-section: 1 inside, 0 outside, soft between.
 
     Parameters
     ----------
     x, y : float or ndarray [1]
-        The point of the plane z = 1, as of `cross_section`.
+        Point of the plane z = 1, from `cross_section`.
     inner : tuple of 2 floats [1]
-        Half width and half height in that plane within which the light is full, above 0.
+        Half width and half height of the area of full light in that plane, above 0.
     outer : tuple of 2 floats [1]
-        Those outside which there is none; at least as large.
+        Half width and half height of the area of all light; at least as large.
     roundness : float or ndarray [1], optional
-        From 0, a rectangle, to 1, an ellipse, the default.
+        From 0, a rectangle, to 1, an ellipse; 1 by default.
 
     Returns
     -------
@@ -222,16 +222,16 @@ def superellipse_clip(
     ::
 
         1 - smoothstep(q, r, 1)
-        q = a b / ((b |x|)^(2/R) + (a |y|)^(2/R))^(R/2),  r the same of A and B
+        q = a b / ((b |x|)^(2/R) + (a |y|)^(2/R))^(R/2),  r the same with A and B
 
-    q and r are 1 over the factors by which the superellipses must grow (`superellipse_scale`).
-    For R = 0 a rectangle's is the product of both axes', as in the shader:
+    q and r are the reciprocals of `superellipse_scale`.  For R = 0, a rectangle, it is the product
+    of the attenuations along both axes, as in the shader:
 
     ::
 
         (1 - smoothstep(a, A, |x|)) (1 - smoothstep(b, B, |y|))
 
-    which is not quite what the other tends to with R, where the edges are soft.
+    which for soft edges is not quite the limit of the first formula.
 
     Examples
     --------
@@ -265,7 +265,7 @@ def superellipse_clip(
 
 
 def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
-    """Attenuation by the angle off the axis of a spot: a power of its cosine.
+    """Return the attenuation by the angle off the axis of a spot: a power of its cosine.
 
     Parameters
     ----------
@@ -277,7 +277,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     Returns
     -------
     float or ndarray [1]
-        From 0 to 1; 0 where z is 0 or less.
+        From 0 to 1; 0 for z of 0 or less.
 
     Raises
     ------
@@ -290,7 +290,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
 
         (z / d)^n = cos^n(gamma)
 
-    Computed with the logarithm of the cosine, which keeps the digits next to the axis.
+    Computed with the logarithm of the cosine, which keeps the digits close to the axis.
 
     Examples
     --------
@@ -300,7 +300,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
     >>> round(beam(3**0.5, 0.0, 1.0, 2.0), 12), beam(0.0, 0.0, -1.0, 2.0)
     (0.25, 0.0)
     """
-    refuse(exponent < 0, "a negative beam exponent is out of range", "0 or more")
+    refuse(exponent < 0, "the beam exponent is out of range", "0 or more")
     return piecewise(
         z > 0,
         lambda z, off, n: exp(n * lobes.ln_cos(atan2(off, z))),
@@ -314,7 +314,7 @@ def beam(x: Number, y: Number, z: Number, exponent: Number) -> Number:
 def falloff(
     distance: Number, exponent: Number, reference: Number, maximum: Number | None = None
 ) -> Number:
-    """Attenuation by the distance: a power of it, held to a maximum within the fall-off distance.
+    """Return the attenuation by the distance: a power of it, limited within the fall-off distance.
 
     Parameters
     ----------
@@ -325,18 +325,17 @@ def falloff(
     reference : float or ndarray
         Fall-off distance L, above 0, at which the attenuation is 1.
     maximum : float or ndarray [1], optional
-        Attenuation M at the light, 1 or more; without it there is no maximum.
+        Attenuation M at the light, 1 or more; no maximum by default.
 
     Returns
     -------
     float or ndarray [1]
-        Up to 1 from L on; up to M within it.
+        Up to 1 from L on; up to M within L.
 
     Raises
     ------
     ConditionError
-        If an argument is out of its range, or the attenuation so extreme that a float cannot hold
-        it.
+        If an argument is out of range, or a float cannot hold the attenuation.
 
     Notes
     -----
@@ -345,8 +344,8 @@ def falloff(
         (L / d)^N                                    beyond L, and everywhere without a maximum
         M exp(s (d / L)^beta), s = ln(1/M), beta = -N / s       within L
 
-    Both have the value 1 and the slope -N / L at L.  The limit for M = 1 is 1 all over within L;
-    for a rising M the second tends to the first.
+    Both have the value 1 and the slope -N / L at L.  For M = 1 the limit is 1 everywhere within L;
+    for rising M the second tends to the first.
 
     Examples
     --------
@@ -356,12 +355,12 @@ def falloff(
     >>> round(falloff(1e-9, 2.0, 1.0, maximum=3.0), 6)
     3.0
     """
-    refuse(distance <= 0, "a distance from the light is more than 0", "more than 0")
-    refuse(exponent < 0, "a negative fall-off is out of range", "0 or more")
-    refuse(reference <= 0, "a fall-off distance is more than 0", "more than 0")
+    refuse(distance <= 0, "the distance from the light is out of range", "more than 0")
+    refuse(exponent < 0, "the fall-off exponent is out of range", "0 or more")
+    refuse(reference <= 0, "the fall-off distance is out of range", "more than 0")
     if maximum is None:
         return _power(distance, exponent, reference)
-    refuse(maximum < 1, "a maximum is at least the 1 at the fall-off distance", "1 or more")
+    refuse(maximum < 1, "the maximum is out of range", "1 or more")
     return piecewise(
         distance < reference,
         _limited,
@@ -376,12 +375,12 @@ def falloff(
 def _power(distance: Number, exponent: Number, reference: Number) -> Number:
     ratio = reference / distance
     beyond = abs(exponent * log(ratio)) > MOST
-    refuse(beyond, "that fall-off is beyond what a number holds", "a smaller exponent")
+    refuse(beyond, "the attenuation is too large or too small for a number", "a smaller exponent")
     return power(ratio, exponent)
 
 
 def _limited(distance: Number, exponent: Number, reference: Number, maximum: Number) -> Number:
-    """Within the fall-off distance: exp(-m expm1(x / m)), with m = ln M and x = N ln(d / L)."""
+    """Return exp(-m expm1(x / m)), with m = ln M and x = N ln(d / L), for d below L."""
     return piecewise(
         maximum > 1,
         lambda x, m: exp(-m * expm1(x / m)),

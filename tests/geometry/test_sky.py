@@ -173,8 +173,8 @@ def test_names_of_skies():
 @pytest.mark.parametrize(
     ("words", "error", "text"),
     [
-        (("cleer",), ConditionError, "'cleer' is no sky\ntry: clear"),
-        (("16",), ConditionError, "'16' is no sky"),
+        (("cleer",), ConditionError, "unknown sky 'cleer'\ntry: clear"),
+        (("16",), ConditionError, "unknown sky '16'"),
         (("clear",), MissingInput, "the sun's elevation is missing"),
         (("overcast", (0.5, 0.0)), Unused, "no use with the sky overcast"),
         (("clear", (1.6, 0.0)), ConditionError, "below the horizon"),

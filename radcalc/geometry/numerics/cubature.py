@@ -1,8 +1,8 @@
 """Integrals of functions of direction over a part of the sphere [sr], with their error.
 
-`over_directions` integrates any function of polar angle and azimuth over solid angle, such as an
+`over_directions` integrates a function of polar angle and azimuth over solid angle, such as an
 intensity distribution [cd] to a flux [lm]; the unit of the result is that of the function times
-sr.  Needs NumPy.
+sr.  The module needs NumPy.
 """
 
 import math
@@ -14,20 +14,20 @@ import numpy
 from radcalc.errors import ConditionError
 from radcalc.geometry.numerics.quadrature import gauss, lobatto
 
-POINTS = 10  # of Gauss and Legendre, a side of a cell
-CHECKS = (7, 8)  # points a side of the rules of Gauss and Lobatto that check it
-INSIDE = 1e-11  # [1] of half a side: how far from it those have the points at its ends
+POINTS = 10  # of the Gauss-Legendre rule along each side of a cell
+CHECKS = (7, 8)  # points along each side of the Gauss-Lobatto rules that check it
+INSIDE = 1e-11  # [1] of half a side: distance of their end points from its ends
 FIRST = (8, 16)  # cells in polar angle and azimuth, before all are quartered once
-FIRST_OF_AXIAL = (256, 1)  # of what is the same at every azimuth, and cheaper
-GAP = 0.2  # [1] of a side: no wider circle in a cell is free of points
+FIRST_OF_AXIAL = (256, 1)  # for axial functions, which are cheaper
+GAP = 0.2  # [1] of a side: widest circle in a cell without a point
 MOST = 100_000  # cells in all
-WORK = 1e10  # what the function may cost in all: points, times the cost of each
-DEEPEST = 32  # levels of cells: what needs more has a pole, which floats would hide in the end
-BATCH = 2_000  # cells at a time, which is what bounds the memory
+WORK = 1e10  # largest cost of the function in all: points times the cost of each
+DEEPEST = 32  # levels of cells; a function that needs more has a pole
+BATCH = 2_000  # cells at a time, to limit the memory
 COARSEST_OF_AXIAL = 1e-4  # [1] accuracy
-MIDPOINT = numpy.array([0.0]), numpy.array([2.0])  # exact for what is the same at every azimuth
+MIDPOINT = numpy.array([0.0]), numpy.array([2.0])  # exact in azimuth for axial functions
 ROUNDING = 1e-14  # [1] error of the sums, relative to the integral of the function's size
-SAFETY = 2.0  # [1] what a kink may leave, over the difference of two levels
+SAFETY = 2.0  # [1] largest error at a kink over the difference of two levels
 
 
 class Integral(NamedTuple):
@@ -38,9 +38,9 @@ class Integral(NamedTuple):
     value : float [unit of the function times sr]
         The integral.
     error : float [as value]
-        Estimate of its error, meant as a bound.
+        Estimate of its error, intended as a bound.
     cells : int
-        Number of cells that the directions were cut into; 0 for a constant.
+        Number of cells; 0 for a constant.
 
     Examples
     --------
@@ -61,11 +61,11 @@ Steps = tuple[Sequence[float], Sequence[float]]
 
 
 def _rules() -> tuple[Rule, ...]:
-    """The rule that answers, and those that check it, as arrays of nodes and weights.
+    """Return the rule of the result and the rules that check it, as arrays of nodes and weights.
 
-    The checking ones look close to the sides of a cell, where a kink is before the first point of
-    Gauss: how far the first is off is then seen by the others, wherever the kink is.  At the very
-    ends a function may have no value (1/sin(theta) at a pole), or that of the neighbouring cell.
+    The checking rules have points close to the sides of a cell, so they also detect a kink between
+    a side and the first Gauss point.  Exactly at the ends a function may have no value
+    (1/sin(theta) at a pole), or that of the neighbouring cell.
     """
     answer, *checks = (
         (numpy.array(nodes), numpy.array(weights))
@@ -77,7 +77,7 @@ def _rules() -> tuple[Rule, ...]:
 
 
 class _Grid:
-    """Cells that are quartered: their level, and their place among the cells of that level."""
+    """Cells that can be quartered: their level, and their place among the cells of that level."""
 
     def __init__(
         self, function: Function, polar: Interval, azimuth: Interval, is_axial: bool, steps: Steps
@@ -85,7 +85,7 @@ class _Grid:
         self.function = function
         self.rules = _rules()
         first = FIRST_OF_AXIAL if is_axial else FIRST
-        # into how many parts a side is cut, and the parts, by rows and columns
+        # number of parts of each side of a quartered cell, and the parts by rows and columns
         cuts = 2, 1 if is_axial else 2
         self.cuts, self.parts = numpy.array(cuts), numpy.indices(cuts).reshape(2, -1).T
         self.edges = [_edges(*of) for of in zip((polar, azimuth), first, steps, strict=True)]
@@ -93,7 +93,7 @@ class _Grid:
         rows, columns = numpy.indices([len(edges) - 1 for edges in self.edges])
         self.place = numpy.stack([numpy.zeros(rows.size, int), rows.ravel(), columns.ravel()], 1)
         self.value, self.size, self.error = self._integrate(self.place)
-        # a step is where it is to the last digit of its angle
+        # the position of a step has the rounding error of its angle
         start, end = self._sides(self.place[:, 1:])
         off = numpy.spacing(end) / (end - start) * [len(angles) > 0 for angles in steps]
         with numpy.errstate(all="ignore"):
@@ -102,8 +102,8 @@ class _Grid:
     def quarter(self, split: Any) -> None:
         """Quarter some cells, and neighbours more than twice as large as the quarters.
 
-        A quarter's error is told by how far the four together are from the whole, and by how
-        far the rules that check it are off in it: by the largest of these.
+        The error of a quarter is the larger of two differences: of the four quarters from the
+        whole, and of the rule from those that check it.
         """
         split = self._graded(split)
         whole = self.place[split]
@@ -113,7 +113,7 @@ class _Grid:
         place = numpy.concatenate([levels, rows], 2).reshape(-1, 3)
         value, size, rough = self._integrate(place)
         differ = SAFETY * abs(value.reshape(-1, count).sum(1) - self.value[split]) / count
-        # Any one of the estimates may be small by chance, where a kink is.
+        # Either estimate may be small by chance in a cell with a kink.
         error = numpy.maximum(numpy.repeat(differ, count), rough)
         keep = numpy.ones(len(self.value), bool)
         keep[split] = False
@@ -123,7 +123,7 @@ class _Grid:
         self.error = numpy.concatenate([self.error[keep], error])
 
     def _graded(self, split: Any) -> Any:
-        """The cells to quarter, and the coarser ones beside them: a peak may reach into those."""
+        """Add to some cells their coarser neighbours, into which a peak may reach."""
         cells = {tuple(place): k for k, place in enumerate(self.place.tolist())}
         chosen, todo = set(split.tolist()), list(split.tolist())
         while todo:
@@ -139,7 +139,7 @@ class _Grid:
         return numpy.array(sorted(chosen))
 
     def _integrate(self, place: Any) -> tuple[Any, Any, Any]:
-        """For each cell the integral, that of the function's size, and how far rules differ."""
+        """Return each cell's integral, that of the absolute value, and the rules' difference."""
         parts = []
         for start in range(0, len(place), BATCH):
             cut = place[start : start + BATCH]
@@ -150,13 +150,13 @@ class _Grid:
         return value, size, differ
 
     def _sides(self, first: Any) -> tuple[Any, Any]:
-        """The lower and the upper polar angle and azimuth of first cells."""
+        """Return the lower and the upper polar angle and azimuth of first cells."""
         sides = [edges[i] for edges, i in zip(self.edges, first.T, strict=True)]
         ends = [edges[i + 1] for edges, i in zip(self.edges, first.T, strict=True)]
         return numpy.stack(sides, 1), numpy.stack(ends, 1)
 
     def _rule(self, place: Any, nodes: Any, weights: Any) -> tuple[Any, Any]:
-        """By the product rule in each cell: the integral, and that of the function's size."""
+        """Return for each cell the integral by a product rule, and that of the absolute value."""
         count = self.cuts ** place[:, :1]
         first, part = numpy.divmod(place[:, 1:], count)
         start, end = self._sides(first)
@@ -189,24 +189,24 @@ class _Grid:
 
 
 def _edges(interval: Interval, count: int, steps: Sequence[float]) -> Any:
-    """The sides of the first cells: equally wide, but for those at a step."""
+    """Return the sides of the first cells, equally wide except at steps."""
     low, high = interval
     inner = [step for step in steps if low < step < high]
     return numpy.union1d(numpy.linspace(low, high, count + 1), inner)
 
 
 def narrowest(polar: Interval, azimuth: Interval, is_axial: bool = False) -> tuple[float, float]:
-    """How wide a peak must be for `over_directions` to see it.
+    """Return the width from which on a peak is found by `over_directions`.
 
     Parameters
     ----------
     polar, azimuth, is_axial
-        As of `over_directions`.
+        As in `over_directions`.
 
     Returns
     -------
     tuple of 2 floats [rad]
-        Full widths in polar angle and in azimuth; what is narrower may be missed.
+        Full widths in polar angle and in azimuth; a narrower peak may be missed.
 
     Examples
     --------
@@ -236,24 +236,22 @@ def over_directions(
     ----------
     function : callable
         Takes a dict of arrays: "theta" and "phi" [rad], and "x", "y", "z", the components of the
-        unit vector [1].  Gives an array that they broadcast to, or a number.
+        unit vector [1].  Returns an array of their common shape, or a number.
     polar : tuple of 2 floats [rad]
         Polar angles between which to integrate, from +z, within 0 and pi.
     azimuth : tuple of 2 floats [rad]
         Azimuths between which to integrate, from +x towards +y.
     accuracy : float, optional
-        Error that is good enough, relative to the integral of the function's absolute value; 1e-9
-        by default.
+        Allowed error, relative to the integral of the function's absolute value; 1e-9 by default.
     cost : int, optional
-        What the function costs at a point, in additions; 1 by default.  It bounds the cells.
+        Cost of the function at a point, in additions; 1 by default.  It limits the cells.
     is_axial : bool, optional
-        Whether the function is the same at every azimuth, so that cells are halved in the polar
-        angle alone; false by default.
+        Whether the function is the same at every azimuth, so that cells are halved only in the
+        polar angle; false by default.
     accepted : float, optional
-        Relative error that is put up with where the accuracy is not reached; none by default.
+        Relative error that is accepted if the accuracy is not reached; none by default.
     steps : tuple of 2 sequences of float [rad], optional
-        Polar angles and azimuths at which the function has a step or a kink, as far as they are
-        known: cells begin there.
+        Known polar angles and azimuths of steps or kinks of the function: cells begin there.
 
     Returns
     -------
@@ -263,11 +261,11 @@ def over_directions(
     Raises
     ------
     ConditionError
-        If the function is not a finite number somewhere, the integral overflows, it is not within
-        the accuracy (or the accepted one) after 100 000 cells (fewer for a costly function) or 32
-        halvings.
+        If the function is not a finite number somewhere, the integral overflows, or its error is
+        above the accuracy (and the accepted one) after 100 000 cells (fewer for a costly function)
+        or 32 halvings.
     Dark
-        If the function is 0 at all points looked at.
+        If the function is 0 at all points.
 
     Notes
     -----
@@ -275,18 +273,18 @@ def over_directions(
 
         integral of  f(theta, phi) sin(theta)  dtheta dphi
 
-    A product Gauss-Legendre rule of 10 by 10 points in each cell.  The cells that matter most are
-    quartered until the sum of the errors is within the accuracy.  The error of a cell is the
-    largest of three differences: between the four quarters and their whole (twice that), and
-    between the rule and those of Gauss and Lobatto with 7 by 7 and 8 by 8 points.  All are errors
-    of coarser rules than the answer, so the estimate is on the safe side for smooth functions; and
-    wherever in a cell a kink, a step or the like is, one of the three is larger than the error that
-    it leaves (``tests/fuzz/integrals.py``).  A peak much narrower than the first cells may fall
-    between their points and be missed.
+    A product Gauss-Legendre rule of 10 by 10 points in each cell.  The cells with the largest
+    errors are quartered until the sum of the errors is within the accuracy.  The error of a cell is
+    the largest of three differences: between the four quarters and their whole (twice that), and
+    between the rule and the Gauss-Lobatto rules of 7 by 7 and 8 by 8 points.  All are errors of
+    rules coarser than that of the result, so the estimate is on the safe side for smooth functions;
+    and for a kink or a step anywhere in a cell, one of the three is larger than the actual error
+    (``tests/fuzz/integrals.py``).  A peak much narrower than the first cells may fall between their
+    points and be missed.
 
     Examples
     --------
-    The cosine over the hemisphere gives its projected solid angle, pi sr:
+    The integral of the cosine over the hemisphere is its projected solid angle, pi sr:
 
     >>> import math
     >>> from radcalc.geometry.numerics.cubature import over_directions
@@ -294,7 +292,7 @@ def over_directions(
     >>> round(found.value / math.pi, 9), found.error < 1e-8
     (1.0, True)
     """
-    if is_axial:  # digits cost little, and without them a pole may look like an integral
+    if is_axial:  # digits cost little, and with few digits a pole may look like an integral
         accuracy = min(accuracy, COARSEST_OF_AXIAL)
     grid = _Grid(function, polar, azimuth, is_axial, steps)
     most = min(MOST, WORK / (cost * sum(len(nodes) ** 2 for nodes, _ in grid.rules)))
@@ -305,12 +303,12 @@ def over_directions(
         with numpy.errstate(over="ignore"):
             size = float(grid.size.sum())
         if not math.isfinite(size):
-            raise ConditionError("the integral is larger than a number can be", "smaller values")
+            raise ConditionError("the integral is too large for a number", "smaller values")
         error = float(grid.error.sum()) + ROUNDING * size + grid.rounding
         if size and error <= accuracy * size:
             return Integral(math.fsum(grid.value), error, cells)
-        # Those that matter (without them the rest is within the accuracy); all of them, where
-        # a narrow peak may hide between the points.
+        # Those with the largest errors, so that the rest is within half the accuracy; all of them
+        # if a narrow peak may hide between the points.
         order = numpy.argsort(grid.error)
         matters = numpy.cumsum(grid.error[order]) > accuracy * size / 2
         split = order[matters] if size else order
@@ -322,17 +320,17 @@ def over_directions(
 
 
 class Dark(ConditionError):
-    """The refusal of a function that is 0 at all points looked at.
+    """The error for a function that is 0 at all points of the cells.
 
     Parameters
     ----------
     cells : int
-        How many cells had the points.
+        Number of the cells.
 
     Attributes
     ----------
     message, hint : str
-        As of every `ConditionError`.
+        As in every `ConditionError`.
 
     Examples
     --------
@@ -351,7 +349,7 @@ class Dark(ConditionError):
 
 
 def _not_found(value: float, error: float, size: float, cells: int) -> ConditionError:
-    """The refusal of an integral that does not converge, with the accuracy that was reached."""
+    """Return the error for an integral that does not converge, with the accuracy reached."""
     if not size:
         return Dark(cells)
     hint = "a function that is finite everywhere, and its parts one by one"
@@ -366,19 +364,19 @@ def _not_found(value: float, error: float, size: float, cells: int) -> Condition
 
 
 def of_constant(function: Function, solid_angle: float) -> Integral:
-    """Integral of a function that depends on no direction: its value times the solid angle.
+    """Return the integral of a constant: its value times the solid angle.
 
     Parameters
     ----------
     function : callable
-        Takes a dict, here an empty one, and gives a number.
+        Takes an empty dict and returns a number.
     solid_angle : float [sr]
-        Solid angle integrated over.
+        Solid angle of the integral.
 
     Returns
     -------
     Integral
-        With the rounding as its error, and no cells.
+        Its error is the rounding error, its number of cells 0.
 
     Raises
     ------

@@ -1,8 +1,8 @@
 """Functions of direction that a user types, such as ``100*cos(theta)**10``.
 
-The text is parsed by Python's own parser but never evaluated by it: the syntax tree is turned
-into NumPy calls, and only numbers, the names and functions below, + - * / **, comparisons and
-brackets are let through.  Angles are in radians; ``30*deg`` is 30 degrees.
+Python parses the text but never evaluates it: the syntax tree is turned into NumPy calls, and only
+numbers, the names and functions below, + - * / **, comparisons and brackets are allowed.  Angles
+are in radians; ``30*deg`` is 30 degrees.
 """
 
 import ast
@@ -54,24 +54,24 @@ COMPARISONS: dict[type, Callable[..., Any]] = {
     ast.Gt: numpy.greater,
     ast.GtE: numpy.greater_equal,
 }
-CHEAP = ("abs", "min", "max", "sqrt")  # as an addition; other functions and powers take longer
-COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] of an addition, at most
+CHEAP = ("abs", "min", "max", "sqrt")  # cost as much as an addition
+COSTS = {"function": 10, "power": 30, "comparison": 5}  # [1] largest cost, in additions
 LARGEST = {"theta": math.pi, "phi": 2 * math.pi}  # [rad]
 EXAMPLE = "an expression such as '100*cos(theta)**10', with * between factors"
 GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "π": "pi"}
 SIGNS = {"^": "**", MINUS: "-", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}
 STEP = "a comparison by < <= > >=, as in (theta<30*deg)*100"
 EQUALS = re.compile(r"(?<![<>])=|==")
-LONGEST, DEEPEST = 1000, 400  # characters, and brackets or operators within each other
+LONGEST, DEEPEST = 1000, 400  # characters, and levels of nested brackets or operators
 REFUSED = re.compile(r"[^\w\s.+*/(),<>=-]|_|\b0[xXoObB]|[^\x00-\x7f]")
 
 Function = Callable[[dict[str, Any]], Any]
 Interval = tuple[float, float]
-SAMPLES, MOST_STEPS = 10_001, 50  # where comparisons are looked at, and changes of one
+SAMPLES, MOST_STEPS = 10_001, 50  # points at which comparisons are tested, changes of each
 
 
 class Expression:
-    """A function of direction, read from a text.
+    """A function of direction, parsed from a text.
 
     Parameters
     ----------
@@ -79,8 +79,8 @@ class Expression:
         The expression, of at most 1000 characters, in the names theta and phi [rad], x, y, z
         (components of the unit vector), the constants pi, e and deg, and the functions in
         `FUNCTIONS`.  ``^`` is read as ``**``, and the Greek letters for theta, phi and pi as names.
-        A comparison by ``< <= > >=`` is 1 where it holds and 0 elsewhere; it binds less than
-        arithmetic, and one of several (``10*deg < theta < 30*deg``) holds where all do.
+        A comparison by ``< <= > >=`` is 1 if it holds and 0 otherwise; it binds less tightly than
+        arithmetic, and a chain (``10*deg < theta < 30*deg``) holds if all its comparisons do.
 
     Attributes
     ----------
@@ -89,25 +89,24 @@ class Expression:
     uses : set of str
         Those of theta, phi, x, y, z that the expression depends on.
     comparisons : list of str
-        Its comparisons, as they are read.
+        Texts of its comparisons.
     cost : int
-        About what a value costs, in additions.
+        Approximate cost of a value, in additions.
 
     Raises
     ------
     ConditionError
-        If the text is no expression, has an unknown name or an operation that is not let through,
-        or is too long or nested too deeply.
+        If the text is not an expression, contains an unknown name or an operation that is not
+        allowed, or is too long or nested too deeply.
 
     Notes
     -----
-    An object is called with a dict of arrays by name, as `over_directions` of
-    `radcalc.geometry.numerics.cubature` calls it.  Values outside a function's domain are NaN, not
-    an error.
+    An instance is called with a dict from names to arrays, as by `over_directions` of
+    `radcalc.geometry.numerics.cubature`.  Values outside a function's domain are NaN, not an error.
 
     Examples
     --------
-    A spot of 100 cd along +z, at 60 degrees from it, 100/2^10 cd:
+    A spot of 100 cd along +z has 100/2^10 cd at 60 degrees from it:
 
     >>> import math
     >>> from radcalc.geometry.numerics.expression import Expression
@@ -119,7 +118,7 @@ class Expression:
     >>> Expression("__import__('os')")
     Traceback (most recent call last):
         ...
-    radcalc.errors.ConditionError: '_' cannot stand in an expression
+    radcalc.errors.ConditionError: '_' is not allowed in an expression
     try: an expression such as '100*cos(theta)**10', with * between factors
     """
 
@@ -127,7 +126,7 @@ class Expression:
         self.text = text
         self.uses: set[str] = set()
         self.comparisons: list[str] = []
-        self._steps: list[tuple[set[str], Function]] = []  # what a comparison uses, and itself
+        self._steps: list[tuple[set[str], Function]] = []  # names in a comparison, and itself
         self.cost = 1
         self._source = _prepared(text)
         try:
@@ -142,27 +141,27 @@ class Expression:
         self._function = self._read(tree.body, DEEPEST)
 
     def __call__(self, at: dict[str, Any]) -> Any:
-        """Values of the function.
+        """Return values of the function.
 
         Parameters
         ----------
         at : dict of str to float or ndarray
-            The names in `uses` with their values, at least; arrays are broadcast together.
+            Values of at least the names in `uses`; arrays are broadcast together.
 
         Returns
         -------
         float or ndarray
-            The function's values; a number if the expression has none of the names.
+            The function's values; a number if the expression contains none of the names.
         """
         return self._function(at)
 
     @property
     def is_axial(self) -> bool:
-        """Whether the function is the same at every azimuth."""
+        """Return whether the function is the same at every azimuth."""
         return self.uses <= {"theta", "z"}
 
     def _read(self, node: ast.expr, depth: int) -> Function:
-        """The function of one node; whatever is not listed here is refused."""
+        """Return the function of one node; refuse any node that is not listed here."""
         if not depth:
             raise ConditionError("the expression is nested too deeply", f"at most {DEEPEST} levels")
         match node:
@@ -191,9 +190,9 @@ class Expression:
                 return self._compare(node, depth)
             case ast.BoolOp():
                 hint = "a product of comparisons for both, (theta<1)*(phi<2); max(a, b) for either"
-                raise ConditionError("'and' and 'or' cannot stand in an expression", hint)
+                raise ConditionError("'and' and 'or' is not allowed in an expression", hint)
         raise ConditionError(
-            f"'{quote(self._part(node))}' cannot stand in an expression",
+            f"'{quote(self._part(node))}' is not allowed in an expression",
             "numbers, + - * / **, comparisons, brackets, "
             + ", ".join((*NAMES, *CONSTANTS, *FUNCTIONS)),
         )
@@ -202,7 +201,7 @@ class Expression:
         return self._source[node.col_offset : node.end_col_offset]
 
     def _compare(self, node: ast.Compare, depth: int) -> Function:
-        """1 where one or several comparisons hold, 0 elsewhere; no value where a side has none."""
+        """Return a function that is 1 if all comparisons of a chain hold, else 0; NaN gives NaN."""
         self._refuse_degrees(node)
         self.comparisons.append(self._part(node))
         self.cost += COSTS["comparison"] * len(node.ops)
@@ -223,7 +222,7 @@ class Expression:
         return holds
 
     def _refuse_degrees(self, node: ast.Compare) -> None:
-        """Refuse to compare an angle in radians with a number that can only be in degrees."""
+        """Refuse a comparison of an angle in radians with a number that can only be in degrees."""
         sides = (node.left, *node.comparators)
         for a, b in (*pairwise(sides), *pairwise(sides[::-1])):
             match a, b:
@@ -236,18 +235,18 @@ class Expression:
                         )
 
     def steps(self, polar: Interval, azimuth: Interval) -> tuple[list[float], list[float]]:
-        """Where comparisons of one angle alone change: at which polar angles and azimuths.
+        """Return the polar angles and azimuths at which comparisons of one angle change.
 
         Parameters
         ----------
         polar, azimuth : tuple of 2 floats [rad]
-            Between which angles to look.
+            Intervals of the angles.
 
         Returns
         -------
         tuple of 2 lists of float [rad]
-            The angles, as `over_directions` takes them; of a comparison that changes more often
-            than 50 times, or twice within a 10 000th of the interval, not all.
+            The angles, in the form that `over_directions` takes.  The list is incomplete for a
+            comparison that changes more than 50 times, or twice within a 10 000th of the interval.
 
         Examples
         --------
@@ -266,7 +265,7 @@ class Expression:
         return angles
 
     def _call(self, name: str, args: list[ast.expr], depth: int) -> Function:
-        """The call of one of `FUNCTIONS`, with the number of its arguments checked."""
+        """Return the call of one of `FUNCTIONS`, after a check of the number of its arguments."""
         if name not in FUNCTIONS:
             raise _unknown(name)
         count, function = FUNCTIONS[name]
@@ -289,7 +288,7 @@ def _along_phi(function: Function) -> Callable[[Any], Any]:
 
 
 def _changes(function: Callable[[Any], Any], interval: Interval) -> list[float]:
-    """Where a function that is 1 or 0 changes, to the last digit."""
+    """Return the values at which a function that is 1 or 0 changes, to the last digit."""
     at = numpy.linspace(*interval, SAMPLES)
     with numpy.errstate(all="ignore"):
         values = numpy.broadcast_to(function(at), at.shape)
@@ -304,7 +303,7 @@ def _last(function: Callable[[Any], Any], value: float, low: float, high: float)
 
 
 def _prepared(text: str) -> str:
-    """The text as Python's parser takes it, with the letters and signs that people use."""
+    """Return the text in Python's syntax, with usual letters and signs replaced."""
     if len(text) > LONGEST:
         raise ConditionError(f"the expression has {len(text)} characters", f"at most {LONGEST}")
     source = text.strip()
@@ -313,23 +312,23 @@ def _prepared(text: str) -> str:
     if not source:
         raise ConditionError("the expression is empty", EXAMPLE)
     if match := REFUSED.search(source):
-        raise ConditionError(f"'{quote(match[0])}' cannot stand in an expression", EXAMPLE)
-    if "+-" in source:  # elsewhere it is the sign of an uncertainty
+        raise ConditionError(f"'{quote(match[0])}' is not allowed in an expression", EXAMPLE)
+    if "+-" in source:  # the sign of an uncertainty in other inputs
         raise ConditionError(
-            "'+-' cannot stand in an expression, which takes no uncertainties",
+            "'+-' is not allowed in an expression, which takes no uncertainties",
             quote(source.replace("+-", "-")),
         )
     if match := EQUALS.search(source):
         raise ConditionError(
-            f"'{match[0]}' cannot stand in an expression: no part of the "
-            "sphere is where two numbers are equal",
+            f"'{match[0]}' is not allowed in an expression: numbers are equal on no part of the "
+            "sphere",
             STEP,
         )
     return source
 
 
 def _finite(value: float) -> float:
-    """A number in the text as a float; Python's parser reads integers of any size."""
+    """Return a number as a float; Python's parser reads integers of any size."""
     try:
         number = float(value)
     except OverflowError:
@@ -340,8 +339,8 @@ def _finite(value: float) -> float:
 
 
 def _unknown(name: str) -> RadcalcError:
-    """The refusal of a name, with those most like it."""
+    """Return the error for an unknown name, with the most similar names."""
     near = nearest(name, (*NAMES, *CONSTANTS, *FUNCTIONS), cutoff=0.7)
-    message = f"'{quote(name)}' is not known in an expression"
+    message = f"unknown name '{quote(name)}' in the expression"
     names = f"{', '.join(NAMES)} (see {manual('integrate')})"
     return ConditionError(message, ", ".join(near) or names)

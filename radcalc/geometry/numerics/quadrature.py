@@ -1,8 +1,8 @@
 """Numerical integrals of functions of one variable: fixed rules, and an adaptive one.
 
-`gauss` and `lobatto` give nodes and weights, `integral` applies the former to a smooth function,
-`adaptive` halves the interval where a function is not smooth enough.  Functions take and give
-floats; units are those of the function times those of its variable.
+`gauss` and `lobatto` return nodes and weights, `integral` applies `gauss` to a smooth function,
+`adaptive` halves the interval where a function is not smooth enough.  Functions take and return
+floats; the unit of an integral is that of the function times that of its variable.
 """
 
 import math
@@ -16,7 +16,7 @@ DEEPEST, MOST = 60, 2000  # halvings of an interval, and intervals
 
 
 def gauss(n: int) -> Rule:
-    """Nodes and weights of the n-point Gauss-Legendre rule on [-1, 1].
+    """Return the nodes and weights of the n-point Gauss-Legendre rule on [-1, 1].
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def gauss(n: int) -> Rule:
 
 
 def lobatto(n: int) -> Rule:
-    """Nodes and weights of the n-point Gauss-Lobatto rule on [-1, 1], which has the ends.
+    """Return the nodes and weights of the n-point Gauss-Lobatto rule on [-1, 1], with the ends.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def lobatto(n: int) -> Rule:
 
     Examples
     --------
-    Three points are Simpson's rule:
+    With three points it is Simpson's rule:
 
     >>> from radcalc.geometry.numerics.quadrature import lobatto
     >>> nodes, weights = lobatto(3)
@@ -102,12 +102,12 @@ def lobatto(n: int) -> Rule:
 
 
 def integral(function: Callable[[float], float], low: float, high: float, n: int = 32) -> float:
-    """Integral of a smooth function over an interval, by one Gauss-Legendre rule.
+    """Return the integral of a smooth function over an interval, by one Gauss-Legendre rule.
 
     Parameters
     ----------
     function : callable
-        Takes a float and gives a float.
+        Takes a float and returns a float.
     low, high : float
         Ends of the interval, in either order.
     n : int, optional
@@ -121,11 +121,11 @@ def integral(function: Callable[[float], float], low: float, high: float, n: int
     Notes
     -----
     Exact for polynomials up to the degree 2n - 1, and to rounding for functions without kinks,
-    poles or narrow peaks close to the interval.  There is no estimate of the error: see `adaptive`.
+    poles or narrow peaks close to the interval.  It does not estimate the error; see `adaptive`.
 
     Examples
     --------
-    The sine over half a turn has the integral 2:
+    The integral of the sine over half a turn is 2:
 
     >>> import math
     >>> from radcalc.geometry.numerics.quadrature import integral
@@ -146,19 +146,19 @@ def adaptive(
     accuracy: float = 1e-13,
     most: int = MOST,
 ) -> float:
-    """Integral of a piecewise smooth function over an interval, which is halved where needed.
+    """Return the integral of a piecewise smooth function, halving the interval where necessary.
 
     Parameters
     ----------
     function : callable
-        Takes a float and gives a float.
+        Takes a float and returns a float.
     low, high : float
         Ends of the interval.
     accuracy : float, optional
-        By how much the halves may differ from their whole, relative to the integral of the
-        function's absolute value as a first rule sees it; 1e-13 by default.
+        Largest difference between two halves and their whole, relative to a first estimate of the
+        integral of the function's absolute value; 1e-13 by default.
     most : int, optional
-        The most intervals; 2000 by default.
+        Largest number of intervals; 2000 by default.
 
     Returns
     -------
@@ -168,15 +168,14 @@ def adaptive(
     Raises
     ------
     ConditionError
-        If an interval was halved 60 times, or there are more than `most` of them, and they still
-        do not agree.
+        If the halves still differ after 60 halvings of an interval, or with more than `most`
+        intervals.
 
     Notes
     -----
-    A rule of 16 points on an interval is compared with the same rule on its halves; the halves are
-    kept where they agree, and halved themselves where not.  A kink inside the interval costs some
-    20 halvings, so it is better to cut the interval there.  A peak that falls between the first
-    points is missed.
+    A rule of 16 points on an interval is compared with the same rule on its halves; if they differ,
+    the halves are halved in turn.  A kink inside the interval costs some 20 halvings, so it is
+    better to split the interval there.  A peak between the first points is missed.
 
     Examples
     --------

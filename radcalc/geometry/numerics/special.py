@@ -15,7 +15,7 @@ TERMS = 14  # of a series: SMALL**(2 * TERMS) is below the rounding
 
 
 def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
-    """Bulirsch's general complete elliptic integral.
+    """Return Bulirsch's general complete elliptic integral.
 
     Parameters
     ----------
@@ -46,9 +46,9 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
     (DLMF 19.2.11, over all t).  Legendre's integrals of the modulus k, k^2 = 1 - kc^2, are
     K = cel(kc, 1, 1, 1), E = cel(kc, 1, 1, kc^2) and Pi(n, k) = cel(kc, 1 - n, 1, 1).
 
-    Bartky's transformation: each turn replaces 1 and kc by multiples of their arithmetic and
-    geometric means.  It stops when these agree to a relative 1e-9, as the next turn doubles the
-    number of digits.
+    Bartky's transformation: each step replaces 1 and kc by multiples of their arithmetic and
+    geometric means.  It stops when these agree to a relative 1e-9, because the next step doubles
+    the number of digits.
 
     References
     ----------
@@ -77,7 +77,7 @@ def cel(kc: Number, p: Number, a: Number, b: Number) -> Number:
 def _transformed(
     a: Number, b: Number, p: Number, product: Number, mean: Number, root: Number
 ) -> Number:
-    """Transform `cel` once, and again where the means differ: each element as often as a float."""
+    """Transform `cel` until the means agree, each element of an array as often as a float."""
     a, b = a + b / p, 2 * (b + a * (product / p))
     p = p + product / p
     before, mean = mean, mean + root
@@ -95,7 +95,7 @@ def _transformed(
 
 
 def less_arctangent(x: Number) -> Number:
-    """x - arctan(x), without the loss of digits for small x.
+    """Return x - arctan(x), without loss of digits for small x.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def less_arctangent(x: Number) -> Number:
 
     Notes
     -----
-    Below 0.25 the series x^3/3 - x^5/5 + x^7/7 - ..., as the difference would lose up to all
+    Below 0.25 the series x^3/3 - x^5/5 + x^7/7 - ..., because the difference would lose up to all
     digits; above, the difference.
 
     Examples
@@ -132,7 +132,7 @@ def less_arctangent(x: Number) -> Number:
 
 
 def arc_excess(s: Number) -> Number:
-    """arcsin(s)/s - 1: by what part an arc of a circle is longer than the sine of its angle.
+    """Return arcsin(s)/s - 1, the relative excess of an arc over the sine of its angle.
 
     Parameters
     ----------
@@ -146,8 +146,8 @@ def arc_excess(s: Number) -> Number:
 
     Notes
     -----
-    Below 0.25 the series s^2/6 + 3 s^4/40 + ..., as the difference would lose up to all digits;
-    above, the difference.
+    Below 0.25 the series s^2/6 + 3 s^4/40 + ..., because the difference would lose up to all
+    digits; above, the difference.
 
     Examples
     --------

@@ -1,13 +1,13 @@
 """Solid angles of splinters: triangles whose closed forms lose their digits.
 
-`over_triangle` gives the solid angle or the projected solid angle [sr] of one triangle as a
-numerical integral.  `radcalc.geometry.polygons` falls back on it where Van Oosterom and
-Strackee's formula or Lambert's contour formula is a small difference of large terms.
+`over_triangle` integrates the solid angle or the projected solid angle [sr] of one triangle
+numerically.  `radcalc.geometry.polygons` uses it if Van Oosterom and Strackee's formula or
+Lambert's contour formula is a small difference of large terms.
 
-The triangle lies on its longest side and is cut into strips across it.  With the hyperbolic sine
-of a parameter for the lengths along and across, all decades of length get the same share of
-points, so few strips do even for triangles that pass close by the observer and reach far away.
-Every term is positive, so no digits cancel.  Floats only; lengths in any one unit.
+The triangle is cut into strips perpendicular to its longest side.  Lengths along and across the
+strips are hyperbolic sines of parameters, which gives every decade of length the same share of
+points, so few strips are enough even for triangles that pass close by the observer and reach far
+away.  Every term is positive, so no digits cancel.  Floats only; lengths in any one unit.
 """
 
 import math
@@ -16,15 +16,15 @@ from radcalc.errors import ConditionError
 from radcalc.geometry.numerics.quadrature import adaptive, integral
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus, plus, times
 
-STRIPS = 120  # intervals of strips, which the thinnest splinters do not reach: the time has a bound
-# [1] at which to stop.  Where an edge passes the observer at 1e-9 of its length, the coordinates
-# have no digits left for the first.
+STRIPS = 120  # intervals of strips, to limit the time; the thinnest splinters need fewer
+# [1] at which to stop.  If an edge passes the observer at 1e-9 of its length, the coordinates do
+# not have enough digits for the first.
 ACCURACY, COARSE_ACCURACY = 1e-13, 1e-8
-FAR = 15.0  # of the parameter of a strip: past it sech^3 has fallen by 1e-19
+FAR = 15.0  # parameter of a strip at which sech^3 has fallen to 1e-19
 
 
 def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = None) -> float:
-    """Signed solid angle of a plane triangle, or its projected one, by numerical integration.
+    """Integrate the signed solid angle of a plane triangle, or its projected solid angle.
 
     Parameters
     ----------
@@ -33,19 +33,19 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
     ab, ac : tuple of 3 floats [m]
         The other two vertices, from a.
     normal : tuple of 3 floats [1], optional
-        The receiver's normal, of length 1: then the result is the projected solid angle.  No part
-        of the triangle may be below its horizon.  Without one, the solid angle.
+        The receiver's normal, of length 1, for the projected solid angle.  No part of the triangle
+        may be below the receiver's horizon.
 
     Returns
     -------
     float [sr]
-        With the sign of the triple product [a b c]: positive where a, b, c are clockwise as the
-        observer sees them.  0 if the observer is in the triangle's plane.
+        With the sign of the triple product [a b c]: positive if a, b, c are clockwise for the
+        observer.  0 if the observer is in the triangle's plane.
 
     Raises
     ------
     ConditionError
-        If the integral does not converge, or lengths differ by more than a float holds.
+        If the integral does not converge, or a float cannot hold a ratio of lengths.
 
     Notes
     -----
@@ -55,12 +55,12 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
 
     over the triangle, with h the observer's distance from its plane, r the distance of a point of
     it and z that point's height over the receiver's horizon.  The integral across a strip is
-    elementary for Omega; along the strips, and across them for Omega_p, Gauss-Legendre rules are
-    used.
+    elementary for Omega; Gauss-Legendre rules integrate along the strips, and for Omega_p also
+    across them.
 
     Examples
     --------
-    The octant of all directions, 4 pi/8 sr, of which a receiver along z sees pi/4 projected:
+    The octant of all directions is 4 pi/8 sr, and pi/4 sr projected on a receiver that faces z:
 
     >>> import math
     >>> from radcalc.geometry.numerics.strips import over_triangle
@@ -76,7 +76,7 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
     if height == 0:
         return 0.0
     bc = minus(ac, ab)
-    # The base p-q is the longest side, the apex r is over it.
+    # The base p-q is the longest side, r the apex above it.
     longest = max(((length(ab), 0), (length(bc), 1), (length(ac), 2)))[1]
     p, pq, pr = (
         (a, ab, ac),
@@ -103,9 +103,9 @@ def over_triangle(a: Vector, ab: Vector, ac: Vector, normal: Vector | None = Non
             _half(h, start, foot, level, top, left),
             _half(h, -start - base, base - foot, level, top, right),
         )
-    except (ArithmeticError, ValueError):  # ratios past what a float holds
+    except (ArithmeticError, ValueError):  # a ratio that a float cannot hold
         raise ConditionError(
-            "the shape is too thin, or too near, to be integrated", "lengths that differ less"
+            "the shape is too thin or too near for the integral", "lengths that differ less"
         ) from None
     return math.copysign(sum(halves), height)
 
@@ -116,16 +116,16 @@ Horizon = tuple[float, float, float, float]
 def _half(
     h: float, start: float, width: float, level: float, top: float, horizon: Horizon | None
 ) -> float:
-    """The right triangle from one end of the base to the foot of the apex.
+    """Integrate the right triangle from one end of the base to the foot of the apex.
 
     Along the base it starts at `start` from the observer's foot and is `width` wide; the base is
-    at `level` across, the apex `top` above it.  `horizon` is how high the observer's foot and the
-    end of the base are above the receiver's plane, and how that grows along the base and across.
+    at `level` across, the apex `top` above it.  `horizon` has the heights of the observer's foot
+    and of the end of the base above the receiver's plane, and their slopes along and across.
     """
     if width <= 0:
         return 0.0
     u0 = math.asinh(start / h)
-    # Heights are counted from the foot, or from the end where all is near that one.
+    # Heights are counted from the foot, or from the end if the whole triangle is near the end.
     from_end = False
     if horizon:
         up, low, x, y = horizon
@@ -145,12 +145,12 @@ def _half(
     step = _sinh_step(start / h, width / h)
     try:
         return adaptive(strip, 0.0, step, ACCURACY, STRIPS)
-    except ConditionError:  # the digits of the coordinates do not tell where the edge is
+    except ConditionError:  # the coordinates have too few digits for the place of the edge
         return adaptive(strip, 0.0, step, COARSE_ACCURACY, STRIPS)
 
 
 def _sinh_step(x: float, dx: float) -> float:
-    """asinh(x + dx) - asinh(x), to full precision for a small step too."""
+    """Return asinh(x + dx) - asinh(x), to full precision also for a small step."""
     y = x + dx
     if x * y <= 0:
         return math.asinh(y) - math.asinh(x)
@@ -159,7 +159,7 @@ def _sinh_step(x: float, dx: float) -> float:
 
 
 def _strip(h: float, q: float, level: float, rise: float) -> float:
-    """The integral of h/r^3 across, from `level` over `rise`, at q from the observer."""
+    """Return the integral of h/r^3 across, from `level` over `rise`, at q from the observer."""
     end = level + rise
     r, s = math.hypot(q, level), math.hypot(q, end)
     if level * end > 0:
@@ -170,15 +170,15 @@ def _strip(h: float, q: float, level: float, rise: float) -> float:
 def _projected_strip(
     h: float, q: float, level: float, rise: float, up: float, slope: float, from_end: bool
 ) -> float:
-    """The integral of h z/r^4 across.
+    """Return the integral of h z/r^4 across.
 
-    z, which is never below 0, is `up` at the observer's foot, or at `level` (`from_end`), and
-    grows with `slope`.
+    z, which is at least 0, is `up` at the observer's foot, or at `level` if `from_end`, and rises
+    with `slope`.
     """
     v0 = math.asinh(level / q)
     whole = _sinh_step(level / q, rise / q)
     start, end = 0.0, whole
-    if v0 + whole <= 0:  # all on the far side: the near end counts
+    if v0 + whole <= 0:  # all on the far side: the near end dominates
         start = max(0.0, whole - FAR)
     elif v0 >= 0:
         end = min(whole, FAR)

@@ -1,7 +1,7 @@
 """Vector algebra on triples of coordinates, each a float or an array.
 
-A vector is a plain tuple (x, y, z), so that floats need no NumPy; where coordinates are arrays,
-every function works element by element.  Units are those of the arguments.
+A vector is a plain tuple (x, y, z), so floats do not need NumPy; with arrays as coordinates, every
+function works element by element.  Units are those of the arguments.
 """
 
 from collections.abc import Sequence
@@ -14,13 +14,12 @@ Vector = tuple[Number, Number, Number]
 
 
 def vector(point: Any) -> Vector:
-    """Coordinates of a point, as a tuple.
+    """Return the coordinates of a point as a tuple.
 
     Parameters
     ----------
     point : tuple or list of 3 floats or ndarrays, or array_like of shape (..., 3)
-        A triple is taken as it is; of an array (or nested lists) the coordinates are on the last
-        axis.
+        A triple, or an array (or nested lists) with the coordinates on the last axis.
 
     Returns
     -------
@@ -52,7 +51,7 @@ def vector(point: Any) -> Vector:
 
 
 def dot(a: Vector, b: Vector) -> Number:
-    """Scalar product of two vectors.
+    """Return the scalar product of two vectors.
 
     Parameters
     ----------
@@ -73,7 +72,7 @@ def dot(a: Vector, b: Vector) -> Number:
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    """Vector product of two vectors.
+    """Return the vector product of two vectors.
 
     Parameters
     ----------
@@ -82,8 +81,8 @@ def cross(a: Vector, b: Vector) -> Vector:
     Returns
     -------
     tuple of 3 floats or ndarrays
-        a x b, at right angles to both, right-handed; its length is the area of the parallelogram
-        of a and b.
+        a x b, perpendicular to both, right-handed; its length is the area of the parallelogram of
+        a and b.
 
     Examples
     --------
@@ -95,13 +94,13 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
-    """Sum of a vector and a multiple of another.
+    """Return the sum of a vector and a multiple of another.
 
     Parameters
     ----------
     a, b : tuple of 3 floats or ndarrays
     factor : float or ndarray, optional
-        What b is multiplied by; 1 by default.
+        Factor of b; 1 by default.
 
     Returns
     -------
@@ -118,7 +117,7 @@ def plus(a: Vector, b: Vector, factor: Number = 1.0) -> Vector:
 
 
 def minus(a: Vector, b: Vector) -> Vector:
-    """Difference of two vectors: from b to a.
+    """Return the difference of two vectors: from b to a.
 
     Parameters
     ----------
@@ -139,7 +138,7 @@ def minus(a: Vector, b: Vector) -> Vector:
 
 
 def times(a: Vector, factor: Number) -> Vector:
-    """Product of a vector and a number.
+    """Return the product of a vector and a number.
 
     Parameters
     ----------
@@ -161,7 +160,7 @@ def times(a: Vector, factor: Number) -> Vector:
 
 
 def components(axes: Sequence[Vector], a: Vector) -> Vector:
-    """Components of a vector along three axes.
+    """Return the components of a vector along three axes.
 
     Parameters
     ----------
@@ -184,7 +183,7 @@ def components(axes: Sequence[Vector], a: Vector) -> Vector:
 
 
 def from_components(axes: Sequence[Vector], parts: Vector) -> Vector:
-    """Vector that has given components along three axes: the inverse of `components`.
+    """Return the vector with given components along three axes; the inverse of `components`.
 
     Parameters
     ----------
@@ -208,7 +207,7 @@ def from_components(axes: Sequence[Vector], parts: Vector) -> Vector:
 
 
 def length(a: Vector) -> Number:
-    """Length of a vector.
+    """Return the length of a vector.
 
     Parameters
     ----------
@@ -230,7 +229,7 @@ def length(a: Vector) -> Number:
 
 
 def scaled(a: Vector) -> Vector:
-    """Multiple of a vector, of which no square is too large or too small for a float.
+    """Return a multiple of a vector whose squares are not too large or too small for a float.
 
     Parameters
     ----------
@@ -240,8 +239,8 @@ def scaled(a: Vector) -> Vector:
     Returns
     -------
     tuple of 3 floats or ndarrays
-        a times a power of two, by which nothing is rounded: the largest coordinate is below 1,
-        and not below 1/2 unless all are 0.
+        a times a power of two, which is exact: the largest coordinate is at least 1/2 and below 1,
+        unless all are 0.
 
     Examples
     --------
@@ -254,12 +253,12 @@ def scaled(a: Vector) -> Vector:
 
 
 def unit(a: Vector) -> Vector:
-    """Vector of length 1 in the direction of another.
+    """Return the vector of length 1 in the direction of another.
 
     Parameters
     ----------
     a : tuple of 3 floats or ndarrays
-        Not all 0, of any size: it is scaled by a power of two first.
+        Of any size, not all 0.
 
     Returns
     -------
