@@ -459,7 +459,8 @@ COMMANDS = {
     "no surroundings are none": (
         "environment", "a map, a sky or an expression is missing", "sky:overcast"),
     "a word is no surroundings": (
-        "environment lightprobe", "'lightprobe' is no file, sky or expression", "sky:overcast"),
+        "environment lightprobe", "'lightprobe' is not a file, a sky or an expression",
+        "sky:overcast"),
     "an intensity comes from no direction": (
         "environment cos(theta/2) cd", "not a radiance", "'cos(theta/2) cd/m2'"),
     "there are fifteen types of sky and some names": (

@@ -1,25 +1,24 @@
-"""Functions of direction: how a source sends its light, as it is sold, measured or modelled.
+"""Functions of direction: the light of sources as they are sold, measured or modelled.
 
-- `distribution`: the protocol that all of them follow, and what they share
+- `distribution`: the protocol of all distributions, and functions for any of them
 - `shapes`: isotropic, a uniform cone, a lobe
 - `formula`: an expression in theta and phi
 - `grid`: a table of angles and intensities
-- `photometry`: what a file says of a luminaire, with its table
-- `sources`: what a user names, a file or an expression, as one of these
+- `photometry`: the contents of a photometric file: its table and its declared values
+- `sources`: reading of a distribution as a user gives it, a file or an expression
 - `files`, `ies` (with `ies_numbers`), `eulumdat`, `tables`: files, by format
-- `contents`: what a file holds, read safely and written whole
-- `planes`, `headings`: what tables of half planes share; what the titles over a table say
+- `contents`: safe reading and writing of files
+- `planes`, `column_titles`: parts shared by tables of half planes; titles of a table
 - `beams`: beam angles and field angles in a plane through the axis
-- `places`: the light on places and discs under a source, and the places that get so much
-- `pose`: where a source stands, where it is aimed and how it is rotated
-- `scene`: sources in their places, and the irradiance that they give together
-- `radiances`: what radiances can do, as functions of the direction that they come from; an
-  expression as one
-- `sky`, `maps`: the radiances of skies; those of pictures of what surrounds a place
-- `environments`: what a user names, a map, a sky or an expression, as one of these
+- `places`: the light on places and discs under a source, and places with a given irradiance
+- `pose`: aim and rotation of a source
+- `scene`: the irradiance from several sources at their positions
+- `radiances`: the protocol of radiances by direction; an expression as one of them
+- `sky`, `maps`: radiances of skies, and of pictures of the surroundings
+- `environments`: reading of surroundings as a user gives them, a map, a sky or an expression
 
-A distribution has coordinates of its own: the polar angle theta from the source's axis (the gamma
-of C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).
+A distribution has its own coordinates: the polar angle theta from the source's axis (the gamma of
+C-gamma), and the azimuth phi about it (C), from its x axis (C0) towards its y axis (C90).
 Angles are in radians, intensities in coherent SI (cd, W/sr, photon/s/sr); floats or NumPy arrays.
-Needs NumPy.
+The package needs NumPy.
 """

@@ -1,11 +1,11 @@
-"""Beam angles and field angles: how wide the light is in a plane through the axis.
+"""Beam angles and field angles: the width of the light in a plane through the axis.
 
-Two definitions are in use, and differ where a distribution is not greatest on its axis:
+Two definitions are in use.  They differ if the intensity is not greatest on the axis:
 
-- the outermost directions that have a share of the plane's greatest intensity
-- the first directions, counted from the axis, that are down to a share of the axial intensity
+- the outermost directions with a given share of the plane's greatest intensity
+- the first directions from the axis with a given share of the axial intensity
 
-The share is a half for the beam angle and a tenth for the field angle.
+The share is one half for the beam angle and one tenth for the field angle.
 """
 
 import math
@@ -16,8 +16,8 @@ import numpy
 
 from radcalc.distributions.distribution import Distribution, last_where
 
-STEPS = 3600  # in which a half of a plane is looked at, from the axis to the direction behind it
-DIFFER = math.radians(2)  # from which on the definitions are said to differ
+STEPS = 3600  # samples of a half plane, from the axis to the opposite direction
+DIFFER = math.radians(2)  # a larger difference between the definitions is reported
 
 
 class Beam(NamedTuple):
@@ -26,15 +26,15 @@ class Beam(NamedTuple):
     Attributes
     ----------
     outermost : float [rad] or None
-        Between the outermost directions with the share of the plane's greatest intensity; None
-        where there are none, as in a uniform light.
+        Angle between the outermost directions with the share of the plane's greatest intensity;
+        None if there are none, as in a uniform light.
     from_axis : float [rad] or None
-        Between the first directions from the axis with the share of the axial intensity; None
-        where there are none, or no light on the axis.
+        Angle between the first directions from the axis with the share of the axial intensity;
+        None if there are none, or if the axis is dark.
     is_ambiguous : bool
         Whether the two differ by more than 2 degrees, or one of them does not exist.
     edges : tuple of 2 floats [rad] or None
-        Where the outermost directions are: angles from the axis towards the azimuth, negative
+        Outermost directions, as angles from the axis: positive towards the azimuth, negative
         towards the opposite one.
 
     References
@@ -54,16 +54,16 @@ class Beam(NamedTuple):
 
 
 def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
-    """The full angle in the plane of an azimuth and the one opposite.
+    """Return the full angle in the plane of an azimuth and the opposite one.
 
     Parameters
     ----------
     distribution : Distribution
-        Of any form.
+        Intensities.
     azimuth : float [rad]
-        Azimuth of a half of the plane: 0 for C0-C180, pi/2 for C90-C270.
+        Azimuth of one half of the plane: 0 for C0-C180, pi/2 for C90-C270.
     share : float [1]
-        Of the intensity: 1/2 for the beam angle, 1/10 for the field angle.
+        Share of the intensity: 1/2 for the beam angle, 1/10 for the field angle.
 
     Returns
     -------
@@ -72,7 +72,7 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
 
     Examples
     --------
-    A Lambertian surface is down to a half at 60 degrees:
+    The intensity of a Lambertian surface falls to one half at 60 degrees:
 
     >>> from radcalc.distributions.shapes import Lobe
     >>> beam_angle = beam(Lobe(1.0), 0.0, 0.5)
@@ -82,7 +82,7 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
     angle = numpy.linspace(-math.pi, math.pi, 2 * STEPS + 1)
 
     def along(angle: Any) -> Any:
-        """Intensity in the plane, by the angle from the axis; negative on the opposite side."""
+        """Return the intensity in the plane, by the angle from the axis."""
         return distribution.intensity(
             abs(angle), numpy.where(angle < 0, azimuth + math.pi, azimuth)
         )
@@ -98,9 +98,9 @@ def beam(distribution: Distribution, azimuth: float, share: float) -> Beam:
 def _edges(
     along: Callable[[Any], Any], angle: Any, values: Any, level: float, start: int | None
 ) -> tuple[float, float] | None:
-    """The outermost angles with a level of intensity, or the first ones on both sides of a start.
+    """Return the outermost angles with a level of intensity, or the first ones around `start`.
 
-    None where there is no light, or where the light goes all the way round.
+    Return None if there is no light, or if the light goes all the way round.
     """
     bright = values >= level
     dark = numpy.flatnonzero(~bright)

@@ -1,4 +1,4 @@
-"""What the titles over a table of angles and intensities say: units, and C planes."""
+"""Units and C planes in the titles of a table of angles and intensities."""
 
 import re
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ ANGLE_WORDS = re.compile(r"gamma|theta|polar|angle|vertical|winkel|γ|θ|ϑ")
 OF_ANGLE = re.compile(rf"(?<![a-z])a?(?:sin|cos|tan)|\d\s*(?:{ANGLE_WORDS.pattern})")
 OTHER_ANGLES = re.compile(r"elevation|altitude|azimut|horizontal|phi|latitude|zenith")
 DEGREES = r"([-+]?\d+(?:[.,]\d+)?)\s*(?:°|deg)?"
-# A plane, and the one opposite: C0, C 22.5 deg, phi=45, 90, C0-C180, C0/180.
+# A plane, and the opposite one: C0, C 22.5 deg, phi=45, 90, C0-C180, C0/180.
 PLANE = re.compile(
     rf"(?P<letter>c|phi|φ|ϕ)?\s*=?\s*{DEGREES}(?:\s*[-–/]\s*c?\s*{DEGREES})?(?![\w.])",
     re.IGNORECASE,
@@ -37,14 +37,14 @@ KNOWN = "an intensity in cd, mcd, W/sr, mW/sr or the like, or no unit for relati
 
 
 class Column(NamedTuple):
-    """What a column of intensities is.
+    """C planes and unit of a column of intensities.
 
     Attributes
     ----------
     plane, opposite : float [deg] or None
-        Its C plane, and the one opposite where the title names a whole plane.
+        C plane, and the opposite one if the title names both.
     unit : Unit or None
-        Its unit; None where the title has none.
+        Unit, if the title has one.
 
     Examples
     --------
@@ -58,12 +58,12 @@ class Column(NamedTuple):
 
 
 def angles(title: str) -> Unit | None:
-    """The unit of the angles under a title; None where it has none.
+    """Return the unit of the angles in a title, or None.
 
     Parameters
     ----------
     title : str
-        Of the first column; may be empty.
+        Title of the first column; may be empty.
 
     Returns
     -------
@@ -73,7 +73,7 @@ def angles(title: str) -> Unit | None:
     Raises
     ------
     ConditionError
-        If the title is not one of polar angles.
+        If the title is not that of polar angles.
 
     Examples
     --------
@@ -85,18 +85,18 @@ def angles(title: str) -> Unit | None:
     has_other = unit.dimension != ANGLE if unit else bool(units_in(title)[0])
     if has_other or OF_ANGLE.search(text):
         raise ConditionError(
-            f"'{quote(title)}' in the first column is no angle", "polar angles in it"
+            f"'{quote(title)}' in the first column is not an angle", "polar angles in it"
         )
     if OTHER_ANGLES.search(text) or not (unit or not text or ANGLE_WORDS.search(text)):
         raise ConditionError(
-            f"'{quote(title)}' in the first column is no polar angle from the source's axis",
+            f"'{quote(title)}' in the first column is not a polar angle from the source's axis",
             "a title such as gamma, theta or angle (deg)",
         )
     return unit
 
 
 def column(title: str) -> Column:
-    """What a column of intensities is, by its title.
+    """Return the C planes and the unit in the title of a column of intensities.
 
     Parameters
     ----------
@@ -106,12 +106,12 @@ def column(title: str) -> Column:
     Returns
     -------
     Column
-        Its C plane and its unit, as far as the title has them.
+        C planes and unit, if the title has them.
 
     Raises
     ------
     ConditionError
-        If it says anything that is not an intensity.
+        If the title is that of another quantity.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def column(title: str) -> Column:
     is_bare = not after_plane or IN_BRACKETS.fullmatch(after_plane)
     if plane_match and not (
         is_bare or (plane_match["letter"] and unit_of(after_plane))
-    ):  # 2 m from the lamp
+    ):  # not a plane, as in "2 m from the lamp"
         plane_match, after_plane = None, title
     plane, opposite = (
         (_number(plane_match[2]), _number(plane_match[3])) if plane_match else (None, None)
@@ -131,12 +131,12 @@ def column(title: str) -> Column:
     text = plain(after_plane)
     if PER_FLUX.search(text):
         raise ConditionError(
-            f"'{quote(title)}' is relative to the flux of lamps that the table does not have",
+            f"'{quote(title)}' is relative to the flux of lamps, which the table does not have",
             "the values times that flux, in cd",
         )
     unit = _intensity(after_plane)
     if not unit and OTHER_WORDS.search(text):
-        raise ConditionError(f"'{quote(title)}' is no intensity", KNOWN)
+        raise ConditionError(f"'{quote(title)}' is not an intensity", KNOWN)
     return Column(plane, opposite, unit)
 
 
@@ -145,12 +145,12 @@ def _number(text: str | None) -> float | None:
 
 
 def in_comments(comments: Sequence[str]) -> Unit | None:
-    """The unit of intensity that a short comment has, as in `# I (cd)`; None where there is none.
+    """Return the unit of intensity in a short comment such as `# I (cd)`, or None.
 
     Raises
     ------
     ConditionError
-        If comments have different ones.
+        If comments have different units.
 
     Examples
     --------
@@ -172,30 +172,29 @@ def in_comments(comments: Sequence[str]) -> Unit | None:
     if len(units) > 1:
         unit_texts = " and ".join(quote(unit.text) for unit in units.values())
         raise ConditionError(
-            f"the comments have {unit_texts}", "the unit in the titles of the columns"
+            f"the comments have different units: {unit_texts}",
+            "the unit in the titles of the columns",
         )
     return next(iter(units.values()), None)
 
 
 @lru_cache(16)
 def _intensity(title: str) -> Unit | None:
-    """The unit of intensity in a title; refuse another one."""
+    """Return the unit of intensity in a title, or None; raise an error for another unit."""
     unit = _read(title).unit
     if unit is None or unit.dimension == NUMBER:
         unknown_units = [text for text in units_in(title)[0] if not RELATIVE.fullmatch(plain(text))]
         if unknown_units:
-            raise ConditionError(
-                f"values in '{quote(unknown_units[0])}', which is no unit here", KNOWN
-            )
+            raise ConditionError(f"'{quote(unknown_units[0])}' is not a unit of intensity", KNOWN)
         return None
     facts = read(unit)
     if facts and facts.geometry == INTENSITY and facts.axis == NONE and not unit.is_scale:
         return unit
-    raise ConditionError(f"values in {describe(unit)}", KNOWN)
+    raise ConditionError(f"the values are in {describe(unit)}", KNOWN)
 
 
 def _read(title: str, like: Unit | None = None) -> Title:
-    """A title whose numbers are those of its unit, or of none."""
+    """Read a title; its numbers, if any, must belong to its unit."""
     try:
         parsed = read_title(title, like)
         if parsed.unit is None:

@@ -1,6 +1,6 @@
-"""What a file holds, read safely and written whole.
+"""Safe reading of the contents of files, and writing of whole files.
 
-Read are regular files alone, of a size that is known to fit.
+Only regular files up to a given size are read.
 """
 
 import errno
@@ -15,7 +15,7 @@ from radcalc import terminal
 from radcalc.errors import ConditionError, OutputError, quote, quote_path
 from radcalc.files.text import readable
 
-BLOCK = 1 << 20  # bytes that are read at a time where nobody says how many there are
+BLOCK = 1 << 20  # bytes to read at a time if the size is unknown
 
 
 def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
@@ -26,21 +26,21 @@ def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
     path : str
         A regular file, or "-" for standard input.
     largest : int
-        Bytes that it may have.
+        Largest accepted size [bytes].
     expected : str
-        What it should be, for the hint of a message.
+        Expected content, for the hint of a message.
 
     Returns
     -------
     name : str
-        What messages call it.
+        Name of the file in messages.
     data : bytes
-        What it holds.
+        Contents.
 
     Raises
     ------
     ConditionError
-        If it cannot be read, is no regular file or is too large.
+        If it cannot be read, is not a regular file or is too large.
     """
     if path == "-":
         return "stdin", _whole(terminal.read, BLOCK, largest, "stdin")
@@ -50,10 +50,10 @@ def read_bytes(path: str, largest: int, expected: str) -> tuple[str, bytes]:
 
 @contextmanager
 def opened(path: str, largest: int, expected: str, instead: str = "a file") -> Iterator[FileIO]:
-    """A regular file, open to be read; nothing else is waited for, or read without end.
+    """Open a regular file for reading, without waiting for a pipe or a device.
 
-    Raises what `read_bytes` raises, also for what goes wrong while it is read; `instead` is the
-    hint where it is a pipe or a device.
+    It raises the errors of `read_bytes`, also for a failure during reading; `instead` is the
+    hint for a pipe or a device.
 
     Examples
     --------
@@ -73,34 +73,34 @@ def opened(path: str, largest: int, expected: str, instead: str = "a file") -> I
 
 
 def whole(file: FileIO, largest: int, path: str) -> bytes:
-    """What is left of an open file: that much memory, and no copy."""
+    """Return the rest of an open file, without a copy in memory."""
     size = os.fstat(file.fileno()).st_size
     return _whole(file.read, max(BLOCK, size + 1), largest, quote_path(path))
 
 
 def check_place(path: str, extensions: Collection[str], things: str, instead: str) -> str:
-    """Refuse a place to write to, before the work whose result would be lost.
+    """Check that a file can be written, before the work whose result would be lost.
 
     Parameters
     ----------
     path : str
-        Of the file to be written.
+        File to be written.
     extensions : collection of str
-        That it may have, in lower case.
+        Accepted extensions, in lower case.
     things, instead : str
-        What is written, and the extensions, for messages.
+        Kind of contents, and the extensions, for messages.
 
     Returns
     -------
     str
-        Its extension, in lower case.
+        Extension of the path, in lower case.
 
     Raises
     ------
     ConditionError
-        If the extension is another one.
+        If the extension is not accepted.
     OutputError
-        If it cannot be written, as far as that can be known before.
+        If the file cannot be written, as far as that is known in advance.
 
     Examples
     --------
@@ -114,11 +114,11 @@ def check_place(path: str, extensions: Collection[str], things: str, instead: st
         what = f"as {quote(extension)}" if extension else "without an extension"
         raise ConditionError(f"{quote_path(path)}: {things} are not written {what}", instead)
     if "\0" in path:
-        raise _cannot_write(path, "no name of a file")
+        raise _cannot_write(path, "not a file name")
     target = os.path.realpath(path)
     folder = os.path.dirname(target)
     if not os.path.isdir(folder):
-        raise _cannot_write(path, f"there is no folder {quote_path(folder)}")
+        raise _cannot_write(path, f"the folder {quote_path(folder)} does not exist")
     if os.path.exists(target) and not os.path.isfile(target):
         raise _cannot_write(path, "a folder, a pipe or a device")
     if not all(os.access(place, os.W_OK) for place in (folder, target) if os.path.exists(place)):
@@ -128,17 +128,17 @@ def check_place(path: str, extensions: Collection[str], things: str, instead: st
 
 @contextmanager
 def written(path: str) -> Iterator[str]:
-    """A new file, empty, that takes the place of a path when all is written to it.
+    """Create an empty file that replaces a path once it is written completely.
 
-    What was there is replaced then, and is left as it is where anything goes wrong.
+    On an error, the previous file stays unchanged.
 
     Raises
     ------
     OutputError
         If it cannot be written.
     """
-    target = os.path.realpath(path)  # what a link leads to, and not the link
-    # in the same folder, for what is moved from elsewhere may be there by halves
+    target = os.path.realpath(path)  # the target of a link, not the link
+    # in the same folder: a file moved from elsewhere may arrive incomplete
     extension = os.path.splitext(path)[1].lower()
     temporary = os.path.join(os.path.dirname(target), f".radcalc-{secrets.token_hex(8)}{extension}")
     try:
@@ -151,7 +151,7 @@ def written(path: str) -> Iterator[str]:
     except OSError as error:
         raise _cannot_write(path, error.strerror or str(error)) from None
     finally:
-        with suppress(OSError):  # it is there where something went wrong
+        with suppress(OSError):  # it exists only after an error
             os.remove(temporary)
 
 
@@ -160,7 +160,7 @@ def _cannot_write(path: str, why: str) -> OutputError:
 
 
 def _without_waiting(path: str, flags: int) -> int:
-    """Open a file; a pipe that nobody writes to would else be waited for."""
+    """Open a file without waiting for a pipe that nobody writes to."""
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 

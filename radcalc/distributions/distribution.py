@@ -1,4 +1,4 @@
-"""What every distribution can do, and what follows from that alone."""
+"""The protocol of distributions, and functions that need no more than the protocol."""
 
 import math
 from collections.abc import Callable
@@ -15,12 +15,12 @@ ALL_AZIMUTHS: Interval = (0.0, 2 * math.pi)  # [rad]
 
 
 class Peak(NamedTuple):
-    """The greatest value of a function of direction, and one direction that has it.
+    """The greatest value of a function of direction, and a direction with that value.
 
     Attributes
     ----------
     value : float [coherent SI]
-        The value: an intensity of a distribution.
+        The value, such as an intensity.
     polar, azimuth : float [rad]
         The direction.
 
@@ -36,7 +36,7 @@ class Peak(NamedTuple):
 
 
 class Integrable(Protocol):
-    """What can be integrated over directions; `Distribution` has the details."""
+    """A function that can be integrated over directions; see `Distribution`."""
 
     @property
     def is_axial(self) -> bool: ...
@@ -49,12 +49,12 @@ class Distribution(Protocol):
     Attributes
     ----------
     kind : str
-        The kind of light: "v" where intensities are in cd, "e" in W/sr, "p" in photon/s/sr; empty
-        where they are relative.
-    is_axial : bool
-        Whether the intensity is the same at every azimuth.
-    finest : float [rad]
-        An angle within which no peak of it hides.
+            Kind of light: "v" for intensities in cd, "e" for W/sr, "p" for photon/s/sr; empty for
+            relative intensities.
+        is_axial : bool
+            Whether the intensity is the same at every azimuth.
+        finest : float [rad]
+            Smallest width of a peak.
     """
 
     @property
@@ -65,7 +65,7 @@ class Distribution(Protocol):
     def finest(self) -> float: ...
 
     def intensity(self, theta: Number, phi: Number) -> Number:
-        """Intensity in directions.
+        """Return the intensity in directions.
 
         Parameters
         ----------
@@ -80,22 +80,22 @@ class Distribution(Protocol):
         ...
 
     def flux(self, polar: Interval = ALL_POLAR, azimuth: Interval = ALL_AZIMUTHS) -> Integral:
-        """Integral of the intensity over all directions, or a part of them.
+        """Return the integral of the intensity over all directions, or a part of them.
 
         Parameters
         ----------
         polar, azimuth : tuple of 2 floats [rad], optional
-            Between which polar angles and azimuths; all of them by default.
+            Limits of the polar angle and of the azimuth; all directions by default.
 
         Returns
         -------
         Integral
-            flux [lm, W, photon/s or sr] and an estimate of its error.
+            Flux [lm, W, photon/s or sr] and an estimate of its error.
         """
         ...
 
     def peak(self) -> Peak:
-        """The greatest intensity, and where it is."""
+        """Return the greatest intensity, and its direction."""
         ...
 
 
@@ -106,24 +106,24 @@ def integrated(
     accuracy: float,
     steps: Steps = ((), ()),
 ) -> Integral:
-    """Flux between polar angles and azimuths, by cubature.
+    """Return the flux between polar angles and azimuths, by cubature.
 
     Parameters
     ----------
     distribution : Distribution
-        Of any form; no more than its intensity is needed, and whether it is axial.
+        Only `intensity` and `is_axial` are used.
     polar, azimuth : tuple of 2 floats [rad]
-        Between which to integrate.
+        Limits of the integral.
     accuracy : float [1]
-        Error that is good enough, relative to the flux; a larger one, up to 1e-3, is put up with
-        where edges across the angles leave it.
+        Sufficient error, relative to the flux; a larger one, up to 1e-3, is accepted if edges
+        across the angles cause it.
     steps : tuple of 2 sequences of float [rad], optional
-        Polar angles and azimuths between those at which it is known to have a step.
+        Polar angles and azimuths within the limits at which the intensity has a step.
 
     Returns
     -------
     Integral
-        Flux and error; a part without light, at all points of a fine grid, has none.
+        Flux and error; both are 0 if the part is dark at all points of a fine grid.
 
     Raises
     ------
@@ -163,29 +163,29 @@ ACCEPTED = 1e-3  # [1] of the flux
 
 
 def _middles(low: float, high: float, count: int) -> Any:
-    """The middles of so many parts of an interval; at its ends rounding may leave some light."""
+    """Return the middles of the parts of an interval; rounding may leave some light at its ends."""
     return low + (high - low) * (numpy.arange(count) + 0.5) / count
 
 
-# Polar angles and azimuths of the grid that tells whether there is light.
+# Polar angles and azimuths of the grid that shows whether there is light.
 NO_LIGHT, DARK_AXIAL = (361, 361), (20_000, 1)
 
 
 def last_where(holds: Callable[[Any], Any], inside: float, outside: float) -> float:
-    """The last number from one at which a condition holds towards one at which it does not.
+    """Return the last number between two at which a condition still holds.
 
     Parameters
     ----------
     holds : callable
-        Takes an array of numbers and gives an array of truth values.
+        Takes an array of numbers and returns an array of truth values.
     inside, outside : float
-        Where it holds, and where it does not.
+        A number at which it holds, and one at which it does not.
 
     Returns
     -------
     float
-        To the digits of a float, by looking ever closer at many numbers at once; as
-        `radcalc.maths.limit` does at one.
+        To the precision of a float, by repeated refinement with many numbers at once;
+        `radcalc.maths.limit` does the same with single numbers.
 
     Examples
     --------
@@ -199,5 +199,5 @@ def last_where(holds: Callable[[Any], Any], inside: float, outside: float) -> fl
     return inside
 
 
-CLOSER = 65  # numbers that are looked at between two
-NARROWER = 9  # times, each 64 times as close
+CLOSER = 65  # numbers per refinement
+NARROWER = 9  # refinements, each by a factor of 64

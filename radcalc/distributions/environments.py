@@ -1,4 +1,4 @@
-"""How a user names what surrounds a place: a map, a sky or an expression."""
+"""Surroundings of a place, as a user gives them: a map, a sky or an expression."""
 
 import os
 from collections.abc import Sequence
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 EXAMPLE = "a map (.hdr, .exr, .pfm), sky:overcast, or 'max(cos(theta), 0) cd/m2'"
 MAP = path_pattern("hdr|pic|rgbe|exr|pfm")
-# Radiance's three channels are in watts; color.h has the part of each in a brightness, and how many
-# lumens a watt of "uniform white light" over the visible spectrum has.
+# Radiance's three channels are in watts.  color.h has the share of each in the brightness, and the
+# luminous efficacy of "uniform white light" over the visible spectrum.
 RADIANCE = "Radiance, src/common/color.h"
 BRIGHTNESS = (0.265, 0.670, 0.065)
 EFFICACY = 179.0  # [lm/W]
@@ -31,22 +31,22 @@ RADIANCES = {light_dimension(kind, (0, 1, 1), ""): kind for kind in KINDS}
 
 
 class Environment(NamedTuple):
-    """Radiances, and what is to be said of them.
+    """Radiances, with their origin, assumptions and notes.
 
     Attributes
     ----------
     radiances : Radiances
         By direction.
     channels, weights : tuple
-        Names of a map's channels, and what gives their sum; one of a sky or an expression.
+        Names of a map's channels and their weights in the sum; one for a sky or an expression.
     efficacy : float [lm/W]
-        What its watts count, where its format says so; else 0.
+        Luminous efficacy of its watts, if the format defines it; else 0.
     luminance : str
-        How a radiance follows from the channels of a map; else empty.
+        Formula for the radiance from the channels of a map; else empty.
     reference : str
-        Where that comes from.
+        Source of the formula.
     assumptions, notes : tuple of str
-        What was assumed in reading it, and what is odd.
+        Assumptions of the reader, and oddities.
     """
 
     radiances: Radiances
@@ -60,17 +60,17 @@ class Environment(NamedTuple):
 
 
 def is_map(source: str) -> bool:
-    """Whether a text names a file, which need not be there, or standard input."""
+    """Return whether a text is the name of a file, existing or not, or "-" for standard input."""
     return source == "-" or bool(MAP.search(source)) or os.path.exists(source)
 
 
 def expression(text: str) -> Environment:
-    """An expression in theta (polar angle from +z) and phi (azimuth from +x), and its unit.
+    """Read an expression in theta (polar angle from +z) and phi (azimuth from +x), with its unit.
 
     Parameters
     ----------
     text : str
-        As `radcalc.distributions.sources.formula_with_unit` takes it.
+        See `radcalc.distributions.sources.formula_with_unit`.
 
     Returns
     -------
@@ -79,7 +79,7 @@ def expression(text: str) -> Environment:
     Raises
     ------
     ConditionError, UnitError
-        If it is no expression, or its unit is none of a radiance.
+            If it is not an expression, or its unit is not a unit of radiance.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def expression(text: str) -> Environment:
     3000.0
     """
     if is_unknown_word(text):
-        raise ConditionError(f"'{quote(text)}' is no file, sky or expression", EXAMPLE)
+        raise ConditionError(f"'{quote(text)}' is not a file, a sky or an expression", EXAMPLE)
     formula = formula_with_unit(text, "radiance", RADIANCES, "cd/m2")
     assumption = f"the radiance is {quote(text)}, with theta from +z and phi from +x towards +y"
     return Environment(FormulaRadiances(formula), assumptions=(assumption, *unseen(formula)))
@@ -100,16 +100,16 @@ def of_picture(
     aim: Vector | None = None,
     channel: str = "",
 ) -> Environment:
-    """A map.
+    """Return the environment of a map.
 
     Parameters
     ----------
     picture : Picture
-        Its pixels, and what its file says of them.
+        Pixels, and what the file declares.
     unit, projection, channel : optional
-        What the user says, as of `unit_of`, `projection_of` and `channel_of`.
+        Choices of the user; see `unit_of`, `projection_of` and `channel_of`.
     aim : tuple of 3 floats, optional
-        Where in the world its middle is; +x by default.
+        World direction of the map's centre; +x by default.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def of_picture(
     Raises
     ------
     ConditionError, MissingInput
-        What cannot be, or is missing, of these; and if the pixels are no map of that projection.
+        If one of these is missing or impossible, or the pixels do not fit the projection.
     """
     from radcalc.distributions.maps.pictures import BY_REC_709, Y
     from radcalc.distributions.maps.radiance_map import RadianceMap
@@ -138,15 +138,15 @@ def of_picture(
     width, height = pixels.size
     assumptions = [f"{name_of_map(map_projection)} of {width} x {height} pixels"]
     if not aim:
-        assumptions[0] += mention(", whose middle shows +x ({aim})")
-    elif aim[0] == aim[1] == 0:  # nothing tells how it is turned
-        assumptions[0] += ", whose left is towards +y"
+        assumptions[0] += mention(", with +x at the centre ({aim})")
+    elif aim[0] == aim[1] == 0:  # the rotation about a vertical axis is open
+        assumptions[0] += ", with +y on the left"
     assumptions += statements
     assumptions += [assumption for assumption in picture.assumptions if assumption != BY_REC_709]
     notes = [*picture.notes, *overruled]
     if pixels.coverage < 1:
         covered = f"{100 * pixels.coverage:.3g} % of the sphere"
-        notes.append(f"the map covers {covered}, and the rest counts as dark")
+        notes.append(f"the map covers {covered}; the rest counts as dark")
     return Environment(
         pixels,
         picture.channels,
@@ -160,12 +160,12 @@ def of_picture(
 
 
 def channel_of(picture: "Picture", channel: str) -> "Picture":
-    """One channel of a picture alone, by its name in any case.
+    """Return a picture with one channel, found by its name in any case.
 
     Raises
     ------
     ConditionError
-        If there is none of that name.
+        If there is no such channel.
     """
     names = [name.lower() for name in picture.channels]
     if channel.lower() not in names:
@@ -181,7 +181,7 @@ def channel_of(picture: "Picture", channel: str) -> "Picture":
 
 
 def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
-    """Radiances as a latlong map, by those at the middles of its pixels.
+    """Sample radiances at the pixel centres of a latlong map.
 
     Parameters
     ----------
@@ -213,12 +213,12 @@ def sampled(radiances: Radiances, width: int, height: int) -> "RadianceMap":
 
 
 def picture_of(pixels: Any) -> "Picture":
-    """An array, as a picture that says nothing of itself.
+    """Return an array as a picture without metadata.
 
     Parameters
     ----------
     pixels : array of shape (height, width), (height, width, 1) or (height, width, 3)
-        Of NumPy or Dask; three channels are R, G and B.
+            A NumPy or Dask array; three channels are R, G and B.
 
     Returns
     -------
@@ -236,7 +236,7 @@ def picture_of(pixels: Any) -> "Picture":
         pixels = pixels[:, :, None]
     elif len(shape) != 3 or shape[2] not in (1, 3):
         raise ConditionError(
-            f"pixels of the shape {quote(str(shape))} are no map",
+            f"pixels of the shape {quote(str(shape))} are not a map",
             "an array of the shape (height, width) or (height, width, 3)",
         )
     if len(shape) == 3 and shape[2] == 3:
@@ -247,12 +247,12 @@ def picture_of(pixels: Any) -> "Picture":
 def _file_statements(
     picture: "Picture", unit: Unit | None, projection: str
 ) -> tuple[list[str], list[str]]:
-    """What counts of what a picture says of itself, and what is overruled by what is given."""
+    """Return which declarations of the file are used, and which the user overrules."""
     used, overruled = list[str](), list[str]()
     if picture.projection and not projection:
         used.append(picture.projection)
     elif picture.projection not in ("", projection):
-        overruled.append(f"{picture.projection}, and is taken as {projection}")
+        overruled.append(f"{picture.projection}; it is read as {projection}")
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and not unit:
         used.append(_in(file_unit))
@@ -261,8 +261,8 @@ def _file_statements(
         and unit
         and (unit.factor, unit.dimension) != (file_unit.factor, file_unit.dimension)
     ):
-        overruled.append(f"{_in(file_unit)}, and is taken as {_in(unit)}")
-    saying = "the map says that it is "
+        overruled.append(f"{_in(file_unit)}; it is read as {_in(unit)}")
+    saying = "according to its file, the map is "
     return (
         [saying + " and ".join(used)] if used else [],
         [saying + difference for difference in overruled],
@@ -274,47 +274,47 @@ def _in(unit: Unit) -> str:
 
 
 def unit_of(picture: "Picture", given: Unit | None) -> tuple[float, str]:
-    """In what the values of a picture are.
+    """Return the unit of a picture's values.
 
     Parameters
     ----------
     picture : Picture
-        Which may say it.
+        May declare the unit.
     given : Unit, optional
-        What the user says; it goes before what the picture does.
+        Unit given by the user; it overrules the picture's.
 
     Returns
     -------
     factor : float
-        What they are multiplied by to be in coherent SI.
+        Factor that converts the values to coherent SI.
     kind : str
-        "v", "e" or "p"; empty where they are relative.
+        "v", "e" or "p"; empty for relative values.
 
     Raises
     ------
     ConditionError
-        If the unit is none of a radiance.
+        If the unit is not a unit of radiance.
     MissingInput
-        If nobody says it.
+        If no unit is given.
     """
     file_unit = resolve(picture.unit) if picture.unit else None
     if file_unit and file_unit.dimension not in (NUMBER, *RADIANCES):
         problem = (
-            f"the map says that it is in {quote(file_unit.text)}: that is {describe(file_unit)}"
+            f"the map is in {quote(file_unit.text)} by its file, and that is {describe(file_unit)}"
         )
         raise ConditionError(problem, "a map of radiances")
     unit = given or file_unit
     if unit is None:
         raise MissingInput(
-            "the map does not say in which unit it is",
+            "the unit of the map is missing",
             mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results"),
         )
     if unit.dimension == NUMBER:
         if unit.factor != 1:
-            raise ConditionError(f"{_unit_option(unit)} is no unit", mention("{unit=1}"))
+            raise ConditionError(f"{_unit_option(unit)} is not a unit", mention("{unit=1}"))
         return 1.0, ""
     if unit.dimension not in RADIANCES:
-        problem = f"{_unit_option(unit)}: a map has radiances, and that is {describe(unit)}"
+        problem = f"{_unit_option(unit)}: a map has radiances, but that is {describe(unit)}"
         raise ConditionError(problem, _radiance_for(unit))
     return unit.factor, RADIANCES[unit.dimension]
 
@@ -324,7 +324,7 @@ def _unit_option(unit: Unit) -> str:
 
 
 def _radiance_for(unit: Unit) -> str:
-    """A unit of radiance in place of one of the same kind, or those that there are."""
+    """Return the unit of radiance of the same kind of light, or a choice of units."""
     reading = read_light(unit)
     if reading is None or reading.kind not in KINDS:
         return mention("{unit=cd/m2}, {unit=W/m2/sr}, or {unit=1} for relative results")
@@ -332,16 +332,16 @@ def _radiance_for(unit: Unit) -> str:
 
 
 class Weighted(NamedTuple):
-    """How radiances follow from the channels of a picture.
+    """Weights of a picture's channels in the radiance.
 
     Attributes
     ----------
     weights : tuple of float [1]
-        Of each channel.
+        Weight of each channel.
     assumption, formula, reference : str
-        For an assumption and a derivation.
+        Texts for an assumption and a derivation.
     efficacy : float [lm/W]
-        What a watt of them counts; 0 where nothing says it.
+        Luminous efficacy of the radiance; 0 if it is not defined.
     """
 
     weights: tuple[float, ...]
@@ -352,13 +352,13 @@ class Weighted(NamedTuple):
 
 
 def weighted(picture: "Picture", kind: str) -> Weighted:
-    """The weights by which the channels are added up: those that give a luminance.
+    """Return the weights with which the channels add up to a luminance or radiance.
 
     Parameters
     ----------
     picture : Picture
     kind : str
-        That of its unit; empty where it is relative.
+        Kind of light of its unit; empty for relative values.
 
     Returns
     -------
@@ -367,7 +367,7 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
     Raises
     ------
     MissingInput
-        If the channels of that kind have no common sum.
+            If the channels have no common sum in that kind of light.
     """
     from radcalc.distributions.maps.pictures import REC_709, RGB
 
@@ -389,25 +389,25 @@ def weighted(picture: "Picture", kind: str) -> Weighted:
         assumption = f"the radiance is {sums}, {primaries}"
         return Weighted(weights, assumption, f"L = {sums}", RADIANCE, EFFICACY)
     raise MissingInput(
-        f"{', '.join(names)} have no sum that is a radiance in that unit",
+        f"{', '.join(names)} have no sum that is a radiance in this unit",
         " or ".join(option("channel", name) for name in names),
     )
 
 
 def _sum(weights: Sequence[float], names: Sequence[str]) -> str:
-    """The weighted sum of channels, in words."""
+    """Return the weighted sum of channels as a formula."""
     return " + ".join(
         f"{weight:.4g} {name}" for weight, name in zip(weights, names, strict=True) if weight
     )
 
 
 def projection_of(picture: "Picture", given: str) -> str:
-    """The projection of a picture: what the user says, else the picture, else by its shape.
+    """Return the projection of a picture: given by the user, declared by its file, or by its shape.
 
     Raises
     ------
     MissingInput
-        If it is not told, and not 2:1.
+        If it is neither given nor declared, and the picture is not 2:1.
     """
     height, width = picture.pixels.shape[:2]
     if picture.frame:
@@ -422,6 +422,6 @@ def projection_of(picture: "Picture", given: str) -> str:
 
         check_shape(LATLONG, width, height)  # refuses it
     raise MissingInput(
-        f"the map of {width} x {height} pixels may have several projections",
+        f"the projection of the map is missing: {width} x {height} pixels fit several",
         " or ".join(option("projection", name) for name in round_ones),
     )

@@ -1,4 +1,4 @@
-"""EULUMDAT files (.ldt): a number or a text a line, in a fixed order.
+"""EULUMDAT files (.ldt): one number or text in each line, in a fixed order.
 
 The lines, counted from 1, of a file with n lamp sets::
 
@@ -11,14 +11,14 @@ The lines, counted from 1, of a file with n lamp sets::
     7  Dg, angle between them, or 0    then n times: number of lamps, type, luminous flux [lm],
     8  report number                   colour, colour rendering, power with ballast [W]
 
-and then 10 direct ratios, Mc angles C, Ng angles gamma, and the intensities [cd per 1000 lm of the
-first lamp set], plane by plane.  By Isym, these planes are::
+followed by 10 direct ratios, Mc angles C, Ng angles gamma, and the intensities [cd per 1000 lm of
+the first lamp set], plane by plane.  Isym defines which planes are present::
 
-    0  all                   1  one, which stands for all       2  C0 to C180
+    0  all                   1  one, which represents all   2  C0 to C180
     3  C270 over C0 to C90   4  C0 to C90
 
-Lamp sets are alternatives.  A negative number of lamps means absolute photometry: the flux is the
-luminaire's own.  Numbers may have decimal commas.
+Lamp sets are alternatives.  A negative number of lamps means absolute photometry: the flux is that
+of the luminaire.  Numbers may have decimal commas.
 
 References
 ----------
@@ -44,13 +44,13 @@ from radcalc.files.text import refusal
 KILOLUMEN = 1000.0  # [lm]
 MOST = 10_000  # angles, planes, lamps
 GREATEST = 1e12  # flux [lm] or factor
-STEP = 0.1  # [deg] how far listed angles may be from the declared step: they are rounded
+STEP = 0.1  # [deg] rounding of listed angles, compared with the declared step
 SYMMETRIES = {
     0: "",
-    1: "the one C plane stands for all (Isym 1)",
-    2: "the planes C0 to C180 stand for both sides of that plane (Isym 2)",
-    3: "the planes are those from C270 over C0 to C90, and stand for both sides (Isym 3)",
-    4: "the planes C0 to C90 stand for all four quadrants (Isym 4)",
+    1: "the one C plane represents all (Isym 1)",
+    2: "the planes C0 to C180 represent both sides of that plane (Isym 2)",
+    3: "the planes are those from C270 over C0 to C90, and represent both sides (Isym 3)",
+    4: "the planes C0 to C90 represent all four quadrants (Isym 4)",
 }
 
 
@@ -60,23 +60,23 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-        The file's lines, without their ends.
-    name : str
-        What the file is called in messages.
+            Lines of the file, without line ends.
+        name : str
+            Name of the file in messages.
 
-    Returns
-    -------
-    Photometry
-        Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
-        `output-ratio`, or `flux` where the photometry is absolute, `downward-fraction` and
-        `input-power`, as far as the file has them.
+        Returns
+        -------
+        Photometry
+            Intensities [cd] in all planes, closed to a whole circle.  It declares `lamp-flux` and
+            `output-ratio` (or `flux`, for absolute photometry), `downward-fraction` and
+            `input-power`, if the file has them.
 
-    Raises
-    ------
-    ConditionError
-        If a line is not what stands there in such a file, with its number; if angles contradict
-        the declared steps, do not rise or are not those of the symmetry; if an intensity is
-        negative; if lines are missing or left over.
+        Raises
+        ------
+        ConditionError
+            With the line: if it does not have the expected content, if angles contradict the
+            declared steps, do not rise or do not fit the symmetry, if an intensity is negative, or
+            if lines are missing or left over.
 
     Notes
     -----
@@ -86,7 +86,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
     Examples
     --------
-    A lamp of 1000 lm that sends 100 cd in every direction:
+    A lamp of 1000 lm with 100 cd in every direction:
 
     >>> head = ["", 1, 1, 1, 0, 3, 90, *[""] * 14, 50, 100, 1, 0, 1, 1, "", 1000, "", "", 12]
     >>> lamp = read([str(x) for x in [*head, *[""] * 10, 0, 0, 90, 180, 100, 100, 100]], "lamp")
@@ -97,7 +97,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
 
 class _Reader:
-    """One file, line by line."""
+    """Reader of a file, line by line."""
 
     def __init__(self, lines: Sequence[str], name: str) -> None:
         end = len(lines)
@@ -113,14 +113,14 @@ class _Reader:
         raise refusal(self.name, number, problem, hint)
 
     def text(self, what: str) -> str:
-        """The next line."""
+        """Read a line."""
         if self.at >= len(self.lines):
             self.refuse(max(self.at, 1), f"the file ends here, before its {what}", "the whole file")
         self.at += 1
         return self.lines[self.at - 1].strip()
 
     def number(self, what: str, low: float = -math.inf, high: float = math.inf) -> float:
-        """The next line, which is a number."""
+        """Read a line with a number."""
         text = self.text(what)
         value = finite(text, True)
         if value is None or not low <= value <= high:
@@ -128,25 +128,29 @@ class _Reader:
             within = bounds if low > -math.inf else ""
             self.refuse(
                 self.at,
-                f"'{quote(text)}' instead of the {what}, a number{within}",
-                "the file as it was; a line may be missing or doubled above",
+                f"'{quote(text)}' is not a valid {what}: it must be a number{within}",
+                "the original file; a line above may be missing or duplicated",
             )
         if problem := self.decimals.conflict(text, self.at):
             self.refuse(self.at, problem, MARKS)
         return value
 
     def optional(self, what: str, low: float = -math.inf) -> float:
-        """The next line, which is a number or empty; 0 for an empty one."""
+        """Read a line that is a number or empty; return 0 if it is empty."""
         if self.at < len(self.lines) and not self.lines[self.at].strip():
             self.at += 1
             return 0.0
         return self.number(what, low)
 
     def whole(self, what: str, low: int, high: int = MOST) -> int:
-        """The next line, which is a whole number."""
+        """Read a line with a whole number."""
         value = self.number(what, low, high)
         if value != int(value):
-            self.refuse(self.at, f"{value:g} instead of the {what}, a whole number", "1, 2, 3 ...")
+            self.refuse(
+                self.at,
+                f"{value:g} is not a valid {what}: it must be a whole number",
+                "1, 2, 3 ...",
+            )
         return int(value)
 
     def photometry(self) -> Photometry:
@@ -165,14 +169,14 @@ class _Reader:
             self.optional(f"{what} [mm]")
             for what in ("length", "width", "height") + ("size of the luminous area",) * 6
         ]
-        size = max(sizes[3:5]) or max(sizes[:2])  # of what shines, or else of all of it
+        size = max(sizes[3:5]) or max(sizes[:2])  # of the luminous area, or else of the luminaire
         declared = {
             "downward-fraction": self.optional("downward flux fraction [%]") / 100,
             "output-ratio": self.optional("light output ratio LORL [%]") / 100,
         }
         factor = self.number("conversion factor", 0, GREATEST)
         if not factor:
-            self.refuse(self.at, "a conversion factor of 0", "1, or that of the measurement")
+            self.refuse(self.at, "the conversion factor is 0", "1, or that of the measurement")
         tilt = self.optional("tilt [deg]")
         if tilt:
             self.notes.append(
@@ -202,35 +206,35 @@ class _Reader:
         )
 
     def skip_direct_ratios(self, count: int) -> None:
-        """Read past the direct ratios, unless just the `count` numbers after them are there."""
+        """Skip the direct ratios, if the file has more than the `count` numbers after them."""
         if len(self.lines) - self.at == count:
-            self.notes.append("the file has no direct ratios, which are of no use here")
+            self.notes.append("the file has no direct ratios; they are not needed")
         else:
             for k in range(10):
                 self.optional(f"direct ratio {k + 1}")
 
     def check_end(self) -> None:
-        """Refuse a file that goes on after its intensities."""
+        """Raise an error if the file goes on after its intensities."""
         for number, line in enumerate(self.lines[self.at :], self.at + 1):
             if line.strip():
                 self.refuse(
                     number,
-                    f"'{quote(line.strip())}' behind the last intensity",
-                    "a file that ends there; a line may be doubled, or Mc or Ng too small",
+                    f"'{quote(line.strip())}' follows the last intensity",
+                    "a file that ends there; a line may be duplicated, or Mc or Ng too small",
                 )
 
     def check_planes(self, symmetry: int, planes: int) -> None:
-        """Refuse a number of planes that the symmetry cannot have, on the line of Mc."""
+        """Raise an error for the line of Mc if the number of planes does not fit the symmetry."""
         part = {2: 2, 3: 4, 4: 4}.get(symmetry, 1)
         if planes % part:
             self.refuse(
                 4,
-                f"Mc is {planes}, which the symmetry (Isym {symmetry}) cannot have",
+                f"Mc is {planes}, which does not fit the symmetry (Isym {symmetry})",
                 f"a multiple of {part}",
             )
 
     def lamps(self, declared: dict[str, float]) -> float:
-        """The flux of the first lamp set [lm]; what it declares is added."""
+        """Return the flux of the first lamp set [lm], and add what it declares."""
         sets = []
         for k in range(self.whole("number of lamp sets", 1)):
             count = self.whole(f"number of lamps of set {k + 1}", -MOST)
@@ -249,14 +253,14 @@ class _Reader:
             )
             more = " ..." if len(alternatives) > 3 else ""
             self.notes.append(
-                f"{len(sets)} lamp sets, which are alternatives: the first is taken "
+                f"{len(sets)} lamp sets, which are alternatives: the first is used "
                 f"({lumens:g} lm, {power:g} W), not {descriptions}{more}"
             )
         declared["input-power"] = power
         if count < 0:
             self.assumptions.append(
-                f"absolute photometry (a negative number of lamps): {lumens:g} lm are the "
-                "luminaire's own"
+                f"absolute photometry (a negative number of lamps): {lumens:g} lm is the flux of "
+                "the luminaire"
             )
             del declared["output-ratio"]
             declared["flux"] = lumens
@@ -265,14 +269,14 @@ class _Reader:
         return lumens
 
     def angles(self, what: str, count: int, step: float, highest: int) -> Any:
-        """Angles that rise, by the declared step unless that is 0 [deg]."""
+        """Read rising angles [deg]; they must have the declared step unless it is 0."""
         angles: list[float] = []
         for k in range(count):
             angle = self.number(f"angle {what} {k + 1} of {count}", 0, highest)
             if angles and angle <= angles[-1]:
                 self.refuse(
                     self.at,
-                    f"the angle {what} {angle:g} deg does not rise, after {angles[-1]:g} deg",
+                    f"the {what} angles do not rise: {angle:g} deg after {angles[-1]:g} deg",
                     f"{count} rising angles",
                 )
             if angles and step and abs(angle - angles[-1] - step) > STEP:
@@ -286,7 +290,7 @@ class _Reader:
         return numpy.array(angles)
 
     def intensities(self, planes: int, angles: int) -> Any:
-        """The table [cd/klm], a row for each plane."""
+        """Read the table [cd/klm], with a row for each plane."""
         start, count = self.at, planes * angles
         block = self.lines[start : start + count]
         is_plain = not (self.decimals.comma or self.decimals.doubtful)
@@ -308,10 +312,10 @@ class _Reader:
         return table.reshape(planes, angles)
 
     def around(self, symmetry: int, azimuths: Any, values: Any, start: int) -> tuple[Any, Any]:
-        """The planes of the whole circle [deg], and their values."""
+        """Return the planes of the whole circle [deg], and their values."""
         if symmetry == 1 or len(azimuths) == 1:
             self.assumptions.append(
-                SYMMETRIES[1] if symmetry == 1 else "one C plane is all there is"
+                SYMMETRIES[1] if symmetry == 1 else "the table has only one C plane"
             )
             return numpy.zeros(1), values
         if symmetry == 0:
@@ -328,8 +332,8 @@ class _Reader:
             if azimuths[k] != angle:
                 self.refuse(
                     start + k + 1,
-                    f"the plane C{azimuths[k]:g} stands where C{angle} is that of the symmetry "
-                    f"(Isym {symmetry})",
+                    f"the plane C{azimuths[k]:g} is listed where the symmetry (Isym {symmetry}) "
+                    f"requires C{angle}",
                     "as many planes on each of its sides",
                 )
         kept = {2: azimuths[: half + 1], 4: azimuths[: quarter + 1]}.get(
@@ -341,9 +345,9 @@ class _Reader:
             if abs(listed - image) > STEP:
                 self.refuse(
                     start + k + 1,
-                    f"the plane C{listed:g} is listed where the symmetry (Isym {symmetry}) has "
-                    f"C{image:g}",
-                    "planes that are images of one another",
+                    f"the plane C{listed:g} is listed where the symmetry (Isym {symmetry}) "
+                    f"requires C{image:g}",
+                    "planes that are mirror images of one another",
                 )
         self.assumptions.append(SYMMETRIES[symmetry])
         return around, values

@@ -1,8 +1,8 @@
-"""Files of distributions: decoded, and told apart by what they contain.
+"""Reading of photometric files; the contents determine the format.
 
-An IES file has a line that begins with TILT= or its edition, an EULUMDAT file numbers alone in its
-lines 2 to 7, a table rows of numbers.  Where the content is none of them, the extension chooses the
-reader that says what is wrong.
+An IES file has a line with its edition or with TILT=, an EULUMDAT file only numbers in its lines 2
+to 7, a table has rows of numbers.  If the contents match none of them, the extension selects the
+reader, which then reports the error.
 """
 
 import os
@@ -18,12 +18,12 @@ from radcalc.errors import ConditionError, quote
 from radcalc.files import columns
 
 MOST_BYTES = 1 << 26  # of a file
-ROWS = 3  # that tell a table
-END_IN_DOS = "\x1a"  # of a text
+ROWS = 3  # rows that identify a table
+END_IN_DOS = "\x1a"  # end of a text
 NO_TEXT = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a"))  # bytes
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
 IES = re.compile(r"\s*(?:TILT\s*=|IES(?:NA)?\s*(?::|\d))", re.IGNORECASE)
-LABEL = 1000  # lines in which an IES file has one of those
+LABEL = 1000  # lines to search for the mark of an IES file
 READERS = {".ies": "ies", ".ldt": "eulumdat", ".csv": "tables"}  # modules, by extension
 KNOWN = "an IES (LM-63) or EULUMDAT file, or a table with a column of angles"
 
@@ -39,19 +39,19 @@ def read_file(path: str) -> Photometry:
     Returns
     -------
     Photometry
-        Its distribution, what it declares, and what was assumed in reading it.
+            Distribution, declared values, and assumptions of the reader.
 
-    Raises
-    ------
-    ConditionError
-        If it cannot be read, is no text, or is none of the three formats; else what the reader of
-        its format refuses, with the line.
+        Raises
+        ------
+        ConditionError
+            If it cannot be read, is not text, or has none of the three formats; also the errors of
+            the format's reader, with the line.
     """
     name, lines = read_lines(path, KNOWN)
     reader = _by_content(lines) or READERS.get(os.path.splitext(path)[1].lower())
     if not reader:
         raise ConditionError(f"{name} is {_likeness(lines)}", KNOWN)
-    # only the one that is needed is loaded
+    # load only the module that is needed
     photometry: Photometry = import_module(f"radcalc.distributions.{reader}").read(lines, name)
     grid: Any = photometry.distribution
     return photometry._replace(
@@ -60,38 +60,38 @@ def read_file(path: str) -> Photometry:
 
 
 def read_lines(path: str, expected: str) -> tuple[str, list[str]]:
-    """Read a text, of which nothing is known.
+    """Read the lines of a text in an unknown encoding.
 
     Parameters
     ----------
     path : str
         A regular file of 64 MiB at most, or "-" for standard input.
     expected : str
-        What it should be, for the hint of a message.
+        Expected content, for the hint of a message.
 
     Returns
     -------
     name : str
-        What messages call it.
+        Name of the file in messages.
     lines : list of str
-        Its lines, without their ends; at least one is not blank.
+        Lines without line ends; at least one is not blank.
 
     Raises
     ------
     ConditionError
-        If it cannot be read, or is no text.
+            If it cannot be read, or is not text.
     """
     name, data = contents.read_bytes(path, MOST_BYTES, expected)
     return name, _lines(data, name, expected)
 
 
 def _lines(data: bytes, name: str, expected: str) -> list[str]:
-    """The lines of a text in UTF-8, or else in Latin-1, whatever ends them."""
+    """Return the lines of a text in UTF-8, or else in Latin-1, with any line ends."""
     if data.startswith(UTF16):
         raise ConditionError(f"{name} is text in UTF-16", "the same in UTF-8 (iconv converts it)")
     if len(data.translate(None, NO_TEXT)) < len(data):
         place = next(k for k, byte in enumerate(data) if byte in NO_TEXT)
-        raise ConditionError(f"{name} is no text: a byte of {data[place]} at {place}", expected)
+        raise ConditionError(f"{name} is not text: byte {place} is {data[place]}", expected)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -99,14 +99,14 @@ def _lines(data: bytes, name: str, expected: str) -> list[str]:
     stripped = text.rstrip()
     if stripped.endswith(END_IN_DOS):
         text = stripped.rstrip(END_IN_DOS)
-    text = text.rstrip("\r\n")  # the last line may end with tabs between cells that are blank
+    text = text.rstrip("\r\n")  # not tabs: the last line may end with blank cells
     if not text.strip():
         raise ConditionError(f"{name} is empty", expected)
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 def _by_content(lines: Sequence[str]) -> str:
-    """The reader of what lines are by themselves; none where that is none of the formats."""
+    """Return the module that can read the lines, or "" if no format matches."""
     if _has_eulumdat_head(lines):
         return "eulumdat"
     if any(map(IES.match, lines[:LABEL])):
@@ -115,17 +115,17 @@ def _by_content(lines: Sequence[str]) -> str:
 
 
 def _has_eulumdat_head(lines: Sequence[str]) -> bool:
-    """Whether lines 2 to 7 are numbers, the first two a type and a symmetry."""
+    """Return whether lines 2 to 7 are numbers, the first two a type and a symmetry."""
     numbers = [columns.finite(line.strip(), True) for line in lines[1:7]]
     is_head = len(numbers) == 6 and None not in numbers
     return is_head and numbers[0] in range(4) and numbers[1] in range(5)
 
 
 def _has_rows(lines: Sequence[str]) -> bool:
-    """Whether there are rows of columns that begin with a number, behind one or two of titles."""
+    """Return whether rows of columns begin with a number, after up to two rows of titles."""
     texts = (line.strip() for line in lines)
     rows = list(islice((text for text in texts if _is_data(text)), ROWS))
-    rows = rows[2:] or rows[1:] or rows  # behind titles and units
+    rows = rows[2:] or rows[1:] or rows  # after titles and units
     split = [(columns.cells(row, columns.dialect(row)[0]), columns.dialect(row)[1]) for row in rows]
     return bool(rows) and all(
         len(cells) > 1 and columns.is_number(cells[0], comma) for cells, comma in split
@@ -137,8 +137,8 @@ def _is_data(text: str) -> bool:
 
 
 def _likeness(lines: Sequence[str]) -> str:
-    """What a text that is none of the formats looks like."""
+    """Describe a text that has none of the formats."""
     first = next(line.strip() for line in lines if line.strip())
     if first.startswith(("<", "{")):
         return "XML or HTML" if first[0] == "<" else "JSON"
-    return f"no photometric file: it begins with '{quote(first)}'"
+    return f"not a photometric file: it begins with '{quote(first)}'"

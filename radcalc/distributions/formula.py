@@ -1,4 +1,4 @@
-"""A distribution that is typed as an expression in theta and phi."""
+"""Distributions given as an expression in theta and phi."""
 
 import math
 from functools import cached_property
@@ -13,13 +13,13 @@ from radcalc.geometry.numerics.cubature import Integral, Steps, narrowest
 from radcalc.geometry.numerics.expression import Expression
 from radcalc.maths import Number
 
-ACCURACY, OF_AXIAL = 1e-6, 1e-9  # [1] of a flux; what is axial costs little
-NEGATIVE = 1e-12  # [1] of the greatest: below it is what rounding makes of 0
-# Polar angles and azimuths at which the peak is looked for at first: as close as peaks are seen
-# by the integral.
+ACCURACY, OF_AXIAL = 1e-6, 1e-9  # [1] of a flux; axial ones are cheap
+NEGATIVE = 1e-12  # [1] of the greatest value: rounding errors of 0
+# Polar angles and azimuths in the first search for the peak: as close as the integral's own
+# points.
 FIRST, FIRST_OF_AXIAL = (361, 721), (7201, 1)
-CLOSER = (21, 21)  # and in each narrower part
-NARROWER = 8  # times, each a tenth as wide
+CLOSER = (21, 21)  # in each refinement
+NARROWER = 8  # refinements, each to a tenth of the width
 
 
 class Formula:
@@ -30,24 +30,24 @@ class Formula:
     text : str
         The expression; theta is the polar angle from the axis, phi the azimuth about it [rad].
     factor : float, optional
-        What its values are multiplied by to be in coherent SI; 1 by default.
-    kind : str, optional
-        "v" where those are candelas, "e", "p"; empty, the default, where they are relative.
-    unit : str, optional
-        The unit of the values, for messages.
-    quantity : str, optional
-        What the values are, for messages: an intensity, or a radiance.
+            Factor that converts the values to coherent SI; 1 by default.
+        kind : str, optional
+            "v" for candelas, "e" or "p"; empty, the default, for relative values.
+        unit : str, optional
+            Unit of the values, for messages.
+        quantity : str, optional
+            Quantity of the values, for messages: an intensity or a radiance.
 
-    Attributes
-    ----------
-    unseen : float [rad]
-        Peaks narrower than that may be missed.
+        Attributes
+        ----------
+        unseen : float [rad]
+            Narrower peaks may be missed.
 
-    Raises
-    ------
-    ConditionError
-        If the text is no expression; and where it is evaluated, if a value is negative or not a
-        finite number.
+        Raises
+        ------
+        ConditionError
+            If the text is not an expression; on evaluation, if a value is negative or not a finite
+            number.
 
     Examples
     --------
@@ -76,7 +76,7 @@ class Formula:
         self.unseen = max(narrowest(ALL_POLAR, ALL_AZIMUTHS, self.is_axial))
 
     def intensity(self, theta: Number, phi: Number) -> Number:
-        phi = phi % TURN  # an expression need not come round by itself
+        phi = phi % TURN  # an expression need not be periodic
         x, y, z = cartesian(theta, phi)
         at: dict[str, Any] = {"theta": theta, "phi": phi, "x": x, "y": y, "z": z}
         with numpy.errstate(all="ignore"):
@@ -107,7 +107,7 @@ class Formula:
 
     @cached_property
     def finest(self) -> float:
-        """The least width over which it is above half of its peak, at the azimuth of that."""
+        """Return the smallest width above half of the peak, in the peak's plane."""
         peak, count = self.peak(), FIRST_OF_AXIAL[0]
         theta = numpy.linspace(*ALL_POLAR, count)
         bright = self.intensity(theta, peak.azimuth) >= peak.value / 2
@@ -120,9 +120,9 @@ class Formula:
         return integrated(self, polar, azimuth, accuracy, self.steps(polar, azimuth))
 
     def steps(self, polar: Interval, azimuth: Interval) -> Steps:
-        """Polar angles and azimuths at which an integral should begin anew.
+        """Return polar angles and azimuths at which an integral must be divided.
 
-        Where comparisons of one angle change, and about a peak that would else be too narrow.
+        These are the angles at which comparisons change, and limits around a narrow peak.
         """
         thetas, phis = self.expression.steps(polar, azimuth)
         width = self.finest
@@ -134,7 +134,7 @@ class Formula:
         return [*thetas, peak.polar - width, peak.polar + width], [*phis, *around]
 
     def peak(self) -> Peak:
-        """The greatest intensity, looked for on a grid that gets ever finer about it."""
+        """Return the greatest intensity, found on a grid that is refined around it."""
         return self._peak
 
     @cached_property

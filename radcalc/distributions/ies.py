@@ -1,18 +1,17 @@
 """Photometric files of IES LM-63: the editions of 1986, 1991, 1995, 2002 and 2019.
 
 A file has a label (lines of text; keywords in brackets since 1991), a line with TILT, and numbers:
-thirteen of the lamps and the table, the vertical angles V, the horizontal angles H, and for each H
-the intensities at all V.  Blanks, commas and ends of lines stand between them, and a record may go
-over several lines.
+thirteen for the lamps and the table, the vertical angles V, the horizontal angles H, and for each H
+the intensities at all V.  Blanks, commas and line ends separate them; a record may span several
+lines.
 
-By the definitions of LM-63-2002 (section 3) the types of goniometer are, in the coordinates of a
-distribution::
+LM-63-2002 (section 3) defines the types of goniometer.  In the coordinates of a distribution::
 
     C   the pole is the axis:               theta = V            phi = H
     A   the same pole, nadir at V = -90:    theta = V + 90 deg   phi = -H
     B   the pole is across the axis, y:     x = sin V cos H,  y = -sin H,  z = cos V cos H
 
-Horizontal angles of types A and B are counted clockwise.
+Horizontal angles of types A and B increase clockwise.
 """
 
 import re
@@ -29,7 +28,7 @@ from radcalc.distributions.planes import SLACK, closed, end_of, mirrored, withou
 from radcalc.errors import ConditionError, quote
 from radcalc.files.text import refusal
 
-# kind of light and SI value of the units that intensities are met in
+# kind of light and SI value of each unit of intensity
 UNITS = {
     "cd": ("v", 1.0),
     "candela": ("v", 1.0),
@@ -41,7 +40,7 @@ UNITS_ARE = "_INTENSITYUNITS"  # the keyword
 YEARS = (1986, 1991, 1995, 2002, 2019)
 EDITIONS = {text: year for year in YEARS for text in (str(year), str(year)[2:])}
 SYSTEMS = {1: "C", 2: "B", 3: "A"}
-METRES = {1: 0.3048, 2: 1.0}  # in a unit of length, by its number
+METRES = {1: 0.3048, 2: 1.0}  # by the number of the unit of length
 
 _EDITION = re.compile(r"\s*IES(?:NA)?\s*:?\s*(?:LM-?63-)?(\d{4}|\d\d)\s*$", re.IGNORECASE)
 _TAG = re.compile(r"\s*IES(?:NA|\s*:)|LM-?63", re.IGNORECASE)
@@ -56,26 +55,26 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-        The lines of the file.
-    name : str
-        The file, as errors name it.
+            Lines of the file.
+        name : str
+            Name of the file in messages.
 
-    Returns
-    -------
-    Photometry
-        Its distribution and what it declares.  Intensities are those of the table times the
-        multiplier and the ballast factor, and in the editions of 1986 and 1991 the ballast-lamp
-        factor.  Factors of a tilted lamp are not applied.
+        Returns
+        -------
+        Photometry
+            Distribution and declared values.  Intensities are those of the table times the
+            multiplier and the ballast factor, and in the editions of 1986 and 1991 the ballast-lamp
+            factor.  The factors of a tilted lamp are not applied.
 
     Raises
     ------
     ConditionError
-        If the file is not of LM-63, ends early or can be read in more than one way.
+            If the file is not LM-63, ends early or is ambiguous.
 
     References
     ----------
     .. [1] ANSI/IESNA LM-63-02, Standard File Format for the Electronic Transfer of Photometric
-       Data; what differs in the other editions as in the comments of Radiance's ies2rad.
+          Data; the differences of the other editions follow the comments in Radiance's ies2rad.
 
     Examples
     --------
@@ -116,12 +115,12 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
 
 class _Label:
-    """What stands before the numbers."""
+    """The lines before the numbers."""
 
     def __init__(self, lines: Sequence[str], name: str) -> None:
         self.name = name
         self.lines: list[str] = []
-        self.keywords: dict[str, tuple[int, str]] = {}  # the line of each, and its text
+        self.keywords: dict[str, tuple[int, str]] = {}  # line and text of each keyword
         keyword = ""
         for number, line in enumerate(lines, 1):
             if tilt := _TILT.match(line):
@@ -141,14 +140,14 @@ class _Label:
                 max(len(lines), 1), "the file ends before a line with TILT=", "a file of IES LM-63"
             )
         if not self.tilt:
-            raise self.error(self.end, "nothing follows TILT=", "TILT=NONE or TILT=INCLUDE")
+            raise self.error(self.end, "TILT= has no value", "TILT=NONE or TILT=INCLUDE")
         if self.tilt.upper() in ("NONE", "INCLUDE"):
             self.tilt = self.tilt.upper()
         first = next((line for line in self.lines if line.strip()), "")
         edition = _EDITION.match(first)
         self.edition = EDITIONS.get(edition[1], 0) if edition else 0
         if not (self.edition or _TAG.search(first)):
-            self.edition = 1986  # has no such line
+            self.edition = 1986  # the first edition has no such line
         for keyword in ("LUMINAIRE", "LUMCAT", "TEST"):
             self.title = self.keywords.get(keyword, (0, ""))[1]
             if self.title:
@@ -161,7 +160,7 @@ class _Label:
 
 
 def _unit(label: _Label) -> tuple[str, float, list[str]]:
-    """Kind of light and SI value of the intensities' unit, and what was assumed of it."""
+    """Return kind of light and SI value of the unit of intensity, and assumptions."""
     wanted = f"[{UNITS_ARE}] with one of: cd, mW/sr, W/sr, uW/sr"
     if UNITS_ARE in label.keywords:
         line, text = label.keywords[UNITS_ARE]
@@ -184,14 +183,16 @@ def _unit(label: _Label) -> tuple[str, float, list[str]]:
     plain = {re.sub("[\u00b5\u03bc]", "u", text.replace(" ", "").lower()) for text in spelled}
     kind_and_factor = UNITS.get(plain.pop()) if len(plain) == 1 else None
     if not kind_and_factor:
-        raise label.error(line, f"intensities in {quote(' and '.join(sorted(spelled)))}", wanted)
-    return *kind_and_factor, [f"intensities in {quote(spelled.pop())}, by {where}"]
+        raise label.error(
+            line, f"the intensities are in {quote(' and '.join(sorted(spelled)))}", wanted
+        )
+    return *kind_and_factor, [f"intensities in {quote(spelled.pop())}, according to {where}"]
 
 
 def _tilt(tilt: str, numbers: Numbers) -> str:
-    """Read past the factors of a tilted lamp, and say that they are not applied."""
+    """Skip the factors of a tilted lamp, and return an assumption that they are not applied."""
     if tilt != "INCLUDE":
-        return f"the lamp burns as it was measured: its factors in {quote(tilt)} are not applied"
+        return f"the lamp is in its measured position: the factors in {quote(tilt)} are not applied"
     numbers.need(2, "the lamp's position and the number of its tilt angles")
     numbers.one_of(
         "lamp's position", {1: "vertical", 2: "horizontal, turning", 3: "horizontal, fixed"}
@@ -201,23 +202,23 @@ def _tilt(tilt: str, numbers: Numbers) -> str:
     _angles(numbers, "tilt", count)
     for _ in range(count):
         numbers.factor("factor of a tilt angle")
-    return "the lamp burns as it was measured: its tilt factors are not applied"
+    return "the lamp is in its measured position: its tilt factors are not applied"
 
 
 class _Header(NamedTuple):
     """The thirteen numbers of the lamps and the table."""
 
-    lumens: float  # [lm] of all lamps; 0 or less if none are declared
+    lumens: float  # [lm] of all lamps; 0 or negative if not declared
     factor: float  # of the intensities
     vertical: int
     horizontal: int
     system: int
     watts: float
-    size: float  # [m] the longest of width, length and height
+    size: float  # [m] the largest of width, length and height
 
 
 def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
-    """Read the thirteen numbers, and hold the counts against what follows."""
+    """Read the thirteen numbers, and check the counts against the numbers after them."""
     numbers.need(13, "the 13 numbers of the lamps and the table")
     lumens = numbers.whole("number of lamps", 0) * numbers.number()
     factor = numbers.factor("multiplier")
@@ -237,7 +238,7 @@ def _header(numbers: Numbers, edition: int, assumptions: list[str]) -> _Header:
 
 
 def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str]) -> float:
-    """The factor of 1986 and 1991; later editions have no factor in its place."""
+    """Return the factor of 1986 and 1991; later editions do not have it."""
     if edition in (1986, 1991):
         value = numbers.factor("ballast-lamp factor")
         if value != 1:
@@ -245,25 +246,25 @@ def _ballast_lamp_factor(numbers: Numbers, edition: int, assumptions: list[str])
         return value
     value = numbers.number()
     if value != 1 and not edition:
-        problem = f"{value:g} is a factor in some editions, and the first line names none"
+        problem = f"{value:g} is a factor in some editions, but the first line names no edition"
         hint = "IESNA91 as the first line if it is one, IESNA:LM-63-2002 if not"
         raise numbers.error(numbers.place - 1, problem, hint)
     if value != 1 and edition < 2019:
-        assumptions.append(f"no ballast-lamp factor: LM-63-{edition} has none ({value:g})")
+        assumptions.append(f"{value:g} is not applied: LM-63-{edition} has no ballast-lamp factor")
     return 1.0
 
 
 def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
-    """Refuse numbers that are fewer or more than the table has by its counts of angles.
+    """Raise an error if the table has fewer or more numbers than its counts of angles require.
 
-    Records end with a line, so that the first that does not is wrong.
+    A record ends at the end of a line; the first one that does not is reported.
     """
     needed = vertical + horizontal + vertical * horizontal
     if numbers.remaining() == needed:
         return
     problem = (
-        f"{numbers.remaining()} numbers follow, and {vertical} vertical and {horizontal} "
-        f"horizontal angles with their intensities are {needed}"
+        f"{numbers.remaining()} numbers follow, but {vertical} vertical and {horizontal} "
+        f"horizontal angles with their intensities need {needed}"
     )
     place, ends = numbers.place, set(numbers.ends)
     for count, what in _records(vertical, horizontal):
@@ -272,14 +273,16 @@ def _check_counts(numbers: Numbers, vertical: int, horizontal: int) -> None:
                 place + count, f"the file ends within {what}: {problem}", "all of them"
             )
         if place + count not in ends:
-            begun = f"{what} that begin here do not end with a line: {problem}"
+            begun = f"{what} that begin here do not end at the end of a line: {problem}"
             raise numbers.error(place, begun, f"{count} numbers")
         place += count
-    raise numbers.error(place, f"more than the table: {problem}", "one luminaire in a file")
+    raise numbers.error(
+        place, f"more numbers than the table has: {problem}", "one luminaire in a file"
+    )
 
 
 def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
-    """How many numbers each record has, and what they are."""
+    """Yield the count and the description of each record."""
     yield vertical, f"the {vertical} vertical angles"
     yield horizontal, f"the {horizontal} horizontal angles"
     for plane in range(1, horizontal + 1):
@@ -287,20 +290,20 @@ def _records(vertical: int, horizontal: int) -> Iterator[tuple[int, str]]:
 
 
 def _angles(numbers: Numbers, what: str, count: int) -> Any:
-    """The next angles [deg], which rise; those near right angles are right ones."""
+    """Read angles [deg], which must rise; those near a right angle are rounded to it."""
     start = numbers.place
     angles = numbers.take(count)
     right = 90 * numpy.round(angles / 90)
     angles = numpy.where(abs(angles - right) <= SLACK, right, angles)
     for place, (before, after) in enumerate(pairwise(angles), start + 1):
         if not before < after:
-            problem = f"the {what} angle {after:g} follows {before:g}"
+            problem = f"the {what} angles do not rise: {after:g} after {before:g}"
             raise numbers.error(place, problem, "angles that rise")
     return angles
 
 
 class _Table:
-    """Intensities at horizontal and vertical angles [deg], and what is said of them."""
+    """Intensities at horizontal and vertical angles [deg], with assumptions and notes."""
 
     def __init__(self, numbers: Numbers, vertical: Any, horizontal: Any) -> None:
         self.numbers, self.start = numbers, numbers.place
@@ -316,24 +319,24 @@ class _Table:
         raise self.numbers.error(self.start + place, problem, hint)
 
     def of_c(self) -> tuple[Any, Any, Any]:
-        """Polar angles, azimuths of the whole circle [deg] and values of a table of type C."""
+        """Return polar angles, azimuths of the whole circle [deg] and values of type C."""
         self.check_range("vertical", 0, 180)
         if self.vertical[0] not in (0, 90):
             raise self.error("vertical", "0 or 90 for the first of type C")
         self.assumptions += end_of(self.vertical)
         planes, values = self.horizontal, self.values
         first, last = planes[0], planes[-1]
-        stand_for = f"the planes {first:g} to {last:g} deg stand for "
+        represent = f"the planes {first:g} to {last:g} deg represent "
         if len(planes) == 1 and first == 0:
-            self.assumptions.append("one plane stands for all")
+            self.assumptions.append("one plane represents all")
             return self.vertical, planes, values
         if (first, last) in ((0, 90), (0, 180), (90, 270)):
             self.assumptions.append(
-                stand_for + ("all four quadrants" if last == 90 else "both sides")
+                represent + ("all four quadrants" if last == 90 else "both sides")
             )
             return self.vertical, *mirrored(planes, values)
         if last != first + 360:
-            self.assumptions.append(f"behind the plane {last:g} deg the first one follows")
+            self.assumptions.append(f"the plane after {last:g} deg is the first one again")
         try:
             return self.vertical, *closed(planes, values)
         except ConditionError:
@@ -341,30 +344,30 @@ class _Table:
             raise self.error("horizontal", hint) from None
 
     def of_b(self) -> tuple[Any, Any, Any]:
-        """The same of type B, whose polar angles and azimuths are about y."""
+        """Return the same for type B, with polar angles and azimuths about the y axis."""
         angles, values = self.both_sides((-180, 180), (-90, 90))
         self.assumptions.append(
-            "the axis is at V = H = 0 of type B; V turns to C 0 and H to C 270 deg"
+            "the axis is at V = H = 0 of type B; V increases to C 0 and H to C 270 deg"
         )
         return angles + 90, self.vertical, values.T
 
     def of_a(self) -> tuple[Any, Any, Any]:
-        """The same of type A, by the axis as those of type C."""
+        """Return the same for type A, about the same axis as type C."""
         angles, values = self.both_sides((-90, 90), (-180, 180))
         self.assumptions.append(
-            "V = H = 0 of type A is at C 0, gamma 90 deg; V turns up and H to C 270 deg"
+            "V = H = 0 of type A is at C 0, gamma 90 deg; V increases upwards and H to C 270 deg"
         )
         return self.vertical + 90, -angles[::-1], values[::-1]
 
     def both_sides(self, vertical: tuple[int, int], horizontal: tuple[int, int]) -> tuple[Any, Any]:
-        """Horizontal angles and values of types A and B on both sides, within their ranges."""
+        """Return horizontal angles and values of types A and B on both sides, within range."""
         self.check_range("vertical", *vertical)
         self.check_range("horizontal", *horizontal)
         angles, values = self.horizontal, self.values
         if len(angles) < 2 or angles[0] not in (0, -angles[-1]):
             raise self.error("horizontal", "0..90 or -90..90 for types A and B")
         if angles[0] == 0:
-            self.assumptions.append(f"the planes 0 to {angles[-1]:g} deg stand for both sides")
+            self.assumptions.append(f"the planes 0 to {angles[-1]:g} deg represent both sides")
             angles = numpy.concatenate([-angles[:0:-1], angles])
             values = numpy.concatenate([values[:0:-1], values])
         ends = [(side_angles[0], side_angles[-1]) for side_angles in (self.vertical, angles)]
@@ -381,10 +384,10 @@ class _Table:
             raise self.error(what, f"{what} angles from {low} to {high} deg")
 
     def error(self, what: str, hint: str) -> ConditionError:
-        """The error of the angles, which stand before the table, the vertical ones first."""
+        """Return an error about angles, which precede the table, the vertical ones first."""
         angles = getattr(self, what)
         later_angles = len(self.horizontal) if what == "vertical" else 0
         span = f"{angles[0]:g} to {angles[-1]:g}" if len(angles) > 1 else f"{angles[0]:g}"
         return self.numbers.error(
-            self.start - 1 - later_angles, f"{what} angles of {span} deg", hint
+            self.start - 1 - later_angles, f"the {what} angles are {span} deg", hint
         )

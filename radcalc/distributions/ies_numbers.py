@@ -1,4 +1,4 @@
-"""The numbers of a file of IES LM-63, which follow its label: one by one, with their lines."""
+"""The numbers after the label of an IES LM-63 file, one by one, with their lines."""
 
 import re
 from bisect import bisect_right
@@ -11,17 +11,17 @@ from radcalc.errors import ConditionError, quote
 from radcalc.files.columns import is_number, numbers_at_once
 from radcalc.files.text import refusal
 
-BEYOND = 1e18  # no number is that large, so that products of them can be held
+BEYOND = 1e18  # limit of a number, so that products stay finite
 
 
 class Numbers:
-    """The numbers behind the label, in order, and the lines they stand in."""
+    """The numbers after the label, in order, with their lines."""
 
     def __init__(self, lines: Sequence[str], start: int, name: str) -> None:
         self.name = name
         self.start = start
         values: list[float] = []
-        self.ends: list[int] = []  # how many numbers there are up to the end of each line
+        self.ends: list[int] = []  # count of numbers up to the end of each line
         self.place = 0
         body = list(lines[start:])
         while body and body[-1].strip().upper() in ("", "END"):
@@ -33,21 +33,24 @@ class Numbers:
         are_sound = numpy.abs(self.values) < BEYOND
         if not are_sound.all():
             place = int(numpy.argmin(are_sound))
-            problem = f"{self.values[place]:g} is no number below {BEYOND:g}"
+            problem = f"{self.values[place]:g} is out of range: numbers must be below {BEYOND:g}"
             raise self.error(place, problem, "a finite number")
 
     def numbers(self, line: str, number: int) -> list[float]:
-        """Those of a line."""
+        """Return the numbers of a line."""
         words = line.split()
         values = numbers_at_once(line, words)
         if values is not None:
             return values
         if len(words) > 1 and any(re.fullmatch(r"[+-]?\d+,\d+", word) for word in words):
             raise refusal(
-                self.name, number, "a decimal comma", "decimal points: commas separate numbers"
+                self.name,
+                number,
+                "a number has a decimal comma",
+                "decimal points: commas separate numbers",
             )
         if re.search(r",\s*,", line):
-            raise refusal(self.name, number, "nothing between two commas", "a number")
+            raise refusal(self.name, number, "a number is missing between two commas", "a number")
         words = " ".join(words).replace(",", " ").split()
         for word in words:
             if not is_number(word, False):
@@ -55,17 +58,17 @@ class Numbers:
                     self.name,
                     number,
                     f"'{quote(word)}' is not a number",
-                    "numbers alone behind TILT",
+                    "only numbers after TILT",
                 )
         return list(map(float, words))
 
     def error(self, place: int, problem: str, hint: str) -> ConditionError:
-        """The error of the number in a place."""
+        """Return an error about the number at an index."""
         line = bisect_right(self.ends, min(place, len(self.values) - 1))
         return refusal(self.name, self.start + line + (1 if len(self.values) else 0), problem, hint)
 
     def take(self, count: int) -> Any:
-        """The next numbers, of which there are enough."""
+        """Return the next numbers; the caller has checked that there are enough."""
         self.place += count
         return self.values[self.place - count : self.place]
 
@@ -76,7 +79,7 @@ class Numbers:
         return len(self.values) - self.place
 
     def whole(self, what: str, least: int) -> int:
-        """The next number, which counts."""
+        """Read a count."""
         value = self.number()
         if value != int(value) or value < least:
             raise self.error(
@@ -85,7 +88,7 @@ class Numbers:
         return int(value)
 
     def one_of(self, what: str, codes: dict[int, str]) -> int:
-        """The next number, which stands for something."""
+        """Read a code number."""
         value = self.number()
         if value not in codes:
             meanings = ", ".join(f"{code} ({meaning})" for code, meaning in codes.items())
@@ -93,7 +96,7 @@ class Numbers:
         return int(value)
 
     def factor(self, what: str) -> float:
-        """The next number, which multiplies."""
+        """Read a factor."""
         value = self.number()
         if value <= 0:
             raise self.error(self.place - 1, f"the {what} is {value:g}", "a factor above 0")
@@ -104,5 +107,5 @@ class Numbers:
             raise self.error(
                 len(self.values),
                 f"the file ends after {self.remaining()} of {what}",
-                f"{count} numbers, and what follows them",
+                f"{count} numbers, and the rest of the file",
             )

@@ -1,4 +1,4 @@
-"""What a file says of a luminaire: its distribution, and figures beside it."""
+"""The contents of a photometric file: its distribution and its declared values."""
 
 import math
 from collections.abc import Iterator
@@ -6,28 +6,27 @@ from typing import NamedTuple
 
 from radcalc.distributions.distribution import Distribution
 
-ODD = 0.02  # [1] from which on a declared figure and the intensities' are said to differ
+ODD = 0.02  # [1] a larger difference between declared and computed figures is reported
 
 
 class Photometry(NamedTuple):
-    """A distribution as a file has it.
+    """A distribution as read from a file.
 
     Attributes
     ----------
     distribution : Distribution
         Intensities as emitted: all factors of the file are applied.
     format : str
-        What the file is, such as "IES LM-63-2002, type C".
+        Format of the file, such as "IES LM-63-2002, type C".
     name : str
-        What it says the luminaire is; may be empty, and has no control characters.
+        Name of the luminaire in the file; may be empty, and has no control characters.
     declared : dict of str to float
-        What it declares, by the names of symbols [SI]: `lamp-flux` of all lamps and
-        `output-ratio`, or where the photometry is absolute `flux` of the luminaire;
-        `input-power`, `downward-fraction`.
+        Declared values [SI], by symbol: `lamp-flux` of all lamps and `output-ratio`, or the
+        luminaire's `flux` for absolute photometry; `input-power`, `downward-fraction`.
     size : float [m]
-        The longest side or the diameter of what shines, where it says that; else 0.
+        Longest side or diameter of the luminous area, if declared; else 0.
     assumptions, notes : tuple of str
-        What was assumed in reading it, and what is odd.
+        Assumptions of the reader, and oddities.
 
     Examples
     --------
@@ -39,26 +38,26 @@ class Photometry(NamedTuple):
     distribution: Distribution
     format: str
     name: str = ""
-    declared: dict[str, float] = {}  # noqa: RUF012  nobody writes into it
+    declared: dict[str, float] = {}  # noqa: RUF012  it is never modified
     assumptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     size: float = 0.0
 
     def contradictions(self) -> Iterator[str]:
-        """What it declares, where its intensities have more than 2 % less or more of it.
+        """Yield the declared values that differ from those of the intensities by more than 2 %.
 
-        Lamps may have more light than leaves the luminaire, and not less.
+        Lamps may have more flux than the luminaire, but not less.
 
         Examples
         --------
         >>> from radcalc.distributions.shapes import Isotropic
         >>> [*Photometry(Isotropic(), "a file", declared={"lamp-flux": 10.0}).contradictions()]
-        ['the file declares lamps of 10 lm, and its intensities have 12.57 lm, which is more']
+        ['the file declares lamps of 10 lm, but its intensities give 12.57 lm, which is more']
         """
         declared, flux = self.declared, self.distribution.flux().value
         if not (declared and flux):
             return
-        template = "the file declares {} of {} {unit}, and its intensities have {} {unit}"
+        template = "the file declares {} of {} {unit}, but its intensities give {} {unit}"
         lamps = declared.get("lamp-flux", math.inf)
         if flux > lamps * (1 + ODD):
             yield template.format("lamps", *_rounded(lamps, flux), unit="lm") + ", which is more"
@@ -66,7 +65,7 @@ class Photometry(NamedTuple):
         for symbol, label, computed, unit in (
             ("flux", "a luminaire", flux, "lm"),
             ("output-ratio", "a light output ratio", 100 * flux / lamps, "%"),
-            ("downward-fraction", "a downward part", 100 * downward / flux, "%"),
+            ("downward-fraction", "a downward fraction", 100 * downward / flux, "%"),
         ):
             stated = declared.get(symbol, 0.0) * (100 if unit == "%" else 1)
             if stated and abs(computed - stated) > ODD * stated:
@@ -74,5 +73,5 @@ class Photometry(NamedTuple):
 
 
 def _rounded(*figures: float) -> Iterator[str]:
-    """Numbers of four digits."""
+    """Yield numbers with four significant digits."""
     return (f"{float(f'{figure:.4g}'):g}" for figure in figures)

@@ -1,12 +1,11 @@
-"""What lies under a source: the light on a disc, and the places that get so much of it.
+"""The light on places and discs under a source, and the places with a given irradiance.
 
-A source of the pose P is at the height h above a horizontal plane; a place in it is at x, y from
-the point below the source.  All is relative to the distribution: of one in candelas an irradiance
-is in lux.
+A source with the pose P is at the height h above a horizontal plane.  A place in the plane is at
+x, y from the point below the source.  Results have the unit of the distribution: candelas give lux.
 
-- `relative_irradiance` on the plane at a place
-- `upward_flux` into the upper half of the world
-- `heights`, `laterals`: the places that get so much
+- `relative_irradiance` at a place in the plane
+- `upward_flux` into the upper half of space
+- `heights`, `laterals`: places with a given irradiance
 - `on_plane`, `on_facing_disc`: solid angle of a disc, weighted with the intensity
 - `unevenness` of the intensity over a disc
 """
@@ -25,33 +24,33 @@ from radcalc.geometry.directions import cartesian, spherical
 from radcalc.geometry.numerics.cubature import Integral
 from radcalc.maths import Number, each
 
-ACCURACY = 1e-6  # [1] of the flux through arcs above the horizon, at best
-UNCERTAIN = 0.01  # [1] of the error of all the flux, which that of a part may add to it
-ANGLES = 20_000  # between straight down and the horizon, at which light is looked for
-SAME = 1e-9  # [1] by which a place found may miss the light that is looked for
-COUNTS = (4, 8, 16, 32, 64, 128)  # radii at which a disc is looked at, each of twice as many angles
-ENOUGH = 1e-5  # [1] of the light on a disc, from where on more of them do not matter
-RINGS = 9  # at which an intensity is compared with that at a disc's centre
-ACCEPTED = 1e-3  # [1] of the light on a disc, beyond which it is refused
-AT_ONCE = 1 << 18  # places that are looked at, in memory
-MOST = 1 << 25  # places that are looked at in all
+ACCURACY = 1e-6  # [1] best accuracy of the flux through arcs above the horizon
+UNCERTAIN = 0.01  # [1] share of the whole flux's error that a part may add to it
+ANGLES = 20_000  # angles between straight down and the horizon in the search for an irradiance
+SAME = 1e-9  # [1] relative difference at which a place found has the wanted irradiance
+COUNTS = (4, 8, 16, 32, 64, 128)  # radii sampled in a disc, each at twice as many angles
+ENOUGH = 1e-5  # [1] of the light on a disc: a smaller change ends the refinement
+RINGS = 9  # rings in which the intensity is compared with that at a disc's centre
+ACCEPTED = 1e-3  # [1] of the light on a disc: a larger error is refused
+AT_ONCE = 1 << 18  # points in memory at a time
+MOST = 1 << 25  # points in all
 
 
 def relative_irradiance(
     distribution: Distribution, pose: Pose, x: Number, y: Number, height: Number
 ) -> Number:
-    """Irradiance of a place on a horizontal plane under a source.
+    """Return the irradiance at a place in a horizontal plane under a source.
 
     Parameters
     ----------
     distribution : Distribution
-        Of any form.
+        Intensities.
     pose : Pose
-        How the source is aimed and rotated.
+        Aim and rotation of the source.
     x, y : float or ndarray [m]
         The place, from the point below the source.
     height : float or ndarray [m]
-        Of the source above the plane, above 0.
+        Height of the source above the plane, above 0.
 
     Returns
     -------
@@ -69,14 +68,14 @@ def relative_irradiance(
 
 
 def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Integral:
-    """Flux of a source into the upper half of the world.
+    """Return the flux of a source into the upper half of space.
 
     Parameters
     ----------
     distribution, pose
-        As of `relative_irradiance`.
+        As in `relative_irradiance`.
     whole : Integral
-        Its flux in all directions.
+        Flux in all directions.
 
     Returns
     -------
@@ -90,15 +89,15 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
 
     Notes
     -----
-    Of an axis at the height e above the horizon, directions within abs(e) of it are on its side
-    of the horizon, and those within abs(e) of its opposite on the other.  Of a circle about it
-    between these, the arc is up that is within w of its highest point::
+    Let the axis have the elevation e.  Directions within abs(e) of the axis are on its side of the
+    horizon, those within abs(e) of the opposite direction on the other side.  A circle about the
+    axis between them is above the horizon in an arc within w of its highest point::
 
         cos(w) = -tan(e) / tan(theta)
 
     Examples
     --------
-    Half of a light that is aimed at the horizon:
+    Half of a light that is aimed at the horizon goes up:
 
     >>> from radcalc.distributions.shapes import Lobe
     >>> lamp = Lobe(1.0)
@@ -114,7 +113,7 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
     if across == 0:
         try:
             return distribution.flux(sides[0])
-        except ConditionError:  # of a half with next to nothing, that the other one has
+        except ConditionError:  # almost all of the flux is in the other half
             lower = distribution.flux(sides[1])
             return whole._replace(value=max(0.0, whole.value - lower.value))
     upper, lower = map(distribution.flux, sides)
@@ -131,7 +130,7 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
     missed = abs(value + value_below - whole.value)
     if missed > ACCEPTED * whole.value:
         raise ConditionError(
-            "the light is too narrow for the horizon to be cut from it",
+            "the light is too narrow to be divided at the horizon",
             "without its flux upwards and downwards",
         )
     error = upper.error + above.error + missed
@@ -139,7 +138,7 @@ def upward_flux(distribution: Distribution, pose: Pose, whole: Integral) -> Inte
 
 
 class _Arcs:
-    """A distribution over the arcs above the horizon: phi goes from -1 to 1 along each of them."""
+    """A distribution over the arcs above the horizon; phi goes from -1 to 1 along each arc."""
 
     def __init__(self, distribution: Distribution, slope: float, highest: float) -> None:
         self.distribution, self.slope, self.highest = distribution, slope, highest
@@ -154,12 +153,12 @@ class _Arcs:
 def heights(
     distribution: Distribution, pose: Pose, lateral: float, bearing: float, wanted: float
 ) -> tuple[float, ...]:
-    """Heights from which a place aside of the source gets so much light.
+    """Return the heights of a source at which a place to its side has a given irradiance.
 
     Parameters
     ----------
     distribution, pose
-        As of `relative_irradiance`.
+        As in `relative_irradiance`.
     lateral : float [m]
         Distance of the place from the point below the source, above 0.
     bearing : float [rad]
@@ -170,16 +169,16 @@ def heights(
     Returns
     -------
     tuple of float [m]
-        All that are found between the horizon and straight below, the highest first.
+        All heights found between the horizon and straight below, the highest first.
 
     Raises
     ------
     ConditionError
-        If no height gives so much.
+            If no height gives this irradiance.
 
     Examples
     --------
-    250 cd give a place 8 m aside 1.5 lx from 6 m up, and from higher up as well:
+    250 cd give 1.5 lx at a place 8 m to the side from 6 m up, and also from 5.33 m up:
 
     >>> from radcalc.distributions.shapes import Isotropic
     >>> [round(h, 6) for h in heights(Isotropic(), Pose(), 8.0, 0.0, 1.5 / 250)]
@@ -196,28 +195,28 @@ def heights(
 def laterals(
     distribution: Distribution, pose: Pose, height: float, bearing: float, wanted: float
 ) -> tuple[float, ...]:
-    """Distances from the point below a source at which a plane gets so much light.
+    """Return the distances from the point below a source at which a plane has a given irradiance.
 
     Parameters
     ----------
     distribution, pose
-        As of `relative_irradiance`.
+        As in `relative_irradiance`.
     height : float [m]
-        Of the source above the plane, above 0.
+        Height of the source above the plane, above 0.
     bearing : float [rad]
-        Azimuth in which to look, about the point below the source from +x towards +y.
+        Azimuth of the search, about the point below the source, from +x towards +y.
     wanted : float
         Irradiance, above 0, in the unit of `relative_irradiance`.
 
     Returns
     -------
     tuple of float [m]
-        All that are found between the horizon and straight below, the nearest first.
+        All distances found between the horizon and straight below, the nearest first.
 
     Raises
     ------
     ConditionError
-        If no place gets so much.
+            If no place has this irradiance.
 
     Examples
     --------
@@ -235,56 +234,56 @@ def laterals(
 
 
 def _angles_with(light: Callable[[Any], Any], wanted: float, what: str) -> list[float]:
-    """The angles from straight down at which there is so much light, by looking ever closer."""
+    """Return the angles from straight down with a given irradiance, by repeated refinement."""
     off = numpy.linspace(0.0, math.pi / 2, ANGLES + 1)[:-1]
-    off[0] = 1e-9  # where it is below the source but for what no number tells
+    off[0] = 1e-9  # straight down, but not 0, for which the height would be infinite
     above = light(off) >= wanted
     angles = []
     for k in numpy.flatnonzero(above[:-1] != above[1:]):
         holds = partial(_is_so, light, wanted, above[k])
         low = last_where(holds, float(off[k]), float(off[k + 1]))
-        # where the light jumps, at the edge of a table, no place has just so much
+        # at a jump of the light, as at the edge of a table, no place has exactly this irradiance
         if abs(light(numpy.array([low]))[0] - wanted) <= SAME * wanted:
             angles.append(low)
     if not angles:
         raise ConditionError(
-            f"no {what} gives just that irradiance", "another irradiance, flux or intensity"
+            f"no {what} gives exactly that irradiance", "another irradiance, flux or intensity"
         )
     return angles
 
 
 def _is_so(light: Callable[[Any], Any], wanted: float, is_above: bool, off: Any) -> Any:
-    """Whether a light is as much as is wanted, or whether it is not."""
+    """Return whether the light reaches what is wanted, or the opposite if `is_above` is false."""
     return (light(off) >= wanted) == is_above
 
 
 def on_plane(
     distribution: Distribution, pose: Pose, radius: Number, x: Number, y: Number, height: Number
 ) -> Number:
-    """Solid angle of a horizontal disc under a source, weighted with the intensity.
+    """Return the solid angle of a horizontal disc under a source, weighted with the intensity.
 
     Parameters
     ----------
     distribution, pose
-        As of `relative_irradiance`.
+        As in `relative_irradiance`.
     radius : float or ndarray [m]
         Radius of the disc, above 0.
     x, y, height : float or ndarray [m]
-        Its centre, as of `relative_irradiance`.
+        Centre of the disc, as in `relative_irradiance`.
 
     Returns
     -------
     float or ndarray [lm, W, photon/s or sr]
-        The flux on the disc, to 0.1 % or better.
+        Flux on the disc, to 0.1 % or better.
 
     Raises
     ------
     ConditionError
-        If there are too many discs, or the light on one has edges that are too sharp.
+            If there are too many discs, or the edges of the light on one are too sharp.
 
     Examples
     --------
-    A disc whose rim is seen at 60 degrees fills pi sr:
+    A disc of the half angle 60 degrees fills pi sr:
 
     >>> from radcalc.distributions.shapes import Isotropic
     >>> round(float(on_plane(Isotropic(), Pose(), 3**0.5, 0.0, 0.0, 1.0)) / math.pi, 5)
@@ -304,12 +303,12 @@ def on_plane(
 def on_facing_disc(
     distribution: Distribution, radius: Number, distance: Number, theta: Number, phi: Number
 ) -> Number:
-    """Solid angle of a disc that faces a source, weighted with the intensity.
+    """Return the solid angle of a disc that faces a source, weighted with the intensity.
 
     Parameters
     ----------
     distribution : Distribution
-        Of any form.
+        Intensities.
     radius, distance : float or ndarray [m]
         Radius of the disc and distance of its centre, above 0.
     theta, phi : float or ndarray [rad]
@@ -318,12 +317,12 @@ def on_facing_disc(
     Returns
     -------
     float or ndarray [lm, W, photon/s or sr]
-        As of `on_plane`.
+        As in `on_plane`.
 
     Raises
     ------
     ConditionError
-        As of `on_plane`.
+        As in `on_plane`.
 
     Examples
     --------
@@ -344,18 +343,18 @@ def on_facing_disc(
 
 
 def _about_axis(distribution: Distribution, radius: Number, away: Number) -> Number:
-    """The flux on discs whose centres are on the axis."""
+    """Return the flux on discs with their centres on the axis."""
     return each(lambda r, d: distribution.flux((0.0, math.atan2(r, d))).value, radius, away)
 
 
 def _counts(distribution: Distribution, radius: Number, away: Number) -> list[int]:
-    """How many radii of a disc are looked at, so that nothing of the light falls between them."""
+    """Return the numbers of radii to sample, so fine that no light falls between the samples."""
     widest = float(numpy.arctan(numpy.max(radius / away, initial=0.0)))
     least = math.pi * widest / distribution.finest
     counts = [count for count in COUNTS if 2 * count >= least]
     if len(counts) < 2:
         raise ConditionError(
-            "the light is too narrow for the receiver to be cut from it",
+            "the light is too narrow for an integral over the receiver",
             "a smaller receiver, or one whose centre is on the axis",
         )
     return counts
@@ -364,22 +363,22 @@ def _counts(distribution: Distribution, radius: Number, away: Number) -> list[in
 def unevenness(
     distribution: Distribution, radius: Number, distance: Number, theta: Number, phi: Number
 ) -> float:
-    """How much the intensity varies over a disc that faces a source.
+    """Return how much the intensity varies over a disc that faces a source.
 
     Parameters
     ----------
     distribution, radius, distance, theta, phi
-        As of `on_facing_disc`.
+        As in `on_facing_disc`.
 
     Returns
     -------
     float [1]
-        The largest difference from that at its centre, relative to it; infinite where that is
-        dark and the disc is not.
+        Largest difference from the intensity at the centre, relative to it; infinite if only
+        the centre is dark.
 
     Examples
     --------
-    Down by 1 - cos(atan(0.1)) at the rim of a disc in a Lambertian light:
+    A Lambertian light falls by 1 - cos(atan(0.1)) at the rim of a disc:
 
     >>> from radcalc.distributions.shapes import Lobe
     >>> round(unevenness(Lobe(1.0), 0.1, 1.0, 0.0, 0.0), 6)
@@ -397,7 +396,7 @@ def unevenness(
 
 
 def _seen(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> tuple[Any, Any, Any]:
-    """The own angles and the distance of points of a disc that faces the source."""
+    """Return the source's angles and the distance of points on a disc that faces the source."""
     ahead = cartesian(theta, phi)
     outward = (
         numpy.cos(theta) * numpy.cos(phi),
@@ -415,7 +414,7 @@ def _seen(across: Any, along: Any, distance: Any, theta: Any, phi: Any) -> tuple
 def _over_discs(
     light: Callable[..., Any], counts: list[int], radius: Number, *places: Number
 ) -> Number:
-    """The integral of a light over discs, with ever more points until they do not matter."""
+    """Return the integral of the light over discs, with more points until the result is stable."""
     shape = numpy.broadcast_shapes(*map(numpy.shape, (radius, *places)))
     size, *where = (numpy.broadcast_to(x, shape).ravel() for x in (radius, *places))
     if 2 * counts[1] ** 2 * len(size) > MOST:
@@ -431,14 +430,14 @@ def _over_discs(
             break
     if error > ACCEPTED:
         raise ConditionError(
-            "the light on the receiver has edges that are too sharp to be integrated",
+            "the edges of the light on the receiver are too sharp for an integral",
             "a smaller receiver, or one that is all inside the light",
         )
     return sums.reshape(shape)[()]
 
 
 def _sums(light: Callable[..., Any], count: int, size: Any, where: list[Any]) -> Any:
-    """The integral over each disc: Gauss and Legendre's radii, each of twice as many angles."""
+    """Return the integral over each disc: Gauss-Legendre radii, each at twice as many angles."""
     nodes, weights = numpy.polynomial.legendre.leggauss(count)
     radii = numpy.sqrt((nodes + 1) / 2)  # of rings of equal area
     angles = (numpy.arange(2 * count) + 0.5) * math.pi / count

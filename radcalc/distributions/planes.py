@@ -1,6 +1,6 @@
-"""Tables of half planes about an axis: what symmetry leaves out, where they end, their noise.
+"""Tables of half planes about an axis: completion by symmetry, limits and noise.
 
-Angles are in degrees, as files have them.
+Angles are in degrees, as in files.
 """
 
 import math
@@ -12,27 +12,27 @@ import numpy
 from radcalc.errors import ConditionError
 
 TURN = 360.0  # [deg]
-SLACK = 0.01  # [deg] by which an angle is taken for another
-GREATEST = 1e100  # intensity in any unit, which sums can hold
-NOISE = 1e-3  # of the greatest: negative values within it are a photometer's noise
-ROUNDED = 0.5  # [deg] by which angles may be rounded where planes are evenly apart
+SLACK = 0.01  # [deg] tolerance of angles
+GREATEST = 1e100  # intensity in any unit: sums of it stay finite
+NOISE = 1e-3  # of the greatest: smaller negative values are a photometer's noise
+ROUNDED = 0.5  # [deg] rounding of the angles of evenly spaced planes
 
 
 def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
-    """A table of a half or a quarter of the circle, reflected at its last plane until it closes.
+    """Complete a table of a half or a quarter of the circle by reflection at its last plane.
 
     Parameters
     ----------
     planes : array_like of shape (n,) [deg]
-        Azimuths of the half planes, rising, from a plane of symmetry to the next: 90 or 180
+        Azimuths of the half planes, rising, from a plane of symmetry to the next, 90 or 180
         degrees later.
     values : array_like of shape (n, m)
-        A row for each.
+        A row for each half plane.
 
     Returns
     -------
     tuple of two ndarrays
-        Azimuths [deg] over a whole turn, the last of which is the first again, and their rows.
+        Azimuths [deg] over a whole turn, where the last plane repeats the first, and their rows.
 
     Raises
     ------
@@ -61,25 +61,25 @@ def mirrored(planes: Any, values: Any) -> tuple[Any, Any]:
 
 
 def closed(planes: Any, values: Any) -> tuple[Any, Any]:
-    """A table of the whole circle, with the first plane repeated at its end.
+    """Close a table of the whole circle by a repetition of its first plane.
 
     Parameters
     ----------
     planes : array_like of shape (n,) [deg]
         Azimuths of the half planes, rising.
     values : array_like of shape (n, m)
-        A row for each.
+        A row for each half plane.
 
     Returns
     -------
     tuple of two ndarrays
-        Azimuths [deg] over a whole turn, and their rows; a table that ends with its first plane
-        as it is.
+        Azimuths [deg] over a whole turn, and their rows; a table that already ends with its
+        first plane is returned unchanged.
 
     Raises
     ------
     ConditionError
-        If the gap behind the last plane is wider than any other, so that planes are missing.
+        If the gap after the last plane is wider than any other, so that planes are missing.
 
     Examples
     --------
@@ -94,24 +94,24 @@ def closed(planes: Any, values: Any) -> tuple[Any, Any]:
     widest = float(numpy.diff(planes).max(initial=0.0))
     if not 0 < gap <= widest + ROUNDED:
         raise ConditionError(
-            f"the planes end at {planes[-1]:g} deg, which leaves {gap:g} deg of the circle without",
+            f"the planes end at {planes[-1]:g} deg, and {gap:g} deg of the circle are missing",
             f"planes all around, such as 0 to {TURN - widest:g} deg" if widest else "more planes",
         )
     return numpy.append(planes, planes[0] + TURN), numpy.concatenate([values, values[:1]])
 
 
 def end_of(polar: Any) -> tuple[str, ...]:
-    """What is assumed beyond the polar angles of a table.
+    """Return the assumption about the intensity beyond the polar angles of a table.
 
     Parameters
     ----------
     polar : array_like [deg]
-        Its polar angles, rising.
+        Polar angles of the table, rising.
 
     Returns
     -------
     tuple of str
-        An assumption; none where the table reaches from 0 to 180 degrees.
+        An assumption, or none if the table extends from 0 to 180 degrees.
 
     Examples
     --------
@@ -126,21 +126,21 @@ def end_of(polar: Any) -> tuple[str, ...]:
 def without_noise(
     values: Any, refuse: Callable[[int, str, str], NoReturn]
 ) -> tuple[Any, tuple[str, ...]]:
-    """Intensities of which none is negative.
+    """Return intensities without negative values.
 
     Parameters
     ----------
     values : ndarray
-        Intensities as measured, finite.
+        Measured intensities, finite.
     refuse : callable
-        Raises the error of a bad one, from its place in the flat array, the problem and a hint:
-        one that is further below 0 than noise, or beyond what sums can hold; the last one where
-        none is above 0.
+        Raises the error of a bad value, from its index in the flat array, the problem and a
+        hint.  Bad are values further below 0 than noise or too large for sums, and the last
+        value if none is above 0.
 
     Returns
     -------
     tuple of ndarray and tuple of str
-        The same with 0 for what is negative by a photometer's noise, and a note of it.
+        Intensities with 0 for negative noise, and a note about it.
 
     Examples
     --------
@@ -149,11 +149,11 @@ def without_noise(
     """
     peak, low = float(values.max()), float(values.min())
     if max(peak, -low) > GREATEST:
-        refuse(int(abs(values).argmax()), "an intensity of more than 1e100", "those of a source")
+        refuse(int(abs(values).argmax()), "an intensity is above 1e100", "those of a source")
     if peak <= 0:
         refuse(values.size - 1, "no intensity is above 0", "a table with light")
     if low < -NOISE * peak:
-        refuse(int(values.argmin()), f"an intensity of {low:g}", "0 or more")
+        refuse(int(values.argmin()), f"the intensity {low:g} is negative", "0 or more")
     if low >= 0:
         return values, ()
     count = int((values < 0).sum())

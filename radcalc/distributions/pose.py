@@ -1,6 +1,6 @@
-"""Where a source stands, where it is aimed, and how it is rotated about its axis.
+"""Aim of a source, and its rotation about its axis.
 
-In the world +z is up.  A source hangs and shines down: its axis is -z, its C0 half plane is
+In the world +z is up.  By default a source shines down: its axis is -z, its C0 half plane is
 towards +x and C90 towards +y.
 """
 
@@ -14,15 +14,14 @@ DOWN: Vector = (0.0, 0.0, -1.0)
 
 
 class Pose:
-    """A turn from a source's own coordinates into the world's.
+    """Rotation from a source's own coordinates into world coordinates.
 
     Parameters
     ----------
     aim : tuple of 3 floats, optional
         Direction of the axis, of any length but 0; straight down by default.
     rotate : float [rad], optional
-        Angle by which the source is turned about its axis beforehand, as it hangs: C0 from +x
-        towards +y.
+        Rotation of the source about its axis before it is aimed: C0 from +x towards +y.
 
     Raises
     ------
@@ -31,12 +30,12 @@ class Pose:
 
     Notes
     -----
-    From straight down the axis is turned to its aim by the shortest way, about the horizontal line
-    across both.  Straight up it is turned about the x axis, so that C0 stays where it is.
+    The axis turns from straight down to its aim by the shortest way, about the horizontal line
+    perpendicular to both.  To straight up it turns about the x axis, so that C0 does not change.
 
     Examples
     --------
-    Below it and to the side along x, at 45 degrees from the axis in C0:
+    A point below and to the side, at 45 degrees from the axis in C0:
 
     >>> theta, phi, distance = Pose().angles((2.0, 0.0, -2.0))
     >>> round(math.degrees(theta), 9), phi, round(distance, 6)
@@ -44,19 +43,19 @@ class Pose:
     """
 
     def __init__(self, aim: Vector = DOWN, rotate: float = 0.0) -> None:
-        spherical(*aim)  # refuses what is no direction
+        spherical(*aim)  # raises an error if there is no direction
         axis = unit(aim)
         c0 = (math.cos(rotate), math.sin(rotate), 0.0)
         c90 = (-math.sin(rotate), math.cos(rotate), 0.0)
         self.axes = tuple(_turned(source_axis, axis) for source_axis in (c0, c90, DOWN))
 
     def angles(self, to: Vector) -> tuple[Number, Number, Number]:
-        """The source's own angles of a direction in the world, and the length of its vector.
+        """Return the angles of a vector in the source's coordinates, and its length.
 
         Parameters
         ----------
         to : tuple of 3 floats or ndarrays [m]
-            From the source to a point, not both the same.
+            World vector from the source to a point; not 0.
 
         Returns
         -------
@@ -70,12 +69,12 @@ class Pose:
         Raises
         ------
         ConditionError
-            If a point is where the source is.
+                If a point is at the source.
         """
         return spherical(*components(self.axes, to))
 
     def world(self, direction: Vector) -> Vector:
-        """A vector in the source's own coordinates, as one in the world's.
+        """Return a vector in the source's coordinates in world coordinates.
 
         Parameters
         ----------
@@ -89,10 +88,10 @@ class Pose:
 
 
 def _turned(vector: Vector, axis: Vector) -> Vector:
-    """A vector, turned as straight down is to an axis by the shortest way.
+    """Turn a vector by the shortest rotation from straight down to an axis.
 
-    v - (s . v) s / (1 + cos) + 2 (down . v) axis, with s = down + axis: of the axis's height over
-    straight up only the digits that count are taken, so that it holds next to that.
+    v - (s . v) s / (1 + cos) + 2 (down . v) axis, with s = down + axis.  The z component of s is
+    computed without loss of digits, so that the formula holds for an axis close to straight up.
     """
     x, y, z = axis
     up = -(x * x + y * y) / (1 + z) if z > 0 else z - 1

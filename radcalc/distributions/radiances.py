@@ -1,7 +1,7 @@
-"""Radiance as a function of the direction that it comes from: what all such functions can do.
+"""Radiance as a function of the direction that it comes from: a sky, a map or an expression.
 
-A sky, a map, an expression: seen from a point, in the world's axes (+z up, azimuths from +x towards
-+y).  Angles are in radians, radiances in coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
+Directions are those from a point, in world axes (+z up, azimuths from +x towards +y).  Angles are
+in radians, radiances in coherent SI (cd/m2, W/m2/sr, photon/s/m2/sr).
 """
 
 import math
@@ -23,12 +23,12 @@ class Radiances(Protocol):
     Attributes
     ----------
     kind : str
-        The kind of light: "v" where radiances are in cd/m2, "e" in W/m2/sr, "p" in
-        photon/s/m2/sr; empty where they are relative.
-    is_axial : bool
-        Whether the radiance is known to be the same at every azimuth.
-    coverage : float [1]
-        The share of the sphere that it tells about, by solid angle; elsewhere it is dark.
+            Kind of light: "v" for radiances in cd/m2, "e" for W/m2/sr, "p" for photon/s/m2/sr;
+            empty for relative radiances.
+        is_axial : bool
+            Whether the radiance is known to be the same at every azimuth.
+        coverage : float [1]
+            Share of the sphere that is covered, by solid angle; the rest is dark.
     """
 
     @property
@@ -39,7 +39,7 @@ class Radiances(Protocol):
     def coverage(self) -> float: ...
 
     def radiance(self, polar: Number, azimuth: Number) -> Number:
-        """Radiance from directions.
+        """Return the radiance from directions.
 
         Parameters
         ----------
@@ -54,12 +54,12 @@ class Radiances(Protocol):
         ...
 
     def irradiance(self, normal: Vector) -> Integral:
-        """Irradiance of a small plane receiver.
+        """Return the irradiance of a small plane receiver.
 
         Parameters
         ----------
         normal : tuple of 3 floats
-            Where it faces; of any length but 0.
+            Normal of the receiver, of any length but 0.
 
         Returns
         -------
@@ -69,11 +69,11 @@ class Radiances(Protocol):
         ...
 
     def mean(self) -> float:
-        """Mean radiance, by solid angle, of what is covered."""
+        """Return the mean radiance, by solid angle, of the covered part."""
         ...
 
     def peak(self) -> Peak:
-        """The greatest radiance, and where it is."""
+        """Return the greatest radiance, and its direction."""
         ...
 
 
@@ -83,11 +83,11 @@ class FormulaRadiances:
     Parameters
     ----------
     formula : Formula
-        The expression; its values are radiances.
+            The expression of the radiances.
 
     Examples
     --------
-    A sky of 3000 cd/m2 gives pi 3000 lx on the ground, and half of it on a wall:
+    A sky of 3000 cd/m2 gives pi 3000 lx on the ground, and half as much on a wall:
 
     >>> sky = FormulaRadiances(Formula("3000*(theta < 90*deg)", kind="v"))
     >>> [round(sky.irradiance(n).value, 2) for n in ((0, 0, 1), (1, 0, 0), (0, 0, -1))]
@@ -109,12 +109,12 @@ class FormulaRadiances:
         is_level = not (forward[0] or forward[1])
         if is_level or self.formula.expression.comparisons:
             return self._in_own_angles(forward, self.formula.is_axial and is_level)
-        # about the normal the light is smooth: there is no horizon in the midst of it
+        # about the normal the integrand is smooth: the receiver's horizon does not cross it
         turned = _ReceivedAboutNormal(self.formula, (times(up, -1.0), left, forward))
         return integrated(turned, (0.0, math.pi / 2), ALL_AZIMUTHS, ACCURACY)
 
     def _in_own_angles(self, normal: Vector, is_axial: bool) -> Integral:
-        """The integral in theta and phi themselves, in which steps of the expression are known."""
+        """Return the integral in theta and phi, for which the steps of the expression are known."""
         polar = ALL_POLAR
         if is_axial:
             polar = (0.0, math.pi / 2) if normal[2] > 0 else (math.pi / 2, math.pi)
@@ -131,7 +131,7 @@ class FormulaRadiances:
 
 
 class _Received(NamedTuple):
-    """What a receiver gets from each direction: the radiance times the cosine."""
+    """The radiance times the cosine of incidence on a receiver."""
 
     formula: Formula
     normal: Vector
@@ -143,7 +143,7 @@ class _Received(NamedTuple):
 
 
 class _ReceivedAboutNormal(NamedTuple):
-    """The same in angles about the receiver's normal."""
+    """The radiance times the cosine, in angles about the receiver's normal."""
 
     formula: Formula
     axes: tuple[Vector, Vector, Vector]

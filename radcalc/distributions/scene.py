@@ -1,6 +1,6 @@
-"""Sources in their places, and the irradiance that they give together.
+"""The irradiance from several sources at their positions.
 
-Places are in metres, in the coordinates of the world (`radcalc.distributions.pose`).
+Positions are in metres, in world coordinates (`radcalc.distributions.pose`).
 """
 
 import math
@@ -16,30 +16,30 @@ from radcalc.geometry import far_field, projected
 from radcalc.geometry.numerics import vectors
 from radcalc.geometry.numerics.vectors import Vector, cross, dot, length, minus
 
-NEAREST = 1e-6  # [m] nothing is nearer to a source than that
-BLOCK = 1 << 16  # points that are worked out at a time
-RECTANGLE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # its corners, in halves of its sides
+NEAREST = 1e-6  # [m] a point must be farther than this from a source
+BLOCK = 1 << 16  # points that are computed at a time
+RECTANGLE = ((-1, -1), (1, -1), (1, 1), (-1, 1))  # corners, in half sides
 
 
 class Emitter:
-    """A source that is small beside its distance, in its place.
+    """A source that is small compared with its distance, at its position.
 
     Parameters
     ----------
     name : str
-        What it is called in messages.
+        Name in messages.
     place : tuple of 3 floats [m]
-        Where it is.
+        Position.
     pose : Pose
-        Where it is aimed, and how it is rotated.
+        Aim and rotation.
     distribution : Distribution
-        Its intensities.
+        Intensities.
     factor : float, optional
-        What these are multiplied by to be in coherent SI; 1 by default.
+        Factor that converts the intensities to coherent SI; 1 by default.
     size : float, optional [m]
-        How large it is, where that is known; 0 by default.
+        Size, if it is known; 0 by default.
     is_patch : bool, optional
-        Whether it is a surface, which is refused where a point is nearer than five times its size.
+        True for a surface: points nearer than five times its size are refused.
 
     Examples
     --------
@@ -67,14 +67,14 @@ class Emitter:
         self.size, self.is_patch = size, is_patch
 
     def irradiance(self, points: Vector, normal: Vector) -> Any:
-        """Irradiance at points; negative where the light comes from behind the receiver.
+        """Return the irradiance at points; it is negative for light from behind the receiver.
 
         Parameters
         ----------
         points : tuple of 3 ndarrays of shape (n,) [m]
-            Coordinates of the points.
-        normal : tuple of 3 floats [1]
-            The receivers' normal, of length 1.
+                Coordinates of the points.
+            normal : tuple of 3 floats [1]
+                Unit normal of the receivers.
 
         Returns
         -------
@@ -83,7 +83,7 @@ class Emitter:
         Raises
         ------
         ConditionError
-            If a point is at the source, or too near to a patch.
+                If a point is at the source, or too near a patch.
 
         Notes
         -----
@@ -95,7 +95,7 @@ class Emitter:
         return intensity * cosine / (distance * distance)
 
     def terms(self, points: Vector, normal: Vector) -> tuple[Any, Any, Any]:
-        """Intensity towards points, cosine of the incidence there, and distance; as above."""
+        """Return the intensity towards points, the cosine of incidence there, and the distance."""
         to = minus(points, self.place)
         distance = length(to)
         _refuse(distance <= NEAREST, points, f"is where {self.name} is", "another point")
@@ -106,37 +106,37 @@ class Emitter:
                 f"is nearer than five times its size ({self.size:.3g} m) to {self.name}",
                 "its width and length in place of its area, which holds at any distance",
             )
-        if self.distribution.is_axial:  # any azimuth will do
+        if self.distribution.is_axial:  # any azimuth gives the same
             axis = self.pose.axes[2]
             theta, phi = numpy.arctan2(length(cross(axis, to)), dot(axis, to)), 0.0
         else:
             theta, phi, _ = self.pose.angles(to)
         try:
             intensity = self.factor * self.distribution.intensity(theta, phi)
-        except ConditionError as error:  # of an expression
+        except ConditionError as error:  # from an expression
             raise error.reworded(f"{self.name}: {error.message}") from None
         return intensity, -dot(normal, to) / distance, distance
 
     def near(self, points: Vector) -> Any:
-        """Which points are nearer than five times the size."""
+        """Return which points are nearer than five times the size."""
         return far_field.nearer(length(minus(points, self.place)), self.size)
 
 
 class Panel:
-    """A rectangle of uniform luminance that shines on one side, in its place: exact anywhere.
+    """A rectangle of uniform luminance that emits on one side; exact at any distance.
 
     Parameters
     ----------
     name : str
-        What it is called in messages.
+        Name in messages.
     place : tuple of 3 floats [m]
-        Where its centre is.
+        Position of the centre.
     pose : Pose
-        Where its normal points, and how it is rotated about that.
+        Direction of the normal, and rotation about it.
     width, length_ : float [m]
         Sides along C0 and along C90.
     radiance : float [cd/m^2, W/sr/m^2 or photon/s/sr/m^2]
-        The same in all directions, and all over it.
+        Radiance, uniform over the surface and in all directions.
 
     Examples
     --------
@@ -157,9 +157,9 @@ class Panel:
         self.half = (width / 2, length_ / 2)
 
     def irradiance(self, points: Vector, normal: Vector) -> Any:
-        """Irradiance at points, of as much of the panel as is above their horizon.
+        """Return the irradiance at points from the part of the panel above their horizon.
 
-        As of `Emitter`; it is negative where all of the panel is below it.
+        Parameters are those of `Emitter.irradiance`.  It is negative if all of the panel is below.
 
         Notes
         -----
@@ -172,7 +172,7 @@ class Panel:
         return self.radiance * self.projected_solid_angle(points, normal)
 
     def projected_solid_angle(self, points: Vector, normal: Vector) -> Any:
-        """The projected solid angle [sr] at points, with the sign of `irradiance`."""
+        """Return the projected solid angle [sr] at points, with the sign of `irradiance`."""
         to = minus(points, self.place)
         across, along, ahead = (dot(axis, to) for axis in self.pose.axes)
         inside = (abs(across) <= self.half[0]) & (abs(along) <= self.half[1])
@@ -190,7 +190,7 @@ class Panel:
         return solid_angles
 
     def near(self, points: Vector) -> Any:
-        """Which points are too near: none."""
+        """Return which points are too near: none."""
         return numpy.zeros(len(points[0]), bool)
 
 
@@ -206,17 +206,17 @@ def _refuse(bad: Any, points: Vector, problem: str, hint: str) -> None:
 
 
 def point_text(x: float, y: float, z: float) -> str:
-    """A point in a message.
+    """Return a point as text for a message.
 
     Parameters
     ----------
     x, y, z : float [m]
-        Its coordinates.
+        Coordinates.
 
     Returns
     -------
     str
-        As it is typed.
+        The point, as the user types it.
 
     Examples
     --------
@@ -227,12 +227,12 @@ def point_text(x: float, y: float, z: float) -> str:
 
 
 def unit(normal: Vector) -> Vector:
-    """A normal of length 1.
+    """Return a normal scaled to length 1.
 
     Parameters
     ----------
     normal : tuple of 3 floats
-        Of any length but 0.
+            A vector of any length but 0.
 
     Returns
     -------
@@ -241,7 +241,7 @@ def unit(normal: Vector) -> Vector:
     Raises
     ------
     ConditionError
-        If its length is 0.
+            If its length is 0 or not finite.
 
     Examples
     --------
@@ -249,27 +249,25 @@ def unit(normal: Vector) -> Vector:
     (0.0, 0.0, 1.0)
     """
     if not any(normal) or not math.isfinite(sum(normal)):
-        raise ConditionError(
-            "a normal of length 0, or of no finite one, has no direction", option("normal", "0,0,1")
-        )
+        raise ConditionError("a normal needs a finite length above 0", option("normal", "0,0,1"))
     return vectors.unit(normal)
 
 
 class Field(NamedTuple):
-    """What points get of all sources.
+    """The irradiance at points from all sources.
 
     Attributes
     ----------
     points : tuple of 3 ndarrays of shape (n,) [m]
         The points.
     total : ndarray of shape (n,) [lx, W/m^2 or photon/s/m^2]
-        Irradiance of all sources.
+        Irradiance from all sources.
     parts : list of ndarrays of shape (n,)
-        That of each; empty where it was not asked for.
+        Irradiance from each source; empty unless requested.
     behind : int
-        At how many points light comes from behind the receiver, and does not count.
+        Number of points with light from behind the receiver, which does not count.
     near : tuple of int
-        At how many points each source is nearer than five times its size.
+        For each source, the number of points nearer than five times its size.
 
     Examples
     --------
@@ -287,28 +285,28 @@ class Field(NamedTuple):
 def field(
     sources: Sequence[Source], points: Vector, normal: Vector, with_parts: bool = False
 ) -> Field:
-    """The irradiance at points: the sum over all sources.
+    """Return the irradiance at points, summed over all sources.
 
     Parameters
     ----------
     sources : sequence of Emitter or Panel
-        The sources, of one kind of light.
+            Sources of one kind of light.
     points : tuple of 3 ndarrays of shape (n,) [m]
-        Coordinates of the points.
-    normal : tuple of 3 floats [1]
-        The receivers' normal, of length 1.
-    with_parts : bool, optional
-        Whether to keep what each source gives.
+            Coordinates of the points.
+        normal : tuple of 3 floats [1]
+            Unit normal of the receivers.
+        with_parts : bool, optional
+            Whether to keep the irradiance from each source.
 
-    Returns
-    -------
-    Field
-        With n irradiances.
+        Returns
+        -------
+        Field
+            n irradiances.
 
     Raises
     ------
     ConditionError
-        As of `Emitter.irradiance`.
+            As in `Emitter.irradiance`.
 
     Examples
     --------
@@ -332,18 +330,18 @@ def field(
 
 
 class Statistics:
-    """Mean, extremes and their places over many points, a field at a time.
+    """Mean and extremes over many points, updated with one field at a time.
 
     Attributes
     ----------
     count, behind : int
-        How many points there are, and at how many light comes from behind.
+        Number of points, and of those with light from behind the receiver.
     near : list of int
-        At how many points each source is nearer than five times its size.
+        For each source, the number of points nearer than five times its size.
     least, most : float
-        The extremes of the irradiance.
+        Extremes of the irradiance.
     least_at, most_at : tuple of 3 floats [m]
-        The first points that have them.
+        First points with the extremes.
 
     Examples
     --------
@@ -362,12 +360,12 @@ class Statistics:
         self.least_at = self.most_at = (0.0, 0.0, 0.0)
 
     def add(self, field: Field) -> None:
-        """Take in what more points get.
+        """Add more points.
 
         Parameters
         ----------
         field : Field
-            Of at least one point.
+            At least one point.
         """
         self.count += len(field.total)
         self.behind += field.behind
@@ -383,7 +381,6 @@ class Statistics:
 
     @property
     def mean(self) -> float:
-        """The mean over all points."""
         return math.fsum(self.sums) / self.count
 
 
@@ -393,14 +390,14 @@ def _point(field: Field, k: int) -> tuple[float, float, float]:
 
 
 class Axis(NamedTuple):
-    """Coordinates of a grid along an axis: evenly apart, both ends among them.
+    """Evenly spaced coordinates of a grid along an axis, both ends included.
 
     Attributes
     ----------
     start, end : float [m]
-        The ends.
+        Ends.
     size : int
-        How many coordinates there are.
+        Number of coordinates.
 
     Examples
     --------
@@ -414,12 +411,12 @@ class Axis(NamedTuple):
 
 
 def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
-    """The points of a grid, a block at a time; z runs fastest, then y.
+    """Yield the points of a grid in blocks; z varies fastest, then y.
 
     Parameters
     ----------
     x, y, z : Axis
-        Its coordinates.
+            Coordinates of the grid.
 
     Yields
     ------
@@ -441,7 +438,7 @@ def grid(x: Axis, y: Axis, z: Axis) -> Iterator[Vector]:
 
 
 def blocks(points: Any) -> Iterator[Vector]:
-    """Points that somebody has, a block at a time.
+    """Yield given points in blocks.
 
     Parameters
     ----------
@@ -456,7 +453,7 @@ def blocks(points: Any) -> Iterator[Vector]:
     Raises
     ------
     ConditionError
-        If they are no points.
+            If the array has another shape, or a coordinate is not finite.
 
     Examples
     --------

@@ -1,6 +1,6 @@
-"""Distributions that are known exactly: isotropic, a uniform cone, a lobe.
+"""Distributions with exact formulas: isotropic, a uniform cone, a lobe.
 
-Their intensities are relative to that on the axis.
+Their intensities are relative to the intensity on the axis.
 """
 
 import math
@@ -18,13 +18,13 @@ _, CONICAL, LOBED = DISTRIBUTIONS
 
 
 def of_shape(shape: str, width: float | None = None) -> Distribution:
-    """The distribution of a shape's name.
+    """Return the distribution with a given name.
 
     Parameters
     ----------
     shape : {"isotropic", "cone", "lobe"}
     width : float, optional
-        The half angle of a cone [rad], or the exponent of a lobe [1].
+            Half angle of a cone [rad], or exponent of a lobe [1].
 
     Examples
     --------
@@ -37,7 +37,7 @@ def of_shape(shape: str, width: float | None = None) -> Distribution:
 
 
 class _Axial:
-    """The same at every azimuth, and greatest on the axis."""
+    """A distribution that is the same at every azimuth, and greatest on the axis."""
 
     kind = ""
     is_axial = True
@@ -64,12 +64,12 @@ class Isotropic(_Axial):
 
 
 class Cone(_Axial):
-    """The same intensity up to an angle from the axis, and none beyond.
+    """The same intensity up to an angle from the axis, and 0 beyond.
 
     Parameters
     ----------
     half_angle : float [rad]
-        From the axis to the edge, above 0 and up to pi.
+            Angle from the axis to the edge, above 0 and up to pi.
 
     Examples
     --------
@@ -78,7 +78,7 @@ class Cone(_Axial):
     """
 
     def __init__(self, half_angle: float) -> None:
-        cones.cone(half_angle)  # refuses what is no half angle
+        cones.cone(half_angle)  # raises an error if it is out of range
         self.half_angle = self.finest = half_angle
 
     def intensity(self, theta: Number, phi: Number) -> Number:
@@ -90,7 +90,7 @@ class Cone(_Axial):
 
 
 class Lobe(_Axial):
-    """Intensity that falls off as a power of the cosine, up to 90 degrees from the axis.
+    """Intensity that falls as a power of the cosine, up to 90 degrees from the axis.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ class Lobe(_Axial):
     """
 
     def __init__(self, exponent: float) -> None:
-        lobes.solid_angle(exponent)  # refuses what is no exponent
+        lobes.solid_angle(exponent)  # raises an error if it is out of range
         self.exponent = exponent
         self.finest = lobes.angle(exponent, 0.5) / 2
 

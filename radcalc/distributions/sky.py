@@ -1,4 +1,4 @@
-"""The sky as a function of direction: the types of the CIE, and the traditional overcast one."""
+"""Radiances of the sky: the CIE types, and the traditional overcast sky."""
 
 import math
 
@@ -11,20 +11,20 @@ from radcalc.maths import Number
 
 
 class Sky:
-    """Radiances of a sky, which follow `radcalc.distributions.radiances.Radiances`.
+    """Radiances of a sky; see the protocol `radcalc.distributions.radiances.Radiances`.
 
-    The sun itself is no part of it, and below the horizon it is dark.
+    The sun itself is not included, and below the horizon the radiance is 0.
 
     Parameters
     ----------
     name : str
-        A name or a number of `radcalc.geometry.sky.NAMES`.
+        A name or a number in `radcalc.geometry.sky.NAMES`.
     sun : tuple of 2 floats [rad], optional
-        Polar angle and azimuth of the sun, above the horizon; for skies that follow it.
+        Polar angle and azimuth of the sun, above the horizon; for skies that depend on it.
     zenith : float [cd/m2, W/m2/sr, photon/s/m2/sr or 1], optional
-        Radiance of the zenith; 1 by default.
+        Radiance at the zenith; 1 by default.
     kind : str, optional
-        "v", "e" or "p"; empty, the default, where radiances are relative.
+        "v", "e" or "p"; empty, the default, for relative radiances.
 
     Attributes
     ----------
@@ -34,13 +34,14 @@ class Sky:
     Raises
     ------
     ConditionError
-        If there is no such sky, or the sun is below the horizon, or of no use to that sky.
+        If there is no such sky, if the sun is below the horizon, or if the sky does not depend
+        on the sun.
     MissingInput
-        If the sky follows the sun, and it is not told where that is.
+        If the sky depends on the sun, and its position is missing.
 
     Examples
     --------
-    Under an overcast sky of 9000 cd/m2 in the zenith, the ground and a wall:
+    An overcast sky of 9000 cd/m2 at the zenith, on the ground and on a wall:
 
     >>> sky = Sky("overcast", zenith=9000.0, kind="v")
     >>> [round(sky.irradiance(normal).value, 2) for normal in ((0, 0, 1), (1, 0, 0))]

@@ -1,4 +1,4 @@
-"""How a user names a distribution: a file, or an expression with a unit or without."""
+"""Distributions as a user gives them: a file, or an expression with or without a unit."""
 
 import math
 import os
@@ -17,36 +17,36 @@ EXAMPLE = "a file (IES, EULUMDAT, CSV), or an expression such as '300*cos(theta)
 
 
 def path_pattern(endings: str) -> re.Pattern[str]:
-    """What finds in a text that it is meant as a path: how it begins, or one of its endings."""
+    """Return a pattern that recognises a path, by its beginning or by one of the endings."""
     return re.compile(rf"^(\.{{0,2}}/|~|[A-Za-z]:\\)|\.({endings})$", re.IGNORECASE)
 
 
 PATH = path_pattern("ies|ldt|csv|tsv|txt|dat")
 WORD = re.compile(r"[^\W\d][\w-]*")
-# Behind the end of an expression and a blank nothing of it can begin with a letter.
+# After an expression and a blank, a letter can only begin a unit.
 UNIT = re.compile(r"^(.*?[\w.)])\s+([^\W\d].*)$", re.DOTALL)
 INTENSITIES = {light_dimension(kind, (0, 0, 1), ""): kind for kind in KINDS}
 
 
 def photometry(source: Any) -> Photometry:
-    """A distribution, as a user gives it.
+    """Read a distribution as a user gives it.
 
     Parameters
     ----------
     source : str, path, Distribution or Photometry
-        The path of a file; an expression in theta and phi, with a unit of intensity behind a
-        blank, or relative without one; or what is a distribution already.
+        The path of a file; an expression in theta and phi, followed by a blank and a unit of
+        intensity, or relative without a unit; or a distribution.
 
     Returns
     -------
     Photometry
-        What the file says, or the distribution alone.
+        The contents of the file, or the distribution alone.
 
     Raises
     ------
     ConditionError, UnitError
-        If a text is neither a file nor an expression, if its unit is none of an intensity, or if
-        the file cannot be read.
+        If a text is neither a file nor an expression, if its unit is not a unit of intensity, or
+        if the file cannot be read.
 
     Examples
     --------
@@ -60,35 +60,35 @@ def photometry(source: Any) -> Photometry:
         return Photometry(source, type(source).__name__)
     text = os.fspath(source).strip() if isinstance(source, (str, os.PathLike)) else ""
     if not text:
-        raise ConditionError(f"'{quote(str(source))}' is no distribution", EXAMPLE)
+        raise ConditionError(f"'{quote(str(source))}' is not a distribution", EXAMPLE)
     if text == "-" or os.path.exists(text):
         from radcalc.distributions.files import read_file
 
         return read_file(text)
     if PATH.search(text) or isinstance(source, os.PathLike):
-        raise ConditionError(f"there is no file '{quote(text)}'", "the path of a file")
+        raise ConditionError(f"cannot read '{quote(text)}': no such file", "the path of a file")
     return _expression(text)
 
 
 def _expression(text: str) -> Photometry:
-    """An expression, and the unit behind it."""
+    """Read an expression with its unit."""
     if is_unknown_word(text):
         near = nearest(text.lower(), DISTRIBUTIONS)
-        problem = f"'{quote(text)}' is no distribution that radcalc knows, and no file"
+        problem = f"unknown distribution '{quote(text)}' (and no such file)"
         raise ConditionError(problem, f"{', '.join(near or DISTRIBUTIONS)}, or {EXAMPLE}")
     formula = formula_with_unit(text, "intensity", INTENSITIES, "cd")
     return Photometry(formula, "expression", text, assumptions=unseen(formula))
 
 
 def is_unknown_word(text: str) -> bool:
-    """Whether a text is one word, and none that an expression may consist of."""
+    """Return whether a text is a single word that cannot be an expression."""
     from radcalc.geometry.numerics.expression import CONSTANTS, NAMES
 
     return bool(WORD.fullmatch(text)) and text not in (*NAMES, *CONSTANTS)
 
 
 def unseen(formula: Any) -> tuple[str, ...]:
-    """What of an expression's values may be missed, as an assumption."""
+    """Return an assumption about peaks of an expression that may be missed."""
     if not formula.expression.uses:
         return ()
     return (f"peaks narrower than {math.degrees(formula.unseen):.2g} deg may be missed",)
@@ -97,18 +97,18 @@ def unseen(formula: Any) -> tuple[str, ...]:
 def formula_with_unit(
     text: str, quantity: str, kinds: Mapping[Dimension, str], example: str
 ) -> Any:
-    """Read an expression, and the unit behind it.
+    """Read an expression with its unit.
 
     Parameters
     ----------
     text : str
-        An expression, with a unit behind a blank, or relative without one.
+        An expression, followed by a blank and a unit, or relative without a unit.
     quantity : str
-        What it is of: an intensity, or a radiance.
+        Quantity of the expression: an intensity or a radiance.
     kinds : dict
-        The dimensions that its unit may have, and the kinds of light that these are.
+        Accepted dimensions of the unit, with their kinds of light.
     example : str
-        Such a unit.
+        An accepted unit, for messages.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def formula_with_unit(
     Raises
     ------
     ConditionError, UnitError
-        If the text is no expression, or its unit is none of the quantity.
+        If the text is not an expression, or its unit does not belong to the quantity.
 
     Examples
     --------
@@ -133,14 +133,14 @@ def formula_with_unit(
     if unit.dimension not in kinds:
         what = f"{'an' if quantity[0] in 'aeiou' else 'a'} {quantity}"
         raise ConditionError(
-            f"'{quote(parts[2])}' behind the expression is {describe(unit)}, not {what}",
-            f"{what} behind it, '{quote(parts[1])} {example}', or no unit",
+            f"'{quote(parts[2])}' after the expression is {describe(unit)}, not {what}",
+            f"{what} after it, '{quote(parts[1])} {example}', or no unit",
         )
     return Formula(parts[1], unit.factor, kinds[unit.dimension], parts[2], quantity)
 
 
 def _unit(text: str, source_text: str) -> Unit:
-    """The unit behind an expression; where it was meant as a part of it, what is wrong there."""
+    """Return the unit after an expression; if it is a part of the expression, raise its error."""
     try:
         return resolve(text)
     except RadcalcError:
@@ -148,5 +148,5 @@ def _unit(text: str, source_text: str) -> Unit:
 
         words = {*expression.NAMES, *expression.CONSTANTS, *expression.FUNCTIONS}
         if words.intersection(re.findall(r"\w+", text)):
-            expression.Expression(source_text)  # which refuses it
+            expression.Expression(source_text)  # raises the error
         raise

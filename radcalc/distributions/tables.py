@@ -1,23 +1,23 @@
-"""Tables of angles and intensities as text: what a laboratory hands out, or a spreadsheet saves.
+"""Tables of angles and intensities as text, from a laboratory or a spreadsheet.
 
-The first column has the polar angles from the source's axis; the others intensities::
+The first column has the polar angles from the source's axis; the others have intensities::
 
     gamma (deg),I (cd)         gamma,C0 (cd),C90 (cd)         angle (deg);C0-C180 (W/sr)
     0,300                      0,300,300                      -90;0
     15,290                     15,290,280                     0;12,5
     ...                        ...                            90;0
 
-One column of angles from 0 up stands for every plane.  Columns of C planes (`C0`, `C 22.5`,
-`phi=45`, or the angle alone) that span 90 or 180 degrees stand for their mirror images too; others
-go all around.  With angles of both signs, from -90 to 90 degrees, a column is a cut through the
-axis: what is negative belongs to the half plane opposite.
+A single column with angles from 0 upwards represents every plane.  Columns of C planes (`C0`,
+`C 22.5`, `phi=45`, or the angle alone) that span 90 or 180 degrees are mirrored; other columns must
+cover the whole circle.  If the angles go from -90 to 90 degrees, a column is a cut through the
+axis, with the negative angles in the opposite half plane.
 
-Columns are parted by commas, semicolons, tabs, bars or blanks; with any but commas, numbers may
-have decimal commas.  Lines that begin with #, %, // or ;; are comments; the titles may be in the
-last of them.  The unit of the intensities (cd, mcd, W/sr, mW/sr, umol/s/sr ...) stands in their
-titles, in brackets or behind, in a row of units below, or in a comment such as `# I (cd)`; without
-one they are relative.
-Angles are in degrees unless the title of the first column says otherwise.
+Columns are separated by commas, semicolons, tabs, bars or blanks; unless commas separate them,
+numbers may have decimal commas.  Lines that begin with #, %, // or ;; are comments; the titles may
+be in the last comment.  The unit of the intensities (cd, mcd, W/sr, mW/sr, umol/s/sr ...) is in
+their titles, in brackets or after them, in a row of units below the titles, or in a comment such
+as `# I (cd)`; without a unit the intensities are relative.
+Angles are in degrees unless the title of the first column has another unit.
 """
 
 import math
@@ -37,10 +37,10 @@ from radcalc.files.text import refusal
 from radcalc.quantities.light import read as facts_of
 
 FLAT = 180.0  # [deg]
-AS_RADIANS = 3.15  # up to which an angle of no declared unit may be in radians
+AS_RADIANS = 3.15  # up to this, angles without a unit may be in radians
 BRACKETED = re.compile(
     r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
-)  # a title that blanks part from others
+)  # a title among titles separated by blanks
 
 
 def read(lines: Sequence[str], name: str) -> Photometry:
@@ -49,20 +49,20 @@ def read(lines: Sequence[str], name: str) -> Photometry:
     Parameters
     ----------
     lines : sequence of str
-        The file's lines, without their ends.
-    name : str
-        What the file is called in messages.
+            Lines of the file, without line ends.
+        name : str
+            Name of the file in messages.
 
-    Returns
-    -------
-    Photometry
-        Intensities in coherent SI, or relative ones (of kind "") where there is no unit.
+        Returns
+        -------
+        Photometry
+            Intensities in coherent SI, or relative ones (kind "") if there is no unit.
 
-    Raises
-    ------
-    ConditionError
-        If the columns are not angles and intensities, if angles do not rise, if a value is
-        missing or negative, or if a unit or a plane cannot be told; with the line.
+        Raises
+        ------
+        ConditionError
+            With the line: if the columns are not angles and intensities, if angles do not rise, if
+            a value is missing or negative, or if a unit or a plane cannot be identified.
 
     Examples
     --------
@@ -75,7 +75,7 @@ def read(lines: Sequence[str], name: str) -> Photometry:
 
 
 class _Reader:
-    """One file."""
+    """Reader of a file."""
 
     def __init__(self, lines: Sequence[str], name: str) -> None:
         self.name = name
@@ -112,7 +112,7 @@ class _Reader:
             if SLACK < polar[0] < FLAT / 2:
                 self.refuse(
                     self.rows[0][0],
-                    f"the angles begin at {polar[0]:g} deg, with nothing on the axis",
+                    f"the angles begin at {polar[0]:g} deg, not on the axis",
                     "a row for 0 deg",
                 )
         try:
@@ -127,7 +127,7 @@ class _Reader:
         )
 
     def titles(self) -> tuple[list[str], int]:
-        """The titles of the columns, empty where there are none, and their line; taken out."""
+        """Take out the titles of the columns; return them (empty without titles) and their line."""
         if not self.rows:
             self.refuse(0, "there is no data", "rows of an angle and an intensity")
         self.delimiter, comma = columns.dialect(self.rows[min(1, len(self.rows) - 1)][1])
@@ -146,7 +146,7 @@ class _Reader:
         if len(titles) != width:
             titles = self.split(line)
         if len(titles) != width:
-            problem = f"{len(titles)} titles over {width} columns"
+            problem = f"{len(titles)} titles for {width} columns"
             self.refuse(head, problem, "a title for each column, or no titles")
         units = columns.cells(self.rows[0][1], self.delimiter)
         if not any(columns.is_number(unit, self.comma) for unit in units) and len(self.rows) > 1:
@@ -156,11 +156,11 @@ class _Reader:
         return titles, head
 
     def split(self, line: str) -> list[str]:
-        """Titles; where blanks part them, a bracket belongs to the word before it."""
+        """Split titles; if blanks separate them, a bracket belongs to the word before it."""
         return columns.cells(line, self.delimiter) if self.delimiter else BRACKETED.findall(line)
 
     def commented(self, width: int) -> list[str]:
-        """The titles in the last comment that has them, one of angles first; else empty ones."""
+        """Return the titles from the last comment with titles, angles first; else empty ones."""
         for comment in reversed(self.comments):
             titles = self.split(comment)
             if len(titles) == width and not columns.is_number(titles[0], self.comma):
@@ -172,11 +172,13 @@ class _Reader:
         return [""] * width
 
     def numbers(self, width: int) -> tuple[Any, Any]:
-        """The angles, and a row of intensities for each."""
+        """Return the angles, and a row of intensities for each angle."""
         if width < 2:
-            self.refuse(self.rows[0][0], "one column only", "an angle and an intensity in each row")
+            self.refuse(
+                self.rows[0][0], "there is only one column", "an angle and an intensity in each row"
+            )
         if len(self.rows) < 2:
-            self.refuse(self.rows[0][0], "one row is no table", "two rows or more")
+            self.refuse(self.rows[0][0], "one row is not a table", "two rows or more")
         table = numpy.array([self.row(number, line, width) for number, line in self.rows])
         if doubt := self.decimals.doubt():
             self.refuse(*doubt, columns.MARKS)
@@ -184,7 +186,7 @@ class _Reader:
         for (number, _), angle, before in zip(self.rows[1:], angles[1:], angles, strict=False):
             if angle <= before:
                 self.refuse(
-                    number, f"the angle {angle:g} does not rise, after {before:g}", "rising angles"
+                    number, f"the angles do not rise: {angle:g} after {before:g}", "rising angles"
                 )
         values, self.notes = without_noise(
             values,
@@ -195,7 +197,7 @@ class _Reader:
         return angles, values
 
     def row(self, number: int, line: str, width: int) -> list[float]:
-        """The numbers of a row: at once where they are nothing else, or one by one."""
+        """Return the numbers of a row: at once if all are plain, or one by one."""
         if not self.comma:
             values = columns.numbers_at_once(line, line.split(self.delimiter))
             if values is not None and len(values) == width:
@@ -216,12 +218,12 @@ class _Reader:
         return row_values
 
     def degrees(self, angles: Any, factor: float) -> Any:
-        """The angles in degrees; a factor of 0 stands for a unit that is not declared."""
+        """Return the angles in degrees; a factor of 0 means that their unit is not declared."""
         if not factor:
             if abs(angles).max() <= AS_RADIANS:
                 self.refuse(
                     self.rows[-1][0],
-                    f"angles up to {angles[-1]:g} in a unit that is not declared",
+                    f"the unit of the angles, up to {angles[-1]:g}, is missing",
                     "a title such as angle (deg) or angle (rad)",
                 )
             self.assumptions.append("the angles are in degrees")
@@ -230,22 +232,22 @@ class _Reader:
             line = self.rows[int(abs(degrees).argmax())][0]
             self.refuse(
                 line,
-                f"a polar angle of {degrees[abs(degrees).argmax()]:g} deg",
-                "angles from 0 to 180 deg, or from -180 to 180 deg; a spectrum is no distribution",
+                f"a polar angle of {degrees[abs(degrees).argmax()]:g} deg is out of range",
+                "angles from 0 to 180 deg, or from -180 to 180 deg; not a spectrum",
             )
         return numpy.clip(degrees, -FLAT, FLAT)
 
     def units(self, titled_columns: Sequence[column_titles.Column]) -> tuple[str, Any]:
-        """The kind of light, and what the values of each column are multiplied by."""
+        """Return the kind of light, and the factor for the values of each column."""
         declared = [column.unit for column in titled_columns if column.unit]
         common = None if declared else column_titles.in_comments(self.comments)
         if common:
-            self.assumptions.append(f"intensities in {quote(common.text)}, as a comment says")
+            self.assumptions.append(f"intensities in {quote(common.text)}, according to a comment")
         elif not declared:
             self.assumptions.append("relative intensities: the titles have no unit, such as cd")
         units = [common] * len(titled_columns) if common else declared
         if len(units) not in (0, len(titled_columns)):
-            raise ConditionError("some columns have a unit and others none", "one for each")
+            raise ConditionError("some columns have a unit, others do not", "one for each")
         facts = [facts_of(unit) for unit in units if unit]
         kinds = {fact.kind for fact in facts if fact} or {""}
         if len(kinds) > 1:
@@ -255,7 +257,7 @@ class _Reader:
     def planes(
         self, titles: Sequence[str], titled_columns: Sequence[column_titles.Column], head: int
     ) -> Any:
-        """The C planes of the columns [deg]."""
+        """Return the C planes of the columns [deg]."""
         if len(titled_columns) == 1 and titled_columns[0].plane is None:
             return numpy.zeros(1)
         unknown = [
@@ -278,22 +280,22 @@ class _Reader:
         for column in titled_columns:
             if column.opposite is not None and column.opposite - (column.plane or 0) != FLAT:
                 title = f"C{column.plane:g}-C{column.opposite:g}"
-                self.refuse(head, f"{title} is no plane through the axis", "such as C0-C180")
+                self.refuse(head, f"{title} is not a plane through the axis", "such as C0-C180")
         return planes
 
     def cuts(self, degrees: Any, planes: Any, values: Any) -> tuple[Any, Any, Any]:
-        """Half planes of cuts through the axis: what is negative is opposite."""
+        """Return the half planes of cuts through the axis: negative angles are opposite."""
         if abs(degrees[0] + degrees[-1]) > SLACK:
             self.refuse(
                 self.rows[-1][0],
-                f"angles from {degrees[0]:g} to {degrees[-1]:g} deg",
+                f"the angles go from {degrees[0]:g} to {degrees[-1]:g} deg",
                 "as far on both sides of the axis, or from 0 up",
             )
         if planes[-1] - planes[0] >= FLAT:
             self.refuse(
                 self.rows[0][0],
-                f"a negative angle, where the planes C{planes[0]:g} to C{planes[-1]:g} already "
-                "have both sides of the axis",
+                f"an angle is negative, but the planes C{planes[0]:g} to C{planes[-1]:g} already "
+                "cover both sides of the axis",
                 "angles from 0 up, or planes from C0 to below C180",
             )
         polar = numpy.unique(numpy.append(abs(degrees), 0.0))
@@ -304,19 +306,19 @@ class _Reader:
         azimuths = numpy.concatenate([planes, planes + FLAT])
         order = numpy.argsort(azimuths)
         self.assumptions.append(
-            "each column is a cut through the axis: negative angles are in the half plane opposite"
+            "each column is a cut through the axis: negative angles are in the opposite half plane"
         )
         return polar, azimuths[order], numpy.concatenate(sides)[order]
 
     def around(self, planes: Any, rows: Any) -> tuple[Any, Any]:
-        """The planes of the whole circle [deg], and their values."""
+        """Return the planes of the whole circle [deg], and their values."""
         if len(planes) == 1:
-            self.assumptions.append("the one column stands for every plane through the axis")
+            self.assumptions.append("the only column represents every plane through the axis")
             return numpy.zeros(1), rows
         span = planes[-1] - planes[0]
         if span in (FLAT / 2, FLAT) and planes[0] % (FLAT / 2) == 0:
             self.assumptions.append(
-                f"the planes C{planes[0]:g} to C{planes[-1]:g} stand for their mirror images too"
+                f"the planes C{planes[0]:g} to C{planes[-1]:g} also represent their mirror images"
             )
             return mirrored(planes, rows)
         return closed(planes, rows)

@@ -61,7 +61,7 @@ def readable(path: str, expected: str) -> Iterator[str]:
     """
     name = quote_path(path)
     if "\0" in path:
-        raise ConditionError(f"cannot read {name}: no name of a file", expected)
+        raise ConditionError(f"cannot read {name}: not a file name", expected)
     try:
         yield name
     except OSError as error:

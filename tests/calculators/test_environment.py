@@ -103,8 +103,8 @@ def test_how_a_map_is_turned_whose_middle_is_straight_up_is_said(tmp_path):
     for aim in ("0,0,1", "0,0,-1"):
         done = run("environment", path, "--unit", "1", "--aim", aim, "-g", "peak-azimuth:deg")
         assert float(done.stdout) == pytest.approx(90, abs=4)
-        assert "pixels, whose left is towards +y\n" in done.stderr
-    assert "whose left" not in run("environment", path, "--unit", "1", "--aim", "0,1,1").stderr
+        assert "pixels, with +y on the left\n" in done.stderr
+    assert "on the left" not in run("environment", path, "--unit", "1", "--aim", "0,1,1").stderr
 
 
 def test_answers_to_a_list_of_directions_have_the_direction():
@@ -225,7 +225,7 @@ def test_the_unit_of_a_map_is_its_own_or_given(tmp_path):
     assert asked(said, "-g", "irradiance:lx") == pytest.approx([math.pi])
     done = run("environment", said, "--unit", "W/m2/sr", "-g", "irradiance:W/m2")
     assert float(done.stdout) == pytest.approx(math.pi)
-    assert "says that it is in cd/m2" in done.stderr
+    assert "the map is in cd/m2; it is read as in W/m2/sr" in done.stderr
     assert asked(said, "--unit", "umol/m2/s/sr", "-g", "irradiance:umol/m2/s") == (
         pytest.approx([math.pi])
     )
@@ -252,18 +252,18 @@ def test_a_map_that_says_what_it_is_is_believed_aloud_or_overruled_aloud(tmp_pat
     pixels[4, 4] = 2
     write_picture(path, Picture(pixels, ("Y",), (1.0,), "", "cd/m2", "angular"))
     done = run("environment", path)
-    assert "assumed: the map says that it is angular and in cd/m2\n" in done.stderr
+    assert "assumed: according to its file, the map is angular and in cd/m2\n" in done.stderr
     assert "note: " not in done.stderr
     for words, noted in (
-        ("--projection mirror-ball", "is angular, and is taken as mirror-ball"),
-        ("--unit W/m2/sr", "is in cd/m2, and is taken as in W/m2/sr"),
-        ("--unit 1", "is in cd/m2, and is taken as relative"),
+        ("--projection mirror-ball", "is angular; it is read as mirror-ball"),
+        ("--unit W/m2/sr", "is in cd/m2; it is read as in W/m2/sr"),
+        ("--unit 1", "is in cd/m2; it is read as relative"),
     ):
         done = run("environment", path, *words.split())
-        assert f"note: the map says that it {noted}\n" in done.stderr
+        assert f"note: according to its file, the map {noted}\n" in done.stderr
         assert "so in cd/m2" not in done.stderr
     assert (
-        "the map says"
+        "according to its file"
         not in run("environment", path, "--projection", "angular", "--unit", "cd/m2").stderr
     )
 
@@ -286,13 +286,18 @@ def test_the_derivation_tells_how_channels_are_weighted(tmp_path):
 @pytest.mark.parametrize(
     ("shape", "words", "message", "hint"),
     [
-        ((16, 32), "", "does not say in which unit", "--unit cd/m2, --unit W/m2/sr, or --unit 1"),
-        ((16, 32), "--unit lx", "a map has radiances, and that is illuminance", "--unit cd/m2"),
+        (
+            (16, 32),
+            "",
+            "the unit of the map is missing",
+            "--unit cd/m2, --unit W/m2/sr, or --unit 1",
+        ),
+        ((16, 32), "--unit lx", "a map has radiances, but that is illuminance", "--unit cd/m2"),
         ((16, 32), "--unit W/m2", "that is irradiance (W/m2)", "--unit W/m2/sr"),
         ((16, 32), "--unit umol/m2/s", "photon irradiance", "--unit umol/m2/s/sr"),
         ((16, 32), "--unit m", "that is length", "--unit cd/m2"),
         ((16, 32), "--unit 3", "has a number in it", ""),
-        ((16, 16), "--unit 1", "may have several", "--projection mirror-ball or"),
+        ((16, 16), "--unit 1", "pixels fit several", "--projection mirror-ball or"),
         ((16, 20), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
         ((16, 64), "--unit 1", "no latlong map", "a latlong map, which is twice as wide as high"),
         ((12, 16), "--unit 1", "look like a map on a cube", "a latlong map"),
@@ -401,10 +406,10 @@ def test_masked_pixels_are_refused_and_a_mask_that_hides_nothing_is_not():
 @pytest.mark.parametrize(
     ("source", "given", "message"),
     [
-        (numpy.ones((16, 32)), {}, "does not say in which unit"),
-        (numpy.ones((16, 32, 4)), {"unit": "1"}, "are no map"),
-        (7, {"unit": "1"}, "are no map"),
-        (numpy.ones((16, 16)), {"unit": "1"}, "may have several projections"),
+        (numpy.ones((16, 32)), {}, "the unit of the map is missing"),
+        (numpy.ones((16, 32, 4)), {"unit": "1"}, "are not a map"),
+        (7, {"unit": "1"}, "are not a map"),
+        (numpy.ones((16, 16)), {"unit": "1"}, "pixels fit several"),
         (radcalc.Quantity(numpy.ones((16, 32)), "lx"), {}, "a map has radiances"),
         (radcalc.Quantity(numpy.ones((16, 32)), "cd/m2"), {"unit": "cd/m2"}, "has its own"),
         (numpy.full((16, 32), -1.0), {"unit": "1"}, "column 0 of row 0"),
@@ -458,7 +463,7 @@ def test_an_irradiance_map_of_a_constant_is_pi_of_it_everywhere(tmp_path):
     for unit in ([], ["--unit", "cd/m2"], ["--unit", "1"]):
         again = run("environment", made, *unit)
         assert (again.returncode, again.stdout) == (2, "")
-        assert "the map says that it is in lx: that is illuminance" in again.stderr
+        assert "the map is in lx by its file, and that is illuminance" in again.stderr
 
 
 def test_the_pixels_of_an_irradiance_map_are_the_irradiances_of_their_normals(tmp_path):
@@ -542,7 +547,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
     ("words", "message", "hint"),
     [
         ("--irradiance-map {}.png", "not written as .png", ".hdr"),
-        ("--irradiance-map no/{}.hdr", "no folder", "another place"),
+        ("--irradiance-map no/{}.hdr", "does not exist", "another place"),
         (
             "--irradiance-map {}.hdr --size 30x30",
             "--size 30x30 is not twice as wide",

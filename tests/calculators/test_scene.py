@@ -131,7 +131,7 @@ BAD = {
         "line 2, column 'direction_x': 0,0,0 has no direction", "a vector other than 0"
     ),
     "x,y,z,distribution,flux\n0,0,2,lob,8lm\n": ("line 2, column 'distribution': 'lob'", "lobe"),
-    "x,y,z,distribution,flux\n0,0,2,lamp.ies,8lm\n": ("there is no file", "path"),
+    "x,y,z,distribution,flux\n0,0,2,lamp.ies,8lm\n": ("no such file", "path"),
     "x,y,z,distribution,flux\n0,0,2,lobe,8lm\n": ("line 2: a lobe has no width", "exponent or"),
     "x,y,z,distribution,half_angle,flux\n0,0,2,lobe,9deg,8lm\n": ("not apply to lobe", "blank"),
     "x,y,z,half_angle,exponent,flux\n0,0,2,9deg,2,8lm\n": ("columns of cone and of lobe", "one"),

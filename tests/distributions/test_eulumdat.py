@@ -124,7 +124,7 @@ def test_a_negative_number_of_lamps_is_absolute_photometry():
     assert not [*found.notes, *found.contradictions()]
     said = read(written(even, 1, [0.0], sets=[(-1, "LED", 1300, "", "", 9)]), "lamp.ldt")
     assert [*said.contradictions()] == [
-        "the file declares a luminaire of 1300 lm, and its intensities have 1257 lm"
+        "the file declares a luminaire of 1300 lm, but its intensities give 1257 lm"
     ]
 
 
@@ -167,31 +167,32 @@ def changed(number, text, **other):
 REFUSED = {
     "a step that contradicts the planes": (changed(5, "10"), "line 44: the angle C 15"),
     "a step that contradicts gamma": (changed(7, "2.5"), "line 68: the angle gamma 5"),
-    "a symmetry that there is not": (changed(3, "5"), "line 3: '5' instead of the symmetry Isym"),
-    "half a plane": (changed(4, "23.5"), "line 4: 23.5 instead of the number Mc"),
-    "too few planes": (changed(4, "23"), "the angle gamma 1 of 37"),
-    "too many angles": (changed(6, "38"), "line 104: the angle gamma 100 deg does not rise"),
+    "a symmetry that there is not": (changed(3, "5"), "line 3: '5' is not a valid symmetry Isym"),
+    "half a plane": (changed(4, "23.5"), "line 4: 23.5 is not a valid number Mc"),
+    "too few planes": (changed(4, "23"), "a valid angle gamma 1 of 37"),
+    "too many angles": (changed(6, "38"), "line 104: the gamma angles do not rise: 100 deg"),
     "planes no symmetry divides": (changed(4, "22", symmetry=4), "line 4: Mc is 22"),
-    "no conversion": (changed(24, "0"), "line 24: a conversion factor of 0"),
-    "a negative factor": (changed(24, "-1"), "line 24: '-1' instead of the conversion factor"),
+    "no conversion": (changed(24, "0"), "line 24: the conversion factor is 0"),
+    "a negative factor": (changed(24, "-1"), "line 24: '-1' is not a valid conversion factor"),
     "lamps of no flux": (changed(29, "0"), "line 29: the first lamp set has 0 lm"),
-    "no lamps": (changed(26, "0"), "line 26: '0' instead of the number of lamp sets"),
-    "equal planes": (changed(44, "0"), "line 44: the angle C 0 deg does not rise"),
-    "falling gammas": (changed(69, "4"), "line 69: the angle gamma 4 deg does not rise"),
-    "a plane beyond the circle": (changed(66, "361"), "line 66: '361' instead of the angle C 24"),
-    "NaN": (changed(200, "nan"), "line 200: 'nan' instead of the intensity"),
-    "infinity": (changed(200, "inf"), "line 200: 'inf' instead of the intensity"),
-    "a negative intensity": (changed(200, "-3"), "line 200: an intensity of -3"),
-    "a word": (changed(200, "much"), "line 200: 'much' instead of the intensity"),
+    "no lamps": (changed(26, "0"), "line 26: '0' is not a valid number of lamp sets"),
+    "equal planes": (changed(44, "0"), "line 44: the C angles do not rise: 0 deg"),
+    "falling gammas": (changed(69, "4"), "line 69: the gamma angles do not rise: 4 deg"),
+    "a plane beyond the circle": (changed(66, "361"), "line 66: '361' is not a valid angle C 24"),
+    "NaN": (changed(200, "nan"), "line 200: 'nan' is not a valid intensity"),
+    "infinity": (changed(200, "inf"), "line 200: 'inf' is not a valid intensity"),
+    "a negative intensity": (changed(200, "-3"), "line 200: the intensity -3 is negative"),
+    "a word": (changed(200, "much"), "line 200: 'much' is not a valid intensity"),
     "other digits": (changed(200, "١٠"), "line 200: "),
-    "a gap": (changed(200, ""), "line 200: '' instead of the intensity"),
-    "data behind": ([*written(even), "", "7"], "line 993: '7' behind the last intensity"),
+    "a gap": (changed(200, ""), "line 200: '' is not a valid intensity"),
+    "data behind": ([*written(even), "", "7"], "line 993: '7' follows the last intensity"),
     "darkness": (written(lambda c, g: 0.0), "no intensity is above 0"),
     "half of the planes": (
-        written(even, 0, ALL_AROUND[:12]), "line 54: the planes end at 165 deg, which leaves"
+        written(even, 0, ALL_AROUND[:12]), "line 54: the planes end at 165 deg, and 195 deg"
     ),
     "planes on one side": (
-        written(even, 2, [0, 100, 170, 280], steps=(0, 5)), "line 45: the plane C170 stands where"
+        written(even, 2, [0, 100, 170, 280], steps=(0, 5)),
+        "line 45: the plane C170 is listed where"
     ),
     "a plane without its image": (
         changed(58, "226", symmetry=4, steps=(0, 5)), "line 58: the plane C226 is listed where"
@@ -202,8 +203,8 @@ REFUSED = {
         "line 29: '1,000' may be a thousand or a decimal",
     ),
     "too short": (written(even)[:-11], "line 980: the file ends here, before its intensity 27"),
-    "a flux of no lamp": (changed(29, "1e200"), "line 29: '1e200' instead of the luminous flux"),
-    "light of no lamp": (changed(200, "1e200"), "line 200: an intensity of more than 1e100"),
+    "a flux of no lamp": (changed(29, "1e200"), "line 29: '1e200' is not a valid luminous flux"),
+    "light of no lamp": (changed(200, "1e200"), "line 200: an intensity is above 1e100"),
     "nothing": ([""], "line 1: the file ends here, before its company"),
 }  # fmt: skip
 

@@ -123,10 +123,10 @@ REFUSED = {
     "blanks": (b"\n \n\xef\xbb\xbf"[:3], "is empty"),
     "UTF-16": (IES.encode("utf-16"), "is text in UTF-16"),
     "UTF-16 the other way": (b"\xfe\xff" + IES.encode("utf-16-be"), "is text in UTF-16"),
-    "UTF-16 without its mark": (IES.encode("utf-16-le"), "is no text: a byte of 0 at 1"),
-    "a picture": (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "is no text: a byte of 0"),
-    "an archive": (b"PK\x03\x04\x14\x00", "is no text: a byte of 3 at 2"),
-    "compressed": (b"\x1f\x8b\x08\x00", "is no text: a byte of 31 at 0"),
+    "UTF-16 without its mark": (IES.encode("utf-16-le"), "is not text: byte 1 is 0"),
+    "a picture": (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "is not text: byte 8 is 0"),
+    "an archive": (b"PK\x03\x04\x14\x00", "is not text: byte 2 is 3"),
+    "compressed": (b"\x1f\x8b\x08\x00", "is not text: byte 0 is 31"),
     "XML": ("<?xml version='1.0'?>\n<a/>", "is XML or HTML"),
     "JSON": ('{"a": 1}', "is JSON"),
     "prose": ("Dear all,\n\nthe lamp is bright.\n", "begins with 'Dear all,'"),
@@ -153,10 +153,10 @@ def test_anything_else_is_refused(data, message, written):
         (
             "lamp.ldt",
             LDT.replace("Lamps\n1\n1", "Lamps\n1\n9", 1),
-            "line 3: '9' instead",
+            "line 3: '9' is not a valid",
         ),
-        ("lamp.ldt", "\n".join(LDT.split("\n")[1:]), "line 4: '0' instead of the number Mc"),
-        ("lamp.csv", "gamma\n0\n9\n", "one column only"),
+        ("lamp.ldt", "\n".join(LDT.split("\n")[1:]), "line 4: '0' is not a valid number Mc"),
+        ("lamp.csv", "gamma\n0\n9\n", "there is only one column"),
         ("lamp.csv", "gamma,I\nx,1\n0,1\n", "line 2: 'x' in column 1 is not an angle"),
     ],
 )
@@ -170,7 +170,7 @@ def test_what_is_no_file_is_refused(tmp_path):
     for path, message in (
         (str(tmp_path), "Is a directory"),
         (str(tmp_path / "none.ies"), "No such file"),
-        ("a\0b.ies", "no name of a file"),
+        ("a\0b.ies", "not a file name"),
         ("/dev/zero", "a pipe or a device"),
         ("/dev/null", "a pipe or a device"),
     ):

@@ -34,14 +34,14 @@ def test_an_expression_may_have_a_unit(text, kind, on_axis):
     ("text", "said"),
     [
         ("100 cos(theta)", "not an expression"),
-        ("cos(theta) lm", "'lm' behind the expression is luminous flux (lm), not an intensity"),
+        ("cos(theta) lm", "'lm' after the expression is luminous flux (lm), not an intensity"),
         ("cos(theta) foo", "unknown unit 'foo'"),
-        ("lobee", "no distribution that radcalc knows"),
-        ("lamp.ies", "there is no file 'lamp.ies'"),
-        ("./lamp", "there is no file './lamp'"),
-        (Path("lamp"), "there is no file 'lamp'"),
-        ("", "no distribution"),
-        (5.0, "no distribution"),
+        ("lobee", "unknown distribution 'lobee' (and no such file)"),
+        ("lamp.ies", "cannot read 'lamp.ies': no such file"),
+        ("./lamp", "cannot read './lamp': no such file"),
+        (Path("lamp"), "cannot read 'lamp': no such file"),
+        ("", "not a distribution"),
+        (5.0, "not a distribution"),
     ],
 )
 def test_what_is_neither_a_file_nor_an_expression_is_refused(text, said):

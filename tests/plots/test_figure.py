@@ -90,7 +90,7 @@ sys.exit(run(sys.argv[1:]))
     ("place", "said"),
     [
         ("a.pdf", "figures are not written as .pdf"),
-        ("none/a.svg", "there is no folder"),
+        ("none/a.svg", "does not exist"),
         ("folder.svg", "a folder, a pipe or a device"),
         ("folder/", "figures are not written without an extension"),
     ],

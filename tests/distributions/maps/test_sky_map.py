@@ -126,7 +126,7 @@ def test_a_saved_map(tmp_path, extension):
         ("overcast --zenith-luminance 1cd/m2 --save {}.png", "not written as .png"),
         ("overcast --zenith-luminance 1e40cd/m2 --save {}", "no values of more than 3e+38 cd/m2"),
         ("overcast --zenith-luminance 1e-40cd/m2 --save {}", "would be all but black"),
-        ("overcast --zenith-luminance 1cd/m2 --save no/{}", "no folder"),
+        ("overcast --zenith-luminance 1cd/m2 --save no/{}", "does not exist"),
         ("overcast --zenith-luminance 1cd/m2,2cd/m2 --save {}", "one map is written at a time"),
         ("overcast --zenith-luminance 1cd/m2 --size 4x2", "--size does not apply without --save"),
         ("overcast --zenith-luminance 1cd/m2 --size 4x3 --save {}", "--size 6x3"),
