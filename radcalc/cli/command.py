@@ -2,16 +2,19 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
+from functools import cache
+from importlib import import_module
 from typing import Any
 
 import click
 
 from radcalc.calculators.page import Page, words_of
+from radcalc.calculators.task import Task
 from radcalc.cli import check, options
 from radcalc.cli.help import Helped
 from radcalc.cli.request import TO_TERMINAL
 from radcalc.cli.spelling import Shell, spelled
-from radcalc.errors import UsageError, mention, quote
+from radcalc.errors import UsageError, command, mention, quote
 from radcalc.quantities.symbols import CHOICE, FLAG, SPECIFIC, Symbol, light_unit, names_of_kinds
 
 GET = click.Option(
@@ -107,6 +110,35 @@ def define(
         )
 
     return decorate
+
+
+@cache
+def of_page(name: str) -> "SectionedCommand":
+    """Make a command of a calculator's page.
+
+    The calculation is the function of the command's name, or the task that the function `task` of
+    the same module makes of the words of a call.
+    """
+    module = import_module(f"radcalc.calculators.{name.replace('-', '_')}")
+    page = module.PAGE
+
+    def calculate(
+        typed: dict[str, Any], request: Any, output: options.Output, words: Sequence[str] = ()
+    ) -> int:
+        from radcalc.cli.calculator import run
+        from radcalc.cli.cases import at_points, cases
+
+        all_cases = cases(typed, intervals=page.intervals, bare=page.bare)
+        if hasattr(module, "task"):
+            return run(all_cases, module.task(words, request.wants), request, output)
+        if page.operand and not words:
+            example, _ = words_of(page.examples[0])
+            raise UsageError(f"a {page.operand.name} is missing", command(name, *example))
+        if page.operand:
+            all_cases = at_points(all_cases, page.operand.name, words)
+        return run(all_cases, Task(name, getattr(module, name.replace("-", "_"))), request, output)
+
+    return define(name, page)(calculate)
 
 
 class SymbolOption(click.Option):

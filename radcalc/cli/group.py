@@ -44,7 +44,7 @@ class Commands(Helped, click.Group):
         except ModuleNotFoundError as error:
             if error.name != module_name:
                 raise
-            from radcalc.cli.pages import of_page
+            from radcalc.cli.command import of_page
 
             command = of_page(cmd_name)  # a calculator's page says all that there is to it
         command.short_help = COMMANDS[cmd_name]

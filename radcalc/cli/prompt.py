@@ -32,7 +32,7 @@ LONGEST = 1 << 20  # bytes of a line, and of the history that is read again
 WORST = (terminal.BUG, terminal.FAILED, terminal.WRONG)  # of the statuses of lines
 WARM = (  # what the first answers need
     "radcalc.cli.convert",
-    "radcalc.cli.pages",
+    "radcalc.cli.command",
     "radcalc.calculators.point_source",
     "radcalc.render.table",
     "radcalc.cli.calculator",

@@ -61,18 +61,33 @@ def convert(
         is_bare = output.style.bare or (layout.lines and layout.adds)
         unit = "" if is_bare else blank + target.text
         texts = Quantities(conversion.plan, unit.encode(), output.style.precision, layout.mark)
-
-    def record(line: int, field: int | None, planned: Plan, value: float) -> str:
-        place = _place(line, field)
-        if header and (title := header.new_titles.get(field) or header.title_of()):
-            place["column"] = title
-        return conversion.record(place, planned, value)
-
-    write_record = record if conversion.as_json else None
-    return layout.run(texts, header, write_record, terminal.pour, options.invalid)
+    record = conversion.record if conversion.as_json else None
+    return layout.run(texts, header, record, terminal.pour, options.invalid)
 
 
-class _Conversion:
+class _Work:
+    """What converting and calculating have in common: the layout of lines, and what is shown."""
+
+    def __init__(self, layout: "Layout", output: Output) -> None:
+        self.layout = layout
+        self.style = output.style
+        self.as_json = output.format == JSON
+
+    def say(self, texts: Sequence[str]) -> None:
+        """Say remarks where there are any."""
+        if self.style.remarks and not self.as_json:
+            terminal.say(list(map(spelled, texts)))
+
+    def line_of(self, result: Result, line: int, field: int | None, column: str = "") -> str:
+        """Return the JSON of the answer to a number, with its place in standard input."""
+        from radcalc.render import json
+
+        place = {"line": line, "field": field, "column": column}
+        known = {name: value for name, value in place.items() if value}
+        return json.line(result.spelled(spelled), self.style, known)
+
+
+class _Conversion(_Work):
     """The plans of a stream, one for each unit of its lines, and the remarks on them."""
 
     def __init__(
@@ -83,12 +98,11 @@ class _Conversion:
         given: Sequence[Input],
         output: Output,
     ) -> None:
-        self.layout = layout
+        super().__init__(layout, output)
         self.source = source
         self.target = target
         self.given = given
-        self.style = output.style
-        self.as_json = output.format == JSON
+        self.titles: Header | None = None
         self.already_said: set[str] = set()
 
     def plan(self, unit: Unit, *assumptions: str) -> Plan:
@@ -116,7 +130,7 @@ class _Conversion:
             self._remark((), (text,))
 
         layout = self.layout
-        return Header(
+        self.titles = Header(
             layout.cut,
             self.source,
             self.target,
@@ -126,15 +140,15 @@ class _Conversion:
             layout.name,
             layout.adds,
         )
+        return self.titles
 
-    def record(self, place: dict[str, object], planned: Plan, value: float) -> str:
+    def record(self, line: int, field: int | None, planned: Plan, value: float) -> str:
         """Return the JSON of a number's answer."""
-        from radcalc.render import json
-
         conditions = shown_inputs({given.name: given for given in self.given})
         inputs = (ShownInput("value", value, planned.source.text), *conditions)
-        result = answer(planned, value, inputs=inputs).spelled(spelled)
-        return json.line(result, self.style, place)
+        titles = self.titles
+        title = (titles.new_titles.get(field) or titles.title_of()) if titles else ""
+        return self.line_of(answer(planned, value, inputs=inputs), line, field, title)
 
     def _titled(self, unit: Unit) -> "tuple[Texts, Unit]":
         """Return the reader of numbers whose unit is in their title."""
@@ -148,11 +162,9 @@ class _Conversion:
 
     def _remark(self, assumptions: Sequence[str], notes: Sequence[str]) -> None:
         """Say assumptions and notes, each once."""
-        if self.style.remarks and not self.as_json:
-            texts = terminal.remarks(assumptions, notes)
-            new = [text for text in dict.fromkeys(texts) if text not in self.already_said]
-            terminal.say(list(map(spelled, new)))
-            self.already_said.update(texts)
+        texts = terminal.remarks(assumptions, notes)
+        self.say([text for text in dict.fromkeys(texts) if text not in self.already_said])
+        self.already_said.update(texts)
 
 
 def calculate(
@@ -183,7 +195,7 @@ def calculate(
     return status
 
 
-class _Calculation:
+class _Calculation(_Work):
     """The answers of a calculator to lines, and the remarks on them."""
 
     def __init__(
@@ -197,21 +209,14 @@ class _Calculation:
     ) -> None:
         from radcalc.streams.remarks import Remarks
 
+        super().__init__(layout, output)
         self.case = case
         self.source = source
         self.task = task
         self.wanted = wanted
-        self.layout = layout
-        self.style = output.style
-        self.as_json = output.format == JSON
         self.has_titles = bool(layout.lines) and not self.as_json
         self.target: Unit | None = None  # of the results, which a title has
         self.remarks = Remarks()
-
-    def say(self, texts: Sequence[str]) -> None:
-        """Say remarks where there are any."""
-        if self.style.remarks and not self.as_json:
-            terminal.say(list(map(spelled, texts)))
 
     def write(self, data: bytes) -> None:
         """Write answers after the remarks on them."""
@@ -254,14 +259,13 @@ class _Calculation:
     def record(self, line: int, field: int | None, given: Input, line_answer: "LineAnswer") -> str:
         """Return the JSON of a line's answer."""
         from radcalc.calculators.results import rows
-        from radcalc.render import json
 
         inputs = (*self.task.operands, *shown_inputs(self.case.of_line(given)))
         answer = line_answer.answer
         chosen = line_answer.rows if self.wanted else rows(answer.values)
         remarks = tuple(answer.assumptions), tuple(answer.notes)
         result = Result(tuple(chosen), *remarks, inputs=inputs)
-        return json.line(result.spelled(spelled), self.style, _place(line, field))
+        return self.line_of(result, line, field)
 
     def _of_value(self, given: Input) -> Answer:
         return self.task.nominal(self.case.of_line(given))
@@ -423,11 +427,6 @@ def _refuse_contradictions(options: LineOptions, lines: int, has_unit: bool) -> 
             "--field needs --delimiter where the lines carry their own units",
             "--delimiter X, which says what cuts the fields",
         )
-
-
-def _place(line: int, field: int | None) -> dict[str, object]:
-    """Return the place of a number in standard input, as JSON has it."""
-    return {"line": line, "field": field} if field else {"line": line}
 
 
 def _given(cases: Sequence[Case], steps: bool) -> Sequence[Input]:

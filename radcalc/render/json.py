@@ -24,7 +24,7 @@ def results(results: Sequence[Result], style: Style) -> str:
     return f"[{together}]\n" if is_list else f"{together}\n"
 
 
-def line(result: Result, style: Style, place: dict[str, object]) -> str:
+def line(result: Result, style: Style, place: Mapping[str, object]) -> str:
     """One object of a stream, on a line: it begins with its `place`: line, field, column."""
     return f"{_text({**place, **_of_result(result, style)})}\n"
 
