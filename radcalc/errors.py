@@ -249,7 +249,7 @@ class MissingUnit(ConditionError):
     """A bare number for a symbol that has a unit; `written` is the number with a likely one."""
 
     def __init__(self, symbol: str, text: str, written: str) -> None:
-        super().__init__(f"{option(symbol, text)} has no unit", option(symbol, written))
+        super().__init__(f"the unit of {option(symbol, text)} is missing", option(symbol, written))
         self.symbol, self.text, self.written = symbol, text, written
 
 

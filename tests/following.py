@@ -223,8 +223,8 @@ def candidates(words: Words, error: RadcalcError) -> list[list[Words]] | None:
         return [list(_scaled(words, text, tokens))]
     if steps := re.findall(r"<(\d+)> and then <(\d+)>", text):
         return [[_in_two(words, tokens[int(a)], tokens[int(b)])] for a, b in steps]  # type: ignore[arg-type]
-    if "no option" in message and "<" in text:
-        wrong = re.findall(r"'(-[^']*)'", error.message)[0]
+    if (found := re.search(r"has no (-\S+) option", error.message)) and "<" in text:
+        wrong = found[1]
         if mentioned:
             named = [t for t in tokens if isinstance(t, Option)]
             put_in = [[t.name, t.value] if t.value else [t.name] for t in named]

@@ -159,10 +159,11 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("more is missing", "--radius or --receiver-area"),
         ("more is missing", "radius or receiver-area"),
         ("more is missing", "radius or receiver_area")),
-    "a missing unit is written behind the number": (
+    "a missing unit is written after the number": (
         lambda: MissingUnit("distance", "2", "2m"),
-        ("--distance 2 has no unit", "--distance 2m"), ("distance 2 has no unit", "distance 2m"),
-        ('distance="2" has no unit', 'distance="2 m"')),
+        ("the unit of --distance 2 is missing", "--distance 2m"),
+        ("the unit of distance 2 is missing", "distance 2m"),
+        ('the unit of distance="2" is missing', 'distance="2 m"')),
     "what does not apply is left out": (
         lambda: Unused(("off-axis",), "to a disc"),
         ("--off-axis does not apply to a disc", "the same without --off-axis"),
@@ -173,12 +174,12 @@ ERRORS: dict[str, tuple[Callable[[], RadcalcError], Said, Said, Said]] = {
         ("--time and --width do not apply here", "the same without --time and --width"),
         ("time and width do not apply here", "the same without time and width"),
         ("time and width do not apply here", "the same without time and width")),
-    "what nothing follows from is told what would change that": (
-        lambda: Idle(f"nothing follows from {option('half-angle', '30deg')}",
+    "what is not enough alone gets the inputs that would do": (
+        lambda: Idle(f"{option('half-angle', '30deg')} alone is not enough",
                      f"with it, {options(('flux', 'off-axis'))}"),
-        ("nothing follows from --half-angle 30deg", "with it, --flux or --off-axis"),
-        ("nothing follows from half-angle 30deg", "with it, flux or off-axis"),
-        ('nothing follows from half_angle="30 deg"', "with it, flux or off_axis")),
+        ("--half-angle 30deg alone is not enough", "with it, --flux or --off-axis"),
+        ("half-angle 30deg alone is not enough", "with it, flux or off-axis"),
+        ('half_angle="30 deg" alone is not enough', "with it, flux or off_axis")),
     "what is out of range gets its limits": (
         lambda: Impossible("half-angle", "181deg", "at most 180 deg", "a turn"),
         ("--half-angle 181deg is out of range: a turn", "at most 180 deg"),

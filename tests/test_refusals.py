@@ -137,9 +137,9 @@ CONVERSIONS = {
     "a negative exponent is out of range": (
         "lm", "cd", {"exponent": "-1"}, "out of range", "0 or more"),
     "a distance without a unit is refused": (
-        "cd", "lx", {"distance": "2"}, "--distance 2 has no unit", "2m"),
+        "cd", "lx", {"distance": "2"}, "the unit of --distance 2 is missing", "2m"),
     "a wavelength without a unit is refused": (
-        "W", "lm", {"wavelength": "555"}, "has no unit", "555nm"),
+        "W", "lm", {"wavelength": "555"}, "the unit of", "555nm"),
     "seconds are no distance": (
         "cd", "lx", {"distance": "2s"}, "takes a length, not time (s)", "--distance 2m"),
     "an area nearer than five times its size is no small receiver": (
@@ -239,7 +239,7 @@ COMMANDS = {
         "--check exitance=628lm/m2 lambertian --luminance 200cd/m2", "'--check' is before it",
         "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),
     "an option of another command before one is none of it": (
-        "--f-number 2.8 convert 100 lx fc", "there is no option '--f-number'"),
+        "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
     "a conversion has one result, and needs no name of it": (
         "convert 100 lx fc --get illuminance", "one result, and no --get", "-n"),
     "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
@@ -265,7 +265,7 @@ COMMANDS = {
         "ev --iso 100", "--ev100, --luminance, --illuminance or --f-number"),
     "an angle beside an illuminance alone does not apply, and the angle is named": (
         "point-source --illuminance 100lx --half-angle 30deg --time 1h",
-        "nothing follows from --half-angle 30deg", "--flux"),
+        "--half-angle 30deg needs further inputs", "--flux"),
     "a mass alone is unused": ("calorimeter --mass 10g", "--mass 10g", "with it, --specific-heat"),
     # contradictions: both values and the ratio; 800/(16 pi) = 15.9155, 20/15.9155 = 1.25664
     "an illuminance that contradicts a flux at its distance is refused with the ratio": (
@@ -599,7 +599,7 @@ STREAMS = {
     "a field of lines with their own units needs a delimiter": (
         ("fc", "--field", "1"), "--field needs --delimiter"),
     "a column between blanks without a unit needs one": (
-        ("fc", "--column", "a"), "the header of stdin has no unit for 'a'"),
+        ("fc", "--column", "a"), "the unit of 'a' is missing in the header of stdin"),
     "a column that is added and renamed is refused": (
         ("lx", "fc", "--header", "--add", "b", "--rename", "c"), "cannot be used with"),
     "a title is for a column that has one": (

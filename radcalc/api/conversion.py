@@ -276,7 +276,7 @@ def _plan_of(source: Unit | None, target: str, given: list[Input]) -> Plan:
     start = source or resolve("1")
     target_unit = target_of(target, start)
     if source is None and target_unit.dimension != start.dimension and not target_unit.is_scale:
-        problem = f"the value has no unit, and {describe(target_unit)} is wanted"
+        problem = f"the unit of the value is missing: the target is {describe(target_unit)}"
         raise ConversionError(problem, f'a text such as "100 lx", or {WITH_UNIT}')
     return plan(start, target_unit, given)
 

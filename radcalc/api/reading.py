@@ -179,5 +179,5 @@ def broadcast(work_out: Callable[[], T]) -> T:
 def one_of(word: object, names: Sequence[str] | Mapping[str, Any], what: str) -> str:
     """A word that is one of several names."""
     if not isinstance(word, str) or word not in names:
-        raise ConditionError(f"there is no {what} '{quote(str(word))}'", ", ".join(names))
+        raise ConditionError(f"unknown {what} '{quote(str(word))}'", ", ".join(names))
     return word

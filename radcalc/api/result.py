@@ -89,7 +89,7 @@ class Result(Mapping[str, Quantity]):
         results, called = self.every, keyword(str(name))
         if called not in results:
             near = ", ".join(nearest(called, results, 3) or self._quantities)
-            raise MissingResult(f"there is no result '{quote(str(name))}'", near)
+            raise MissingResult(f"unknown result '{quote(str(name))}'", near)
         return results[called]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:

@@ -43,13 +43,17 @@ class Search(NamedTuple):
         # inputs that make use of all idle ones, or else of this
         useful = [other for other, symbols in lively.items() if idle.keys() <= symbols]
         useful = (useful or [other for other, symbols in lively.items() if name in symbols])[:4]
-        hint = f"the same without {option(item.name)}"
+        problem = "needs further inputs"
         if useful:
             hint = f"with it, {options(useful)}"
         elif partners := self._partners(name):
             hint = f"with it, {options(partners, ' and ')}"
-        alone = "" if len(inputs) > 1 else " alone"
-        raise Idle(f"nothing follows from {option(item.name, item.text)}{alone}", hint)
+        else:
+            problem = "does not apply to the other inputs"
+            hint = f"the same without {option(item.name)}"
+        if len(inputs) == 1:
+            problem = "alone is not enough"
+        raise Idle(f"{option(item.name, item.text)} {problem}", hint)
 
     def lacking(self, name: str) -> str:
         """Return the inputs that would give a result, one or two of them."""

@@ -32,7 +32,7 @@ class Operand(NamedTuple):
         if word.lower() in self.choices:
             return word.lower()
         near = nearest(word.lower(), self.choices, 1) or self.choices
-        raise UsageError(f"there is no {self.name} '{quote(word)}'", ", ".join(near))
+        raise UsageError(f"unknown {self.name} '{quote(word)}'", ", ".join(near))
 
 
 class Page(NamedTuple):

@@ -224,7 +224,7 @@ def pick(values: Sequence[Value], wanted: str, case: str = "") -> Row:
         )
     of_case = f"{case}: " if case else ""
     hint = _right_names(name, values, names)
-    raise UsageError(f"{of_case}there is no result '{quote(name)}'", hint)
+    raise UsageError(f"{of_case}unknown result '{quote(name)}'", hint)
 
 
 def names_of(values: Sequence[Value]) -> list[str]:

@@ -347,7 +347,7 @@ class Reader:
         except RadcalcError as error:
             message, hint = error.spelled(Plain)
             hint = hint.removeprefix(f"{column} ")
-            if "has no unit" in message and row.titles:
+            if message.startswith("the unit of") and row.titles:
                 unit = symbol.example.lstrip("0123456789.")
                 hint += f", or a unit in the header: {typed(column)} ({unit})"
             raise row.error(column, message.replace(column, typed(column), 1), hint) from None

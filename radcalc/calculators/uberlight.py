@@ -230,7 +230,7 @@ def _turn_receiver(sheet: Worksheet, placed: Placed) -> None:
     elif "normal" in given:
         if not sheet.lit.values:
             raise Idle(
-                f"nothing follows from {option('normal', given['normal'].text)}",
+                f"{option('normal', given['normal'].text)} needs further inputs",
                 f"with it, {options(('intensity', 'irradiance'))}",
             )
         normal = unit(given["normal"].value)

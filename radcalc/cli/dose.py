@@ -18,7 +18,7 @@ from radcalc.cli.line_options import refuse_second_reader
 from radcalc.cli.options import Output
 from radcalc.cli.request import Request
 from radcalc.cli.streams import complain
-from radcalc.errors import UsageError
+from radcalc.errors import UsageError, quote
 from radcalc.errors import command as call_of
 from radcalc.files.text import reading
 from radcalc.inputs.given import Inputs, refuse_uncertain, shown_inputs
@@ -191,7 +191,8 @@ def _show_periods(
 def _path(words: tuple[str, ...], typed: dict[str, str]) -> str:
     """The file of the samples, or - for standard input, which nothing else may read."""
     if len(words) != 1:
-        problem = "there is a word too many" if words else "the file with the samples is missing"
+        missing = "the file of the samples is missing"
+        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
         raise UsageError(problem, call_of("dose", "FILE"))
     if words[0] == "-":
         refuse_second_reader(typed)

@@ -64,7 +64,7 @@ class Commands(Helped, click.Group):
         if args[0] not in COMMANDS and not args[0].startswith("-"):
             from radcalc.cli.suggestions import meant
 
-            raise UsageError(f"there is no command '{quote(args[0].strip())}'", meant(args))
+            raise UsageError(f"unknown command '{quote(args[0].strip())}'", meant(args))
         return super().resolve_command(ctx, args)
 
 

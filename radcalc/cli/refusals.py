@@ -81,7 +81,7 @@ def of_click(error: click.UsageError, words: list[str]) -> RadcalcError:
         hint = "a value and its unit are one word, as in --distance 2m"
         if ("--plot", word) in pairwise(words):
             hint = "--plot FILE.svg or --plot FILE.png, or --plot without a file"
-        return RadcalcError(f"there is a word too many: '{word}'", hint)
+        return RadcalcError(f"unexpected argument '{word}'", hint)
     return RadcalcError(message[:1].lower() + message[1:].rstrip("."), help_)
 
 
@@ -90,19 +90,19 @@ def _no_such_option(typed: str, called: str, help_: str, words: list[str]) -> Ra
     from radcalc.cli.command import GET
 
     if after_command := options_behind(words):
-        problem = f"options go behind the command, and '{quote(words[0])}' is before it"
+        problem = f"'{quote(words[0])}' is before the command: options go after it"
         return RadcalcError(problem, after_command)
     if called == "convert" and typed in GET.opts:
-        problem = f"a conversion has one result, and no {quote(typed)}"
+        problem = f"convert has no {quote(typed)} option: a conversion has one result"
         return RadcalcError(problem, "-n, for its bare number")
-    problem = f"there is no option '{quote(typed)}'"
+    problem = f"{called or 'radcalc'} has no {quote(typed)} option"
     if typed[2:] in FORMATS:
         return RadcalcError(problem, f"--format {typed[2:]}")
     known = [name for p in _parameters(called) for name in p.opts if name.startswith("--")]
     near = [name for name in known if name.startswith(typed)] or _synonyms(typed, known)
     if called and not near and typed.startswith("--") and (takers := _takers(typed)):
         hint = f"{help_of(takers[0])}; it is of {', '.join(takers)}"
-        return RadcalcError(f"{problem} in {called}", hint)
+        return RadcalcError(problem, hint)
     near = near or nearest(f"--{typed.removeprefix('--').lower()}", known, cutoff=0.7)
     return RadcalcError(problem, f"{', '.join(near)} (see {help_})" if near else help_)
 

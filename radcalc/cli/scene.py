@@ -84,7 +84,8 @@ def command(
 ) -> int:
     """Answer for the points of a scene."""
     if len(words) != 1:
-        problem = "there is a word too many" if words else "the file of the scene is missing"
+        missing = "the file of the scene is missing"
+        problem = f"unexpected argument '{quote(words[1])}'" if words else missing
         raise UsageError(problem, f"{call_of('scene', 'FILE.csv')} --at X,Y,Z")
     all_cases = cases(typed, arrays=False)
     if len(all_cases) > 1:

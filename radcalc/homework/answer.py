@@ -150,7 +150,7 @@ def read_tolerance(text: str, unit: Unit) -> Tolerance:
     if given.value < 0:
         raise ConditionError(f"{typed} is out of range", hint)
     if given.unit is None and given.value >= 1:
-        raise ConditionError(f"{typed} has no unit", hint)
+        raise ConditionError(f"the unit of {typed} is missing", hint)
     is_part = given.dimension == NUMBER and unit.dimension != NUMBER
     if is_part or given.unit is None or given.unit.text in ("%", "1"):
         return Tolerance(f"within {given.text}", "relative", given.value)

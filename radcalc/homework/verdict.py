@@ -280,7 +280,7 @@ def _named(question: Question, claim: Claim) -> list[Value]:
     if named:
         pick(named, claim.name)  # which says what it lacks
     names = dict.fromkeys(v.name for v in question.answer.values if not v.is_absent)
-    missing = f"{option('check')}: there is no result '{quote(claim.name)}'"
+    missing = f"{option('check')}: unknown result '{quote(claim.name)}'"
     raise ConditionError(missing, ", ".join(names))
 
 

@@ -218,7 +218,7 @@ def _coordinate(text: str, number: float, unit_text: str, unit: Unit, first_unit
         )
     if first_unit and not unit_text and number:
         raise ConditionError(
-            f"'{quote(text)}' has no unit, and another coordinate has one",
+            f"the unit of '{quote(text)}' is missing: another coordinate has one",
             f"{quote(text + first_unit)} in place of {quote(text)}",
         )
     over, under = number.as_integer_ratio()

@@ -70,7 +70,7 @@ class Calculated:
             given = self.source.read(typed)
         except MissingUnit as error:
             hint = option(self.source.name, "- UNIT") + " for bare numbers"
-            raise UsageError(f"'{quote(typed)}' has no unit", hint) from error
+            raise UsageError(f"the unit of '{quote(typed)}' is missing", hint) from error
         return given, self.find(given)
 
     def _typed(self, text: str) -> str:

@@ -160,10 +160,11 @@ class Header:
         if first is None or first.unit is None:
             if self.source is None and self.cut and not (self.cut.delimiter or self.is_bare):
                 raise UsageError(
-                    f"{WHERE} has no unit for '{quote(titles[0].text)}'", self.call("UNIT")
+                    f"the unit of '{quote(titles[0].text)}' is missing in {WHERE}",
+                    self.call("UNIT"),
                 )
             if not self.is_known:
-                problem = f"{WHERE} tells no unit for the results"
+                problem = f"the unit of the results is missing in {WHERE}"
                 raise UsageError(problem, option("get", "NAME:UNIT"))
             return
         for title in titles:

@@ -105,7 +105,7 @@ class Quantities:
         amount = read_amount(pointed(decoded(text), self.mark))
         if amount.unit is None:
             raise UsageError(
-                f"'{quote(text.decode())}' has no unit",
+                f"the unit of '{quote(text.decode())}' is missing",
                 f"{command('convert', '-', 'UNIT', 'TARGET')} for bare numbers",
             )
         if amount.is_uncertain:

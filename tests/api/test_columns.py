@@ -228,8 +228,8 @@ def test_a_list_or_column_of_texts_is_converted_in_the_unit_of_the_first():
         (["10 dBm", "1 mW"], "a list has readings on a scale"),
         (["1+-0.1 lx", "2 lx"], "a list has an uncertain value"),
         (["1 lx", "2 lux of"], "unknown unit 'of'"),
-        (100, "the value has no unit, and illuminance (klx) is wanted"),
-        (pd.Series([1.0], name="E"), "the value has no unit"),
+        (100, "the unit of the value is missing: the target is illuminance (klx)"),
+        (pd.Series([1.0], name="E"), "the unit of the value is missing"),
     ],
 )
 def test_what_is_no_list_of_one_quantity_is_refused(value, said):

@@ -74,7 +74,7 @@ def test_light_past_the_critical_angle_is_totally_reflected():
     ("words", "message"),
     [
         ("", "the index is missing"),
-        ("--incidence 60deg", "nothing follows from --incidence 60deg alone"),
+        ("--incidence 60deg", "--incidence 60deg alone is not enough"),
         ("--index 1.52 --incidence 91deg", "out of range"),
         ("--index 0 --incidence 10deg", "out of range"),
         ("--index 1.52 --incidence 60deg --refraction-angle 30deg", "contradicts the rest"),
@@ -82,7 +82,10 @@ def test_light_past_the_critical_angle_is_totally_reflected():
         ("--index 1.52 --refraction-angle 60deg", "no incidence gives"),
         ("--incidence 0deg --refraction-angle 0deg", "says nothing about the index"),
         ("--index 1.52 --critical-angle 45deg", "contradicts the rest"),
-        ("--index 1.52 --incidence 10deg --wavelength 500nm", "there is no option"),
+        (
+            "--index 1.52 --incidence 10deg --wavelength 500nm",
+            "refraction has no --wavelength option",
+        ),
     ],
 )
 def test_what_no_surface_does_is_refused(words, message):

@@ -84,7 +84,7 @@ def test_what_is_not_given_is_assumed_and_said():
         ("--area 54m2 --room-index 2 --height 2m", "a square one has less"),
         ("--area 54m2 --luminaires 12 --flux 3klm --illuminance 5klx",
          "another value of --flux or --illuminance"),
-        ("--width 6m --length 9m --illuminance 500lx", "nothing follows from --illuminance"),
+        ("--width 6m --length 9m --illuminance 500lx", "--illuminance 500lx needs further inputs"),
         ("--area 54m2 --illuminance 500lx --flux 30W --utilance 0.6", "what links them"),
     ],
 )  # fmt: skip

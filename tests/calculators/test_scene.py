@@ -107,7 +107,7 @@ def test_a_panel_is_that_of_lambertian_rectangle_at_any_distance(tmp_path):
 
 
 BAD = {
-    "x,y,z,flux\n0,0,2,800\n": ("line 2, column 'flux': flux 800 has no unit", "800lm"),
+    "x,y,z,flux\n0,0,2,800\n": ("line 2, column 'flux': the unit of flux 800 is missing", "800lm"),
     "x,y,z,flux (lm)\n0,0,2,eight\n": ("line 2, column 'flux (lm)': ", ""),
     "x,y,z,flux\n0,0,2,800m\n": ("line 2, column 'flux': flux takes a flux, not length", "lm"),
     "x,y,z,flux (m)\n0,0,2,8\n": ("line 1, column 'flux (m)': takes a flux, not length", "flux ("),
@@ -190,13 +190,13 @@ def test_a_bad_row_is_told_with_its_place(tmp_path, text):
         (("--grid", "1:1:5,0,0"), "has no width", "X0:X1:N"),
         (("--grid", "0:1:9999,0:1:9999,0:1:9"), "has 899820009 points", "at most"),
         (("--at", "0,0,0", "--normal", "0,0,0"), "--normal '0,0,0' has no direction", "1,0,0.5"),
-        (("--at", "0,0,0", "-g", "lux"), "there is no result 'lux'", ""),
+        (("--at", "0,0,0", "-g", "lux"), "unknown result 'lux'", ""),
         (("--at", "0,0,0", "--at", "0,1,0", "--steps"), "--steps", "once"),
         (("--grid", "0:1:2,0,0", "-g", "x", "-g", "uniformity"), "of all the points", "one call"),
         (("--at", "0,0,0", "--at", "1,0,0", "-n"), "-n prints one number", "-g"),
         (("--at", "0,0,0", "--wavelength", "1nm,2nm"), "a list", "one of them"),
-        (("--at", "0,0,0", "--flux", "8lm"), "there is no option '--flux'", ""),
-        (("more", "--at", "0,0,0"), "a word too many", "FILE.csv"),
+        (("--at", "0,0,0", "--flux", "8lm"), "scene has no --flux option", ""),
+        (("more", "--at", "0,0,0"), "unexpected argument", "FILE.csv"),
     ],
 )  # fmt: skip
 def test_a_call_that_asks_for_nothing_sensible_is_refused(tmp_path, words, message, hint):

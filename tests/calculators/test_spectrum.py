@@ -171,7 +171,7 @@ def test_what_is_missing_in_one_of_several_is_said_with_its_name_each_time():
         with pytest.raises(RadcalcError) as caught:
             pick(values, "irradiance", case)
         assert caught.value.message == f"{case}: there is no irradiance: it is relative"
-        with pytest.raises(RadcalcError, match=rf"{case}: there is no result 'lux'"):
+        with pytest.raises(RadcalcError, match=rf"{case}: unknown result 'lux'"):
             pick(values, "lux", case)
 
 

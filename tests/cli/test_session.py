@@ -259,15 +259,15 @@ REFUSED = {
     "EV = 5": ("'EV' is a scale already", "my_EV = 5"),
     "x =": ("x = has no value", "x = 800 lm"),
     "x = help": ("there is no amount for x", "x = 800 lm"),
-    "x = zork": ("there is no command 'zork'", "radcalc --help"),
+    "x = zork": ("unknown command 'zork'", "radcalc --help"),
     "x = point-source --flux 800lm --distance 2m": ("x stands for one value", "-g intensity"),
     "x = 1,5 lx": ("has a comma in its number", "1.5"),
     "units 'lux": ("there is a ' with no second one", "the line without '"),
     'units "lux': ('there is a " with no second one', 'the line without "'),
     "units lux \\": ("there is a \\ with nothing behind it", "the line without \\"),
-    "zork 5": ("there is no command 'zork'", "radcalc --help"),
+    "zork 5": ("unknown command 'zork'", "radcalc --help"),
     "prompt": ("this is the prompt", "exit"),
-    "y fc": ("there is no command 'y'", "radcalc --help"),
+    "y fc": ("unknown command 'y'", "radcalc --help"),
 }
 
 

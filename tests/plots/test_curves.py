@@ -80,7 +80,7 @@ def test_a_curve_over_decades_has_logarithmic_axes():
 
 @pytest.mark.parametrize(
     ("wanted", "problem"),
-    [(["irradiance", "flux"], "an axis has one unit"), (["speed"], "there is no result 'speed'")],
+    [(["irradiance", "flux"], "an axis has one unit"), (["speed"], "unknown result 'speed'")],
 )
 def test_what_cannot_be_on_one_axis_is_refused(wanted, problem):
     each = [solved(point_source, intensity="100cd", distance=d) for d in ("1m", "2m")]
