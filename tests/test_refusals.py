@@ -225,25 +225,27 @@ def test_a_refusal_of_a_condition_is_a_condition_error():
 COMMANDS = {
     # the options go behind the command
     "a format before the command is told where it goes": (
-        "--json convert 100 lx fc", "'--json' is before it", "radcalc convert 100 lx fc --json"),
+        "--json convert 100 lx fc", "'--json' is before the command",
+        "radcalc convert 100 lx fc --json"),
     "conditions before the command are told where they go": (
-        "--isotropic --distance 2m convert 800 lm lx", "'--isotropic' is before it",
+        "--isotropic --distance 2m convert 800 lm lx", "'--isotropic' is before the command",
         "radcalc convert 800 lm lx --isotropic --distance 2m"),
     "a result before the command is told where it goes": (
-        "-g irradiance:lx point-source --flux 800lm --distance 2m", "'-g' is before it",
+        "-g irradiance:lx point-source --flux 800lm --distance 2m", "'-g' is before the command",
         "radcalc point-source --flux 800lm --distance 2m -g irradiance:lx"),
     "a distance before the command is told where it goes": (
-        "--distance 2m point-source --flux 800lm", "'--distance' is before it",
+        "--distance 2m point-source --flux 800lm", "'--distance' is before the command",
         "radcalc point-source --flux 800lm --distance 2m"),
     "an answer to check before the command is told where it goes": (
-        "--check exitance=628lm/m2 lambertian --luminance 200cd/m2", "'--check' is before it",
+        "--check exitance=628lm/m2 lambertian --luminance 200cd/m2",
+        "'--check' is before the command",
         "radcalc lambertian --luminance 200cd/m2 --check exitance=628lm/m2"),
     "an option of another command before one is none of it": (
         "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
     "a conversion has one result, and needs no name of it": (
         "convert 100 lx fc --get illuminance", "one result, and no --get", "-n"),
     "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
-    "the help of what is no command names the near one": ("help covnert", "no command", "convert"),
+    "the help of what is no command names the near one": ("help covnert", "unknown command", "convert"),
     # too little: which quantities would do
     "an irradiance wants a distance": (
         "point-source --flux 800lm -g irradiance:lx", "irradiance", "--distance"),

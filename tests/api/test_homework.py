@@ -65,7 +65,7 @@ def test_a_tolerance_is_a_part_a_size_or_digits():
     ("ask", "said"),
     [
         (lambda: radcalc.check(CONE, "zork"), "zork"),
-        (lambda: radcalc.check(CONE, "luminance=3 cd/m2"), "no result 'luminance'"),
+        (lambda: radcalc.check(CONE, "luminance=3 cd/m2"), "unknown result 'luminance'"),
         (lambda: radcalc.check(5, "3 sr"), "no result to check"),
         (
             lambda: radcalc.check(

@@ -566,7 +566,7 @@ def test_skies_and_expressions_are_sampled_for_a_map(tmp_path):
         ("--irradiance-map {}.hdr --check 3", "--check does not apply", "without --check"),
         (
             "--irradiance-map {}.hdr --size 8x4 -g nonsense",
-            "no result 'nonsense'",
+            "unknown result 'nonsense'",
             "minimum-irradiance",
         ),
         (

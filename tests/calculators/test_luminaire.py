@@ -353,7 +353,7 @@ def test_lamps_have_no_less_light_than_their_luminaire(tmp_path, lumens, is_note
         ({"distribution": "(abs(theta-1)<1e-5) cd"}, "narrower than 0.0"),
         ({"distribution": "cos(theta) cd"}, "has a negative value"),
         ({"distribution": "1 cd", "toward": "3deg", "height": "3m"}, "both tell where"),
-        ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "no use without a receiver"),
+        ({"distribution": "1 cd", "rotate": "3deg", "distance": "3m"}, "not apply without a receiver"),
         ({"distribution": "1 cd", "irradiance": "3W/m2"}, "what links them is missing"),
         ({"distribution": "1 cd", "illuminance": "3lx", "offset": "9m"}, "no height gives exactly"),
         ({"distribution": "1 cd", "offset": "9m"}, "height is missing beside offset"),

@@ -171,7 +171,7 @@ def test_what_it_assumes_is_said():
         ("clear --zenith-luminance 1cd/m2", "the sun's elevation is missing", "--sun-elevation"),
         ("clear clear", "too many words", "one type of sky"),
         ("5 --sun-illuminance 1klx", "the sun's elevation is missing", "--sun-elevation"),
-        ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "no use with the sky 3", "without"),
+        ("3 --sun-elevation 3deg --zenith-luminance 1cd/m2", "not apply to the sky 3", "without"),
         ("3 --tilt 3deg --azimuth 1deg", "the same at every azimuth", "without --azimuth"),
         ("clear --sun-elevation -1deg", "out of range", "above the horizon"),
         ("clear --sun-elevation 91deg", "out of range", "90 deg"),
@@ -183,7 +183,7 @@ def test_what_it_assumes_is_said():
         ("overcast --luminance-toward 1cd/m2", "direction of --luminance-toward", "--toward"),
         ("overcast --tilt 9deg --normal 0,0,1", "both turn the plane", "one of them"),
         ("overcast --zenith-luminance 1cd/m2 --azimuth 9deg", "without a tilt", "--tilt 90deg"),
-        ("overcast --tilt 9deg --sun-radius 1deg", "no use", "without --sun-radius"),
+        ("overcast --tilt 9deg --sun-radius 1deg", "does not apply", "without --sun-radius"),
         (f"clear {SUN} {WALL} --sun-radius 1deg", "without the sun's light", "without"),
         (f"{CLEAR} {WALL} --illuminance 1klx", "contradicts", "without one of"),
         (

@@ -132,7 +132,7 @@ def test_a_saved_map(tmp_path, extension):
         ("overcast --zenith-luminance 1cd/m2 --size 4x3 --save {}", "--size 6x3"),
         ("overcast --zenith-luminance 1cd/m2 --check 3lx --save {}", "--check does not apply"),
         ("overcast --zenith-luminance 1cd/m2 -n --save {}", "-n prints one number"),
-        ("overcast --zenith-luminance 1cd/m2 -g nonsense --save {}", "no result 'nonsense'"),
+        ("overcast --zenith-luminance 1cd/m2 -g nonsense --save {}", "unknown result 'nonsense'"),
         ("overcast --zenith-luminance 1cd/m2 -g irradiance --save {}", "no plane is given"),
         ("overcast --zenith-luminance 1cd/m2 -g zenith-luminance:lx --save {}", "illuminance"),
         (
