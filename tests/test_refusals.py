@@ -243,9 +243,9 @@ COMMANDS = {
     "an option of another command before one is none of it": (
         "--f-number 2.8 convert 100 lx fc", "convert has no --f-number option"),
     "a conversion has one result, and needs no name of it": (
-        "convert 100 lx fc --get illuminance", "one result, and no --get", "-n"),
+        "convert 100 lx fc --get illuminance", "convert has no --get option", "-n"),
     "the help is of one command": ("help convert ev", "help is of one", "radcalc convert --help"),
-    "the help of what is no command names the near one": ("help covnert", "unknown command", "convert"),
+    "the help of no command names the near one": ("help covnert", "unknown command", "convert"),
     # too little: which quantities would do
     "an irradiance wants a distance": (
         "point-source --flux 800lm -g irradiance:lx", "irradiance", "--distance"),
