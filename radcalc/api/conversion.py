@@ -151,7 +151,7 @@ def explain(value: Number, target: str, **conditions: Any) -> Result:
         return of_conversion(number, conversion.source, conversion.target, given, True, amount)
 
     undrawn = Undrawn("a conversion has no picture", "a calculator's, as of radcalc.point_source")
-    return Result("convert", lambda: answer, {name: result}, {}, ask, undrawn)
+    return Result("convert", lambda: answer, {name: result}, (name,), ask, undrawn)
 
 
 @of_page("convert")

@@ -72,33 +72,33 @@ class Result(Mapping[str, Quantity]):
         self,
         command: str,
         show: Show,
-        quantities: Mapping[str, Any],
-        aliases: Mapping[str, Any],
+        every: Mapping[str, Any],
+        names: Sequence[str],
         ask: "Callable[[], Question] | None",
         solved: Drawn | Undrawn,
     ) -> None:
         self.command = command
         self._show = show
-        self._quantities = dict(quantities)
-        self._aliases = dict(aliases)
+        self._every = dict(every)
+        self._names = names
         self._ask = ask
         self._solved = solved
 
     def __getitem__(self, name: str) -> Quantity:
         """A result by its name, or by another name that it has; hyphens are underscores."""
-        results, called = self.every, keyword(str(name))
-        if called not in results:
-            near = ", ".join(nearest(called, results, 3) or self._quantities)
+        called = keyword(str(name))
+        if called not in self._every:
+            near = ", ".join(nearest(called, self._every, 3) or self._names)
             raise MissingResult(f"unknown result '{quote(str(name))}'", near)
-        return results[called]  # type: ignore[no-any-return]
+        return self._every[called]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
         """The names of the results, each once."""
-        return iter(self._quantities)
+        return iter(self._names)
 
     def __len__(self) -> int:
         """Count the results."""
-        return len(self._quantities)
+        return len(self._names)
 
     def __getattr__(self, name: str) -> Quantity:
         """A result by any of its names."""
@@ -118,15 +118,15 @@ class Result(Mapping[str, Quantity]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickle keeps: all that is shown, without the calculation."""
-        return _restored, (self.command, self._renderable, self._quantities, self._aliases)
+        return _restored, (self.command, self._renderable, self._every, self._names)
 
     def __dir__(self) -> list[str]:
         """The results, by all of their names, among the rest."""
-        return [*super().__dir__(), *self.every]
+        return [*super().__dir__(), *self._every]
 
     def _ipython_key_completions_(self) -> list[str]:
         """Return the names that IPython completes after a bracket."""
-        return [*self.every]
+        return [*self._every]
 
     def __repr__(self) -> str:
         """The results, what was assumed and noted."""
@@ -230,15 +230,14 @@ class Result(Mapping[str, Quantity]):
     @property
     def every(self) -> dict[str, Any]:
         """The results by all of their names."""
-        return {**self._quantities, **self._aliases}
+        return self._every
 
     def in_columns(self, columns: "Columns | None") -> "Result":
         """Return the same with columns for the arrays, where some were given."""
         if columns is None:
             return self
-        quantities = {name: columns.result(name, value) for name, value in self._quantities.items()}
-        aliases = {name: columns.result(name, value) for name, value in self._aliases.items()}
-        return Result(self.command, self._show, quantities, aliases, None, self._solved)
+        every = {name: columns.result(name, value) for name, value in self._every.items()}
+        return Result(self.command, self._show, every, self._names, None, self._solved)
 
     def waiting(self, results: Mapping[str, Any]) -> "Result":
         """Return the same with results that Dask has not computed yet."""
@@ -248,10 +247,8 @@ class Result(Mapping[str, Quantity]):
             rows = [_with_value(row, results) for row in result.rows]
             return result._replace(rows=tuple(row for row in rows if row), steps=())
 
-        quantities = {name: results[name] for name in self._quantities}
-        aliases = {name: results[name] for name in self._aliases}
         waits = Undrawn("what Dask has not computed is not drawn", "the same of NumPy's arrays")
-        return Result(self.command, show, quantities, aliases, None, waits)
+        return Result(self.command, show, results, self._names, None, waits)
 
 
 def _is_same(first: Any, second: Any) -> bool:
@@ -264,7 +261,7 @@ def _is_same(first: Any, second: Any) -> bool:
 
 
 def _restored(
-    command: str, result: answer.Result, quantities: Mapping[str, Any], aliases: Mapping[str, Any]
+    command: str, result: answer.Result, every: Mapping[str, Any], names: Sequence[str]
 ) -> Result:
     """A result that pickle kept."""
 
@@ -274,7 +271,7 @@ def _restored(
         raise ConditionError(problem, "radcalc.check of what the function gives")
 
     undrawn = Undrawn(problem, ".plot() of what the function gives")
-    return Result(command, lambda: result, quantities, aliases, ask, undrawn)
+    return Result(command, lambda: result, every, names, ask, undrawn)
 
 
 def _with_value(row: Row, results: Mapping[str, Any]) -> Row | None:
@@ -325,12 +322,9 @@ def of_answer(
     """The result of a calculator, each quantity in the first unit it is shown in."""
     answers = (solution, *solution.more)
     parts = [_quantities(part) for part in answers]
-    first, other_names = parts[0]
+    every, names = parts[0]
     if len(parts) > 1:
-        first = {n: Quantity.from_list([quantities[n] for quantities, _ in parts]) for n in first}
-        other_names = {
-            n: Quantity.from_list([aliases[n] for _, aliases in parts]) for n in other_names
-        }
+        every = {name: Quantity.from_list([part[name] for part, _ in parts]) for name in every}
 
     def show() -> answer.Result:
         return answer.Result(
@@ -341,7 +335,7 @@ def of_answer(
             inputs,
         ).spelled(in_words)
 
-    return Result(command, show, first, other_names, ask, solved)
+    return Result(command, show, every, names, ask, solved)
 
 
 def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
@@ -356,8 +350,8 @@ def _together(tables: Sequence[Sequence[Row]]) -> tuple[Row, ...]:
     )
 
 
-def _quantities(solution: Answer) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The results by their names, and by other names that they have, as of one kind of light."""
+def _quantities(solution: Answer) -> tuple[dict[str, Any], list[str]]:
+    """The results by all of their names, as of one kind of light, and the first name of each."""
     first: dict[str, Any] = {}
     aliases: dict[str, Any] = {}
     for value in solution.values:
@@ -369,4 +363,4 @@ def _quantities(solution: Answer) -> tuple[dict[str, Any], dict[str, Any]]:
         first.setdefault(name, result)
         if also:
             aliases.setdefault(also, result)
-    return first, {name: alias for name, alias in aliases.items() if name not in first}
+    return {**first, **aliases, **first}, [*first]  # a first name comes before an alias
