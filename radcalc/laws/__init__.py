@@ -1,7 +1,7 @@
 """Laws as data, and the solver that uses them.
 
-What a law is, is in `law`; `solver` has everything that follows from what is given.  The laws
-themselves are in a module a subject: `cones`, `solid_angles`, `sizes`, `etendue`, `point`,
-`luminaire`, `surface`, `laser`, `energy`, `heat`, `exposure`, `photon`, `mesopic`.  All values are
-in coherent SI units, in which an angle, a cycle and a photon are dimensions; Omega0 is 1 sr.
+`law` defines the types of laws; `solver` derives every value that follows from given values.  Each
+subject has a module of laws: `cones`, `solid_angles`, `sizes`, `etendue`, `point`, `luminaire`,
+`surface`, `refraction`, `laser`, `energy`, `heat`, `exposure`, `photon`, `mesopic`.  All values are
+in coherent SI units; the angle, the cycle and the photon are dimensions, and Omega0 is 1 sr.
 """

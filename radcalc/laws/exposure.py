@@ -1,22 +1,20 @@
-"""The light meter: exposure values, and what light they stand for.
+"""The light meter: exposure values, and the luminances and illuminances that they mean.
 
 - exposure of a lens: b = N^2 / t, with the f-number N and the time t [s]
 - exposure value: EV = log2(b / 1 Hz)
 - exposure value at ISO 100: EV100 = EV - log2(S / 100), with the ISO speed S
 - reflected light: L = K 2^EV100 / 100, [cd/m2], with the meter's constant K
 - incident light: E = C 2^EV100 / 100, [lx], with the meter's constant C
-- `REFLECTANCE` of a scene that is not the meter's average one: L = rho E / (pi Omega0), which is
-  rho = pi K / C on average
-- saturation: L_sat = 1.2 cd/m2 2^EV100, where a sensor of saturation-based speed is full
-- neutral filter of the density D, which takes n = D / lg 2 stops: EV100 is n more, and the time
-  2^n times that without it
-- guide number of a flash, GN = N d sqrt(100 / S) with its distance d, and 2^(n/2) times that with
-  a filter
+- `REFLECTANCE` of the scene: L = rho E / (pi Omega0); rho = pi K / C for the meter's average scene
+- saturation: L_sat = 1.2 cd/m2 2^EV100, at which a sensor of saturation-based speed is full
+- neutral filter of the density D, n = D / lg 2 stops: it adds n to EV100, and multiplies the time
+  by 2^n
+- guide number of a flash at the distance d, GN = N d sqrt(100 / S), times 2^(n/2) with a filter
 
-Cameras are marked in whole stops with rounded numbers, which `mark` gives: 1/125 for 2^-7 s, and
+Cameras are marked in whole stops with rounded numbers, which `mark` returns: 1/125 for 2^-7 s, and
 f/11 for the root of 2^7.
 
-For a lens focused far away.  Marked values are rounded, so that what is given twice may differ by
+The lens is focused at infinity.  Marked values are rounded, so two values of a symbol may differ by
 `STEPS`.  Source: ISO 2720 (meters), ISO 12232 (saturation-based speed), ISO 1230 (guide numbers),
 ISO 5-2 (density).
 """
@@ -29,9 +27,9 @@ from radcalc.laws.law import AnyLaw, At, law, relation
 from radcalc.maths import log2, power, sqrt, square
 from radcalc.units.scale_table import ILLUMINANCE_EV, LUMINANCE_EV
 
-SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100, of ISO 2720 and 12232
-# What is marked for 2^-13 s to 2^5 s, and for f-numbers of 2^(0/2) to 2^(12/2); scantips.com,
-# Charts of Nominal, and Exact Precise Actual camera shutter speed, f/stop and ISO values.
+SATURATION = 1.2  # saturation luminance [cd s/m2] at ISO 100; ISO 2720 and 12232
+# Marks for 2^-13 s to 2^5 s, and for f-numbers of 2^(0/2) to 2^(12/2); scantips.com, Charts of
+# Nominal, and Exact Precise Actual camera shutter speed, f/stop and ISO values.
 TIMES = (8000, 4000, 2000, 1000, 500, 250, 125, 60, 30, 15, 8, 4, 2)  # 1/s
 LONG_TIMES = (1, 2, 4, 8, 15, 30)  # s
 F_NUMBERS = (1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64)
@@ -39,13 +37,13 @@ MARKS = {
     "time": dict(enumerate((*(1 / t for t in TIMES), *LONG_TIMES), -len(TIMES))),
     "f-number": dict(enumerate(F_NUMBERS)),
 }
-STOPS = {"time": 1.0, "f-number": 2.0}  # in which a number is twice as large
-OFF_MARK = 0.05  # stops by which a value may be off a whole number of them
-STEPS = {"ev": 0.1, "ev100": 0.1}  # by which marked values differ from exact ones
+STOPS = {"time": 1.0, "f-number": 2.0}  # stops that double the number
+OFF_MARK = 0.05  # [stops] largest difference of a value from a whole number of stops
+STEPS = {"ev": 0.1, "ev100": 0.1}  # [stops] largest difference of marked from exact values
 
 
 def mark(name: str, value: float) -> float | None:
-    """Return what a camera is marked with at a time or an f-number of whole stops.
+    """Return a camera's mark for a time or an f-number of whole stops.
 
     Parameters
     ----------
@@ -57,7 +55,7 @@ def mark(name: str, value: float) -> float | None:
     Returns
     -------
     float or None
-        The number that the mark says, in the same unit; None where there is no mark.
+        The number of the mark, in the same unit; None if there is no mark.
 
     Examples
     --------
@@ -159,7 +157,7 @@ FILTERED: list[AnyLaw] = [
 
 
 def _flash(name: str, template: str, filtered: bool) -> AnyLaw:
-    """Guide number, distance, f-number and speed, and the stops of a filter if there is one."""
+    """Return the law of a flash's guide number, with the stops of any filter."""
 
     def lost(at: At) -> Any:
         return power(2.0, at("stops") / 2) if filtered else 1.0

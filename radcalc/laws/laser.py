@@ -1,15 +1,15 @@
-"""A laser beam, by the full angle phi [rad] by which it spreads and its diameter [m] at the exit.
+"""A laser beam with the full divergence phi [rad] and the diameter D [m] at the exit.
 
-- spread of a Gaussian beam: D_s = sqrt(D^2 + (phi d)^2), with its waist at the exit, as w(z)^2 =
-  w_0^2 + (phi z / 2)^2; of a uniform one: D_s = D + phi d
+- spread of a Gaussian beam: D_s = sqrt(D^2 + (phi d)^2), with its waist at the exit, from w(z)^2 =
+  w_0^2 + (phi z / 2)^2; of a uniform beam: D_s = D + phi d
 - mean irradiance of a spot: E = 4 Phi / (pi D_s^2); exposure H = 4 Q / (pi D_s^2)
-- peak irradiance: E_0 = 8 Phi / (pi D_s^2) of a Gaussian beam, whose diameters are those at which
-  1/e^2 of the peak is left; of a uniform beam that of the spot, which is also the peak of a
-  Gaussian one by the diameters at which 1/e is left: 1.27 Phi / D_s^2
-- limit: what the peak is at the hazard distance, beyond which there is less: of a uniform beam
+- peak irradiance: E_0 = 8 Phi / (pi D_s^2) for a Gaussian beam with diameters at 1/e^2 of the peak;
+  for a uniform beam it is the mean irradiance, 1.27 Phi / D_s^2, which is also the peak of a
+  Gaussian beam with diameters at 1/e of the peak
+- limit: the peak irradiance at the hazard distance, beyond which it is less; for a uniform beam
   d_h = (sqrt(4 Phi / (pi E_lim)) - D) / phi, the range equation of laser safety
-- flux through a round aperture on the axis: Phi_r = Phi (1 - exp(-2 D_r^2 / D_s^2)) of a Gaussian
-  beam, Phi_r = Phi D_r^2 / D_s^2 of a uniform one, up to all of it
+- flux through a round aperture on the axis: Phi_r = Phi (1 - exp(-2 D_r^2 / D_s^2)) for a Gaussian
+  beam, Phi_r = Phi D_r^2 / D_s^2 for a uniform beam, at most Phi
 
 A divergence is small: phi d is within 0.6 % of 2 d tan(phi/2) up to 0.25 rad.
 """
@@ -32,7 +32,7 @@ EXIT = law("spot at the laser's exit", "{spot-diameter} = {diameter}")
 
 
 def _without(whole: Any, part: Any) -> Any:
-    """Return what the square of a diameter has beside that of another one, as a length."""
+    """Return the root of the difference of two squares."""
     return sqrt((whole - part) * (whole + part))
 
 
@@ -45,18 +45,18 @@ def _plus(first: Any, second: Any) -> Any:
 
 
 def _widened(far: Any, near: Any) -> Any:
-    cones.refuse(far < near, "no beam becomes narrower on its way", WIDER)
+    cones.refuse(far < near, "the beam would become narrower with distance", WIDER)
     return far
 
 
-SPREADS = {  # how diameters add up and are taken apart, how that is written, and who says so
+SPREADS = {  # sum and difference of diameters, template of the formula, and its reference
     GAUSSIAN: (hypot, _without, "sqrt({diameter}^2 + ({divergence} {%s})^2)", WAIST),
     UNIFORM: (_plus, _minus, "{diameter} + {divergence} {%s}", RANGE),
 }
 
 
 def _spread(profile: str, spot: str, distance: str) -> Relation:
-    """How a beam widens up to a distance; one that is as wide already has its limit at the exit."""
+    """Return the law of the width of a beam; beams wider than their limit have it at the exit."""
     add, take, template, reference = SPREADS[profile]
 
     def widening(at: At) -> Any:
@@ -66,7 +66,7 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
         return take(_widened(at(spot), part), part)
 
     def before(at: At) -> Any:
-        problem = "the divergence alone makes as wide a spot, of a beam that has no width"
+        problem = "the divergence alone makes such a wide spot, even of a beam without width"
         is_all = at(spot) <= widening(at) * (1 + EXACT)
         cones.refuse(is_all, problem, WIDER)
         return take(at(spot), widening(at))
@@ -90,24 +90,24 @@ def _spread(profile: str, spot: str, distance: str) -> Relation:
 
 
 def _not_all(at: At) -> Any:
-    """Return the part of the flux that is received, which is not all of it."""
+    """Return the part of the flux that is received, which must be less than 1."""
     part = at("received-flux") / at("flux")
-    cones.refuse(part >= 1, "no receiver gets all of that beam's flux", "less of it")
+    cones.refuse(part >= 1, "the received flux is not less than the beam's", "less of it")
     return part
 
 
 def _within(at: At) -> Any:
-    """Return the part of a Gaussian beam's flux that gets through an aperture."""
+    """Return the part of a Gaussian beam's flux that passes an aperture."""
     return -expm1(-2 * square(at("receiver-diameter") / at("spot-diameter")))
 
 
 def _covered(at: At) -> Any:
-    """Return the part of a uniform beam's flux that gets through an aperture."""
+    """Return the part of a uniform beam's flux that passes an aperture."""
     return square(smaller(1.0, at("receiver-diameter") / at("spot-diameter")))
 
 
 def _widths(at: At) -> Any:
-    """An aperture's diameter over the spot's, by the flux of a Gaussian beam through it."""
+    """Return an aperture's diameter over the spot's, from a Gaussian beam's flux through it."""
     return sqrt(-log1p(-_not_all(at)) / 2)
 
 
@@ -168,14 +168,14 @@ def laws_of(profile: str, with_distance: bool) -> list[AnyLaw]:
     Parameters
     ----------
     profile : {"gaussian", "uniform"}
-        How its irradiance falls off from its axis.
+        Profile of its irradiance.
     with_distance : bool
-        Whether the spot is at a distance, and not at the laser's exit.
+        Whether the spot is at a distance, not at the laser's exit.
 
     Returns
     -------
     list of Law or Relation
-        Those of the spot, its peak, its limit and a receiver.
+        Laws of the spot, its peak, its limit and a receiver.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 """Laws as data.
 
-A `Law` is a monomial: result = constant * product of symbols to their powers, which any of its
-symbols can be had from.  `law` reads one from its formula.  A `Relation` is what is no monomial: a
-function for each symbol it can be solved for.  All values are in coherent SI units, floats or
-arrays; radians, steradians, cycles and photons are counted as units.
+A `Law` is a monomial, result = constant * product of symbols to their powers, which can be solved
+for any of its symbols; `law` reads it from its formula.  A `Relation` is any other law, with a
+function for each symbol that it can be solved for.  All values are in coherent SI units, floats or
+arrays; radians, steradians, cycles and photons count as units.
 """
 
 import math
@@ -14,7 +14,7 @@ from radcalc.derivation import Formula
 from radcalc.errors import ConditionError
 from radcalc.maths import any_true, is_array, power
 
-At = Callable[[str], Any]  # gives the value of a symbol
+At = Callable[[str], Any]  # returns the value of a symbol
 
 
 class Law(NamedTuple):
@@ -23,7 +23,7 @@ class Law(NamedTuple):
     Attributes
     ----------
     name : str
-        What it is called in a derivation.
+        Its name in a derivation.
     template : str
         The formula, with the names of symbols in braces.
     names : tuple of str
@@ -31,11 +31,11 @@ class Law(NamedTuple):
     powers : tuple of (str, float)
         The symbols on the right, with their powers.
     constant : float [unit]
-        What the product is multiplied by.
+        Factor of the product.
     unit : str
-        That of the constant, in which Omega0, one photon and one cycle are written out.
+        Unit of the constant, with sr, photon and cycle written out.
     reference : str
-        Where the law is from.
+        Source of the law.
 
     Examples
     --------
@@ -54,17 +54,17 @@ class Law(NamedTuple):
 
     @property
     def result(self) -> str:
-        """The symbol on the left."""
+        """Return the symbol on the left."""
         return self.names[0]
 
     @property
     def targets(self) -> tuple[str, ...]:
-        """The symbols that it can be solved for."""
+        """Return the symbols that it can be solved for."""
         return self.names
 
     @property
     def formula(self) -> Formula:
-        """Return how it is written in a derivation."""
+        """Return its form in a derivation."""
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:
@@ -73,19 +73,19 @@ class Law(NamedTuple):
         Parameters
         ----------
         target : str
-            The symbol that is wanted.
+            The wanted symbol.
         at : callable
-            Gives the value of every other symbol by its name [SI].
+            Returns the value of every other symbol by its name [SI].
 
         Returns
         -------
         float or ndarray [SI]
-            The target; of several roots the positive one.
+            The target; the positive one of several roots.
 
         Raises
         ------
         ConditionError
-            If what it would be divided by is 0: no light arrives.
+            If it would be divided by 0: no light arrives.
 
         Examples
         --------
@@ -109,7 +109,7 @@ class Law(NamedTuple):
         is_dark = product == 0
         if (is_dark is not False and any_true(is_dark)) or (root < 0 and any_true(result == 0)):
             raise ConditionError(
-                f"no light arrives, so no {target.replace('-', ' ')} follows from it",
+                f"no light arrives, so the {target.replace('-', ' ')} does not follow from it",
                 "a receiver in the light",
             )
         quotient = result / product
@@ -124,14 +124,14 @@ def law(
     Parameters
     ----------
     name : str
-        What it is called in a derivation.
+        Its name in a derivation.
     template : str
-        The formula.  Factors stand beside each other, with a power behind ^; a solidus goes with
-        the factor or the bracket behind it.  Numbers, pi and Omega0 (1 sr) are read.
+        The formula: factors separated by blanks, a power after ^; a solidus divides by the next
+        factor or bracket.  Numbers, pi and Omega0 (1 sr) are read.
     reference : str
-        Where the law is from.
+        Source of the law.
     constant : float [unit]
-        What the other letters of the formula stand for, such as c.
+        Value of the other letters of the formula, such as c.
     unit : str
         The unit of `constant`.
 
@@ -169,7 +169,7 @@ def law(
 
 
 class Several(tuple[float, ...]):
-    """Values of a symbol [SI] that fit a law equally well, in place of the one that most have.
+    """Values of a symbol [SI] that fit a law equally well, if there is more than one.
 
     Parameters
     ----------
@@ -184,14 +184,14 @@ class Several(tuple[float, ...]):
 
 
 def refuse_arrays(what: str, *values: Any) -> None:
-    """Refuse arrays where there may be `Several` values, which are found one by one.
+    """Refuse arrays if there may be `Several` values, which are found one by one.
 
     Parameters
     ----------
     what : str
-        What may be several, for the message.
+        Plural noun for the values, for the message.
     values : float or ndarray
-        What they are found from.
+        The values from which they are found.
 
     Raises
     ------
@@ -210,21 +210,21 @@ def refuse_arrays(what: str, *values: Any) -> None:
 
 
 class Relation(NamedTuple):
-    """A law that is no monomial: a function of the other values for each target.
+    """A law that is not a monomial: a function of the other values for each target.
 
     Attributes
     ----------
     name : str
-        What it is called in a derivation.
+        Its name in a derivation.
     template : str
         The formula, with the names of symbols in braces.
     names : tuple of str
         Its symbols, that on the left first.
     solvers : dict of str to callable
-        For each symbol it can be solved for, a function that takes `at` (which gives the value of
-        every other symbol by its name) and gives that symbol's value [SI], or `Several` of them.
+        For each symbol it can be solved for, a function that takes `at` (which returns the value of
+        every other symbol by its name) and returns that symbol's value [SI], or `Several` of them.
     reference : str
-        Where the law is from.
+        Source of the law.
 
     Examples
     --------
@@ -241,12 +241,12 @@ class Relation(NamedTuple):
 
     @property
     def targets(self) -> tuple[str, ...]:
-        """The symbols that it can be solved for."""
+        """Return the symbols that it can be solved for."""
         return tuple(self.solvers)
 
     @property
     def formula(self) -> Formula:
-        """Return how it is written in a derivation."""
+        """Return its form in a derivation."""
         return Formula(self.name, self.template, self.reference)
 
     def solve(self, target: str, at: At) -> Any:
@@ -255,9 +255,9 @@ class Relation(NamedTuple):
         Parameters
         ----------
         target : str
-            The symbol that is wanted, one of `targets`.
+            The wanted symbol, one of `targets`.
         at : callable
-            Gives the value of every other symbol by its name [SI].
+            Returns the value of every other symbol by its name [SI].
 
         Returns
         -------
@@ -276,19 +276,19 @@ class Relation(NamedTuple):
 def relation(
     name: str, template: str, solvers: dict[str, Callable[[At], Any]], reference: str = ""
 ) -> Relation:
-    """Link the symbols of a formula that is no monomial.
+    """Make a relation of the symbols of a formula.
 
     Parameters
     ----------
     name : str
-        What it is called in a derivation.
+        Its name in a derivation.
     template : str
-        The formula, whose {names} are the symbols that it links.
+        The formula, with the names of symbols in braces.
     solvers : dict of str to callable
-        For each symbol that it can be solved for, a function of the others: it is given a function
-        that gives the value [coherent SI] of a symbol by its name.
+        For each symbol that it can be solved for, a function of the others; its argument is a
+        function that returns the value [coherent SI] of a symbol by its name.
     reference : str
-        Where the relation is from.
+        Source of the relation.
 
     Returns
     -------

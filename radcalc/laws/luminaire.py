@@ -1,26 +1,25 @@
 """A small source of any distribution: its intensities are a scale times a function of direction.
 
-f(gamma, C) is a distribution's value in a direction: at the angle gamma off the source's axis and
-the azimuth C about it.  The scale I_1 is the intensity that f = 1 stands for, such as 1 cd in a
-table of candelas.
+f(gamma, C) is a distribution's value at the angle gamma off the source's axis and the azimuth C
+about it.  The scale I_1 is the intensity for f = 1, such as 1 cd in a table of candelas.
 
 - intensity on the axis: I = I_1 f_0; `PEAK`: I_max = I_1 f_max; in a direction: I_gamma = I_1 f
 - flux of a distribution: Phi = I_1 Omega_f, with the integral Omega_f of f over all directions
 - upward flux: Phi_up = Phi k_up; downward flux: Phi_down = Phi (1 - k_up)
-- `part`: k, the part of the flux within an angle beta of the axis
-- `TOWARD`: E = I_gamma cos(theta) Omega0 / d^2; of an energy H = Q f cos(theta) Omega0 /
+- `part`: k, the share of the flux within an angle beta of the axis
+- `TOWARD`: E = I_gamma cos(theta) Omega0 / d^2; for an energy H = Q f cos(theta) Omega0 /
   (Omega_f d^2)
-- `relative_intensity`: f of gamma and C; `direction`: gamma and C of a receiver, at the height h
-  below the source and x aside of it
+- `relative_intensity`: f from gamma and C; `direction`: gamma and C of a receiver at the height h
+  below the source and the sideways distance x from it
 - `FLAT`: theta = atan(x / h) of a receiver that lies flat; `floor`: the heights and the offsets
-  at which it gets so much light
+  at which it has a given irradiance
 - flux on a receiver: Phi_r = I_1 Omega_r, with the integral Omega_r of f over the solid angle of a
-  disc, `lying_disc` or `facing_disc`; of a small one that is turned, Omega_r = f A_r cos(theta)
+  disc, `lying_disc` or `facing_disc`; for a small tilted receiver, Omega_r = f A_r cos(theta)
   Omega0 / d^2
 - `beam_diameter`: D_b = d (tan(b) - tan(a)), with the edges a and b of the beam in a plane
 
-The laws that functions make belong to one distribution.  Source: ISO 80000-7 (intensity,
-irradiance); the rest are integrals of the distribution.
+Functions make the laws of one distribution.  Source: ISO 80000-7 (intensity, irradiance); the rest
+are integrals of the distribution.
 """
 
 import math
@@ -78,7 +77,7 @@ SMALL = law(
 
 
 def _plain(x: Any) -> Any:
-    """An array of no dimension as the number that it is."""
+    """Return an array without dimensions as a float."""
     return x if is_array(x) and x.ndim else float(x)
 
 
@@ -90,16 +89,16 @@ def part(distribution: "Distribution", whole: float) -> Relation:
     distribution : Distribution
         Of any form.
     whole : float [sr]
-        The integral of it over all directions.
+        Its integral over all directions.
 
     Returns
     -------
     Relation
-        Of `part` and `within`.
+        Between `part` and `within`.
 
     Examples
     --------
-    Half of a Lambertian light is within 45 degrees:
+    Half of the flux of a Lambertian source is within 45 degrees:
 
     >>> from radcalc.distributions.shapes import Lobe
     >>> within = part(Lobe(1.0), math.pi)
@@ -128,7 +127,7 @@ def relative_intensity(distribution: "Distribution") -> Relation:
     Returns
     -------
     Relation
-        Of `relative-intensity`, `off-axis` and `azimuth`.
+        Between `relative-intensity`, `off-axis` and `azimuth`.
 
     Examples
     --------
@@ -149,19 +148,19 @@ def relative_intensity(distribution: "Distribution") -> Relation:
 
 
 def direction(pose: "Pose", bearing: Any) -> list[AnyLaw]:
-    """Make the laws of the direction in which a source has a receiver below it.
+    """Make the laws of the direction from a source to a receiver below it.
 
     Parameters
     ----------
     pose : Pose
-        How the source is aimed and rotated.
+        Aim and rotation of the source.
     bearing : float or ndarray [rad]
         Azimuth of the receiver about the point below the source, from x towards y.
 
     Returns
     -------
     list of Relation
-        Of `off-axis` and of `azimuth`, with `height` and `lateral`.
+        Between `off-axis` or `azimuth`, `height` and `lateral`.
 
     Examples
     --------
@@ -181,36 +180,36 @@ def direction(pose: "Pose", bearing: Any) -> list[AnyLaw]:
     return [
         relation(
             "angle off the axis, of a receiver",
-            "{off-axis} = angle of {height} below and {lateral} aside",
+            "{off-axis} = angle of {height} below and {lateral} sideways",
             {"off-axis": lambda at: angles(at)[0]},
         ),
         relation(
             "azimuth about the axis, of a receiver",
-            "{azimuth} = azimuth of {height} below and {lateral} aside",
+            "{azimuth} = azimuth of {height} below and {lateral} sideways",
             {"azimuth": lambda at: angles(at)[1]},
         ),
     ]
 
 
 def floor(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
-    """Make the law of the light on a floor, solved for the place that gets it.
+    """Make the law of the light on a floor, solved for its place.
 
     Parameters
     ----------
     distribution : Distribution
         Of any form.
     pose, bearing
-        As of `direction`.
+        As in `direction`.
 
     Returns
     -------
     Relation
-        Of `irradiance`, `scale`, `height` and `lateral`, solved for the last two.
+        Between `irradiance`, `scale`, `height` and `lateral`, solved for the last two.
 
     Raises
     ------
     ConditionError
-        As it is solved, of arrays, and of an irradiance that no place gets.
+        When the relation is solved for arrays, or for an irradiance that no place has.
 
     Examples
     --------
@@ -241,23 +240,23 @@ def floor(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
 
 
 def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Relation:
-    """Make the law of what a receiver gets that lies flat below a source.
+    """Make the law of the light on a receiver that lies flat below a source.
 
     Parameters
     ----------
     distribution : Distribution
         Of any form.
     pose, bearing
-        As of `direction`.
+        As in `direction`.
 
     Returns
     -------
     Relation
-        Of `received-solid-angle`, `receiver-area`, `height` and `lateral`.
+        Between `received-solid-angle`, `receiver-area`, `height` and `lateral`.
 
     Examples
     --------
-    A disc whose rim is seen at 45 degrees gets half of a Lambertian light:
+    A disc with its rim at 45 degrees receives half of the flux of a Lambertian source:
 
     >>> from radcalc.distributions.pose import Pose
     >>> from radcalc.distributions.shapes import Lobe
@@ -277,13 +276,13 @@ def lying_disc(distribution: "Distribution", pose: "Pose", bearing: Any) -> Rela
     return relation(
         "a receiver in a distribution, flat",
         "{received-solid-angle} = integral of f cos(theta) / r^2, "
-        "over a disc of {receiver-area}, {height} below and {lateral} aside",
+        "over a disc of {receiver-area}, {height} below and {lateral} sideways",
         {"received-solid-angle": on_disc},
     )
 
 
 def facing_disc(distribution: "Distribution") -> Relation:
-    """Make the law of what a receiver gets that faces a source.
+    """Make the law of the light on a receiver that faces a source.
 
     Parameters
     ----------
@@ -293,7 +292,7 @@ def facing_disc(distribution: "Distribution") -> Relation:
     Returns
     -------
     Relation
-        Of `received-solid-angle`, `receiver-area`, `distance`, `off-axis` and `azimuth`.
+        Between `received-solid-angle`, `receiver-area`, `distance`, `off-axis` and `azimuth`.
 
     Examples
     --------
@@ -319,19 +318,19 @@ def facing_disc(distribution: "Distribution") -> Relation:
 
 
 def beam_diameter(edges: tuple[float, float], away: str) -> Relation:
-    """Make the law of how wide a beam is.
+    """Make the law of the width of a beam.
 
     Parameters
     ----------
     edges : tuple of 2 floats [rad]
         Angles between the axis and the edges of the beam, on its two sides.
     away : str
-        The symbol that tells how far along the axis: `height` or `distance`.
+        Symbol of the distance along the axis: `height` or `distance`.
 
     Returns
     -------
     Relation
-        Of `beam-diameter` and that symbol.
+        Between `beam-diameter` and that symbol.
 
     Examples
     --------

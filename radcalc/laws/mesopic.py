@@ -4,10 +4,10 @@
   efficiency at 555 nm
 - `ADAPTATION`: m = 0.7670 + 0.3334 log10(L_mes m2/cd), from 0 to 1: 0 up to 0.005 cd/m2 (scotopic
   vision), 1 from 5 cd/m2 on (photopic vision)
-- `SCOTOPIC`: L' = S/P L, with the ratio S/P of scotopic to photopic of the light
+- `SCOTOPIC`: L' = S/P L, with the light's ratio S/P of scotopic to photopic luminance
 
-Luminances [cd/m2], of the field that the eye is adapted to; the rest [1].  `MESOPIC` is solved for
-L_mes by bisection, since m follows from L_mes too; for L and S/P directly.
+Luminances [cd/m2] are those of the adaptation field; the rest is [1].  `MESOPIC` is solved for
+L_mes by bisection, because m depends on L_mes; for L and S/P directly.
 """
 
 import math
@@ -25,7 +25,7 @@ SOURCE = "CIE 191:2010"
 
 
 def mixture(luminance: float, scotopic: float, m: float) -> float:
-    """Mesopic luminance of an eye of known adaptation.
+    """Return the mesopic luminance for a known adaptation.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def mixture(luminance: float, scotopic: float, m: float) -> float:
 
 
 def adaptation(mesopic: Number) -> Number:
-    """Adaptation coefficient that a mesopic luminance goes with.
+    """Return the adaptation coefficient for a mesopic luminance.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def adaptation(mesopic: Number) -> Number:
     Returns
     -------
     float or ndarray [1]
-        From 0, up to 0.005 cd/m2, to 1, from 5 cd/m2 on.
+        0 up to 0.005 cd/m2, 1 from 5 cd/m2 on.
 
     Notes
     -----
@@ -98,14 +98,14 @@ def _adaptation(mesopic: float) -> float:
 
 
 def solve(luminance: float, ratio: float) -> tuple[float, float]:
-    """Mesopic luminance and adaptation coefficient, where each follows from the other.
+    """Return the mesopic luminance and the adaptation coefficient, which depend on each other.
 
     Parameters
     ----------
     luminance : float [cd/m2]
         The photopic luminance, more than 0.
     ratio : float [1]
-        The ratio of scotopic to photopic of the light.
+        The light's ratio of scotopic to photopic luminance.
 
     Returns
     -------
@@ -114,8 +114,8 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
 
     Notes
     -----
-    The excess of m over the adaptation that it leads to changes sign once between 0 and 1: where,
-    is found by bisection, to the last digit.
+    The excess of m over the adaptation coefficient of its mesopic luminance changes sign once
+    between 0 and 1, at a value that is found by bisection, to the last digit.
 
     References
     ----------
@@ -142,7 +142,7 @@ def solve(luminance: float, ratio: float) -> tuple[float, float]:
 
 
 def _luminance(at: At) -> Any:
-    """Return the photopic luminance, from the mesopic one and the ratio."""
+    """Return the photopic luminance, from the mesopic luminance and the S/P ratio."""
     mesopic = at("mesopic-luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
@@ -150,7 +150,7 @@ def _luminance(at: At) -> Any:
 
 
 def _ratio(at: At) -> Any:
-    """Return the S/P ratio, from the mesopic luminance and the photopic one."""
+    """Return the S/P ratio, from the mesopic and the photopic luminance."""
     mesopic, luminance = at("mesopic-luminance"), at("luminance")
     m = adaptation(mesopic)
     night = (1 - m) * SCOTOPIC_AT_555
@@ -159,7 +159,7 @@ def _ratio(at: At) -> Any:
         if not any_true((ratio <= 0) | (ratio > SYMBOLS["sp-ratio"].limits.high)):
             return ratio
     raise ConditionError(
-        "no S/P ratio leads from that luminance to that mesopic luminance",
+        "the luminance and the mesopic luminance contradict each other: no S/P ratio fits both",
         "luminances nearer to each other, below 5 cd/m2",
     )
 

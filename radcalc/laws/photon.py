@@ -4,8 +4,8 @@
 - `WAVENUMBER`: sigma = 1 / lambda [cycle/m]
 - `ENERGY`: Q = h c / lambda [J/photon]
 
-The cycle and the photon are dimensions here, so that a joule per photon is no joule.  Source: SI
-Brochure, where h and c are exact.
+The cycle and the photon are dimensions here, so a joule per photon is not a joule.  Source: SI
+Brochure, in which h and c are exact.
 """
 
 from radcalc.laws.law import AnyLaw, law

@@ -1,7 +1,7 @@
-"""How a small source spreads its light: the laws of each distribution, and those of all.
+"""Small sources: the laws of each distribution, and those of all.
 
-The light goes evenly into all directions, or into a cone, or falls off from its axis as a power
-of the cosine (a lobe).  I is the intensity on the axis.
+The light is uniform in all directions, or uniform within a cone, or falls off from its axis as a
+power of the cosine (a lobe).  I is the intensity on the axis.
 
 Isotropic (`LAWS[ISOTROPIC]`):
 
@@ -12,7 +12,7 @@ Cone (`LAWS[CONICAL]`), uniform within its half angle alpha and dark outside:
 
 - uniform cone: Phi = I Omega; `CONE` and `APEX` of `radcalc.laws.cones`
 - part of a cone: k = sin^2(beta/2) / sin^2(alpha/2), at most 1
-- `INSIDE`: f = 1 where gamma is within alpha, else 0
+- `INSIDE`: f = 1 for gamma up to alpha, else 0
 
 Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees from the axis:
 
@@ -24,31 +24,31 @@ Lobe (`LAWS[LOBED]`), of the exponent n >= 0, I cos^n(gamma) up to 90 degrees fr
 - flux in the beam: Phi_b = Phi k_b
 - `FALL`: f = cos(gamma)^n
 
-How wide the light is across the axis: `beam_of_cone`, D_b = 2 d tan(alpha), and `beam_of_lobe`,
-D_b = 2 d tan(FWHM/2), for angles that leave it an edge ahead
+The width of the light across the axis is D_b = 2 d tan(alpha) (`beam_of_cone`) or D_b =
+2 d tan(FWHM/2) (`beam_of_lobe`), for half angles below 90 degrees.
 
-`WIDTHS` has those laws of each that are about its angles alone.
+`WIDTHS` has the laws of each that contain only its angles.
 
-All (`ANY_LAWS`), for a source that is small beside its distance d (five times its size and more):
+All (`ANY_LAWS`), for a source at a distance d of at least five times its size:
 
 - `INVERSE_SQUARE`: E = I cos(theta) Omega0 / d^2; `OFF_AXIS`: E = I f cos(theta) Omega0 / d^2,
-  where f is what is left of I at the angle gamma off the axis
+  with the intensity f relative to I at the angle gamma off the axis
 - `COSINE`: cosine of the incidence, 0 from theta = 90 degrees on; straight line: d^2 = h^2 + x^2
 - flux within: Phi_w = Phi k; `ENERGY` and `EXPOSURE`
 - the inverse square of an energy through a cone or a lobe: H = Q f cos(theta) Omega0 / (Omega d^2)
 
-And of a place on the floor under a source at the height h, x from the foot of its axis:
+A place on the floor under a source at the height h, at the distance x from the foot of its axis:
 
 - `AXIS`: gamma = atan(x / h); `FLAT`: theta = gamma
-- `FLOOR`: E = I h^(n + 1) Omega0 / (h^2 + x^2)^((n + 3)/2), with n = 0 but for a lobe, solved for
-  x and for the heights, of which there are up to two; of an energy with H, Q / Omega for E, I
-- `SPOT`: E = Phi (n + 1) / (2 pi) cos(gamma)^n cos(theta) / d^2, solved for the exponents of a
-  lobe, of which there are up to two
+- `FLOOR`: E = I h^(n + 1) Omega0 / (h^2 + x^2)^((n + 3)/2), with n = 0 except for a lobe, solved
+  for x and for up to two heights; for an energy, with H and Q / Omega instead of E and I
+- `SPOT`: E = Phi (n + 1) / (2 pi) cos(gamma)^n cos(theta) / d^2, solved for up to two exponents of
+  a lobe
 
-And of a round receiver of any size, beside that distance and beside the light's footprint:
+A round receiver of any size, even at a short distance or larger than the light's footprint:
 
 - flux on a receiver: Phi_r = I Omega_r, with the solid angle Omega_r weighted with the intensity
-  relative to I: `RECEIVER_ON_AXIS`, and off it `RECEIVER_FLAT` (across the axis) and
+  relative to I: `RECEIVER_ON_AXIS`, and off the axis `RECEIVER_FLAT` (across the axis) and
   `RECEIVER_TURNED`, for each distribution
 
 Lengths [m], angles [rad]; light in coherent SI of one kind.  Source: ISO 80000-7 (intensity,
@@ -92,7 +92,7 @@ def _exponent_of(solid_angle: Any) -> Any:
     exponent = 2 * math.pi / solid_angle - 1
     cones.refuse(
         exponent < -1e-9,
-        "no lobe sends that flux at that intensity: it would fill more than a hemisphere",
+        "no lobe has that flux and that intensity: it would fill more than a hemisphere",
         f"more intensity or less flux, or {option('distribution', 'cone')}",
     )
     return piecewise(exponent < 0, lambda n: 0.0 * n, lambda n: n, exponent)
@@ -125,17 +125,17 @@ FIELD_ANGLE = relation(
 
 
 def beam_of_cone(away: str) -> Relation:
-    """Make the law of how wide a cone's light is at `height` or `distance` along its axis.
+    """Make the law of the width of a cone's light at a distance along its axis.
 
     Parameters
     ----------
     away : str
-        The symbol that tells how far along the axis: `height` or `distance`.
+        Symbol of that distance: `height` or `distance`.
 
     Returns
     -------
     Relation
-        Of `beam-diameter`, that symbol and the half angle, which is to be less than a right one.
+        Between `beam-diameter`, that symbol and the half angle, which must be below pi/2.
 
     Examples
     --------
@@ -147,17 +147,17 @@ def beam_of_cone(away: str) -> Relation:
 
 
 def beam_of_lobe(away: str) -> Relation:
-    """Make the law of how wide a lobe's beam is at `height` or `distance` along its axis.
+    """Make the law of the width of a lobe's beam at a distance along its axis.
 
     Parameters
     ----------
     away : str
-        The symbol that tells how far along the axis: `height` or `distance`.
+        Symbol of that distance: `height` or `distance`.
 
     Returns
     -------
     Relation
-        Of `beam-diameter`, that symbol and the beam angle, which is to be less than a straight one.
+        Between `beam-diameter`, that symbol and the beam angle, which must be below pi.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def beam_of_lobe(away: str) -> Relation:
 
 
 def _beam(name: str, away: str, angle: str, parts: int) -> Relation:
-    """The law of a diameter by an angle, of which so many parts make the one from axis to edge."""
+    """Return the law of a diameter, with the angle from axis to edge as `angle` over `parts`."""
     part = f"{{{angle}}}/{parts}" if parts > 1 else f"{{{angle}}}"
     return relation(
         name,
@@ -182,7 +182,7 @@ def _beam(name: str, away: str, angle: str, parts: int) -> Relation:
     )
 
 
-# How wide a distribution is, which is known without any light.
+# The angles of a distribution, which do not depend on the amount of light.
 WIDTHS: dict[str, list[AnyLaw]] = {
     ISOTROPIC: [],
     CONICAL: [CONE, APEX],
@@ -330,7 +330,7 @@ FLAT = law("a receiver that lies flat", "{incidence} = {off-axis}")
 
 
 def _floor(shape: str, of_energy: bool) -> Relation:
-    """Return what a place on the floor gets, solved for the place."""
+    """Return the law of the light at a place on the floor, solved for the place."""
     exponent = (lambda at: at("exponent")) if shape == LOBED else (lambda at: 0.0)
     height, distance = "{height}", "({height}^2 + {lateral}^2)^(3/2)"
     if shape == LOBED:
@@ -341,7 +341,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
         left, right = "{exposure}", f"{{energy}} {height} Omega0 / ({whole} {distance})"
 
     def part(at: At) -> Any:
-        """Return what a square metre gets, over the intensity."""
+        """Return the irradiance over the intensity, or the exposure over that of the energy."""
         if not of_energy:
             return at("irradiance") / at("intensity")
         whole = 4 * math.pi if shape == ISOTROPIC else at("solid-angle")
@@ -360,7 +360,7 @@ def _floor(shape: str, of_energy: bool) -> Relation:
 
 
 def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
-    """Return the offset where so much is left of the irradiance under the source: cos^(n + 3)."""
+    """Return the offset at which the irradiance is a part of that under the source: cos^(n + 3)."""
     cones.refuse(
         (part > 1) | (part <= 0),
         f"more light than that intensity sends to that height ({format_number(part)} times it)",
@@ -370,7 +370,7 @@ def _lateral_of(part: Any, height: Any, exponent: Any) -> Any:
 
 
 def _heights_of(part: Any, lateral: Any, exponent: Any) -> Any:
-    """The heights, up to two, at which E / I is so much: (cos^(n + 1) sin^2)(gamma) / x^2."""
+    """Return the one or two heights with E / I = (cos^(n + 1) sin^2)(gamma) / x^2 = `part`."""
     refuse_arrays("heights", part, lateral, exponent)
     if lateral == 0:
         return sqrt(1 / part)
@@ -391,7 +391,7 @@ ROUNDING = 1e-12  # [1] of the light at the brightest place
 def _both_sides(
     excess: Callable[[float], float], low: float, top: float, high: float, what: str
 ) -> tuple[float, ...]:
-    """Return where a function that rises to its top, and falls behind it, is 0."""
+    """Return the zeros of a function that rises up to its top and falls after it."""
     most = excess(top)
     cones.refuse(
         most < -ROUNDING,
@@ -411,7 +411,7 @@ FLOOR = {
 
 
 def _exponents_of(at: At) -> Any:
-    """Return the exponents, up to two, with which (n + 1) cos(gamma)^n is so much."""
+    """Return the one or two exponents that give (n + 1) cos(gamma)^n the value of the inputs."""
     part = 2 * math.pi * at("irradiance") * square(at("distance")) / at("flux") / at("cosine")
     fall = -lobes.ln_cos(at("off-axis"))
     refuse_arrays("exponents", part, fall)
@@ -437,17 +437,17 @@ SPOT = relation(
 
 
 def _exponent_at(share: Any, off_axis: Any) -> Any:
-    """Return the exponent of a lobe from how much is left of its peak at an angle."""
+    """Return the exponent of a lobe from its share of the peak at an angle."""
     cones.refuse(
         (share > 1 + 1e-9) | (share <= 0),
-        "no lobe has that irradiance there: it is more than its peak would give, or nothing",
+        "no lobe has that irradiance there: it is 0, or more than the peak would give",
         "another intensity or irradiance",
     )
     return abs(log(share) / lobes.ln_cos(off_axis))
 
 
 def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
-    """What a round receiver gets of a distribution, by where its centre is and how it is turned."""
+    """Return the law of the light on a round receiver, on or off the axis and tilted or not."""
     parameters, texts = _INTEGRANDS[shape]
     places = [name for name, is_one in (("off-axis", aside), ("incidence", turned)) if is_one]
     names = {"off-axis": "{off-axis} off the axis", "incidence": "turned by {incidence}"}
@@ -470,7 +470,7 @@ def _received(shape: str, aside: bool = False, turned: bool = True) -> Relation:
     )
 
 
-# The symbols of a distribution that tell how it is spread, and what is integrated over a receiver.
+# The symbols of a distribution's shape, and its integrand over a receiver.
 _INTEGRANDS: dict[str, tuple[tuple[str, ...], str]] = {
     ISOTROPIC: ((), "cos(theta) / r^2"),
     CONICAL: (("half-angle",), "cos(theta) / r^2 within {half-angle}"),

@@ -1,7 +1,7 @@
-"""A plane surface between two transparent media: Snell's law and Fresnel's, and a plane slab.
+"""A plane surface between two transparent media, and a plane slab: Snell's and Fresnel's laws.
 
-The index n is that after the surface over that before it, the angles i and t are those of the light
-from the normal, before and after:
+The index n is the refractive index after the surface over that before it; i and t are the angles
+between the light and the normal, before and after:
 
 - Snell: sin(i) = n sin(t)
 - Fresnel: rho_s = ((cos i - n cos t) / (cos i + n cos t))^2, for a field perpendicular to the plane
@@ -9,10 +9,10 @@ from the normal, before and after:
 - unpolarised light: rho = (rho_s + rho_p) / 2, tau = 1 - rho
 - slab with the first medium on both sides, with all reflections inside it, summed as powers:
   tau = ((1 - rho_s) / (1 + rho_s) + (1 - rho_p) / (1 + rho_p)) / 2
-- Brewster: tan(B) = n, where no parallel light is reflected
-- critical angle: sin(c) = min(n, 1/n), on the side of the greater index
+- Brewster: tan(B) = n, the incidence at which no light of parallel polarisation is reflected
+- critical angle: sin(c) = min(n, 1/n), in the medium of greater index
 
-Angles [rad], all else pure numbers.  Neither medium absorbs or is magnetic.
+Angles [rad]; all else is dimensionless.  The media are not magnetic and do not absorb.
 """
 
 from typing import Any
@@ -25,17 +25,17 @@ FRESNEL = "Fresnel equations, for media that do not absorb"
 
 
 def _refracted(at: At) -> Any:
-    """Angle of refraction; total reflection has none."""
+    """Return the angle of refraction; refuse total reflection."""
     sine = sin(at("incidence")) / at("index")
     if any_true(sine > 1):
         raise ConditionError(
-            "the light is totally reflected: no angle of refraction", "a smaller incidence"
+            "the light is totally reflected: it has no angle of refraction", "a smaller incidence"
         )
     return asin(sine)
 
 
 def _incident(at: At) -> Any:
-    """Angle of incidence of light that is refracted by an angle."""
+    """Return the angle of incidence from the angle of refraction."""
     sine = at("index") * sin(at("refraction-angle"))
     if any_true(sine > 1):
         raise ConditionError("no incidence gives that angle of refraction", "a smaller angle")
@@ -43,9 +43,9 @@ def _incident(at: At) -> Any:
 
 
 def _index(at: At) -> Any:
-    """Index that refracts one angle into the other."""
+    """Return the index from the angles of incidence and refraction."""
     if any_true(at("refraction-angle") == 0):
-        problem = "light along the normal says nothing about the index"
+        problem = "light along the normal does not determine the index"
         raise ConditionError(problem, "a larger angle")
     return sin(at("incidence")) / sin(at("refraction-angle"))
 

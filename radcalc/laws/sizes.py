@@ -1,10 +1,10 @@
-"""Lengths [m] and areas [m2] of flat sources and receivers, and how far aside these are.
+"""Lengths [m] and areas [m2] of flat sources and receivers, and offsets of receivers [m].
 
 - `RECTANGLE`: A = w l
 - `CIRCLE`: A = pi R^2
 - `DIAMETER`: D = 2 R
-- `OFFSET`: the offset x along one axis, where it is all there is
-- `ASPECT`: c^2 = A (a + 1/a), of a rectangle's diagonal c and its sides' ratio a, at least 1
+- `OFFSET`: the offset x along one axis, if there is no other
+- `ASPECT`: c^2 = A (a + 1/a), with a rectangle's diagonal c and the ratio a >= 1 of its sides
 """
 
 from collections.abc import Container
@@ -21,7 +21,7 @@ OFFSET = law("offset", "{offset} = {lateral}")
 
 
 def _aspect(ratio: Any) -> Any:
-    """Of the two aspects of a ratio, which are upside down to each other, that of 1 or more."""
+    """Return the aspect a >= 1 with a + 1/a equal to a ratio."""
     cones.refuse(
         ratio < 2, "the diagonal is too short for that area", "more diagonal, or less area"
     )
@@ -36,17 +36,17 @@ ASPECT = relation(
 
 
 def round_sizes(given: Container[str]) -> list[AnyLaw]:
-    """Choose the laws that a round shape has beside those of its radius.
+    """Choose the laws of a round shape in addition to those of its radius.
 
     Parameters
     ----------
     given : container of str
-        The symbols that are given.
+        The given symbols.
 
     Returns
     -------
     list of Law
-        That of the diameter where it is given; an answer about a radius has no diameter.
+        The law of the diameter if that is given; otherwise the answer has no diameter.
 
     Examples
     --------

@@ -1,12 +1,12 @@
 """Solid angles of spheres, discs, pyramids and small patches, solved both ways.
 
-- `SPHERE`: sin(alpha) = R / d, the half angle that a sphere fills from outside, d > R
-- `disc`: Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0, from a place on its axis
-- `PYRAMID`: Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0, of the full angles a and b from face to
+- `SPHERE`: sin(alpha) = R / d, with the half angle alpha of a sphere seen from outside, d > R
+- `disc`: Omega = 2 pi (1 - h / sqrt(h^2 + R^2)) Omega0, from a point on its axis
+- `PYRAMID`: Omega = 4 arcsin(sin(a/2) sin(b/2)) Omega0, with the full angles a and b from face to
   face, through the axis
-- `ON_SPHERE`: Omega = A / R^2 Omega0, of a part of a sphere, from its centre
-- `PATCH`: Omega = A cos(theta_s) / d^2 Omega0, of a flat surface that is small beside its distance
-  (five times its size and more)
+- `ON_SPHERE`: Omega = A / R^2 Omega0, for a part of a sphere, from its centre
+- `PATCH`: Omega = A cos(theta_s) / d^2 Omega0, for a flat surface at a distance of at least five
+  times its size
 
 Lengths [m], angles [rad], solid angles [sr].  Source: elementary geometry; for the
 disc F. Paxton, Rev. Sci. Instrum. 30 (1959) 254.
@@ -28,12 +28,12 @@ SPHERE = relation(
 
 
 def disc(away: str) -> Relation:
-    """Solid angle of a disc from a place on its axis, solved for any of its symbols.
+    """Make the law of the solid angle of a disc from a point on its axis.
 
     Parameters
     ----------
     away : {"height", "distance"}
-        The symbol of the length [m] between that place and the disc.
+        Symbol of the length [m] between that point and the disc.
 
     Returns
     -------

@@ -1,7 +1,7 @@
-"""Solving laws for whatever is missing, and checking them against what is given twice.
+"""The solver: it derives missing values by laws, and checks values against laws.
 
-- `solve`: everything that follows from what is given, law by law; `solve_all`: every such set
-- `reached`: which symbols would follow, whatever their values
+- `solve`: derive every value that follows, law by law; `solve_all`: all sets of such values
+- `reached`: find the symbols that would follow, whatever the values
 - `Derivation`: the steps of an answer
 
 Values are in coherent SI units, floats or arrays.
@@ -21,17 +21,17 @@ from radcalc.units.numbers import EXACT
 
 
 class Known(NamedTuple):
-    """A value, how far it may be off as typed, and its text where it was given.
+    """A value, its rounding error, and its text if it was typed.
 
     Attributes
     ----------
     value : float or ndarray [SI]
         The value.
     rounding : float or ndarray [SI], or callable
-        How far it may be off, or a function that works that out where it is asked for.  Of what
-        follows from other values the solver knows it by itself.
+        Its largest error due to the digits typed, or a function that computes that.  The solver
+        derives those of derived values.
     text : str
-        What was typed; empty where the value follows.
+        The text typed; empty for a derived value.
 
     Examples
     --------
@@ -48,14 +48,14 @@ Values = dict[str, Known]
 
 
 class Solution(NamedTuple):
-    """Every value that follows, and how.
+    """All values, and the laws that gave them.
 
     Attributes
     ----------
     values : dict of str to Known
-        What was given and what follows, by the names of symbols.
+        Given and derived values, by the names of symbols.
     used : list of (law, str)
-        The laws that gave something, in that order, and the symbol each was solved for.
+        The laws used, in order, and the symbol that each was solved for.
 
     Examples
     --------
@@ -69,16 +69,16 @@ class Solution(NamedTuple):
 
 
 class Disagreement(ConditionError):
-    """Two values of one symbol, by a law; whoever knows what was given says it with units.
+    """The error for two values of one symbol; a caller words it again, with units.
 
     Parameters
     ----------
     law : Law or Relation
-        The law that is broken.
+        The violated law.
     name : str
         The symbol.
     given, implied : float or ndarray [SI]
-        Its value, and that which the law gives.
+        Its value, and its value by the law.
 
     Attributes
     ----------
@@ -103,43 +103,42 @@ def solve(
     steps: dict[str, float] | None = None,
     last: Set[str] = frozenset(),
 ) -> Solution:
-    """Work out everything that follows from what is given, and check what is given twice.
+    """Derive every value that follows from given values by laws, and check surplus values.
 
     Parameters
     ----------
     laws : sequence of Law or Relation
-        What holds.
+        The laws that hold.
     given : dict of str to Known
         Values by the names of symbols [SI].
     steps : dict of str to float, optional
-        By how much the marked values of logarithmic symbols differ from exact ones.
+        Largest differences between marked and exact values of logarithmic symbols.
     last : set of str, optional
-        Symbols whose laws wait until no other law gives anything, where what is given is not
-        consistent to the last digit.
+        Symbols whose laws are used last if the given values agree only to the digits typed.
 
     Returns
     -------
     Solution
-        The values, and the laws that gave them; the first, where several fit.
+        The values, and the laws that gave them; the first solution if several fit.
 
     Raises
     ------
     Disagreement
-        If two values of one symbol differ by more than their digits leave open.
+        If two values of one symbol differ by more than the digits typed allow.
     NumberError
-        If a value cannot be held by a float.
+        If a float cannot hold a value.
     ConditionError
         If no value of a symbol fits the others.
 
     Notes
     -----
-    Each law that lacks one symbol gives it, until no law lacks just one.  A law that lacks none,
-    and gave none, is checked to the precision typed: as far as the values given may be off, so may
-    what follows from them.
+    Each law with one unknown symbol is solved for it, until no law has exactly one.  A law whose
+    symbols are all known, and that gave none of them, is checked to the precision typed: the
+    rounding errors of given values propagate to derived values.
 
-    Where two laws could give a symbol, and differ by what the digits typed leave open, it matters
-    which one does: the sides of a room fix its area, and a flux typed with three digits does not.
-    Such values are worked out anew, through the symbols of `last` at the end.
+    If two laws could give a symbol, and their values differ within the digits typed, the choice
+    matters: the sides of a room determine its area better than a flux typed with three digits.
+    Then all values are derived again, with the laws of the symbols in `last` at the end.
 
     Examples
     --------
@@ -157,22 +156,22 @@ def solve_all(
     steps: dict[str, float] | None = None,
     last: Set[str] = frozenset(),
 ) -> list[Solution]:
-    """Work out every set of values that fits what is given, as `solve` does the first of them.
+    """Derive every set of values that fits the given values; `solve` returns the first.
 
     Parameters
     ----------
     laws, given, steps, last
-        As of `solve`.
+        As in `solve`.
 
     Returns
     -------
     list of Solution
-        One, or several where a law has `Several` values for one of its symbols.
+        One, or several if a law has `Several` values for one of its symbols.
 
     Raises
     ------
     Disagreement, NumberError, ConditionError
-        As `solve`, of the first value that a law has, where no other fits.
+        As in `solve`; if none of several values fits, the error of the first.
 
     Examples
     --------
@@ -194,14 +193,14 @@ def solve_all(
         return _follow_all(list(laws), sheet._replace(values=dict(given), laws={}, last=last))
     except ConditionError as error:
         if refused and not (isinstance(error, Disagreement) and error.name in given):
-            raise refused from None  # of a value that was given there is more to say
+            raise refused from None  # the first error is more specific
         raise
 
 
 class _Sheet(NamedTuple):
-    """The values so far, the law that gave each of those that follow, and what was given.
+    """The values so far, the law of each derived value, and the given values.
 
-    `rounded` are the laws that hold within the digits typed and no closer.
+    `rounded` are the laws that hold only within the digits typed.
     """
 
     values: Values
@@ -212,7 +211,7 @@ class _Sheet(NamedTuple):
     rounded: list[AnyLaw]
 
     def off(self, name: str) -> Any:
-        """Return how far a value may be off [SI], by the roundings of all that it follows from."""
+        """Return the largest error of a value [SI], from the roundings that it depends on."""
         known = self.values[name]
         off = known.rounding
         if off is UNKNOWN:
@@ -223,7 +222,7 @@ class _Sheet(NamedTuple):
         return larger(off, self.steps[name]) if name in self.steps else off
 
 
-UNKNOWN = None  # the rounding of a value that nobody has asked for yet
+UNKNOWN = None  # a rounding that is not computed yet
 
 
 def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
@@ -254,7 +253,7 @@ def _follow_all(waiting: list[AnyLaw], sheet: _Sheet) -> list[Solution]:
 def _follow_each(
     waiting: list[AnyLaw], sheet: _Sheet, target: str, several: Several
 ) -> list[Solution]:
-    """What follows from each of several values of a symbol, but for those that do not fit."""
+    """Derive the solutions for each of several values of a symbol, except those that do not fit."""
     solutions: list[Solution] = []
     refused: ConditionError | None = None
     for value in several:
@@ -271,7 +270,7 @@ def _follow_each(
 
 
 def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
-    """Return the target by the law; where no value fits, one that does within the roundings."""
+    """Return the target by the law; if no value fits, one that does within the roundings."""
     at = {name: sheet.values[name].value for name in law.names if name != target}
     try:
         value = law.solve(target, at.__getitem__)
@@ -282,7 +281,7 @@ def _follow(law: AnyLaw, target: str, sheet: _Sheet) -> Any:
         if value is None:
             if isinstance(error, ConditionError):
                 raise
-            fits = f"no {target.replace('-', ' ')} fits what is given, by the law '{law.name}'"
+            fits = f"no {target.replace('-', ' ')} fits the other values, by the law '{law.name}'"
             raise ConditionError(fits, "other values") from None
     if isinstance(value, Several):
         return value
@@ -303,10 +302,10 @@ ARITHMETIC = (ValueError, ZeroDivisionError, OverflowError)
 
 
 def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any:
-    """Return the target at the limit of what a relation allows, if the roundings reach it, or None.
+    """Return the target at the limit of a relation, or None if the roundings do not reach it.
 
-    A cosine of 1.004, of numbers typed with three digits, is one of 1; what is typed as
-    impossible remains so.
+    A cosine of 1.004 from numbers typed with three digits counts as 1; a typed value is not
+    changed.
     """
     follows = isinstance(law, Relation) and not at.keys() <= sheet.given.keys()
     if not follows or any(map(is_array, at.values())):
@@ -326,7 +325,7 @@ def _nearest(law: AnyLaw, target: str, sheet: _Sheet, at: dict[str, Any]) -> Any
 def _moved(
     law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], part: float = 1.0
 ) -> Any:
-    """Return the target where other symbols are moved by a part of so much; None past a limit."""
+    """Return the target with other symbols moved by a part of `move`; None past a limit."""
     moved = at | {name: at[name] + part * size for name, size in move.items()}
     try:
         value = law.solve(target, moved.__getitem__)
@@ -343,12 +342,12 @@ def _limit(
     outside: float,
     inside: float,
 ) -> float:
-    """The part by which other symbols can be moved, of so much, until the law has no target."""
+    """Return the part of `move` at which the law begins or ceases to have a target."""
     return limit(lambda part: _moved(law, target, at, move, part) is not None, outside, inside)
 
 
 def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
-    """Return how far the target of a law may be off, by the roundings of its other symbols."""
+    """Return the largest error of a law's target, from the roundings of its other symbols."""
     at = {name: sheet.values[name].value for name in law.names if name != target}
     value = sheet.values[target].value
     total = 0.0 * value
@@ -364,7 +363,7 @@ def _spread(sheet: _Sheet, law: AnyLaw, target: str) -> Any:
 def _moved_to_limit(
     law: AnyLaw, target: str, at: dict[str, Any], move: dict[str, Any], value: Any
 ) -> Any:
-    """Return the target with one symbol moved, as far as it can be; of several values the nearest.
+    """Return the target with one symbol moved as far as possible; the nearest of several values.
 
     An incidence typed as 90 deg is not meant as 90.05.
     """
@@ -386,7 +385,7 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     except ConditionError:
         if isinstance(law, Relation):
             raise
-        name = law.result  # where no light arrives nothing else can be told by the law
+        name = law.result  # if no light arrives, the law can be solved only for its result
         other = _follow(law, name, sheet)
     value = sheet.values[name].value
     if isinstance(other, Several):
@@ -395,7 +394,7 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
     if not any_true(difference > EXACT * abs(value) + 1e-300):
         return
     for symbol in law.names:
-        sheet.off(symbol)  # by the values as they are, before the other one takes its place
+        sheet.off(symbol)  # from the present values, before `other` replaces one of them
     aside = sheet._replace(values={**sheet.values, name: Known(other)})
     allowed = sheet.off(name) + _spread(aside, law, name) + EXACT * abs(value)
     if any_true(difference > allowed):
@@ -404,19 +403,19 @@ def _check(law: AnyLaw, sheet: _Sheet) -> None:
 
 
 def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
-    """Find the symbols that follow from those that are known, whatever their values.
+    """Find the symbols that follow from known ones, whatever their values.
 
     Parameters
     ----------
     laws : sequence of Law or Relation
-        What holds.
+        The laws that hold.
     known : set of str
-        The symbols that are known.
+        The known symbols.
 
     Returns
     -------
     set of str
-        Those and what follows.
+        Those, and all that follow.
 
     Examples
     --------
@@ -435,18 +434,16 @@ def reached(laws: Sequence[AnyLaw], known: set[str]) -> set[str]:
 
 
 class Derivation(Sequence[Step]):
-    """The steps of an answer, worked out when somebody looks at them.
-
-    Each law that was used, in symbols, then in numbers.
+    """The steps of an answer, computed on access: each law used, in symbols and in numbers.
 
     Parameters
     ----------
     solution : Solution
-        What follows, and by which laws.
+        The values, and the laws that gave them.
     kind : str
         The kind of the light quantities: e, v or p.
     before, after : sequence of Step
-        Steps of what was worked out elsewhere.
+        Steps that were computed elsewhere.
 
     Examples
     --------
@@ -473,16 +470,16 @@ class Derivation(Sequence[Step]):
         return [*self._before, *laws, *self._after]
 
     def __len__(self) -> int:
-        """Return how many there are."""
+        """Return the number of steps."""
         return len(self._before) + len(self.solution.used) + len(self._after)
 
     def __getitem__(self, index: Any) -> Any:
-        """One of them, or a part."""
+        """Return one step, or a slice of steps."""
         return self._steps[index]
 
 
 def _step(law: AnyLaw, target: str, values: Values, kind: str) -> Step:
-    """A law solved for whichever of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`."""
+    """Return a law solved for one of its symbols: `(800 lm) = 4 pi Omega0 I, so I = 63.7 cd`."""
 
     def write(name: str, is_factor: bool) -> str:
         if name == target:

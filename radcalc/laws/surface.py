@@ -1,30 +1,30 @@
-"""A surface of one radiance in all directions: what leaves it, and what a receiver gets.
+"""A surface with the same radiance in all directions: its light, and the light on a receiver.
 
-What leaves it (`LAWS`):
+Light of the surface (`LAWS`):
 
 - Lambertian exitance: M = pi Omega0 L (ISO 80000-7, radiance and exitance)
 - Lambertian reflector: M = rho E_i, with the reflectance rho up to 1 (ISO 80000-7, reflectance)
-- flux of a surface: Phi = M A; intensity of a surface: I = L A_p, of the apparent area
-- `FLAT_FLUX`: Phi = pi Omega0 I, and of a sphere `SPHERE_INTENSITY`: Phi = 4 pi Omega0 I
-- `FLAT`: A_p = A; of a sphere `SPHERE_AREA`: A = 4 pi R^2 and `SPHERE_FRONT`: A_p = pi R^2
+- flux of a surface: Phi = M A; intensity of a surface: I = L A_p, with the apparent area
+- `FLAT_FLUX`: Phi = pi Omega0 I; for a sphere `SPHERE_INTENSITY`: Phi = 4 pi Omega0 I
+- `FLAT`: A_p = A; for a sphere `SPHERE_AREA`: A = 4 pi R^2 and `SPHERE_FRONT`: A_p = pi R^2
 
-What a receiver gets, exactly at any distance:
+Light on a receiver, exact at any distance:
 
 - irradiance of a uniform radiance: E = L Omega_p (ISO 80000-7, radiance and irradiance)
 - `CONFIGURATION_FACTOR`: F = Omega_p / (pi Omega0)
 - `disc_on_axis`: Omega_p = pi Omega0 R^2 / (R^2 + h^2) (Howell)
-- `rectangle_on_axis`: Omega_p by the sides and the height (Howell)
-- `DISC_ASIDE`: the same at the height h, x from the axis, of which up to two heights fit (Howell)
-- `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, to its centre (Howell)
+- `rectangle_on_axis`: Omega_p from the sides and the height (Howell)
+- `DISC_ASIDE`: that of a disc at the distance x from its axis; up to two heights h fit (Howell)
+- `SPHERE_AT_DISTANCE`: Omega_p = pi Omega0 (R / d)^2, with the distance d of its centre (Howell)
 - `SPHERE_FLUX`: Phi = 4 pi d^2 E, and `SPHERE_ENERGY`: Q = 4 pi d^2 H
 - `disc_flux`: Phi = pi (R^2 + h^2) E
 - `SURFACE_ENERGY`: H = Q Omega_p / (pi Omega0 A)
 - `EXPOSURE` and `ENERGY` of `radcalc.laws.energy`
 
-And from far away, five times the size and more:
+Light on a receiver at a distance of at least five times the size:
 
-- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2; where the receiver's horizon
-  cuts a disc that faces it, `CUT_DISC` has the integral over what is left
+- `SMALL_SOURCE`: Omega_p = A cos(theta_s) cos(theta) Omega0 / d^2; if the receiver's horizon cuts
+  a disc that faces it, `CUT_DISC` has the integral over the part above
 - `SMALL_SOURCE_INTENSITY`: E = I cos(theta_s) cos(theta) Omega0 / d^2; `SMALL_SOURCE_ENERGY`:
   H = Q cos(theta_s) cos(theta) / (pi d^2)
 - inverse square law, as an estimate: E_ff = I cos(theta_s) cos(theta) Omega0 / d^2
@@ -115,19 +115,19 @@ TOO_MUCH = (
 
 
 def _hemisphere_over(at: At) -> Any:
-    """A whole over the projected solid angle, which must be less."""
+    """Return pi over the projected solid angle, which must be less than pi."""
     part = at("projected-solid-angle")
     cones.refuse(part >= math.pi, *TOO_MUCH)
     return math.pi / part
 
 
 def disc_on_axis(away: str) -> Relation:
-    """Projected solid angle of a uniform disc from a place on its axis, exact at any distance.
+    """Make the law of the projected solid angle of a uniform disc from a point on its axis.
 
     Parameters
     ----------
     away : {"distance", "height"}
-        The symbol of the length [m] between that place and the disc.
+        Symbol of the length [m] between that point and the disc.
 
     Returns
     -------
@@ -152,7 +152,7 @@ def disc_on_axis(away: str) -> Relation:
 
     Examples
     --------
-    At a height of the radius the disc fills a half of pi sr, and back:
+    At the height of the radius the disc has pi/2 sr, and back:
 
     >>> disc = disc_on_axis("height")
     >>> round(disc.solve("projected-solid-angle", {"radius": 1.0, "height": 1.0}.get), 6)
@@ -173,12 +173,12 @@ def disc_on_axis(away: str) -> Relation:
 
 
 def disc_flux(away: str) -> Relation:
-    """Flux of a uniform disc by the irradiance at a place on its axis, exact at any distance.
+    """Make the law of a uniform disc's flux from the irradiance at a point on its axis.
 
     Parameters
     ----------
     away : {"distance", "height"}
-        The symbol of the length [m] between that place and the disc.
+        Symbol of the length [m] between that point and the disc.
 
     Returns
     -------
@@ -188,7 +188,7 @@ def disc_flux(away: str) -> Relation:
     Raises
     ------
     ConditionError
-        When the relation is solved for a length, if the flux is too little for the irradiance.
+        When the relation is solved for a length, if the flux is too small for the irradiance.
 
     Notes
     -----
@@ -231,7 +231,7 @@ def disc_flux(away: str) -> Relation:
 
 
 def _slope(at: At) -> Any:
-    """(1 - 2 F) / sqrt(F (1 - F)), where F is the projected solid angle over pi."""
+    """Return (1 - 2 F) / sqrt(F (1 - F)), with the projected solid angle F over pi."""
     part = at("projected-solid-angle") / math.pi
     cones.refuse(part >= 1, *TOO_MUCH)
     return (1 - 2 * part) / sqrt(part * (1 - part))
@@ -245,7 +245,7 @@ def _disc_offset(at: At) -> Any:
 
 
 def _disc_heights(at: At) -> Any:
-    """Return the heights, up to two beside the disc, at which so much of it is seen."""
+    """Return the height for a projected solid angle; outside the disc there may be two."""
     radius, offset = at("radius"), at("lateral")
     half = _slope(at) * radius / 2
     rest = (offset - radius) * (offset + radius)
@@ -281,12 +281,12 @@ DISC_ASIDE = relation(
 
 
 def rectangle_on_axis(away: str) -> Relation:
-    """Projected solid angle of a uniform rectangle from a place on its axis, at any distance.
+    """Make the law of the projected solid angle of a uniform rectangle from a point on its axis.
 
     Parameters
     ----------
     away : {"distance", "height"}
-        The symbol of the length [m] between that place and the rectangle.
+        Symbol of the length [m] between that point and the rectangle.
 
     Returns
     -------
@@ -296,8 +296,8 @@ def rectangle_on_axis(away: str) -> Relation:
     Raises
     ------
     ConditionError
-        When the relation is solved for a length, if the projected solid angle is that of all that
-        the receiver sees, or of an endless strip, or more.
+        When the relation is solved for a length, if the projected solid angle is not less than that
+        of the hemisphere or of an endless strip.
 
     Notes
     -----

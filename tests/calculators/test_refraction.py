@@ -80,7 +80,7 @@ def test_light_past_the_critical_angle_is_totally_reflected():
         ("--index 1.52 --incidence 60deg --refraction-angle 30deg", "contradicts the rest"),
         ("--index 0.5 --incidence 60deg --refraction-angle 30deg", "totally reflected"),
         ("--index 1.52 --refraction-angle 60deg", "no incidence gives"),
-        ("--incidence 0deg --refraction-angle 0deg", "says nothing about the index"),
+        ("--incidence 0deg --refraction-angle 0deg", "does not determine the index"),
         ("--index 1.52 --critical-angle 45deg", "contradicts the rest"),
         (
             "--index 1.52 --incidence 10deg --wavelength 500nm",
