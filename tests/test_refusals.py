@@ -637,20 +637,20 @@ def test_a_stream_is_refused(words, message):
 # what is looked for among the quantities, part of the message, part of the hint
 NAMES = {
     "a misspelt English name is answered with the nearest": (
-        "luminanse", "no quantity is called 'luminanse'", "luminance"),
+        "luminanse", "unknown quantity 'luminanse'", "luminance"),
     "a misspelt Czech name is answered with the nearest": (
-        "svitivsot", "no quantity is called", "svítivost"),
+        "svitivsot", "unknown quantity", "svítivost"),
     "a misspelt Russian name is answered with the nearest": (
-        "яркасть", "no quantity is called", "яркость"),
+        "яркасть", "unknown quantity", "яркость"),
     "a name like no other is answered with the list of them all": (
-        "zork", "no quantity is called 'zork'", "radcalc quantities, which lists them all"),
+        "zork", "unknown quantity 'zork'", "radcalc quantities, which lists them all"),
     "a unit of what is not listed is answered with what it measures": (
         "kg", "'kg' measures mass", "radcalc quantities"),
-    "a sign is no name": ("%", "no quantity is called '%'", "radcalc quantities"),
-    "empty brackets are no name": ("[]", "no quantity is called", "radcalc quantities"),
-    "markup is no name": ("[/bold]", "no quantity is called", ""),
-    "a hundred kilobytes are no name": ("x" * 100_000, "no quantity is called", ""),
-    "a unit 66 times over is no name": ("lx " * 66, "no quantity is called", ""),
+    "a sign is no name": ("%", "unknown quantity '%'", "radcalc quantities"),
+    "empty brackets are no name": ("[]", "unknown quantity", "radcalc quantities"),
+    "markup is no name": ("[/bold]", "unknown quantity", ""),
+    "a hundred kilobytes are no name": ("x" * 100_000, "unknown quantity", ""),
+    "a unit 66 times over is no name": ("lx " * 66, "unknown quantity", ""),
 }  # fmt: skip
 
 

@@ -1,1 +1,1 @@
-"""What is measured, and what it is called."""
+"""Quantities, their names and their symbols."""

@@ -1,7 +1,7 @@
-"""Titles over columns: the name and the unit in each, and the column that a name means.
+"""Titles of columns: the name and the unit in a title, and the column that a name means.
 
-A unit stands in brackets (`E [lx]`), behind a slash as in ISO 80000 (`E / lx`), or is a word of
-the title (`E_lx`, `E, lx`, `lux desk`) or all of it.
+A unit is in brackets (`E [lx]`), after a slash as in ISO 80000 (`E / lx`), a word of the title
+(`E_lx`, `E, lx`, `lux desk`), or the whole title.
 """
 
 import re
@@ -19,19 +19,19 @@ from radcalc.units.scales import scale_of
 from radcalc.units.table import PARTS, resolve, suggest, unit_of
 from radcalc.units.unit import Unit
 
-AROUND = " \t,;:_/-–"  # what stands between a name and a unit
-LONGEST = 200  # characters of a title in which a unit is looked for
+AROUND = " \t,;:_/-–"  # characters between a name and a unit
+LONGEST = 200  # characters of a title that is searched for a unit
 MOST_WORDS = 8  # of a unit
 WORD = re.compile(r'[^\s,;:_"]+')
-QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, as ISO 80000 writes it
-# Before a unit in brackets: (unit: lx), (in lx), and numbers, which are refused then.
+QUANTITY_OVER_UNIT = re.compile(r"[^/]*\w\s*/\s*(.+)")  # I/cd, the notation of ISO 80000
+# Text before a unit in brackets: (unit: lx), (in lx), and numbers, which are then refused.
 PREAMBLE = re.compile(r"(?:.*(?:[,;:=]|\bin\b))?\s*(?:[*×x]?\s*[\d⁰¹²³⁴-⁹.^+-]+\s*[*×x·]?\s*)?")
 SCALED_BEFORE = re.compile(
     r"(?:[(\[][^)\]]*[\d⁰¹²³⁴-⁹]|(?:^|\s)1(?:0+|e)[-+^\d⁰¹²³⁴-⁹]*|[*×]|\d\s?x)\s*$"
 )
-HERE = "\0"  # stands for the unit in a title, where the rest of it is looked at
-# Numbers in a title that scale nothing: f/2.8, 1/e2, sizes such as 2x4, places such as x1 y2 and
-# x1, fractions and dates, areas such as 20 m².
+HERE = "\0"  # placeholder of the unit in its title
+# Numbers in a title that do not scale values: f/2.8, 1/e2, sizes such as 2x4, positions such as
+# x1 y2 and x1, fractions and dates, areas such as 20 m².
 NO_SCALE = re.compile(
     r"\bf/\d[\d.]*"
     r"|\b1\s?/\s?(?-i:e)(?:\^?2|²)?(?![^\W\d_])"
@@ -59,27 +59,27 @@ FUNCTION = re.compile(
     r"|[√∛∫∂^²³⁻⁴-⁹]|\*\*"
 )
 IN = re.compile(r"(?:^|[\s_])(?:in|unit)$", re.IGNORECASE)
-# A word that is surely meant as a unit of light, were it known: klux, W/m2*s-1.
+# A word that is surely meant as a unit of light, though unknown: klux, W/m2*s-1.
 UNIT_OF_LIGHT = re.compile(
     r"(?<![^\W_])(?!units?(?![^\W_]))(?:[kmunµμ]|kilo|milli|micro)?"
     r"(?:lux|lx|lumens?|lm|candelas?|cd|watts?|w(?=/c?m|/sr|/nm)|mol|foot.?candles?|nits?)(?![^\W_])",
     re.IGNORECASE,
 )
-BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # no inch: E at 2 m in W/m2
-# What stands below a symbol, in E_v or E_ph, is no unit unless it is the one that is meant.
+BETWEEN = re.compile(r"(?<=\s)in(?=\s)")  # the preposition, not an inch: E at 2 m in W/m2
+# Subscripts of symbols, as in E_v or E_ph, are units only if the unit of that quantity is meant.
 SUBSCRIPTS = ("e", "v", "p", "ph", "q")
-SYMBOL = re.compile(r"[EL](?![^\W_])")  # of an irradiance, of a radiance: no einstein, no lambert
+SYMBOL = re.compile(r"[EL](?![^\W_])")  # symbols, not the einstein and the lambert
 BRACKETS = re.compile(r"[()\[\]]")
-# Names of what is counted in photons: PPFD, but PAR is given in watts, too; PPF was once PPFD.
+# Names of photon quantities: PPFD, but PAR may also be in watts; PPF was once a name of PPFD.
 PHOTON_IRRADIANCES = ("pfd", *[name for name in PPFD if name != "par"])
 PHOTONS = ("photon", "photons", "quanta", *PPF)
-COMPARED = 1000  # titles that a name is held against where it is none of them
+COMPARED = 1000  # titles to search for names similar to an unknown one
 
 
 class Title(NamedTuple):
-    """A title: what is named in it, and its unit, which is the text from `start` to `end`.
+    """A title: its name, and its unit, which is the text from `start` to `end`.
 
-    `text[opening:start]` and `text[end:closing]` set the unit off from the name.
+    `text[opening:start]` and `text[end:closing]` separate the unit from the name.
     """
 
     text: str
@@ -92,15 +92,15 @@ class Title(NamedTuple):
 
     @property
     def in_brackets(self) -> bool:
-        """Return whether the unit stands in brackets."""
+        """Return whether the unit is in brackets."""
         return BRACKETS.search(self.text, self.opening, self.start) is not None
 
     def with_unit(self, unit: str) -> str:
-        """The title with another unit in the place of its own; as it is where it has none."""
+        """Return the title with another unit; a title without a unit is unchanged."""
         return self.text[: self.start] + unit + self.text[self.end :] if self.unit else self.text
 
     def renamed(self, name: str, unit: str) -> str:
-        """Another name with a unit, set off as it is here; the name alone where there is none."""
+        """Return another name with a unit in the same notation; the name alone without a unit."""
         if self.unit is None:
             return name
         if not self.opening:  # lux, lux (desk)
@@ -112,17 +112,17 @@ class Title(NamedTuple):
 def read_title(text: str, like: Unit | None = None) -> Title:
     """Return the name and the unit in a title.
 
-    A unit of the quantity of `like` is looked for first, or of any of light without it.  Then
-    what is in brackets is any unit, and a word of more than one letter is one of light.
+    The unit may measure the quantity of `like`, or any quantity of light if `like` is None.  If no
+    such unit is found, text in brackets may be any unit, and a word of several letters any unit of
+    light.
 
-    Raises UnitError where the title has a unit of light that is none here, as `E (klux)`, or
-    where its numbers are not those of its unit, as `refuse_altered` has it, or where it names a
-    quantity that its unit does not measure, as `refuse_misnamed` has it.
+    Raises UnitError for an unknown unit of light, as in `E (klux)`, and for titles that
+    `refuse_altered` or `refuse_misnamed` refuses.
     """
     title = _read(text, like)
     if title.unit is None and (match := UNIT_OF_LIGHT.search(text)):
         hint = ", ".join(suggest(match[0])) or "a unit of radcalc units"
-        raise UnitError(f"the title '{quote(text)}' has a unit that is not known", hint)
+        raise UnitError(f"unknown unit in the title '{quote(text)}'", hint)
     if title.unit:
         refuse_altered(title)
         refuse_misnamed(title, title.unit)
@@ -130,15 +130,15 @@ def read_title(text: str, like: Unit | None = None) -> Title:
 
 
 def unit_in(text: str, like: Unit | None = None) -> Unit | None:
-    """Return the unit in a title, whatever else the title says; None where it has none."""
+    """Return the unit in a title, ignoring the rest of it; None if there is none."""
     return _read(text, like).unit
 
 
 def refuse_altered(title: Title) -> None:
-    """Refuse a title under which the numbers are not those of the quantity in its unit.
+    """Raise for a title whose numbers are not the values of the quantity in its unit.
 
-    Raises UnitError where the title scales them, as `E [lx] x1000`, has a function of them, as
-    `log E [lx]`, or has another unit, as `E [W/m2] or [lx]`.
+    Raises UnitError for a title that scales them, as `E [lx] x1000`, names a function of them, as
+    `log E [lx]`, or has a second unit, as `E [W/m2] or [lx]`.
     """
     text, unit = title.text, title.unit
     before, after = text[: title.start], text[title.end :]
@@ -155,9 +155,9 @@ def refuse_altered(title: Title) -> None:
 
 
 def refuse_misnamed(title: Title, unit: Unit) -> None:
-    """Refuse a title that is the name of another quantity than the unit of its numbers measures.
+    """Raise for a title that names a quantity that the unit of its numbers does not measure.
 
-    Raises UnitError for `illuminance [cd/m2]`, and for `PPFD (desk) 1` over numbers in lux.
+    Raises UnitError for `illuminance [cd/m2]`, and for `PPFD (desk) 1` above numbers in lux.
     """
     if other := other_quantity(title.name, unit):
         raise UnitError(
@@ -167,10 +167,10 @@ def refuse_misnamed(title: Title, unit: Unit) -> None:
 
 
 def other_quantity(name: str, unit: Unit) -> Quantity | None:
-    """Return the quantity of that name, where a unit of light measures another; None where it fits.
+    """Return the quantity with that name if a unit of light measures another one, else None.
 
-    What stands in brackets is no part of a name, nor is a number behind a word.  A name that is
-    none of a quantity, or that has more words, fits any unit, as every name fits those of no light.
+    Text in brackets and a number after a word are not part of a name.  An unknown name, or one with
+    additional words, fits any unit; units of other quantities than light fit any name.
     """
     words = [word.rstrip("0123456789") for word in comparable(IN_BRACKETS.sub(" ", name)).split()]
     folded = " ".join(filter(None, words))
@@ -190,11 +190,11 @@ def other_quantity(name: str, unit: Unit) -> Quantity | None:
 
 
 def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
-    """Return whether the name of a quantity is also one of what a reading measures."""
+    """Return whether the name of a quantity is also a name of the quantity of a reading."""
     usual = read(resolve(quantity.unit))
     if usual is None:
         return False
-    if usual.retinal:  # there is one in lux, too
+    if usual.retinal:  # retinal illuminance is also given in lux
         return reading.retinal or (reading.kind, reading.geometry) == (usual.kind, (0, 1, 0))
     return (
         (usual.kind == reading.kind or name in GENERIC)
@@ -207,7 +207,7 @@ def _is_called(name: str, quantity: Quantity, reading: Reading) -> bool:
 def _read(text: str, like: Unit | None) -> Title:
     candidates = list(_candidates(text)) if len(text) <= LONGEST else []
     for is_fitting in (_fits, _contradicts):
-        longer: list[Title] = []  # units of light, no part of which is the unit: s in umol_m2_s
+        longer: list[Title] = []  # units that contain shorter ones: the s in umol_m2_s
         for title, in_brackets in candidates:
             if any(
                 long_title.start <= title.start and title.end <= long_title.end
@@ -222,7 +222,7 @@ def _read(text: str, like: Unit | None) -> Title:
 
 
 def _other_unit(text: str, unit: Unit) -> Unit | None:
-    """A unit in the rest of a title that is surely meant as one, and is not that of the title."""
+    """Return a unit in the rest of a title that is surely meant as a second unit, or None."""
     for variant in (text, BRACKETS.sub(" ", text)):
         for title, in_brackets in _candidates(variant):
             other = title.unit
@@ -237,7 +237,7 @@ def _other_unit(text: str, unit: Unit) -> Unit | None:
 
 
 def is_same(first: Unit, second: Unit) -> bool:
-    """Return whether two units have the same numbers: lux, lx and lm/m2."""
+    """Return whether two units have the same values: lux, lx and lm/m2."""
     if first.is_scale or second.is_scale:
         return scale_of(first) == scale_of(second)
     return (
@@ -247,10 +247,10 @@ def is_same(first: Unit, second: Unit) -> bool:
 
 
 def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None) -> int:
-    """Return the place of the one column with a name.
+    """Return the place of the column with a name.
 
-    The name is a whole title, a title without its unit, or either in any case of letters; the
-    first of these forms counts.  A number that is not a whole title is that of the column, from 1.
+    The name is a whole title, a title without its unit, or either without regard to case; the first
+    of these forms that matches decides.  A number that is not a title is that of a column, from 1.
     Raises UsageError if there is no such column, or several.
     """
     name = name.strip()
@@ -276,7 +276,7 @@ def find(titles: Sequence[str], name: str, where: str, like: Unit | None = None)
 
 
 def _similar(titles: Sequence[str], name: str, like: Unit | None) -> list[int]:
-    """Return the places of titles that match a name but for the unit or the case of letters."""
+    """Return the places of titles that match a name except for the unit or the case."""
     folded = name.casefold()
     near = [(k, title) for k, title in enumerate(titles) if folded in title.casefold()]
     bare = [(k, title, _read(title, like).name) for k, title in near[:COMPARED]]
@@ -288,7 +288,7 @@ def _similar(titles: Sequence[str], name: str, like: Unit | None) -> list[int]:
 
 
 def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
-    """Return every part of a title that is a unit, and whether it stands in brackets."""
+    """Return each part of a title that is a unit, and whether it is in brackets."""
     for match in [*IN_BRACKETS.finditer(text)][::-1]:
         inner = match[1] if match[1] is not None else match[2]
         start = match.start() + 1
@@ -314,7 +314,7 @@ def _candidates(text: str) -> Iterator[tuple[Title, bool]]:
 
 
 def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title | None:
-    """Return the title in which a part is the unit; None where it is none."""
+    """Return the title with a part of it as the unit; None if the part is not a unit."""
     inner = text[start:end]
     start += len(inner) - len(inner.lstrip())
     inner = inner.strip()
@@ -330,7 +330,7 @@ def _title(text: str, opening: int, start: int, end: int, closing: int) -> Title
 
 
 def _of_words(text: str) -> Unit | None:
-    """Return the unit of umol_m2_s or umol_m-2_s-1, which programs make of umol/m2/s."""
+    """Return the unit of umol_m2_s or umol_m-2_s-1, which programs write for umol/m2/s."""
     words = text.split("_")
     if len(words) < 2 or not all(word[:1].isalpha() for word in words):
         return None
@@ -338,7 +338,7 @@ def _of_words(text: str) -> Unit | None:
 
 
 def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
-    """Return whether the unit measures what `like` does, or light that can be told without it."""
+    """Return whether the unit measures the quantity of `like`, or is a unit of light without it."""
     unit = title.unit
     if unit is None or like is None:
         return _contradicts(title, in_brackets, like) and unit is not None and _is_light(unit)
@@ -347,7 +347,7 @@ def _fits(title: Title, in_brackets: bool, like: Unit | None) -> bool:
 
 
 def _contradicts(title: Title, in_brackets: bool, like: Unit | None) -> bool:
-    """Return whether the unit is surely meant as one, whatever it measures."""
+    """Return whether the text is surely meant as a unit, of any quantity."""
     unit = title.unit
     if unit is None or in_brackets:
         return unit is not None

@@ -1,6 +1,6 @@
-"""What `radcalc units` shows: a unit, what it measures, what it is worth, and who says so.
+"""Entries of `radcalc units`: a unit, its quantity, its definition and its source.
 
-A search is for the name of a quantity, as `radcalc quantities` finds it, or for a unit.
+A search is for the name of a quantity, as in `radcalc quantities`, or for a unit.
 """
 
 from collections.abc import Iterable
@@ -19,7 +19,7 @@ from radcalc.units.unit import Unit
 
 
 class Entry(NamedTuple):
-    """What there is to say of one unit."""
+    """The entry of one unit."""
 
     name: str
     symbols: str
@@ -30,7 +30,7 @@ class Entry(NamedTuple):
 
 
 def entry(name: str) -> Entry:
-    """Return everything that the definitions say of one unit."""
+    """Return the entry of a named unit."""
     symbols, _, definition, source = CATALOGUE[name]
     prefixes = UNITS[name][3]
     allowed = [s for s, p in PREFIX_SYMBOLS.items() if p in prefixes and s.isascii()]
@@ -43,7 +43,7 @@ def entry(name: str) -> Entry:
 
 
 def product(text: str, quantity: str) -> Entry:
-    """Return the same of a unit that has no name of its own, such as W/m2."""
+    """Return the entry of a unit without a name, such as W/m2."""
     parts = [
         f"{'*' if power > 0 else '/'} {name}{f'**{abs(power)}' if abs(power) > 1 else ''}"
         for name, power in sorted(resolve(text).atoms, key=lambda atom: atom[1] < 0)
@@ -52,7 +52,7 @@ def product(text: str, quantity: str) -> Entry:
 
 
 def scales(rows: Iterable[Scale]) -> list[Entry]:
-    """Return the same of scales, which have a function where a unit has a definition."""
+    """Return the entries of scales, with a function instead of a definition."""
     return [
         Entry(
             scale.name,
@@ -68,9 +68,9 @@ def scales(rows: Iterable[Scale]) -> list[Entry]:
 
 
 def search(text: str) -> list[Entry]:
-    """Find units by their name, by the quantity they measure, by a part of a name, by a unit.
+    """Find units by name, by their quantity, by part of a name or by a unit of that quantity.
 
-    The first of these that finds any decides; raises UnitError where none does.
+    The first of these with a match decides; raises UnitError if there is no match.
     """
     text = text.strip()
     if not text:
@@ -85,7 +85,7 @@ def search(text: str) -> list[Entry]:
 
 
 def _of_quantities(text: str) -> list[Entry]:
-    """The units of the quantities of that name, or of which it is a misnomer, with the note."""
+    """Return the units of the quantities with that name or misnomer, with the note on it."""
     from radcalc.quantities.search import called, comparable, index, with_words
 
     measured = [(f.quantity.name(ENGLISH), resolve(f.quantity.unit), f.note) for f in called(text)]
@@ -103,7 +103,7 @@ def _of_quantities(text: str) -> list[Entry]:
 
 
 def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
-    """The named units of a quantity, those of its densities by another axis, and products."""
+    """Return the named units of a quantity, those of its densities on other axes, and products."""
     leaves = quantity in EXITANCES
     entries = [entry(name) for name in named(unit.dimension)]
     entries = [e for e in entries if (e.quantity in EXITANCES) == leaves]
@@ -115,13 +115,13 @@ def _of_quantity(quantity: str, unit: Unit) -> list[Entry]:
 
 
 def _products(quantity: str, unit: Unit) -> list[Entry]:
-    """Return the units of a quantity that are no symbol alone, nor one with a prefix."""
+    """Return the units of a quantity that are products of several symbols."""
     texts = [text for text in composed(unit) if not text.isalpha()]
     return [product(text, quantity) for text in texts]
 
 
 def _of_name(text: str) -> list[Entry]:
-    """Return the units of that symbol, and those in whose names the text is."""
+    """Return the units with that symbol, and those with the text in their names."""
     folded = text.lower().replace("-", "_")
     exact = [name for name in UNITS if text in CATALOGUE[name][0]]
     if exact and len(folded) < 3:
@@ -135,7 +135,7 @@ def _of_name(text: str) -> list[Entry]:
 
 
 def _of_unit(text: str) -> list[Entry]:
-    """Read the search as a unit, and list the units of its quantity; raise where it is none."""
+    """Read the search as a unit, and return the units of its quantity; raise for other texts."""
     try:
         unit = resolve(text)
     except UnitError as error:
@@ -143,7 +143,7 @@ def _of_unit(text: str) -> list[Entry]:
 
         names = near(text, 2, index().others.values())
         raise UnitError(
-            f"no unit and no quantity is called '{quote(text)}'", ", ".join(names) or error.hint
+            f"unknown unit or quantity '{quote(text)}'", ", ".join(names) or error.hint
         ) from None
     reading = read(unit)
     entries = []
@@ -151,9 +151,9 @@ def _of_unit(text: str) -> list[Entry]:
         entries = [entry(name) for name in named(unit.dimension)]
     entries += _products(name_of(unit), unit)
     entries += [] if unit.is_exitance else scales(on(unit.dimension))
-    if reading and is_per_length(unit):  # of a strip, and of a spectrum
+    if reading and is_per_length(unit):  # a unit of a strip, and of a spectrum
         spectral = Unit("", 1, 1, unit.dimension, (("nanometre", -1),))
         entries += _products(reading.name, spectral)
     if not entries:
-        raise UnitError(f"{describe(unit)} has no unit with a name of its own", command("units"))
+        raise UnitError(f"no named unit of {describe(unit)}", command("units"))
     return entries

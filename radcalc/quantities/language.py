@@ -1,4 +1,4 @@
-"""The quantities' names in the user's language: which language that is, and a label in it."""
+"""The user's language, and labels in it."""
 
 import os
 
@@ -7,7 +7,7 @@ LANGUAGES = (ENGLISH, "cs", "ru")
 
 
 def language() -> str:
-    """Return the language of the locale's messages; English where it is not one of `LANGUAGES`."""
+    """Return the language of the locale's messages; English if it is not in `LANGUAGES`."""
     for variable in ("LC_ALL", "LC_MESSAGES", "LANG"):
         if locale := os.environ.get(variable):
             spoken = locale.replace(".", "_").replace("@", "_").partition("_")[0]
@@ -16,10 +16,10 @@ def language() -> str:
 
 
 def translate(label: str, language: str) -> str:
-    """A quantity's English name in a language; as it is where there is no other.
+    """Return a quantity's English name in a language; unchanged if there is no translation.
 
-    What stands in brackets, the axis of a spectral density, is translated by itself; so is the
-    quantity of which a mean, a part or the like is told.
+    The text in brackets, the axis of a spectral density, is translated separately; so is the
+    quantity in labels of a mean, a part or the like.
     """
     if language == ENGLISH:
         return label

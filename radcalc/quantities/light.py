@@ -1,8 +1,8 @@
-"""Which quantity a unit measures: the product of geometry and kind, read from its dimension.
+"""The quantity of a unit: geometry and kind, derived from its dimension.
 
-A light quantity is five small facts: its kind (radiant e, luminous v, photon p) and the powers
-of time, area and solid angle relative to a flux, and the axis of a spectral density.  There
-is no graph of conversions: what stands between two quantities is the difference of these facts.
+A light quantity has a kind (radiant e, luminous v, photon p), powers of time, area and solid angle
+relative to a flux, and the axis of a spectral density.  Conversions between quantities follow from
+the differences of these facts.
 """
 
 from typing import NamedTuple
@@ -45,7 +45,7 @@ DENSITY_NAMES = {
     PER_WAVENUMBER: "per wavenumber",
 }
 DENSITY_SYMBOLS = {NONE: "", PER_WAVELENGTH: ",λ", PER_FREQUENCY: ",ν", PER_WAVENUMBER: ",σ"}
-# Units of what arrives at a surface alone; lm/m2 may leave it as well.
+# Units of incident light only; lm/m2 is also a unit of exitance.
 INCIDENT_UNITS = ("lux", "footcandle", "metre_candle", "nox", "phot")
 
 
@@ -63,7 +63,7 @@ RATIOS = {
     if over != under
 }
 
-# (time, area, solid angle) relative to flux: names for the kinds e, v, p; symbol.
+# (time, area, solid angle) relative to flux: names of the kinds e, v, p; symbol.
 GEOMETRIES = {
     (1, 0, 0): (("radiant energy", "luminous energy", "photon number"), "Q"),
     (0, 0, 0): (("radiant flux", "luminous flux", "photon flux"), "Φ"),
@@ -121,7 +121,7 @@ OTHERS = {
     SPECIFIC_HEAT: ("specific heat capacity", "c"),
 }
 
-# The symbols of what tells of a photon, each of which gives the others.
+# The symbols that characterise a photon; each determines the others.
 PHOTON_NAMES = {
     LENGTH: "wavelength",
     FREQUENCY: "frequency",
@@ -132,7 +132,7 @@ PHOTON_NAMES = {
 
 
 class Reading(NamedTuple):
-    """What a light quantity is: kind, geometry, axis of density; `retinal` for the troland."""
+    """The facts of a light quantity: kind, geometry, axis of density; `retinal` for the troland."""
 
     kind: str
     time: int
@@ -153,7 +153,7 @@ class Reading(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The quantity's name, as the CIE's vocabulary has it."""
+        """The quantity's name in the vocabulary of the CIE."""
         if self.retinal:
             return OTHERS[RETINAL_ILLUMINANCE][0]
         name = GEOMETRIES[self.geometry][0][KINDS.index(self.kind)]
@@ -190,7 +190,7 @@ GRID = {
 
 
 def read(unit: Unit) -> Reading | None:
-    """Read the facts of a light quantity back from a unit; None for any other quantity."""
+    """Return the facts of a light quantity from a unit; None for any other quantity."""
     if unit.dimension == RETINAL_ILLUMINANCE:
         return Reading(LUMINOUS, 0, 1, 1, NONE, retinal=True)
     facts = GRID.get(unit.dimension)
@@ -198,7 +198,7 @@ def read(unit: Unit) -> Reading | None:
 
 
 def is_per_length(unit: Unit) -> bool:
-    """Whether a density per wavelength is written with no wavelength unit: the lm/m of a strip."""
+    """Return whether a density per length has no unit of wavelength: the lm/m of a strip."""
     reading = read(unit)
     if reading is None or reading.axis != PER_WAVELENGTH:
         return False
@@ -208,12 +208,12 @@ def is_per_length(unit: Unit) -> bool:
 
 
 def is_incident(unit: Unit) -> bool:
-    """Whether the unit counts what arrives at a surface: the lux, the foot-candle, the phot."""
+    """Return whether the unit is of incident light only: the lux, the foot-candle, the phot."""
     return not unit.is_exitance and any(name.endswith(INCIDENT_UNITS) for name, _ in unit.atoms)
 
 
 def name_of(unit: Unit) -> str:
-    """Return the name of the quantity that a unit measures, or '' where it has none."""
+    """Return the name of the quantity of a unit; '' if it has none."""
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[0]
@@ -226,13 +226,13 @@ def name_of(unit: Unit) -> str:
 
 
 def result_name(unit: Unit) -> str:
-    """What the result of a conversion to a unit is called, as a calculator's with `--get`."""
+    """Return the name of the result of a conversion to a unit, as used by `--get`."""
     name = name_of(unit).replace("(", "").replace(")", "")
     return name.replace(" ", "-") or "value"
 
 
 def symbol_of(unit: Unit) -> str:
-    """Return the symbol of the quantity that a unit measures, or ''."""
+    """Return the symbol of the quantity of a unit; '' if it has none."""
     reading = read(unit)
     if reading is None:
         return OTHERS.get(unit.dimension, ("", ""))[1]
@@ -260,7 +260,7 @@ COHERENT_AXES = {
 
 
 def coherent_unit(unit: Unit) -> str:
-    """Return the coherent SI unit of a light quantity, as a derivation shows it."""
+    """Return the coherent SI unit of a light quantity, for derivations."""
     reading = read(unit)
     if reading is None:
         return COHERENT.get(unit.dimension, unit.text)
@@ -282,7 +282,7 @@ def coherent_text(reading: Reading) -> str:
 
 
 def describe(unit: Unit) -> str:
-    """A unit for a message: 'luminous flux (lm)', or 'kg.m' where the quantity has no name."""
+    """Return a unit for a message: 'luminous flux (lm)', or 'kg.m' if the quantity has no name."""
     name = name_of(unit)
     text = quote(unit.text)
     return f"{name} ({text})" if name else f"'{text}'"

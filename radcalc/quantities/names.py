@@ -1,19 +1,19 @@
 """The names of the quantities of light in English, Czech and Russian.
 
-The names of the grid are those of the CIE's vocabulary (ILV, IEC 60050-845) and ISO 80000-7 and
-of their Czech and Russian usage; where no settled name is known the place is empty, and English
-serves.  Of several names the first is the one to use; the others are found in use, as "iradiance"
-and "radiozita" are in Czech lecture notes on computer graphics, "hustota zářivého toku" in Czech
-Wikipedia ("Intenzita záření", which tells radiozita from intenzita vyzařování), "ozáření" for W/m2
+The names are those of the CIE's vocabulary (ILV, IEC 60050-845) and ISO 80000-7, and their Czech
+and Russian equivalents; an empty name means that no settled one is known, and the English one is
+used.  The first of several names is preferred; the others are also in use: "iradiance" and
+"radiozita" in Czech lecture notes on computer graphics, "hustota zářivého toku" in Czech Wikipedia
+("Intenzita záření", which distinguishes radiozita from intenzita vyzařování), "ozáření" for W/m2
 in WikiSkripta ("Radiometrické veličiny") and "poměrná spektrální světelná účinnost" in Světlopedia
-("Světelná účinnost").  The definitions are radcalc's own words.
+("Světelná účinnost").  The definitions are radcalc's own.
 """
 
 from typing import NamedTuple
 
 
 class Quantity(NamedTuple):
-    """A quantity: symbol, unit, its names parted by commas, and what it is in one line."""
+    """A quantity: symbol, unit, names separated by commas, and a definition in one line."""
 
     symbol: str
     unit: str
@@ -23,30 +23,30 @@ class Quantity(NamedTuple):
     definition: str
 
     def names(self, language: str) -> list[str]:
-        """Return the names in one language, the first to be preferred."""
+        """Return the names in one language, the preferred one first."""
         text: str = getattr(self, language)
         return text.split(", ") if text else []
 
     def name(self, language: str) -> str:
-        """Return the name to use in a language; the English one where it has none."""
+        """Return the preferred name in a language; the English one if there is none."""
         return (self.names(language) or self.names("en"))[0]
 
 
-# Radiometric beside photometric beside photon, then spectral densities, then the rest.
+# Radiometric, photometric and photon quantities, then spectral densities, then the rest.
 # fmt: off
 _ROWS = (
     ("Q_e", "J", "radiant energy", "zářivá energie", "энергия излучения",
-     "Energy sent out, carried or received as radiation."),
+     "Energy emitted, carried or received as radiation."),
     ("Q_v", "lm s", "luminous energy, quantity of light", "světelné množství, světelná energie",
      "световая энергия",
      "Luminous flux summed over time."),
     ("Q_p", "photon", "photon number", "počet fotonů", "число фотонов",
-     "How many photons are sent out, carried or received."),
+     "Number of photons emitted, carried or received."),
     ("Φ_e", "W", "radiant flux, radiant power", "zářivý tok",
      "поток излучения, лучистый поток, энергетический поток",
      "Power of radiation: radiant energy per time."),
     ("Φ_v", "lm", "luminous flux, luminous power", "světelný tok, světelný výkon", "световой поток",
-     "Radiant flux as the eye weighs it: each wavelength by Km V(λ)."),
+     "Radiant flux weighted by the eye response: each wavelength by Km V(λ)."),
     ("Φ_p", "photon/s", "photon flux", "fotonový tok", "поток фотонов",
      "Photons per time."),
     ("I_e", "W/sr", "radiant intensity", "zářivost",
@@ -58,11 +58,11 @@ _ROWS = (
      "Photon flux of a source per solid angle, in one direction."),
     ("E_e", "W/m2", "irradiance", "ozářenost, iradiance",
      "энергетическая освещённость, облучённость",
-     "Radiant flux that falls on a surface, per area."),
+     "Radiant flux incident on a surface, per area."),
     ("E_v", "lx", "illuminance", "osvětlenost", "освещённость, световая освещённость",
-     "Luminous flux that falls on a surface, per area."),
+     "Luminous flux incident on a surface, per area."),
     ("E_p", "photon/m2/s", "photon irradiance", "fotonová ozářenost", "облучённость фотонов",
-     "Photon flux that falls on a surface, per area."),
+     "Photon flux incident on a surface, per area."),
     ("M_e", "W/m2", "radiant exitance, radiosity",
      "intenzita vyzařování, intenzita vyzáření, zářivá exitance, radiozita",
      "энергетическая светимость",
@@ -72,17 +72,17 @@ _ROWS = (
     ("M_p", "photon/m2/s", "photon exitance", "", "",
      "Photon flux that leaves a surface in all directions, per area."),
     ("L_e", "W/m2/sr", "radiance", "zář", "энергетическая яркость",
-     "Radiant flux per solid angle and per area as that direction sees it."),
+     "Radiant flux in a direction, per solid angle and per projected area."),
     ("L_v", "cd/m2", "luminance", "jas", "яркость, световая яркость",
-     "Luminous flux per solid angle and per area as that direction sees it."),
+     "Luminous flux in a direction, per solid angle and per projected area."),
     ("L_p", "photon/m2/s/sr", "photon radiance", "fotonová zář", "яркость фотонов",
-     "Photon flux per solid angle and per area as that direction sees it."),
+     "Photon flux in a direction, per solid angle and per projected area."),
     ("H_e", "J/m2", "radiant exposure", "ozáření, dávka", "энергетическая экспозиция",
-     "Radiant energy that a surface has received, per area."),
+     "Radiant energy received by a surface, per area."),
     ("H_v", "lx s", "luminous exposure", "osvit", "световая экспозиция",
-     "Luminous energy that a surface has received, per area."),
+     "Luminous energy received by a surface, per area."),
     ("H_p", "photon/m2", "photon exposure", "", "",
-     "Photons that a surface has received, per area."),
+     "Photons received by a surface, per area."),
     ("Φ_e,λ", "W/nm", "spectral radiant flux", "spektrální zářivý tok",
      "спектральная плотность потока излучения",
      "Radiant flux per wavelength."),
@@ -100,28 +100,28 @@ _ROWS = (
      "Radiance per wavelength."),
     ("K", "lm/W", "luminous efficacy, luminous efficacy of radiation",
      "světelná účinnost záření", "световая эффективность излучения",
-     "Luminous flux of a radiation over its radiant flux."),
+     "Luminous flux of radiation over its radiant flux."),
     ("η_v", "lm/W", "luminous efficacy of a source", "měrný výkon", "световая отдача",
-     "Luminous flux of a lamp over the power that it takes from the mains."),
+     "Luminous flux of a lamp over its input power."),
     ("V(λ)", "1", "luminous efficiency",
      "poměrná světelná účinnost, poměrná spektrální světelná účinnost",
      "относительная световая эффективность",
      "Luminous efficacy at a wavelength over its maximum."),
     ("Ω", "sr", "solid angle", "prostorový úhel", "телесный угол",
-     "Area that a cone cuts from a sphere about its tip, over the radius squared."),
+     "Area that a cone cuts from a sphere about its apex, over the radius squared."),
     ("Ω_p", "sr", "projected solid angle",
      "průmět prostorového úhlu, promítnutý prostorový úhel",
      "проекция телесного угла",
-     "Solid angle, each direction weighed by its cosine to a surface's normal."),
+     "Solid angle, with each direction weighted by its cosine to a surface normal."),
     ("G", "m2 sr", "etendue, optical extent", "étendue", "геометрический фактор",
      "Area of a beam times its projected solid angle."),
     ("E_T", "td", "retinal illuminance", "osvětlenost sítnice", "освещённость сетчатки",
-     "Luminance times the area of the pupil through which it is seen."),
+     "Luminance times the area of the eye's pupil."),
 )
 # fmt: on
 QUANTITIES = tuple(Quantity(*row) for row in _ROWS)
 
-# Other quantities in the tables of the commands: English, then Czech and Russian.
+# Labels of other quantities in the tables of the commands: English, then Czech and Russian.
 LABELS = {
     "per wavelength": ("podle vlnové délky", "по длине волны"),
     "per frequency": ("podle frekvence", "по частоте"),
@@ -316,7 +316,7 @@ LABELS = {
     "estimate of the error": ("odhad chyby", "оценка погрешности"),
     "estimate of the flux's error": ("odhad chyby toku", "оценка погрешности потока"),
 }
-# Words before, in or behind the name of a quantity: mean illuminance, luminous flux within.
+# Words before, inside or after the name of a quantity: mean illuminance, luminous flux within.
 PARTS = {
     "mean": ("průměrná {}", "средняя {}"),
     "minimum": ("minimální {}", "минимальная {}"),
@@ -342,7 +342,7 @@ PARTS = {
 }
 
 PPFD, PPF = ("ppfd", "photosynthetic photon flux density", "par"), ("ppf",)
-# What people say instead: the terms, then the quantity that is meant by its symbol, and why.
+# Misnomers: the terms, then the symbol of the quantity that is meant, and an explanation.
 MISNOMERS = (
     (
         ("svítivost",),
@@ -357,42 +357,42 @@ MISNOMERS = (
     (
         ("luminosity",),
         "Φ_e",
-        "luminosity is an astronomer's word for all the power of a star, a radiant flux (W)",
+        "luminosity is the astronomical term for the total power of a star, a radiant flux (W)",
     ),
     (
         ("radiosity", "radiozita"),
         "M_e",
-        "radiosity is a heat engineer's word for radiant exitance, reflected light included",
+        "radiosity is the heat-transfer term for radiant exitance, reflected light included",
     ),
     (
         ("intensity", "light intensity", "intenzita", "intenzita záření", "интенсивность"),
         "E_e",
-        "the intensity of physics, in W/m2, is irradiance; radiant intensity is in W/sr",
+        "intensity in physics, in W/m2, is irradiance; radiant intensity is in W/sr",
     ),
     (
         ("light intensity", "intenzita světla", "интенсивность света"),
         "I_v",
-        "a light's intensity is its luminous intensity (cd); what falls on a surface is in lx",
+        "the intensity of light is its luminous intensity (cd); on a surface, illuminance is in lx",
     ),
     (
         ("light intensity", "light level", "illumination", "intenzita osvětlení", "osvětlení"),
         "E_v",
-        "what falls on a surface, in lx, is illuminance (osvětlenost)",
+        "the light on a surface, in lx, is illuminance (osvětlenost)",
     ),
     (
         ("intenzita ozáření", "insolation"),
         "E_e",
-        "what falls on a surface, in W/m2, is irradiance (ozářenost)",
+        "the radiation on a surface, in W/m2, is irradiance (ozářenost)",
     ),
     (
         ("brightness", "jasnost"),
         "L_v",
-        "brightness is what is felt; what is measured, in cd/m2, is luminance",
+        "brightness is a sensation; the measured quantity, in cd/m2, is luminance",
     ),
     (
         ("power", "optical power", "zářivý výkon", "výkon", "мощность излучения", "мощность"),
         "Φ_e",
-        "the power of radiation is its radiant flux; what a lamp takes from the mains is another",
+        "the power of radiation is its radiant flux; the input power of a lamp is another quantity",
     ),
     (
         ("ozáření",),
@@ -402,17 +402,17 @@ MISNOMERS = (
     (
         ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
         "E_e",
-        "the flux density of what falls on a surface, in W/m2, is irradiance",
+        "the flux density on a surface, in W/m2, is irradiance",
     ),
     (
         ("flux density", "hustota toku", "hustota zářivého toku", "плотность потока"),
         "M_e",
-        "the flux density of what leaves a surface, in W/m2, is radiant exitance",
+        "the flux density that leaves a surface, in W/m2, is radiant exitance",
     ),
     (
         ("flux density", "hustota toku", "hustota světelného toku", "плотность потока"),
         "E_v",
-        "the flux density of light that falls on a surface, in lx, is illuminance",
+        "the flux density of light on a surface, in lx, is illuminance",
     ),
     (
         ("hustota světelného toku",),
@@ -427,7 +427,7 @@ MISNOMERS = (
     (
         ("spektrální světelná účinnost",),
         "K",
-        "in lm/W it is the luminous efficacy of one wavelength, K(λ)",
+        "in lm/W it is the luminous efficacy at one wavelength, K(λ)",
     ),
     (("emittance", "radiant emittance"), "M_e", "radiant exitance was once called emittance"),
     (
@@ -438,7 +438,7 @@ MISNOMERS = (
     (
         ("dose", "fluence", "доза"),
         "H_e",
-        "of a beam that meets a surface squarely the fluence, or dose, is its radiant exposure",
+        "for a beam perpendicular to a surface, the fluence, or dose, is its radiant exposure",
     ),
     (
         PPFD,

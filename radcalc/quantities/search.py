@@ -1,4 +1,4 @@
-"""Finding a quantity by what people call it: a name, a symbol, a unit, or a misnomer."""
+"""Search for a quantity by a name, a symbol, a unit or a misnomer."""
 
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator
@@ -30,20 +30,20 @@ from radcalc.units.unit import NUMBER, Unit
 KINDS = {"e": "radiometric", "v": "photometric", "p": "photon"}
 GREEK = {"lambda": "λ", "phi": "Φ", "Phi": "Φ", "omega": "Ω", "Omega": "Ω", "eta": "η"}
 BRACKETS = str.maketrans("[]()", "    ")
-IN_NO_NAME = "!?#@$&=<>|~;"  # what has them is no name
+IN_NO_NAME = "!?#@$&=<>|~;"  # characters that names do not contain
 LONGEST = 200  # characters of a search
 Item = TypeVar("Item")
 
 
 class Found(NamedTuple):
-    """A quantity that was searched for; `note` says why, where it is known by another name."""
+    """A quantity found by a search, with a note if it was found by another name."""
 
     quantity: Quantity
     note: str = ""
 
 
 def comparable(text: str) -> str:
-    """A text as it is compared: no case, no diacritics, words parted by one blank."""
+    """Return a text for comparison: no case, no diacritics, single blanks between words."""
     parts = (c if c.isalnum() or c in IN_NO_NAME else " " for c in bare(text))
     return " ".join("".join(parts).split())
 
@@ -54,7 +54,7 @@ def matching(
     where: Callable[[Item], str],
     alike: Callable[[str, str], bool] = str.startswith,
 ) -> list[Item]:
-    """Return the items in whose text every word of another is found, as the beginning of a word."""
+    """Return the items whose text has, for every word of another text, a word that begins so."""
     words = comparable(text).split()
     return [
         item
@@ -64,15 +64,15 @@ def matching(
 
 
 def search(text: str) -> list[Found]:
-    """Find quantities by name, misnomer, symbol, unit or parts of a name; all, without a text.
+    """Find quantities by name, misnomer, symbol, unit or parts of a name; all for an empty text.
 
-    The first of these that finds anything decides; raises UsageError where none does.
+    The first of these with a match decides; raises UsageError if there is no match.
     """
     text = text.strip()
     if not text:
         return [Found(q) for q in QUANTITIES]
     if len(text) > LONGEST:
-        raise UsageError(f"no quantity is called '{quote(text)}'", "a name of a few words")
+        raise UsageError(f"unknown quantity '{quote(text)}'", "a name of a few words")
     unit = _unit(text.strip("[]()"))
     matches = (
         called(text)
@@ -88,18 +88,18 @@ def search(text: str) -> list[Found]:
         return matches
     if unit and (measured := name_of(unit)):
         raise UsageError(
-            f"'{quote(text)}' measures {measured}, no quantity of light", command("quantities")
+            f"'{quote(text)}' measures {measured}, not a quantity of light", command("quantities")
         )
     raise UsageError(
-        f"no quantity is called '{quote(text)}'",
+        f"unknown quantity '{quote(text)}'",
         ", ".join(near(text, 3)) or f"{command('quantities')}, which lists them all",
     )
 
 
 class Other(NamedTuple):
-    """A quantity that the vocabulary of light does not list: a length, an efficacy, a density.
+    """A quantity outside the vocabulary of light: a length, an efficacy, a density.
 
-    `unit` has its dimension, and no text.
+    `unit` has its dimension and no text.
     """
 
     names: tuple[str, ...]
@@ -107,17 +107,17 @@ class Other(NamedTuple):
 
 
 class Index(NamedTuple):
-    """What names stand for, by how they are compared: for searches, units and targets alike."""
+    """The names of quantities in their form for comparison, for searches, units and targets."""
 
     names: dict[str, list[Quantity]]
-    misnomers: dict[str, dict[str, str]]  # symbols of quantities, and why
+    misnomers: dict[str, dict[str, str]]  # symbol of the quantity -> explanation
     others: dict[str, Other]
     words: dict[str, list[list[list[str]]]]  # of the names of a quantity in each language
 
 
 @cache
 def index() -> Index:
-    """Return every name and misnomer in every language."""
+    """Return all names and misnomers in all languages."""
     result = Index({}, {}, {}, {})
     for other in _other_quantities():
         result.others.update({comparable(name): other for name in other.names})
@@ -133,7 +133,7 @@ def index() -> Index:
 
 
 def _other_quantities() -> Iterator[Other]:
-    """The quantities that `name_of` tells and the vocabulary does not, then the wavelength."""
+    """Return the quantities of `name_of` that are not in the vocabulary, and the wavelength."""
     for dimension, (name, _) in OTHERS.items():
         if dimension != NUMBER:
             yield Other((name, *LABELS.get(name, ())), Unit("", 1, 1, dimension, ()))
@@ -145,10 +145,10 @@ def _other_quantities() -> Iterator[Other]:
 
 
 def called(text: str) -> list[Found]:
-    """The quantities of that full name in any language, then those of which it is a misnomer.
+    """Return the quantities with that full name in any language, then those with that misnomer.
 
-    A misnomer is part of some right names, too: "intensity" of kinds of light, which come first;
-    "výkon" of a ratio and "плотность потока" of a density, which come last.
+    Some misnomers are also part of correct names.  The quantities with "intensity" in their names
+    come first; the ratios with "výkon" and the densities with "плотность потока" come last.
     """
     folded = comparable(text)
     named = [Found(q) for q in index().names.get(folded, ())]
@@ -161,18 +161,18 @@ def called(text: str) -> list[Found]:
 
 
 def _is_plain(quantity: Quantity) -> bool:
-    """Return whether it is light itself: no ratio of light, and no density along a spectrum."""
+    """Return whether a quantity is light itself, not a ratio or a spectral density."""
     reading = read(resolve(quantity.unit))
     return reading is not None and reading.axis == NONE
 
 
 def with_words(text: str) -> list[Quantity]:
-    """Return the quantities that have every word of the text in the name to use."""
+    """Return the quantities whose first name contains every word of the text."""
     return [f.quantity for f in _by_words(text, str.__eq__, 1)] if len(comparable(text)) > 2 else []
 
 
 def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
-    """The names most like a text that is none, of quantities of light and of others given."""
+    """Return the names, of quantities of light and of `others`, most similar to an unknown name."""
     names = [name for q in QUANTITIES for lang in LANGUAGES for name in q.names(lang)]
     by_comparable = {
         comparable(name): name for name in (*names, *(n for other in others for n in other.names))
@@ -181,7 +181,7 @@ def near(text: str, count: int, others: Iterable[Other] = ()) -> list[str]:
 
 
 def _key(symbol: str) -> str:
-    """A symbol as it is compared: E_v, Ev, $E_{v}$ and Eᵥ are one, and so are Φ and Phi."""
+    """Return a symbol for comparison: E_v, Ev, $E_{v}$ and Eᵥ are equal, and so are Φ and Phi."""
     text = unicodedata.normalize("NFKC", symbol)
     for name, letter in GREEK.items():
         text = text.replace(name, letter)
@@ -189,7 +189,7 @@ def _key(symbol: str) -> str:
 
 
 def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
-    """Return the quantities of that symbol, or of that letter without what stands below it."""
+    """Return the quantities with that symbol, or with that letter without its subscript."""
     key = case(_key(case(text)))
     matches = []
     for q in QUANTITIES:
@@ -205,7 +205,7 @@ def _by_symbol(text: str, case: Callable[[str], str]) -> list[Found]:
 def _by_words(
     text: str, alike: Callable[[str, str], bool], first: int | None = None
 ) -> list[Found]:
-    """The quantities in one of whose (first) names, or kinds, every word of the text is found."""
+    """Return the quantities with every word of the text in one of their (first) names or kinds."""
     words = comparable(text).split()
     matches = []
     for q in QUANTITIES:
@@ -217,13 +217,13 @@ def _by_words(
 
 
 def _unit(text: str) -> Unit | None:
-    """Return the text as a unit; None where it is none."""
+    """Return the text as a unit; None for other texts."""
     unit = find(text) or unit_of(text)
     return unit if unit and unit.dimension != NUMBER else None
 
 
 def _by_unit(unit: Unit | None) -> list[Found]:
-    """The quantities that a unit measures; of a density that is not listed, what it is of."""
+    """Return the quantities of a unit; for an unlisted density, the quantity without its axis."""
     if unit is None:
         return []
     if is_per_length(unit):
@@ -232,7 +232,7 @@ def _by_unit(unit: Unit | None) -> list[Found]:
     if unit.is_exitance:
         measured = [q for q in measured if q.symbol.startswith("M")]
     elif name_of(unit) == "illuminance" and not any(n.endswith("lumen") for n, _ in unit.atoms):
-        # an exitance is not in lux
+        # the lux is not a unit of exitance
         measured = [q for q in measured if not q.symbol.startswith("M")]
     if measured:
         return [Found(q) for q in measured]
@@ -243,18 +243,18 @@ def _by_unit(unit: Unit | None) -> list[Found]:
 
 
 def _without_axis(reading: Reading, note: str) -> list[Found]:
-    """Return the quantity of which another is a density."""
+    """Return the quantity of a spectral density."""
     name = reading._replace(axis=NONE).name
     return [Found(q, note) for q in QUANTITIES if name in q.names("en")]
 
 
 def _per_length(unit: Unit) -> list[Found]:
-    """Both readings of W/m: of a strip, and of a spectrum."""
+    """Return both readings of W/m: of a strip, and of a spectrum."""
     reading = read(unit)
     if reading is None:
         return []
     of_strip = f"{quote(unit.text)} measures {name_of(unit)}, as of a strip of lamps"
-    of_spectrum = f"{reading.name} where the length is one of wavelength"
+    of_spectrum = f"{reading.name} if the length is a wavelength"
     spectral = [q for q in QUANTITIES if resolve(q.unit).dimension == unit.dimension]
     if not spectral:
         return _without_axis(reading, f"{of_strip}, and {of_spectrum}")
@@ -263,7 +263,7 @@ def _per_length(unit: Unit) -> list[Found]:
 
 
 def _by_name_and_unit(text: str) -> list[Found]:
-    """A name with a unit behind it, which may be the unit of another quantity."""
+    """Return the quantity of a name followed by a unit, which may be that of another quantity."""
     words = text.translate(BRACKETS).split()
     for cut in range(1, len(words)):
         name, rest = " ".join(words[:cut]), words[cut:]

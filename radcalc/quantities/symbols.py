@@ -1,8 +1,8 @@
-"""The vocabulary: one row for each symbol that can be given, follows, or stands in a law.
+"""The vocabulary: one row for each symbol of an input, of a result or of a law.
 
-Options, keywords, results, error texts, completions and the option items of the manual are read
-from here.  A help text names another symbol as {name}: the command line and the Python API spell
-it in their own ways.
+Options, keywords, results, error messages, completions and the option items of the manual are
+generated from it.  A help text mentions another symbol as {name}; the command line and the Python
+API each spell it in their own way.
 """
 
 import math
@@ -49,7 +49,7 @@ INFINITE = math.inf
 
 
 class Limits(NamedTuple):
-    """The values [SI] that a symbol can have, and how that is said."""
+    """The allowed values [SI] of a symbol, and their description."""
 
     low: float = -INFINITE
     high: float = INFINITE
@@ -64,28 +64,27 @@ FROM_ZERO = Limits(0.0, said="0 or more")
 PART = Limits(0.0, 1.0, "from 0 to 1, or from 0% to 100%")
 BEAM = Limits(0.0, math.pi, "less than 180 deg", without_low=True, without_high=True)
 FRACTION = PART._replace(without_low=True)
-REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # and used again
-LENS = Limits(0.5, said="0.5 or more, in air")  # where the sine of the half angle is 1
+REFLECTED = Limits(0.0, 1.5, "more than 0, up to 1.5", without_low=True)  # with interreflection
+LENS = Limits(0.5, said="0.5 or more, in air")  # 0.5 for a half angle with the sine 1
 OFF_AXIS = Limits(0.0, math.pi / 2, "from 0 to less than 90 deg", without_high=True)
 TURN = Limits(-math.pi, math.pi, "from 0 to 180 deg")  # on either side
-EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # no camera and no light comes near
+EXPOSURE_VALUE = Limits(-100.0, 100.0, "from -100 to 100")  # far beyond any camera and any light
 
-# How the value of a symbol is written.
+# Forms of a symbol's value.
 QUANTITY, FLAG, CHOICE = "quantity", "flag", "choice"
 SPECTRUM, WAVELENGTHS, INTERVAL = "spectrum", "range of wavelengths", "interval"
 POINT, VECTOR, GRID = "point", "vector", "grid"  # a vector has a direction
 DIRECTION, DISTRIBUTION = "direction", "distribution"
-NUMBERS = "numbers"  # as many as the example has
+NUMBERS = "numbers"  # as many as in the example
 PAIR = "pair"  # of whole numbers, within the limits
 UNIT, WORD = "unit", "word"
 
 
 class Symbol(NamedTuple):
-    """A symbol: what it is called, what it measures, and which values it can have.
+    """A symbol: its names, its quantity and its allowed values.
 
-    `dimensions` are those in which it can be given or asked for, the first is its own; `unit` is
-    the one in which it is shown.  A light quantity has its geometry, and its kind where its name
-    fixes it.
+    `dimensions` are those in which it can be given or requested, its own first; `unit` is the unit
+    of display.  A light quantity has a geometry, and a kind if its name fixes the kind.
     """
 
     name: str
@@ -105,7 +104,7 @@ class Symbol(NamedTuple):
 
 
 def article(noun: str) -> str:
-    """A noun with its article, as it is spoken: an f-number, a utilance."""
+    """Return a noun with its article, by pronunciation: an f-number, a utilance."""
     is_vowel = noun[0] in "aeioAEIO" or noun.startswith(("f-", "up"))
     return f"{'an' if is_vowel else 'a'} {noun}"
 
@@ -123,7 +122,7 @@ def _symbol(
     unit: str = "",
     takes: str = "",
 ) -> Symbol:
-    """Make a row; its unit and wording follow from its dimension, unless they are given."""
+    """Return a row; its unit and wording follow from its dimension, unless they are given."""
     if not takes:
         takes = "a number from 0 to 1" if limits is PART else article(OTHERS[dimension][0])
     return Symbol(
@@ -155,7 +154,7 @@ def _text(
     help_: str,
     choices: tuple[str, ...] = (),
 ) -> Symbol:
-    """A row of what is no quantity."""
+    """Return the row of a symbol that is not a quantity."""
     return Symbol(
         name,
         "",
@@ -179,31 +178,31 @@ def _pair(name: str, example: str, help_: str, limits: Limits) -> Symbol:
 
 
 PROJECTIONS = LATLONG, MIRROR_BALL, ANGULAR = "latlong", "mirror-ball", "angular"
-MOST_PIXELS = 1_000_000  # each way
+MOST_PIXELS = 1_000_000  # in each direction
 DISTRIBUTIONS = ("isotropic", "cone", "lobe")
 PROFILES = GAUSSIAN, UNIFORM = "gaussian", "uniform"
 OBSERVER_NAMES = ("photopic", "scotopic", "cie1964", "judd-vos", "cie2008-2", "cie2008-10")
 
 _ROWS = (
-    # The light, and what links its kinds.
+    # The light, and the links between its kinds.
     _symbol(LENGTH, "wavelength", "λ", "555nm",
         "Light of one wavelength (or frequency, wavenumber, photon energy).",
         also=(FREQUENCY, WAVENUMBER, ENERGY, PHOTON_ENERGY), unit="nm",
         takes="a wavelength, frequency, wavenumber or photon energy"),
     _text(SPECTRUM, "spectrum", "a spectrum", "D65",
-        "Light of that spectrum: a name, blackbody:2856K, line:632.8nm, a file ..."),
+        "Light with this spectrum: a name, blackbody:2856K, line:632.8nm, a file ..."),
     _symbol(RATIOS[LUMINOUS, RADIANT], "efficacy", "K", "93lm/W",
-        "A given ratio of two kinds: 93lm/W, 2.1umol/J, 54lm.s/umol.",
+        "Ratio of two kinds of light: 93lm/W, 2.1umol/J, 54lm.s/umol.",
         also=tuple(RATIOS[pair] for pair in RATIOS if pair != (LUMINOUS, RADIANT)), unit="lm/W",
         takes="a ratio of two kinds"),
     _text(CHOICE, "observer", "an observer", "photopic",
-        "Whose eyes see {wavelength} or {spectrum}.", OBSERVER_NAMES),
+        "Observer (eye response) for {wavelength} or {spectrum}.", OBSERVER_NAMES),
     _text(WAVELENGTHS, "range", "two wavelengths", "380nm:780nm",
-        "Where the watts of {spectrum} are counted."),
+        "Range of wavelengths for the watts of {spectrum}."),
     _text(WAVELENGTHS, "photon-range", "two wavelengths", "400nm:700nm",
-        "Where the photons of {spectrum} are counted (default 400nm:700nm)."),
+        "Range of wavelengths for the photons of {spectrum} (default 400nm:700nm)."),
     _symbol(LENGTH, "bandwidth", "B", "10nm",
-        "Width of a band in which the spectral density is constant.", also=(FREQUENCY, WAVENUMBER),
+        "Width of a band of constant spectral density.", also=(FREQUENCY, WAVENUMBER),
         takes="a width in wavelength, frequency or wavenumber"),
     # Sizes and places.
     _length("radius", "R", "10cm", "Radius of the source."),
@@ -211,14 +210,15 @@ _ROWS = (
     _length("width", "w", "2m", "Width of the source, along x."),
     _length("length", "l", "1m", "Length of the source, along y."),
     _area("area", "A", "1m2", "Area of the source."),
-    _length("distance", "d", "2m", "Straight line to the centre of what is seen."),
+    _length("distance", "d", "2m", "Straight-line distance to the centre of the source."),
     _length("height", "h", "50cm", "Height above the source's plane, along its axis."),
     _symbol(LENGTH, "offset", "x", "20cm",
-        "How far aside of the source's axis, along x (with {height}).", ANY),
-    _symbol(LENGTH, "offset-y", "y", "20cm", "How far aside of it along y (with {height}).", ANY,
+        "Sideways distance from the source's axis, along x (with {height}).", ANY),
+    _symbol(LENGTH, "offset-y", "y", "20cm",
+        "Sideways distance from the source's axis, along y (with {height}).", ANY,
         label="offset along y"),
     _symbol(ANGLE, "tilt", "θ_s", "60deg",
-        "Angle by which the source is turned from the line of sight.", TURN),
+        "Angle between the source's axis and the line of sight.", TURN),
     _symbol(ANGLE, "incidence", "θ", "45deg", "Angle between the light and the receiver's normal.",
         TURN),
     _area("receiver-area", "A_r", "4cm2", "Area of the receiver."),
@@ -241,13 +241,13 @@ _ROWS = (
     _symbol(NUMBER, "sphere-fraction", "Ω/4π", label="fraction of the sphere"),
     _symbol(NUMBER, "exponent", "n", "1", "Exponent of a cosine-power lobe.", FROM_ZERO),
     _symbol(ANGLE, "beam-angle", "FWHM", "30deg",
-        "Full angle of a lobe, where half the peak is left.", BEAM),
+        "Full beam angle, between the directions at half of the peak.", BEAM),
     _symbol(ANGLE, "field-angle", "FWTM", "60deg",
-        "Full angle of a lobe, where a tenth of it is left.", BEAM),
+        "Full field angle, between the directions at a tenth of the peak.", BEAM),
     _symbol(ANGLE, "off-axis-angle", "θ", "20deg",
-        "Angle between the lens's axis and what is seen (0).", OFF_AXIS,
+        "Angle between the lens's axis and the direction of the scene (0).", OFF_AXIS,
         label="angle off the lens's axis"),
-    _symbol(ANGLE, "within", "β", "45deg", "Half angle within which the flux is wanted.",
+    _symbol(ANGLE, "within", "β", "45deg", "Half angle of the cone for the partial flux.",
         Limits(0.0, math.pi, "from 0 to 180 deg", without_low=True),
         label="half angle of the part"),
     _symbol(ANGLE, "off-axis", "γ", "20deg", "Angle between the source's axis and the light.",
@@ -263,15 +263,16 @@ _ROWS = (
         label="luminous efficacy of the source", unit="lm/W"),
     # Surfaces between two media.
     _symbol(NUMBER, "index", "n", "1.52",
-        "Refractive index after the surface, over that before it.", label="refractive index"),
+        "Refractive index after the surface, relative to the one before it.",
+        label="refractive index"),
     _symbol(ANGLE, "refraction-angle", "θ_t", "30deg",
         "Angle between the refracted light and the normal.",
         Limits(0.0, math.pi / 2, "from 0 to 90 deg"), label="angle of refraction"),
     _symbol(ANGLE, "brewster-angle", "θ_B", "56.7deg",
-        "Angle of incidence at which no p-polarised light is reflected.", OFF_AXIS,
+        "Angle of incidence at which p-polarised light is not reflected.", OFF_AXIS,
         label="Brewster's angle"),
     _symbol(ANGLE, "critical-angle", "θ_c", "41.1deg",
-        "Smallest angle at which light in the denser medium is totally reflected.",
+        "Smallest angle of total reflection, in the denser medium.",
         Limits(0.0, math.pi / 2, "more than 0, up to 90 deg", without_low=True)),
     _symbol(NUMBER, "reflectance-s", "ρ_s", label="reflectance, s-polarised"),
     _symbol(NUMBER, "reflectance-p", "ρ_p", label="reflectance, p-polarised"),
@@ -283,41 +284,43 @@ _ROWS = (
     _symbol(ANGLE, "elevation", "h", "45deg", "Elevation above the plane of x and y.",
         Limits(-math.pi / 2, math.pi / 2, "from -90 to 90 deg")),
     _symbol(ANGLE, "horizontal", "a", "60deg",
-        "Full angle between the pyramid's left and right face."),
-    _symbol(ANGLE, "vertical", "b", "40deg", "Full angle between its upper and lower face."),
+        "Full angle between the left and right faces of the pyramid."),
+    _symbol(ANGLE, "vertical", "b", "40deg",
+        "Full angle between the upper and lower faces of the pyramid."),
     # Etendues.
     _symbol(ETENDUE, "etendue", "G", "1mm2.sr", "Etendue of the beam.", unit="m2 sr"),
     _symbol(ETENDUE, "far-field-etendue", "A1 A2/d²", label="far-field etendue", unit="m2 sr"),
     _symbol(NUMBER, "na", "NA", "0.22", "Numerical aperture, in air.",
         Limits(0.0, 1.0, "at most 1, in air", without_low=True), label="numerical aperture"),
-    _symbol(NUMBER, "f-number", "N", "2.4", "The lens's f-number.", LENS,
+    _symbol(NUMBER, "f-number", "N", "2.4", "F-number of the lens.", LENS,
         label="f-number"),
     # Surfaces, eyes, meters, bodies.
     _length("diagonal", "c", "100in", "Diagonal of the picture."),
-    _symbol(NUMBER, "aspect", "a", "16/9", "Width of the picture over its height."),
-    _symbol(NUMBER, "gain", "g", "1", "Gain of the screen, over a perfect diffuser (1)."),
+    _symbol(NUMBER, "aspect", "a", "16/9", "Aspect ratio of the picture, width to height."),
+    _symbol(NUMBER, "gain", "g", "1", "Gain of the screen, relative to a perfect diffuser (1)."),
     _symbol(NUMBER, "reflectance", "ρ", "0.8", "Reflectance of the reflector, 0 to 1 or in %.",
         PART),
-    _text(FLAG, "corner", "", "", "The receiver is under a corner of the rectangle."),
-    _text(FLAG, "perpendicular", "", "", "Its normal runs along the rectangle's length."),
+    _text(FLAG, "corner", "", "", "Place the receiver under a corner of the rectangle."),
+    _text(FLAG, "perpendicular", "", "",
+        "Turn the receiver's normal parallel to the rectangle's length."),
     _text(DISTRIBUTION, "distribution", "a distribution", "lobe",
-        "How the light is spread: isotropic (unless an option of a cone or a lobe is given), cone, "
-        "lobe, a file (IES, EULUMDAT, CSV), or 'EXPRESSION cd' in theta and phi.",
+        "Distribution of the light: isotropic (unless an option of a cone or a lobe is given), "
+        "cone, lobe, a file (IES, EULUMDAT, CSV), or 'EXPRESSION cd' in theta and phi.",
         DISTRIBUTIONS),
     _text(DIRECTION, "toward", "a direction", "60deg,90deg",
-        "A direction from the source, in which the receiver is: POLAR from its axis, "
-        "POLAR,AZIMUTH, or X,Y,Z with Z along the axis."),
+        "Direction from the source to the receiver: POLAR from its axis, POLAR,AZIMUTH, or X,Y,Z "
+        "with Z along the axis."),
     _text(VECTOR, "aim", "a direction", "X,Y,Z",
-        "Where the source's axis points; straight down is 0,0,-1."),
+        "Direction of the source's axis; 0,0,-1 is straight down."),
     _symbol(ANGLE, "rotate", "ψ", "90deg",
-        "Angle by which the source is turned about its axis, C0 from +x towards +y.", ANY),
-    _text(POINT, "viewpoint", "a point", "X,Y,Z", "Where the polygon is seen from (0,0,0)."),
-    _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane projected onto."),
+        "Rotation of the source about its axis, C0 from +x towards +y.", ANY),
+    _text(POINT, "viewpoint", "a point", "X,Y,Z", "Point from which the polygon is seen (0,0,0)."),
+    _text(VECTOR, "normal", "a direction", "X,Y,Z", "Normal of the plane of projection."),
     _symbol(NUMBER, "uniformity", "U_o", label="uniformity, minimum over mean"),
     _symbol(NUMBER, "minimum-to-maximum", "U_d", label="minimum over maximum"),
     _length("pupil", "d", "3mm", "Diameter of the eye's pupil."),
-    _symbol(TIME, "time", "t", "1h", "How long the light is constant."),
-    _symbol(TIME, "max-gap", "", "10min", "Bridge no longer step between samples than that.",
+    _symbol(TIME, "time", "t", "1h", "Time of constant light."),
+    _symbol(TIME, "max-gap", "", "10min", "Longest step between samples that is bridged.",
         label="longest step"),
     _symbol(TIME, "duration", "T", unit="h"),
     _symbol(TIME, "covered-time", "t", unit="h"),
@@ -326,81 +329,84 @@ _ROWS = (
     _symbol(NUMBER, "gaps", "", label="number of gaps"),
     _symbol(TIME, "gap-time", "", unit="h", label="time in gaps"),
     _symbol(TIME, "longest-gap", "", unit="h"),
-    _symbol(NUMBER, "ev", "EV", "12", "Exposure value, of f-number and time.", EXPOSURE_VALUE,
+    _symbol(NUMBER, "ev", "EV", "12", "Exposure value, from f-number and time.", EXPOSURE_VALUE,
         label="exposure value"),
-    _symbol(NUMBER, "ev100", "EV100", "15", "Exposure value at ISO 100, of the light.",
+    _symbol(NUMBER, "ev100", "EV100", "15", "Exposure value of the light at ISO 100.",
         EXPOSURE_VALUE, label="exposure value at ISO 100"),
-    _symbol(NUMBER, "iso", "S", "100", "Speed of the film or sensor (100).", label="ISO speed"),
+    _symbol(NUMBER, "iso", "S", "100", "ISO speed of the film or sensor (100).", label="ISO speed"),
     _symbol(NUMBER, "nd", "D", "0.9",
-        "Density of a neutral filter in front of the lens: 0.9, or ND8 for a factor of 8.",
+        "Optical density of a neutral filter on the lens: 0.9, or ND8 for a factor of 8.",
         FROM_ZERO, label="density of the filter"),
-    _symbol(NUMBER, "stops", "n", "3", "How many stops the filter takes.", FROM_ZERO,
+    _symbol(NUMBER, "stops", "n", "3", "Stops of light that the filter absorbs.", FROM_ZERO,
         label="stops of the filter"),
     _symbol(TIME, "unfiltered-time", "t0", "1/60s", "Exposure time without the filter.",
         label="exposure time without the filter", unit="s"),
     _length("guide-number", "GN", "40m", "Guide number of a flash, at ISO 100.",
         label="guide number"),
     _symbol(times(LUMINANCE, TIME), "k", "K", "12.5cd.s/m2",
-        "The meter's constant for reflected light (12.5 cd s/m2).", label="meter constant K",
+        "Meter constant for reflected light (12.5 cd s/m2).", label="meter constant K",
         takes="a luminance times a time"),
     _symbol(times(ILLUMINANCE, TIME), "c", "C", "250lx.s",
-        "The meter's constant for incident light (250 lx s).", label="meter constant C",
+        "Meter constant for incident light (250 lx s).", label="meter constant C",
         takes="an illuminance times a time"),
     _symbol(LUMINANCE, "saturation-luminance", "L_sat", "4000cd/m2",
         "Luminance at which the sensor saturates.", takes="a luminance"),
-    _symbol(MASS, "mass", "m", "10g", "Mass of the body that is heated."),
-    _symbol(SPECIFIC_HEAT, "specific-heat", "c", "385J/kg/K", "Its specific heat capacity."),
-    _symbol(TEMPERATURE, "temperature-rise", "ΔT", "2K", "How much warmer it gets.",
+    _symbol(MASS, "mass", "m", "10g", "Mass of the heated body."),
+    _symbol(SPECIFIC_HEAT, "specific-heat", "c", "385J/kg/K",
+        "Specific heat capacity of the body."),
+    _symbol(TEMPERATURE, "temperature-rise", "ΔT", "2K", "Temperature rise of the body.",
         takes="a temperature difference"),
-    _symbol(ENERGY, "heat", "Q_h", "10J", "Heat that the body takes up.", takes="a heat"),
-    _symbol(NUMBER, "absorptance", "α", "0.95", "The part of the light that it absorbs (1).",
+    _symbol(ENERGY, "heat", "Q_h", "10J", "Heat absorbed by the body.", takes="a heat"),
+    _symbol(NUMBER, "absorptance", "α", "0.95", "Absorptance of the body (1).",
         FRACTION, takes="a number from 0 to 1"),
     # Rooms.
-    _symbol(NUMBER, "luminaires", "n", "12", "How many luminaires there are.",
+    _symbol(NUMBER, "luminaires", "n", "12", "Number of luminaires.",
         label="number of luminaires"),
     _symbol(NUMBER, "luminaires-to-install", "n_i", label="luminaires to install"),
     _symbol(NUMBER, "room-index", "k", "2.5",
-        "The room's area over half its walls' from the working plane up to the luminaires."),
+        "Area of the room over half the area of its walls between working plane and luminaires."),
     _symbol(NUMBER, "utilance", "U", "0.6",
-        "The part of the luminaires' flux that gets to the working plane, at once or reflected; "
-        "with the flux of bare lamps, the utilization factor.", REFLECTED,
+        "Utilance: fraction of the luminaires' flux that reaches the working plane, directly or "
+        "after reflections; with the flux of bare lamps, the utilization factor.", REFLECTED,
         takes="a number up to 1.5"),
     _symbol(NUMBER, "maintenance", "MF", "0.8",
-        "Maintenance factor: the part of the light that is left by ageing and dirt (1).", FRACTION,
+        "Maintenance factor: fraction of the light that remains after ageing and soiling (1).",
+        FRACTION,
         label="maintenance factor", takes="a number from 0 to 1"),
     # Lasers.
     _text(CHOICE, "profile", "a profile", "gaussian",
-        "Gaussian, with diameters where 1/e^2 of the peak is left (by default), or uniform.",
+        "Profile of the beam: Gaussian, with diameters at 1/e^2 of the peak (default), or uniform.",
         PROFILES),
-    _symbol(ANGLE, "divergence", "φ", "1mrad", "Full angle by which the beam spreads.",
+    _symbol(ANGLE, "divergence", "φ", "1mrad", "Full divergence angle of the beam.",
         Limits(0.0, 0.25, "less than 0.25 rad, for a narrow beam", True, True), unit="mrad"),
     _length("spot-diameter", "D_s", "5mm", "Diameter of the spot at the distance.", unit="mm"),
     _length("hazard-distance", "d_h", "50m",
         "Distance beyond which the peak irradiance is below the limit."),
     # Detectors.
-    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "The f-number at the magnification.", LENS,
+    _symbol(NUMBER, "working-f-number", "N_w", "5.6", "F-number at the magnification.", LENS,
         label="working f-number"),
-    _symbol(NUMBER, "magnification", "m", "0.5", "Size of the image over that of the scene (0).",
+    _symbol(NUMBER, "magnification", "m", "0.5", "Size of the image relative to the scene (0).",
         FROM_ZERO),
-    _symbol(NUMBER, "transmittance", "τ", "0.9", "The part of the light that the lens lets through "
-        "(1).", FRACTION, takes="a number from 0 to 1"),
+    _symbol(NUMBER, "transmittance", "τ", "0.9", "Transmittance of the lens (1).",
+        FRACTION, takes="a number from 0 to 1"),
     _length("pixel-pitch", "p", "3.45um", "Width and height of a square pixel.", unit="um"),
     _area("pixel-area", "A_p", "12um2", "Area of a pixel, or of another detector.", unit="um2"),
     _symbol(PHOTONS, "photons", "N_p", "10000photon", "Photons on a pixel.",
         takes="a number of photons"),
-    _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons that the photons set free."),
+    _symbol(NUMBER, "electrons", "N_e", "5000", "Electrons released by the photons."),
     _symbol(NUMBER, "quantum-efficiency", "η", "0.6", "Electrons per photon.", FRACTION,
         takes="a number from 0 to 1"),
-    _symbol(NUMBER, "snr", "SNR", "100", "Signal over its shot noise, the root of the electrons.",
+    _symbol(NUMBER, "snr", "SNR", "100",
+        "Signal-to-shot-noise ratio: the square root of the number of electrons.",
         label="signal to noise"),
     _symbol(RESPONSIVITY, "responsivity", "s", "0.4A/W",
-        "Current that the detector gives per watt of light on it."),
+        "Current of the detector per watt of incident light."),
     _text(CHOICE, "electric-field", "a choice", "rms",
-        "How the electric field of the light is told: its peak, or its root mean square.",
+        "Electric field of the light, given as its peak or its root mean square.",
         ("peak", "rms")),
-    _symbol(CURRENT, "current", "i", "1uA", "Current that the light makes in the detector.",
+    _symbol(CURRENT, "current", "i", "1uA", "Photocurrent of the detector.",
         takes="a current"),
-    _symbol(NUMBER, "accuracy", "", "1e-9", "Relative, at which to stop (1e-9)."),
+    _symbol(NUMBER, "accuracy", "", "1e-9", "Relative accuracy of the integration (1e-9)."),
     # The sky.
     _symbol(ANGLE, "sun-elevation", "γ_s", "40deg", "Elevation of the sun above the horizon.",
         Limits(0.0, math.pi / 2, "from 0 to 90 deg, above the horizon")),
@@ -411,35 +417,39 @@ _ROWS = (
         label="angular radius of the sun"),
     _symbol(NUMBER, "daylight-share", "s",
         label="daylight share of the plane"),
-    # What surrounds a place.
+    # The surroundings of a place.
     _text(UNIT, "unit", "a unit of radiance", "cd/m2",
-        "What the map's values are in: cd/m2, W/m2/sr ...; 1 where they are relative."),
+        "Unit of the map's values: cd/m2, W/m2/sr ...; 1 for relative values."),
     _text(WORD, "channel", "the name of a channel", "Y",
-        "One channel of the map alone (by default the luminance of all of them)."),
+        "Single channel of the map to use (default: the luminance of all channels)."),
     _symbol(NUMBER, "coverage", "", label="covered share of the sphere"),
     # The cinematographer's light.
     _text(POINT, "point", "a point", "X,Y,Z", ""),
     _text(GRID, "grid", "a grid of points", "X0:X1:N,Y0:Y1:N,Z",
-        "A grid of such points: N along x from X0 to X1, N along y, at Z."),
-    _text(FLAG, "omni", "", "", "It shines everywhere, and depths are distances from it."),
-    _interval(LENGTH, "near", "1m:2m", "Dark up to A, full from B on, smooth between."),
-    _interval(LENGTH, "far", "5m:8m", "Full up to C, dark from D on, smooth between."),
+        "Grid of points: N along x from X0 to X1, N along y, at Z."),
+    _text(FLAG, "omni", "", "",
+        "Light in all directions; depths are then distances from the light."),
+    _interval(LENGTH, "near", "1m:2m",
+        "Depths of the near cut: dark up to A, full from B, smooth in between."),
+    _interval(LENGTH, "far", "5m:8m",
+        "Depths of the far cut: full up to C, dark from D, smooth in between."),
     _symbol(NUMBER, "falloff", "N", "2",
-        "How it falls off with the distance d: as (L/d)^N (2, the inverse square).", FROM_ZERO,
+        "Exponent N of the fall-off (L/d)^N with the distance d (2, the inverse square).",
+        FROM_ZERO,
         label="fall-off exponent"),
-    _length("falloff-distance", "L", "1m", "The distance L at which that is 1 (1 m).",
+    _length("falloff-distance", "L", "1m", "Distance L at which the fall-off is 1 (1 m).",
         label="fall-off distance"),
     _symbol(NUMBER, "maximum", "M", "4",
-        "What it is held to next to the light, over that at {falloff-distance} (no maximum).",
+        "Upper limit of the fall-off, over its value at {falloff-distance} (no limit).",
         Limits(1.0, said="1 or more"), label="maximum of the fall-off"),
     _symbol(NUMBER, "beam-exponent", "n", "1",
-        "Times (z/d)^n: how it falls off aside of the axis (0).", FROM_ZERO),
+        "Exponent n of the factor (z/d)^n for directions off the axis (0).", FROM_ZERO),
     _text(NUMBERS, "superellipse", "four numbers", "0.4,0.3,0.5,0.4",
-        "a,b,A,B: half width and height, over z, within which it is full, and beyond which dark."),
+        "a,b,A,B: half widths and heights, over z, of the fully lit and of the whole lit area."),
     _symbol(NUMBER, "roundness", "R", "1",
-        "Of {superellipse}: 0 a rectangle, 1 an ellipse (1).", PART),
+        "Roundness of {superellipse}, from 0 (rectangle) to 1 (ellipse) (1).", PART),
     _text(NUMBERS, "shear", "two numbers", "0.1,0",
-        "X,Y: how far aside its centre is, over z (0,0)."),
+        "X,Y: sideways shift of the superellipse's centre, over z (0,0)."),
     _symbol(NUMBER, "attenuation", "a"),
     _symbol(NUMBER, "depth-attenuation", "a_z", label="attenuation by depth"),
     _symbol(NUMBER, "superellipse-attenuation", "a_s", label="attenuation by the superellipse"),
@@ -447,21 +457,21 @@ _ROWS = (
     _symbol(NUMBER, "falloff-attenuation", "a_d", label="attenuation by the fall-off"),
     # Maps of the sphere.
     _text(CHOICE, "projection", "a projection", "latlong",
-        "How a map shows the sphere: latlong (2:1), or mirror-ball or angular, in a square.",
+        "Projection of a map: latlong (2:1), or mirror-ball or angular, in a square.",
         PROJECTIONS),
     _text(NUMBERS, "mirror-ball", "two numbers", "0.6,0",
-        "U,V, to the right and up: what a mirror ball shows there, over its radius."),
+        "U,V: point on a mirror ball, to the right and up, over its radius."),
     _text(VECTOR, "reflect-at", "a direction", "X,Y,Z",
-        "Give the direction's reflection at a mirror of that normal."),
+        "Output the direction's reflection at a mirror with this normal."),
     _text(VECTOR, "reflect-to", "a direction", "X,Y,Z",
-        "Give the normal of the mirror that reflects the direction to there."),
+        "Output the normal of the mirror that reflects the direction to this one."),
     *(_symbol(NUMBER, f"mirror-ball-{axis}", axis, limits=ANY, label=f"{axis} on a mirror ball")
       for axis in "uvw"),
     _pair("size", "1024x512", "Width and height of a map, in pixels.",
         Limits(1, MOST_PIXELS, f"from 1 to {MOST_PIXELS} pixels each way")),
-    _pair("pixel", "0,0", "COLUMN,ROW of a pixel of a map; 0,0 is at the top left.",
+    _pair("pixel", "0,0", "COLUMN,ROW of a pixel of a map, with 0,0 at the top left.",
         Limits(0, MOST_PIXELS - 1, f"from 0 to {MOST_PIXELS - 1} in column and row")),
-    # Photons, spectra and what the eye makes of them.
+    # Photons, spectra and eye responses.
     _symbol(FREQUENCY, "frequency", "ν", unit="THz"),
     _symbol(WAVENUMBER, "wavenumber", "σ", unit="cm-1"),
     _symbol(PHOTON_ENERGY, "photon-energy", "Q", also=(ENERGY,), unit="eV"),
@@ -469,7 +479,7 @@ _ROWS = (
     _symbol(RATIOS[LUMINOUS, RADIANT], "luminous-efficacy", "K", unit="lm/W"),
     _symbol(NUMBER, "scotopic-luminous-efficiency", "V'"),
     _symbol(RATIOS[LUMINOUS, RADIANT], "scotopic-luminous-efficacy", "K'", unit="lm/W"),
-    _symbol(NUMBER, "sp-ratio", "S/P", "2", "The light's ratio of scotopic to photopic.",
+    _symbol(NUMBER, "sp-ratio", "S/P", "2", "Scotopic/photopic ratio of the light.",
         Limits(0.0, 73.0, "more than 0, up to 73", without_low=True),
         label="scotopic/photopic ratio"),
     _symbol(RATIOS[PHOTON, RADIANT], "photon-efficacy", "K_p", unit="umol/J"),
@@ -488,14 +498,14 @@ _ROWS = (
     _symbol(NUMBER, "cri", "R_a", limits=ANY, label="colour rendering index"),
     _symbol(TEMPERATURE, "temperature", "T"),
     _symbol(LUMINANCE, "mesopic-luminance", "L_mes", "0.1cd/m2",
-        "The luminance that the half-adapted eye sees.", takes="a luminance"),
+        "Luminance by the eye response at mesopic adaptation.", takes="a luminance"),
     _symbol(LUMINANCE, "scotopic-luminance", "L'", "0.2cd/m2",
-        "The luminance as the dark-adapted eye sees it.", takes="a luminance"),
+        "Luminance by the eye response at dark adaptation.", takes="a luminance"),
     _symbol(NUMBER, "adaptation", "m", limits=ANY, label="adaptation coefficient"),
     _symbol(SOLID_ANGLE, "integral", "∫f dΩ", limits=ANY),
     _symbol(SOLID_ANGLE, "error", "", limits=ANY, label="estimate of the error"),
 )  # fmt: skip
-# What stands in laws alone, and is neither given nor shown.
+# Symbols of laws that are neither inputs nor results.
 _INNER = (
     _symbol(NUMBER, "cosine", "cos(theta)"),
     _symbol(NUMBER, "cosine-of-source", "cos(theta_s)"),
@@ -520,22 +530,22 @@ _INNER = (
 )
 INNER = frozenset({*(symbol.name for symbol in _INNER), "scale"})
 
-# Light quantities by generic names, which serve every kind: geometry, letter, help, and how the
-# names of one kind are made of those of the grid.
+# Light quantities by generic names, which serve every kind: geometry, letter, help, and the pattern
+# of the name in one kind.
 _LIGHT = (
-    ("flux", (0, 0, 0), "Φ", "All the flux", "{}"),
-    ("intensity", (0, 0, 1), "I", "The intensity on the source's axis", "{}"),
-    ("peak-intensity", (0, 0, 1), "I_max", "The greatest intensity in any direction", "peak-{}"),
+    ("flux", (0, 0, 0), "Φ", "Total flux", "{}"),
+    ("intensity", (0, 0, 1), "I", "Intensity on the source's axis", "{}"),
+    ("peak-intensity", (0, 0, 1), "I_max", "Greatest intensity in any direction", "peak-{}"),
     ("intensity-toward", (0, 0, 1), "I_γ", "", "{}-toward"),
     ("upward-flux", (0, 0, 0), "Φ_up", "", "upward-{}"),
     ("downward-flux", (0, 0, 0), "Φ_down", "", "downward-{}"),
-    ("irradiance", (0, 1, 0), "E", "The irradiance on the receiver", "{}"),
-    ("exitance", (0, 1, 0), "M", "The exitance of the source", "{}"),
-    ("radiance", (0, 1, 1), "L", "The uniform radiance of the source", "{}"),
-    ("exposure", (1, 1, 0), "H", "The exposure of the receiver (with {time})", "{}"),
-    ("energy", (1, 0, 0), "Q", "All the energy (with {time})", "{}"),
+    ("irradiance", (0, 1, 0), "E", "Irradiance on the receiver", "{}"),
+    ("exitance", (0, 1, 0), "M", "Exitance of the source", "{}"),
+    ("radiance", (0, 1, 1), "L", "Uniform radiance of the source", "{}"),
+    ("exposure", (1, 1, 0), "H", "Exposure of the receiver (with {time})", "{}"),
+    ("energy", (1, 0, 0), "Q", "Total energy (with {time})", "{}"),
     ("incident-irradiance", (0, 1, 0), "E_i",
-     "The irradiance on the reflector (with {reflectance})", "incident-{}"),
+     "Irradiance on the reflector (with {reflectance})", "incident-{}"),
     ("received-flux", (0, 0, 0), "Φ_r", "", "received-{}"),
     ("flux-within", (0, 0, 0), "Φ_w", "", "{}-within"),
     ("beam-flux", (0, 0, 0), "Φ_b", "", ""),
@@ -545,20 +555,20 @@ _LIGHT = (
     ("mean-irradiance", (0, 1, 0), "E_mean", "", "mean-{}"),
     ("minimum-irradiance", (0, 1, 0), "E_min", "", "minimum-{}"),
     ("maximum-irradiance", (0, 1, 0), "E_max", "", "maximum-{}"),
-    ("peak-irradiance", (0, 1, 0), "E_0", "The irradiance on the axis, where it is greatest",
+    ("peak-irradiance", (0, 1, 0), "E_0", "Greatest irradiance, on the axis",
      "peak-{}"),
     ("limit", (0, 1, 0), "E_lim",
-     "A limit of the irradiance, from the standard (with {hazard-distance})", "{}-limit"),
+     "Exposure limit as an irradiance, from the standard (with {hazard-distance})", "{}-limit"),
     ("installed-irradiance", (0, 1, 0), "E_i", "", "installed-{}"),
-    ("zenith-radiance", (0, 1, 1), "L_z", "The radiance of the sky's zenith", "zenith-{}"),
+    ("zenith-radiance", (0, 1, 1), "L_z", "Radiance of the sky's zenith", "zenith-{}"),
     ("horizontal-irradiance", (0, 1, 0), "E_h",
-     "The irradiance of the ground by the sky, without the sun", "horizontal-{}"),
-    ("global-irradiance", (0, 1, 0), "E_g", "The irradiance of the ground by sky and sun",
+     "Irradiance on the ground from the sky, without the sun", "horizontal-{}"),
+    ("global-irradiance", (0, 1, 0), "E_g", "Irradiance on the ground from sky and sun",
      "global-{}"),
-    ("sun-irradiance", (0, 1, 0), "E_s", "The irradiance by the sun, perpendicular to its rays",
+    ("sun-irradiance", (0, 1, 0), "E_s", "Irradiance from the sun, perpendicular to its rays",
      "sun-{}"),
-    ("sun-radiance", (0, 1, 1), "L_s", "The radiance of the sun's disc", "sun-{}"),
-    ("radiance-toward", (0, 1, 1), "L_w", "The radiance in a direction (with {toward})",
+    ("sun-radiance", (0, 1, 1), "L_s", "Radiance of the sun's disc", "sun-{}"),
+    ("radiance-toward", (0, 1, 1), "L_w", "Radiance in a direction (with {toward})",
      "{}-toward"),
     ("diffuse-irradiance", (0, 1, 0), "E_d", "", "diffuse-{}"),
     ("direct-irradiance", (0, 1, 0), "E_b", "", "direct-{}"),
@@ -566,7 +576,7 @@ _LIGHT = (
     ("minimum-radiance", (0, 1, 1), "L_min", "", "minimum-{}"),
     ("peak-radiance", (0, 1, 1), "L_max", "", "peak-{}"),
 )  # fmt: skip
-# geometry -> the unit to show of each kind, and the coherent one of a derivation
+# geometry -> units of display of each kind, and coherent units of derivations
 LIGHT_UNITS = {
     (0, 0, 0): (("W", "lm", "umol/s"), ("W", "lm", "photon/s")),
     (0, 0, 1): (("W/sr", "cd", "umol/s/sr"), ("W/sr", "cd", "photon/s/sr")),
@@ -578,7 +588,7 @@ LIGHT_UNITS = {
 
 
 def light_unit(name: str, kind: str, coherent: bool = False) -> str:
-    """Return the unit to show of a light quantity by its generic name, or its coherent one."""
+    """Return the unit of display, or the coherent unit, of a light quantity with a generic name."""
     geometry = _LIGHT_ROWS[name][1]
     text = LIGHT_UNITS[geometry][coherent][KINDS.index(kind)]
     return "lm/m2" if text == "lx" and name == "exitance" else text
@@ -587,7 +597,7 @@ def light_unit(name: str, kind: str, coherent: bool = False) -> str:
 def _of_light(
     name: str, generic: str, kind: str, row: tuple[str, tuple[int, int, int], str, str, str]
 ) -> Symbol:
-    """A light quantity, by its generic name (no kind) or by that of one kind."""
+    """Return the row of a light quantity, by its generic name (no kind) or its name of one kind."""
     _, geometry, letter, help_, _ = row
     unit = light_unit(generic, kind or LUMINOUS)
     label = name.replace("-", " ")
@@ -623,7 +633,7 @@ def specific_name(generic: str, kind: str) -> str:
 
 _LIGHT_ROWS = {row[0]: row for row in _LIGHT}
 SYMBOLS: dict[str, Symbol] = {symbol.name: symbol for symbol in (*_ROWS, *_INNER)}
-# The intensity that a 1 of a distribution stands for.
+# The intensity that corresponds to 1 in a relative distribution.
 SYMBOLS["scale"] = _of_light("intensity", "intensity", "", _LIGHT_ROWS["intensity"])._replace(
     name="scale", letter="I_1", help="", label="scale"
 )
@@ -635,16 +645,16 @@ for _name, _row in _LIGHT_ROWS.items():
         if _own != _name:
             SPECIFIC[_own] = (_name, _kind)
             SYMBOLS[_own] = _of_light(_own, _name, _kind, _row)
-METER_UNITS = {"k": "cd.s/m2", "c": "lx.s"}  # of the constants of light meters, written bare
-LINKS = ("wavelength", "spectrum", "efficacy")  # what links the kinds of light
+METER_UNITS = {"k": "cd.s/m2", "c": "lx.s"}  # units of bare light meter constants
+LINKS = ("wavelength", "spectrum", "efficacy")  # links between the kinds of light
 EFFICACIES = (  # the ratios of two kinds: name, the kind over, the kind under
     ("luminous-efficacy", LUMINOUS, RADIANT),
     ("photon-efficacy", PHOTON, RADIANT),
     ("lux-per-ppfd", LUMINOUS, PHOTON),
 )
-REFINEMENTS = ("observer", "range", "photon-range")  # what only refines a link
+REFINEMENTS = ("observer", "range", "photon-range")  # inputs that only refine a link
 
 
 def names_of_kinds(generic: str) -> tuple[str, ...]:
-    """Return the names of one kind that go with a generic name."""
+    """Return the names of one kind that correspond to a generic name."""
     return tuple(name for name, (generic_name, _) in SPECIFIC.items() if generic_name == generic)

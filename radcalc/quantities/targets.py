@@ -1,6 +1,7 @@
-"""The unit that the name of a quantity stands for: TARGET of a conversion, and its completion.
+"""Names of quantities as units: TARGET of a conversion, and its completion.
 
-A unit's own name wins over a quantity's; a name that has several meanings is refused with them.
+The name of a unit takes precedence over that of a quantity; an ambiguous name is refused with its
+meanings.
 """
 
 from typing import NamedTuple
@@ -17,31 +18,31 @@ from radcalc.units.dimensions import COHERENT
 from radcalc.units.table import resolve, suggest, unit_of
 from radcalc.units.unit import Exitance, Photosynthetic, Unit
 
-# Names that serve every kind of light: the source decides which.
+# Names for every kind of light; the source determines the kind.
 GENERIC = ("flux", "irradiance", "exitance", "radiance", "exposure", "energy")
-SHORTEST = 3  # letters of a name: what is shorter is a symbol
-# No unit tells these from Ω, K and a number; the commands that give them.
+SHORTEST = 3  # letters of a name; shorter texts are symbols
+# Quantities with the units of others (Ω, K, a number), and the commands that compute them.
 WITHOUT_OWN_UNIT = {"Ω_p": "solid-angle", "η_v": "point-source", "V(λ)": "photon"}
 
 
 class Target(NamedTuple):
-    """What a name stands for: a quantity's English name, its usual unit, and a note."""
+    """The meaning of a name: a quantity's English name, its usual unit, and a note."""
 
     name: str
     unit: str
     note: str = ""
 
     def as_unit(self) -> Unit:
-        """Return the unit, with what is to be said of the name."""
+        """Return the unit, with the note on the name."""
         kind = Exitance if self.name in EXITANCES else Unit
         return resolve(self.unit).of_class(kind, *filter(None, [self.note]))
 
 
 def named(text: str, source: Unit | None = None) -> Unit:
-    """Return the usual unit of the quantity of that name, which is the name of no unit.
+    """Return the usual unit of the quantity with that name, which is not the name of a unit.
 
-    `source` decides the kind of a name that serves every kind, where it is known.  Raises
-    UnitError for what is no quantity either, and for a name that has several meanings.
+    A known `source` determines the kind of a name for every kind.  Raises UnitError for an unknown
+    quantity and for an ambiguous name.
     """
     meanings = _meanings(text, source)
     if not meanings:
@@ -57,17 +58,17 @@ def named(text: str, source: Unit | None = None) -> Unit:
 
 
 def is_name(text: str) -> bool:
-    """Return whether a quantity, or several, are called that."""
+    """Return whether a text is the name of one or several quantities."""
     return bool(_meanings(text, None)) or comparable(text) in index().names
 
 
 def names_starting(prefix: str) -> list[tuple[str, str]]:
-    """Return the names of quantities that begin so, each as one word, with their usual units."""
+    """Return the names of quantities with that prefix, each as one word, with their usual units."""
     return sorted((name, target.unit) for name, target in _targets(comparable(prefix)).items())
 
 
 def _meanings(text: str, source: Unit | None) -> list[Target]:
-    """Return what a name may stand for."""
+    """Return the possible meanings of a name."""
     folded = comparable(text)
     if len(folded) < SHORTEST:
         return []
@@ -84,10 +85,10 @@ def _meanings(text: str, source: Unit | None) -> list[Target]:
 
 
 def _of_kinds(name: str, source: Unit | None) -> list[Target]:
-    """A name for every kind of light: of the source's, or of all where it has none.
+    """Return the meanings of a name for every kind of light: the source's kind, or all kinds.
 
-    Irradiance and radiance are names of radiant quantities, too: those are meant where the
-    source has no kind, or is of that geometry already.
+    Irradiance and radiance are also radiant quantities, which are meant if the source has no kind
+    or has that geometry.
     """
     reading = read(source) if source else None
     kinds = (reading.kind,) if reading else KINDS
@@ -102,7 +103,7 @@ def _plain(name: str, kind: str) -> str:
 
 
 def _target(quantity: Quantity, note: str = "") -> Target:
-    """A quantity in the unit in which results show it."""
+    """Return a quantity with its unit of display."""
     reading = read(resolve(quantity.unit))
     unit = quantity.unit
     if reading and not reading.axis and not reading.retinal:
@@ -112,7 +113,7 @@ def _target(quantity: Quantity, note: str = "") -> Target:
 
 
 def _other(other: Other) -> Target | None:
-    """What is no light of the vocabulary in the unit in which results show it; None without one."""
+    """Return a quantity outside the vocabulary of light and its unit of display, or None."""
     name, dimension = other.names[0], other.unit.dimension
     symbol = SYMBOLS.get(name.replace(" ", "-"))
     units = (symbol.unit if symbol else "", *composed(other.unit), COHERENT.get(dimension, ""))
@@ -121,7 +122,7 @@ def _other(other: Other) -> Target | None:
 
 
 def _targets(start: str) -> dict[str, Target]:
-    """Return every name with one meaning that begins so, as one word."""
+    """Return the unambiguous names with that prefix, as one word."""
     targets = {}
     for folded, name in _names().items():
         if folded.startswith(start) and unit_of(name) is None:
@@ -132,7 +133,7 @@ def _targets(start: str) -> dict[str, Target]:
 
 
 def _names() -> dict[str, str]:
-    """Return every name, by how it is compared."""
+    """Return all names, by their form for comparison."""
     names = [name for q in QUANTITIES for language in LANGUAGES for name in q.names(language)]
     names += [term for terms, _, _ in MISNOMERS for term in terms]
     names += [name for other in index().others.values() for name in other.names]
@@ -140,15 +141,16 @@ def _names() -> dict[str, str]:
 
 
 def _without_unit(text: str) -> UnitError | None:
-    """Refuse a quantity that no unit tells from another; None for every other text."""
+    """Return the error for a quantity that shares its unit with another; None for other texts."""
     for quantity in index().names.get(comparable(text), ()):
         name, symbol = quantity.name(ENGLISH), quantity.symbol
-        return UnitError(f"no unit is of {name} alone", manual(WITHOUT_OWN_UNIT[symbol]))
+        problem = f"{name} has no unit that distinguishes it"
+        return UnitError(problem, manual(WITHOUT_OWN_UNIT[symbol]))
     return None
 
 
 def _unknown(text: str) -> UnitError:
-    """Refuse what is neither a unit nor a quantity, with the names of quantities like it."""
+    """Return the error for an unknown unit or quantity, with similar names of quantities."""
     try:
         resolve(text)
     except UnitError as error:
@@ -160,15 +162,15 @@ def _unknown(text: str) -> UnitError:
         if near:
             hint = ", ".join(dict.fromkeys([*near, *suggest(text)]))
             unknown = unknown.reworded(hint=hint)
-        elif " " in text.strip() and (alike := names_like(text, 2)):  # of a quantity, no unit
-            unknown = UnitError(f"no quantity or unit is called '{quote(text)}'", ", ".join(alike))
+        elif " " in text.strip() and (similar := names_like(text, 2)):  # a quantity, not a unit
+            unknown = UnitError(f"unknown unit or quantity '{quote(text)}'", ", ".join(similar))
     return unknown
 
 
 def _ambiguous(text: str, meanings: list[Target]) -> UnitError:
-    """Refuse a name of several quantities."""
+    """Return the error for a name of several quantities."""
     names = [f"{target.name} ({target.unit})" for target in meanings]
     units = dict.fromkeys(target.unit.replace(" ", ".") for target in meanings)
     return UnitError(
-        f"'{quote(text)}' may be {', '.join(names[:-1])} or {names[-1]}", ", ".join(units)
+        f"'{quote(text)}' is ambiguous: {', '.join(names[:-1])} or {names[-1]}", ", ".join(units)
     )

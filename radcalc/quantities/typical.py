@@ -1,6 +1,6 @@
-"""Searching the typical values: by what they are of, by quantity, by unit, or near a value.
+"""Search of the typical values by subject, by quantity, by unit, or near a value.
 
-Orientation for a reader who wonders whether an answer can be right.
+They help a reader to judge the plausibility of an answer.
 """
 
 import math
@@ -25,14 +25,14 @@ THINGS = (
     *("солнце", "небо", "пасмурно", "сумерки", "луна", "звёзды", "офис", "класс"),
     *("улица", "свеча", "лампа", "фара", "фонарик", "лазер", "экран", "растения"),
 )
-NEAREST = 7  # values that are shown beside one that is asked about
-FAR = 10.0  # times, from which a value is not near
-ENDING = 2  # letters of a word that its case may change, in Czech and Russian
-STEM = 4  # letters that stay
+NEAREST = 7  # values shown near a given one
+FAR = 10.0  # ratio above which a value is not near
+ENDING = 2  # letters of a word that declension may change, in Czech and Russian
+STEM = 4  # letters that do not change
 
 
 def words() -> tuple[str, ...]:
-    """What is worth searching for: things, and the names of the quantities, each as one word."""
+    """Return suggestions for searches: subjects and names of quantities, each as one word."""
     measured = {value.quantity for value in VALUES}
     quantities = [q for q in QUANTITIES if q.name(ENGLISH) in measured]
     return (
@@ -42,10 +42,10 @@ def words() -> tuple[str, ...]:
 
 
 def search(text: str) -> list[Typical]:
-    """Find values by their quantity, in any language, by a unit, by words; all, without a text.
+    """Find values by quantity, in any language, by unit, or by words; all for an empty text.
 
-    The first of these that finds anything decides; a text that begins with a number finds the
-    values nearest to it.  Raises UsageError where nothing is found.
+    The first of these with a match decides; a text that begins with a number finds the values
+    nearest to it.  Raises UsageError if there is no match.
     """
     text = text.strip()
     if not text:
@@ -59,13 +59,13 @@ def search(text: str) -> list[Typical]:
     words = {word for v in VALUES for word in comparable(_names(v)).split()}
     near = nearest(comparable(text), words, cutoff=0.75)
     raise UsageError(
-        f"there is no typical value for '{quote(text)}'",
+        f"no typical value for '{quote(text)}'",
         ", ".join(near) or f"{command('typical')}, which lists them all",
     )
 
 
 def _names(value: Typical) -> str:
-    """All that a value is called."""
+    """Return all words of a value."""
     return " ".join((*value.names, value.quantity, value.unit, value.also))
 
 
@@ -75,7 +75,7 @@ def _of_quantity(text: str) -> list[Typical]:
 
 
 def _is_alike(word: str, typed: str) -> bool:
-    """Return whether a word begins as the one typed does, but for the ending of a case."""
+    """Return whether a word begins like the typed one, apart from the ending of a case."""
     return len(typed) > STEM and word.startswith(typed[: max(STEM, len(typed) - ENDING)])
 
 
@@ -92,7 +92,7 @@ def _in_unit(text: str) -> list[Typical]:
 
 
 def how_far(text: str, values: list[Typical]) -> str:
-    """Return what to say where a value that is asked about is far from all that are found."""
+    """Return a remark if a given value is far from all values found, else ''."""
     amount = _amount(text.strip())
     if not amount or any(_is_named(value, amount) for value in values):
         return ""
@@ -100,12 +100,13 @@ def how_far(text: str, values: list[Typical]) -> str:
     if away < math.log(FAR):
         return ""
     return (
-        f"even the nearest of these differs from {quote(text.strip())} {math.exp(away):.2g} times"
+        f"even the nearest of these differs from {quote(text.strip())} by a factor of "
+        f"{math.exp(away):.2g}"
     )
 
 
 def _amount(text: str) -> Amount | None:
-    """Return the amount that values are to be near to; None for a word, or a number alone."""
+    """Return the amount to search near; None for a word or a number without a unit."""
     try:
         amount = read_amount(text)
     except NumberError:
@@ -118,10 +119,10 @@ def _amount(text: str) -> Amount | None:
 
 
 def _near(text: str) -> list[Typical]:
-    """What has an amount in its name, and the values of its quantity nearest to it, by their ratio.
+    """Return the values with an amount in their names, and the values nearest to it by ratio.
 
-    Of values that are as near an exact one comes before a range; sums of a day stand behind what
-    is of a moment, or before it where a sum is asked about.  None for a word.
+    At equal distance an exact value precedes a range.  Sums over a day come after values of a
+    moment, or before them if the amount is such a sum.  None for a word.
     """
     amount = _amount(text)
     if amount is None or amount.unit is None:
@@ -155,7 +156,7 @@ def _size(amount: Amount) -> float:
 
 
 def _away(value: Typical, amount: Amount) -> float:
-    """Return how far an amount is outside a value, as the logarithm of their ratio."""
+    """Return the distance of an amount from a value, as the logarithm of their ratio."""
     size = _size(amount)
     low, high = (_in_si(value, end) for end in (value.low, value.high))
     return max(math.log(low / size), math.log(size / high), 0.0)

@@ -1,7 +1,7 @@
-"""The table of typical values: what the sun, the sky, lamps and screens give, and what is needed.
+"""Typical values: light of the sun, the sky, lamps and screens, and recommended light levels.
 
-Numbers are texts, with the digits that the source has.  Where a table that goes round in lecture
-notes is wrong, the value here is the corrected one, and the note says what is wrong.
+Numbers are texts with the digits of their source.  For a wrong value of common lecture tables, the
+value here is the corrected one, and a note describes the error.
 """
 
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from radcalc.units.unit import Unit
 class Typical(NamedTuple):
     """A value in a unit: a number, or a range such as `0.1 to 0.3`.
 
-    `names` say what it is of in English, Czech and Russian; `also` has other words for it.
+    `names` are those of its subject in English, Czech and Russian; `also` has other search words.
     """
 
     names: tuple[str, str, str]
@@ -27,21 +27,21 @@ class Typical(NamedTuple):
 
     @property
     def what(self) -> str:
-        """Return what it is of, in English."""
+        """Return its subject in English."""
         return self.names[0]
 
     def name(self, language: str) -> str:
-        """Return what it is of, in a language."""
+        """Return its subject in a language."""
         return self.names[LANGUAGES.index(language)]
 
     @property
     def low(self) -> float:
-        """The value, or where its range begins."""
+        """The value, or the start of its range."""
         return float(self.value.partition(" to ")[0])
 
     @property
     def high(self) -> float:
-        """The value, or where its range ends."""
+        """The value, or the end of its range."""
         return float(self.value.rpartition(" to ")[2])
 
     @property
@@ -51,7 +51,7 @@ class Typical(NamedTuple):
 
     @property
     def quantity(self) -> str:
-        """The quantity's English name, as the unit has it."""
+        """The English name of the quantity of its unit."""
         return name_of(self.measured)
 
 
@@ -136,7 +136,7 @@ VALUES = (
         ("sun at the ground, winter noon, disc", "slunce u země, zimní poledne, kotouč",
          "солнце у земли, зимний полдень, диск"),
         "1.25e7", "W/m2/sr", "852 W/m2 over the disc's 6.794e-5 sr",
-        "the 1.4e7 of lecture tables implies 951 W/m2, not the 852 beside it",
+        "the 1.4e7 of lecture tables implies 951 W/m2, not the 852 W/m2 in the same tables",
     ),
     Typical(
         ("sun at the ground, disc at noon", "slunce u země, kotouč v poledne",
@@ -167,7 +167,7 @@ VALUES = (
     ),
     Typical(
         ("overcast day", "zatažený den", "пасмурный день"), "10000", "lx", LECTURES,
-        "the 300 cd/m2 of the same tables is a darker day's sky, of 733 lx", CLOUDED,
+        "the 300 cd/m2 of the same tables is the sky of a darker day, of 733 lx", CLOUDED,
     ),
     Typical(
         ("overcast day, noon", "zatažený den, poledne", "пасмурный день, полдень"),
@@ -186,7 +186,7 @@ VALUES = (
         ("overcast sky, dark, its zenith", "zatažená obloha, tmavá, zenit",
          "пасмурное небо, тёмное, зенит"),
         "300", "cd/m2", LECTURES,
-        "gives 733 lx, not the 10 klx that the same tables have for an overcast day", CLOUDED,
+        "gives 733 lx, not the 10 klx of an overcast day in the same tables", CLOUDED,
     ),
     Typical(
         ("darkest storm clouds, noon, at most", "nejtmavší bouřkové mraky, poledne, nejvýše",

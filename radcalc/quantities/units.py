@@ -1,4 +1,4 @@
-"""Which units measure a quantity: for `convert` without a target, `units`, and completion."""
+"""The units of a quantity, for `convert` without a target, `units`, and completion."""
 
 from radcalc.quantities.light import (
     LUMINOUS,
@@ -16,8 +16,8 @@ from radcalc.units.catalogue import CATALOGUE
 from radcalc.units.compiled import NAMES, PREFIX_SYMBOLS, UNITS
 from radcalc.units.unit import Dimension, Unit
 
-# Derived units that have no name of their own are products: a head for kind and time, then
-# what it is per.  Candelas already are per steradian.
+# Derived units without a name are products: a head for kind and time, and divisors.  The candela
+# is already per steradian.
 HEADS = {
     (RADIANT, 0): ("W", "kW", "mW", "uW"),
     (RADIANT, 1): ("J", "kJ", "mJ", "uJ"),
@@ -53,7 +53,7 @@ COMPOSED = {
 
 
 def composed(unit: Unit) -> list[str]:
-    """Products of units that measure the same as `unit`."""
+    """Return products of units that measure the quantity of `unit`."""
     reading = read(unit)
     if reading is None or reading.retinal:
         return list(COMPOSED.get(name_of(unit), ()))
@@ -69,7 +69,7 @@ def composed(unit: Unit) -> list[str]:
 
 
 def units_of(unit: Unit) -> list[str]:
-    """Return the spellings of every unit that measures the same as `unit`."""
+    """Return the spellings of every unit that measures the quantity of `unit`."""
     spellings = composed(unit)
     for name in named(unit.dimension):
         symbols = CATALOGUE[name][0]
@@ -86,13 +86,13 @@ def named(dimension: Dimension) -> list[str]:
 
 
 def offered(unit: Unit) -> list[str]:
-    """`units_of` as one would name them: by symbols, as products, by names without a symbol."""
+    """Return `units_of` in the order of use: symbols, products, names without a symbol."""
     spellings = units_of(unit)
     return sorted(spellings, key=lambda text: 2 if text in NAMES else "/" in text or "." in text)
 
 
 def full_name(unit: Unit) -> str:
-    """The name of a unit (footcandle), or of what a product of units measures (irradiance)."""
+    """Return the name of a unit (footcandle), or the quantity of a product (irradiance)."""
     if len(unit.atoms) == 1 and unit.atoms[0][1] == 1:
         return unit.atoms[0][0].replace("_", " ")
     return name_of(unit)

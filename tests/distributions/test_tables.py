@@ -188,7 +188,7 @@ REFUSED = {
     "per lamp flux": (["gamma,C0 (cd/klm)", *ROWS], "relative to the flux of lamps"),
     "two rows of titles": (["gamma,I", "a,b", *ROWS], "line 1: 'gamma (a)' in the first column"),
     "no unit": (["gamma,I (candles)", *ROWS], "'candles' is not a unit of intensity"),
-    "the wrong case": (["gamma,I (Cd)", *ROWS], "has a unit that is not known"),
+    "the wrong case": (["gamma,I (Cd)", *ROWS], "unknown unit in the title"),
     "thousands of candelas": (["gamma,I x 1000 cd", *ROWS], "scales its numbers"),
     "thousandths behind": (["gamma,I (cd) / 1000", *ROWS], "scales its numbers"),
     "thousandths of a plane": (["gamma,C0 (cd) / 1000", *ROWS], "scales its numbers"),

@@ -95,6 +95,6 @@ def test_a_product_is_defined_by_the_names_of_its_units():
     ("text", "near"), [("luminence", "luminance"), ("osvetlenst", "osvětlenost")]
 )
 def test_what_nothing_is_called_has_near_names(text, near):
-    with pytest.raises(UnitError, match="no unit and no quantity") as refused:
+    with pytest.raises(UnitError, match="unknown unit or quantity") as refused:
         search(text)
     assert near in refused.value.hint

@@ -294,7 +294,7 @@ def test_how_far_the_nearest_is_is_told_where_none_is_near():
     # the sun outside the atmosphere has 133 klx: 1e30/133e3 = 7.5e24; at night 1e-4 lx: 1e5
     for text, times in (("1e30lx", "7.5e+24"), ("1e-9 lx", "1e+05")):
         done = run("typical", text)
-        assert f"the nearest of these differs from {text} {times} times" in done.stderr
+        assert f"the nearest of these differs from {text} by a factor of {times}" in done.stderr
         assert not run("typical", text, "-q").stderr
     for near in ("500lx", "60W", "1e6lx", "candle", "lx"):
         assert not run("typical", near).stderr

@@ -240,7 +240,7 @@ BROKEN = {
     "a responsivity in a comment": ("# R [mA/W]\nnm,R\n400,1\n700,1\n", "'R [mA/W]' is not light"),
     "volts": ("nm,x [mV]\n400,1\n700,1\n", "mV are not light"),
     "an unknown ratio": ("nm,E [J/m²·nm]\n400,1\n700,1\n", "in a unit that is not known"),
-    "an unknown unit of light": ("nm,E [mW/m²·nm]\n400,1\n700,1\n", "a unit that is not known"),
+    "an unknown unit of light": ("nm,E [mW/m²·nm]\n400,1\n700,1\n", "unknown unit"),
     "two units": ("nm,E [uW/cm2/nm] and [uW/m2/nm]\n400,1\n700,1\n", "has two units"),
     "an efficiency": ("nm,quantum efficiency\n400,1\n700,1\n", "is not light"),
     "counts": ("nm,Intensity (counts)\n400,1\n700,1\n", "is not light, or not calibrated"),
