@@ -25,7 +25,7 @@ FAR = ("convert", "400", "cd", "lx", "--distance", "1.0(5)m")
         (CONVERSION, "9.3+-0.3fc", True, "right"),
         (CONVERSION, "9.29+-0.35fc", False, "it is 0.28"),
         (CONVERSION, "100+-3lx", True, "100.0 ± 3.0 lx"),
-        (CONVERSION, "1076+-32fc", False, "upside down"),
+        (CONVERSION, "1076+-32fc", False, "was inverted"),
         (LAMP, "irradiance=15.92+-0.51lx", True, "right"),
         (LAMP, "15.92+-0.72lx", False, "added up"),  # 2.5 % + 2 %
         (LAMP, "15.92+-1.0lx", False, "k = 2"),  # 2 * 3.2 %
