@@ -51,20 +51,49 @@ class Shape(NamedTuple):
     place: Callable[[Worksheet], Placed]
 
 
-def _project(placed: Placed, flat: Any, shape: str, offset: Any = 0.0) -> None:
-    """Add the exact projected solid angle of a shape, with its step."""
-    placed.add("projected-solid-angle", flat)
-    where = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
-    placed.steps.append(
-        PROJECTED_SOLID_ANGLE.with_numbers(f"{shape}{where}: Omega_p = {format_number(flat)} sr")
-    )
+class Seen(Placed):
+    """What a shape finds in its inputs, from where a receiver sees it."""
 
+    def __init__(self, given: Inputs, *laws: AnyLaw) -> None:
+        super().__init__(*laws)
+        self.given = given
 
-def _note_horizon(placed: Placed, shape: str, lowest: Any, highest: Any) -> None:
-    """Note what the receiver's horizon cuts of a shape that lies between two heights."""
-    if any_true(lowest < -1e-12 * abs(highest)):
-        cut = "partly " if any_true(highest > 1e-12 * abs(lowest)) else ""
-        placed.note(f"the {shape} is {cut}below the receiver's horizon")
+    def project(self, flat: Any, shape: str, offset: Any = 0.0) -> None:
+        """Add the exact projected solid angle of a shape, with its step."""
+        self.add("projected-solid-angle", flat)
+        where = f", {format_number(offset)} m off its axis" if any_true(offset != 0) else ""
+        numbers = f"{shape}{where}: Omega_p = {format_number(flat)} sr"
+        self.steps.append(PROJECTED_SOLID_ANGLE.with_numbers(numbers))
+
+    def note_horizon(self, shape: str, lowest: Any, highest: Any) -> None:
+        """Note what the receiver's horizon cuts of a shape that lies between two heights."""
+        if any_true(lowest < -1e-12 * abs(highest)):
+            cut = "partly " if any_true(highest > 1e-12 * abs(lowest)) else ""
+            self.note(f"the {shape} is {cut}below the receiver's horizon")
+
+    def face(self) -> None:
+        """Assume a receiver that faces the source, unless an incidence is given."""
+        self.use("incidence")
+        if "incidence" not in self.given:
+            self.assume("the receiver faces the source")
+
+    def centre(self, height: Any, lateral: Any, tilt: Any) -> None:
+        """Add the place of the source's centre, as a receiver sees it that has this tilt."""
+        self.use(*POSITION)
+        if "incidence" in self.given:
+            self.assume("the incidence is counted from the line to the centre, off the axis")
+        else:
+            self.assume("the receiver faces the source's plane")
+        distance = hypot(height, lateral)
+        self.add("cosine", cones.facing(atan2(lateral, height) - tilt))
+        self.add("cosine-of-source", height / distance)
+        if "distance" not in self.given:
+            self.add("distance", distance)
+
+    def stand_aside(self) -> None:
+        """Add the laws of a disc off its axis, of which a length is looked for."""
+        self.assume("the receiver faces the source's plane")
+        self.laws += [DISC_ASIDE, OFFSET]
 
 
 def _is_sized(given: Inputs) -> bool:
@@ -72,24 +101,35 @@ def _is_sized(given: Inputs) -> bool:
     return "radius" in given or "diameter" in given
 
 
-def _radius(given: Inputs, placed: Placed) -> Any:
-    """Return the radius, given as such or as the diameter; count it as used."""
-    placed.use("radius", "diameter")
+def _radius(given: Inputs) -> Any:
+    """Return the radius, given as such or as the diameter."""
     return radius_of(one_of(given, "the size of the source", "radius", "diameter"))
+
+
+def _tilt(given: Inputs, height: Any, lateral: Any) -> Any:
+    """Return how far the receiver is turned from facing the source's plane.
+
+    Without an incidence it faces the plane.  With one it is turned by that angle from the line to
+    the centre, away from the source's axis: from the centre to facing the plane, and on.
+    """
+    if "incidence" not in given:
+        return 0.0
+    tilt = atan2(lateral, height) - given["incidence"].value
+    return piecewise(tilt > math.pi, lambda t: t - 2 * math.pi, lambda t: t, tilt)
 
 
 def _patch(sheet: Worksheet) -> Placed:
     """Place a flat source of whatever shape, which is small where it is seen from a distance."""
     given = sheet.given
-    placed = Placed(FLAT, *_without_size(given, FLAT_FLUX))
+    placed = Seen(given, FLAT, *_without_size(given, FLAT_FLUX))
     if "width" in given or "length" in given:
         placed.laws.append(RECTANGLE)
     if _is_sized(given):
         placed.laws += [*round_sizes(given), CIRCLE]
     if {"height", *OFFSETS} & set(given):
-        _patch_above(given, placed)
+        _patch_above(placed)
     elif "distance" in given or "irradiance" in sheet.lit.values:
-        _patch_toward(given, placed)
+        _patch_toward(placed)
     else:
         turned = [name for name in ("incidence", "tilt") if name in given]
         if turned:
@@ -98,24 +138,27 @@ def _patch(sheet: Worksheet) -> Placed:
     return placed
 
 
-def _patch_above(given: Inputs, placed: Placed) -> None:
+def _patch_above(placed: Seen) -> None:
     """Place a small flat source by the height of the receiver, on its axis or aside of it."""
+    given = placed.given
     height = _height(given)
     if "height" not in given:
         raise _without_height(next(name for name in OFFSETS if name in given))
     if "tilt" in given:
         raise Exclusive(("tilt", "height"), "both turn the source")
-    _centre(given, placed, height, offset_of(given), offset_of(given, "offset-y"))
+    lateral = hypot(offset_of(given), offset_of(given, "offset-y"))
+    placed.centre(height, lateral, _tilt(given, height, lateral))
     placed.laws += _small(given)
 
 
-def _patch_toward(given: Inputs, placed: Placed) -> None:
+def _patch_toward(placed: Seen) -> None:
     """Place a small flat source by its distance and the angles at both ends."""
+    given = placed.given
     incidence, tilt = angle_of(given, "incidence"), angle_of(given, "tilt")
     placed.add("cosine", cones.facing(incidence))
     placed.add("cosine-of-source", cones.facing(tilt))
     placed.use("incidence", "tilt")
-    _face(given, placed)
+    placed.face()
     if "distance" in given and any_true(_is_cut(given, given["distance"].value)):
         if not _is_sized(given) or any_true(tilt != 0):
             raise cut_by_horizon(given, _reach(given), given["distance"].value)
@@ -165,13 +208,6 @@ def cut_by_horizon(given: Inputs, reach: Any, distance: Any) -> HorizonCuts:
     return HorizonCuts("incidence", given["incidence"].text, least)
 
 
-def _face(given: Inputs, placed: Placed) -> None:
-    """Assume a receiver that faces the source, unless an incidence is given."""
-    placed.use("incidence")
-    if "incidence" not in given:
-        placed.assume("the receiver faces the source")
-
-
 def _height(given: Inputs) -> Any:
     """Return the height above a flat source, which is the distance on its axis, or None."""
     given_names = [name for name in ("height", "distance") if name in given]
@@ -184,44 +220,19 @@ def _height(given: Inputs) -> Any:
     return given[given_names[0]].value
 
 
-def _centre(given: Inputs, placed: Placed, height: Any, x: Any = 0.0, y: Any = 0.0) -> Any:
-    """Add the place of the centre, and return the receiver's tilt.
-
-    Without an incidence the receiver faces the source's plane.  With one it is turned by that
-    angle from the line to the centre, away from the source's axis: from the centre to facing
-    the plane, and on.
-    """
-    placed.use(*POSITION)
-    lateral = hypot(x, y)
-    distance = hypot(height, lateral)
-    off = atan2(lateral, height)
-    tilt = 0.0
-    if "incidence" in given:
-        tilt = off - given["incidence"].value
-        tilt = piecewise(tilt > math.pi, lambda t: t - 2 * math.pi, lambda t: t, tilt)
-        placed.assume("the incidence is counted from the line to the centre, off the axis")
-    else:
-        placed.assume("the receiver faces the source's plane")
-    placed.add("cosine", cones.facing(off - tilt))
-    placed.add("cosine-of-source", height / distance)
-    if "distance" not in given:
-        placed.add("distance", distance)
-    return tilt
-
-
 def _disc(sheet: Worksheet) -> Placed:
     given = sheet.given
-    placed = Placed(*round_sizes(given), CIRCLE, FLAT, *_without_size(given, FLAT_FLUX))
+    placed = Seen(given, *round_sizes(given), CIRCLE, FLAT, *_without_size(given, FLAT_FLUX))
     height = _height(given)
     if _is_sized(given) and height is not None:
-        _disc_seen(given, placed, height)
+        _disc_seen(placed, height)
         return placed
     if "incidence" in given:
         missing = mention("{height=75cm}" if _is_sized(given) else "{radius=25cm}")
         raise MissingInput(mention("too little is given beside {incidence}"), missing)
     if "offset" in given:
         placed.add("lateral", abs(offset_of(given)), given["offset"])
-        _aside(placed)
+        placed.stand_aside()
         return placed
     if "irradiance" in sheet.lit.values:
         placed.assume("the receiver is on the disc's axis and faces it")
@@ -230,53 +241,48 @@ def _disc(sheet: Worksheet) -> Placed:
     return placed
 
 
-def _disc_seen(given: Inputs, placed: Placed, height: Any) -> None:
+def _disc_seen(placed: Seen, height: Any) -> None:
     """Add the solid angles of a disc that is seen from a known place."""
-    size, offset = _radius(given, placed), offset_of(given)
-    tilt = _centre(given, placed, height, abs(offset))
+    placed.use("radius", "diameter")
+    size, offset = _radius(placed.given), offset_of(placed.given)
+    tilt = _tilt(placed.given, height, abs(offset))
+    placed.centre(height, abs(offset), tilt)
     flat = projected.disc(size, height, offset, tilt)
     shape = f"a disc of {format_number(size)} m radius from {format_number(height)} m above"
-    _project(placed, flat, shape, offset)
+    placed.project(flat, shape, offset)
     centre, half = sin(tilt) * abs(offset) + cos(tilt) * height, abs(sin(tilt)) * size
-    _note_horizon(placed, "disc", centre - half, centre + half)
+    placed.note_horizon("disc", centre - half, centre + half)
     placed.add("solid-angle", solid.disc(size, height, offset))
     placed.add("extent", 2 * size)
 
 
-def _aside(placed: Placed) -> None:
-    """Add the laws of a disc off its axis, of which a length is looked for."""
-    placed.assume("the receiver faces the source's plane")
-    placed.laws += [DISC_ASIDE, OFFSET]
-
-
 def _disc_off_axis(sheet: Worksheet) -> Placed:
     """Place a disc so far off its axis as the light demands."""
-    placed = Placed(*round_sizes(sheet.given), CIRCLE, FLAT)
+    placed = Seen(sheet.given, *round_sizes(sheet.given), CIRCLE, FLAT)
     placed.assume("the receiver is as far off the disc's axis as the light tells")
-    _aside(placed)
+    placed.stand_aside()
     return placed
 
 
 def _sphere(sheet: Worksheet) -> Placed:
     given = sheet.given
-    placed = Placed(
-        *round_sizes(given), SPHERE_AREA, SPHERE_FRONT, *_without_size(given, SPHERE_INTENSITY)
-    )
+    without_size = _without_size(given, SPHERE_INTENSITY)
+    placed = Seen(given, *round_sizes(given), SPHERE_AREA, SPHERE_FRONT, *without_size)
     incidence = angle_of(given, "incidence")
-    _face(given, placed)
+    placed.face()
     placed.add("cosine", cones.facing(incidence))
     placed.add("cosine-of-source", 1.0)
     if _is_sized(given) and "distance" in given:
-        size, away = _radius(given, placed), given["distance"].value
-        placed.use("distance")
+        size, away = _radius(given), given["distance"].value
+        placed.use("radius", "diameter", "distance")
         flat = projected.sphere(size, away, incidence)
         shape = f"a sphere of {format_number(size)} m radius from {format_number(away)} m"
-        _project(placed, flat, shape)
+        placed.project(flat, shape)
         placed.add("solid-angle", spheres.solid_angle(size, away))
         placed.add("extent", 2 * size)
         within = spheres.angular_radius(size, away)
         up = math.pi / 2 - incidence
-        _note_horizon(placed, "sphere", up - within, up + within)
+        placed.note_horizon("sphere", up - within, up + within)
         return placed
     if "incidence" in given:
         message = mention("{incidence} does not apply without {radius} and {distance}")
@@ -287,7 +293,7 @@ def _sphere(sheet: Worksheet) -> Placed:
 
 def _rectangle(sheet: Worksheet) -> Placed:
     given = sheet.given
-    placed = Placed(FLAT, *_without_size(given, FLAT_FLUX), RECTANGLE)
+    placed = Seen(given, FLAT, *_without_size(given, FLAT_FLUX), RECTANGLE)
     height = _height(given)
     elsewhere = [
         name for name in ("corner", "perpendicular", *OFFSETS, "incidence") if name in given
@@ -302,7 +308,7 @@ def _rectangle(sheet: Worksheet) -> Placed:
         placed.assume("the receiver is on the rectangle's axis and faces it")
         placed.laws.append(rectangle_on_axis("height" if "height" in given else "distance"))
     else:
-        _rectangle_seen(given, placed, height)
+        _rectangle_seen(placed, height)
     return placed
 
 
@@ -312,8 +318,9 @@ def _lacks_side(sheet: Worksheet) -> bool:
     return len(sides) == 1 and "projected-solid-angle" in reached(LAWS, {*sheet.known})
 
 
-def _rectangle_seen(given: Inputs, placed: Placed, height: Any) -> None:
+def _rectangle_seen(placed: Seen, height: Any) -> None:
     """Add the solid angles of a rectangle that is seen from a known place."""
+    given = placed.given
     width, length = (
         one_of(given, f"the {name} of the rectangle", name).value for name in ("width", "length")
     )
@@ -322,17 +329,16 @@ def _rectangle_seen(given: Inputs, placed: Placed, height: Any) -> None:
     if "corner" in given:
         x, y = _corner(given)
         placed.assume("below a corner of the rectangle")
-    normal = (_sideways if "perpendicular" in given else _upward)(given, placed, height, x, y)
+    normal = (_sideways if "perpendicular" in given else _upward)(placed, height, x, y)
     heights = [
         normal[0] * (i * width / 2 - x) + normal[1] * (j * length / 2 - y) + normal[2] * height
         for i in (-1, 1)
         for j in (-1, 1)
     ]
-    _note_horizon(placed, "rectangle", reduce(smaller, heights), reduce(larger, heights))
+    placed.note_horizon("rectangle", reduce(smaller, heights), reduce(larger, heights))
     flat = projected.rectangle(width, length, height, x, y, normal)
-    _project(
-        placed, flat, f"a rectangle of {format_number(width)} m x {format_number(length)} m", x
-    )
+    shape = f"a rectangle of {format_number(width)} m x {format_number(length)} m"
+    placed.project(flat, shape, x)
     placed.add("solid-angle", solid.rectangle(width, length, height, x, y))
     placed.add("extent", hypot(width, length))
 
@@ -345,20 +351,21 @@ def _corner(given: Inputs) -> tuple[Any, Any]:
     return given["width"].value / 2, given["length"].value / 2
 
 
-def _upward(given: Inputs, placed: Placed, height: Any, x: Any, y: Any) -> Any:
+def _upward(placed: Seen, height: Any, x: Any, y: Any) -> Any:
     """Place a receiver that faces a rectangle's plane or is turned; return its normal."""
-    tilt = _centre(given, placed, height, x, y)
     lateral = hypot(x, y)
+    tilt = _tilt(placed.given, height, lateral)
+    placed.centre(height, lateral, tilt)
     over = 1.0 * (lateral == 0)  # above the centre it is turned along the width
     away = (-x / (lateral + over) - over, -y / (lateral + over))
-    if "incidence" in given and any_true(lateral == 0):
+    if "incidence" in placed.given and any_true(lateral == 0):
         placed.assume("the receiver is turned along the width")
     return sin(tilt) * away[0], sin(tilt) * away[1], cos(tilt)
 
 
-def _sideways(given: Inputs, placed: Placed, height: Any, x: Any, y: Any) -> Any:
+def _sideways(placed: Seen, height: Any, x: Any, y: Any) -> Any:
     """Place an upright receiver that looks along a rectangle's length; return its normal."""
-    if "incidence" in given:
+    if "incidence" in placed.given:
         raise Exclusive(("perpendicular", "incidence"), hint="one")
     distance = hypot(height, hypot(x, y))
     placed.add("cosine", abs(y) / distance)
@@ -381,11 +388,11 @@ def _plane(sheet: Worksheet) -> Placed:
 
 def _hemisphere(sheet: Worksheet) -> Placed:
     """Place the sky, or the part of it in a cone about the zenith."""
-    given, placed = sheet.given, Placed()
+    given, placed = sheet.given, Seen(sheet.given)
     placed.use("half-angle")
-    _face(given, placed)
+    placed.face()
     half = half_angle_of(given["half-angle"], 90) if "half-angle" in given else math.pi / 2
-    _project(placed, projected.cone(half, angle_of(given, "incidence")), "the sky")
+    placed.project(projected.cone(half, angle_of(given, "incidence")), "the sky")
     placed.add("solid-angle", cones.cone(half))
     part = "a cone of it" if "half-angle" in given else "all of it"
     placed.assume(f"a hemisphere of one radiance, {part}")
@@ -394,8 +401,8 @@ def _hemisphere(sheet: Worksheet) -> Placed:
 
 def _part_of_hemisphere(sheet: Worksheet) -> Placed:
     """Place a hemisphere that shines as far from its zenith as the light demands."""
-    placed = Placed(PROJECTED_CONE, CONE)
-    _face(sheet.given, placed)
+    placed = Seen(sheet.given, PROJECTED_CONE, CONE)
+    placed.face()
     placed.assume("a hemisphere shines as far from its zenith as the light tells")
     return placed
 
